@@ -1,0 +1,163 @@
+"""Roll the rod on an outline: the steering, and so the lift, that a disc really gives.
+
+This shares nothing with the envelope. At cam angle theta a point of the disc lies x ahead of the camshaft and y
+across. In the face plane w the rod, pressed on the disc by its spring, clears the point when
+    x <= a + w T - h sqrt(1 + T^2),  h^2 = r^2 - y^2,  T = tan(beta),
+so the least T that clears it is the greater root of a quadratic,
+    T = (w u + h sqrt(u^2 + w^2 - h^2)) / (w^2 - h^2),  u = x - a.
+The rod rests on the point, of both faces' outlines, that asks for the greatest T. Between the faces the bound is
+linear in w, so the faces decide.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.follower import Follower
+from cadgen.curves.closed import Outline
+from cadgen.errors import DesignError
+
+Array = NDArray[np.float64]
+
+_TURN = 2 * np.pi
+# Stations handled at once, so that the table of candidates stays within the processor's cache.
+_BLOCK = 512
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Where the rod rests at each cam angle; all arrays have shape (n,).
+
+    Attributes:
+        cam_angle: rad.
+        tan_beta: of the steering angle that results.
+        lift: s, mm.
+        face: lateral distance of the face that carries the rod, mm.
+        across: y of the contact point, mm, ahead in the sense of growing polar angle.
+        pressure_angle: between the force on the rod and the velocity of its contact point, rad; positive while
+            the cam drives the rod outwards.
+    """
+
+    cam_angle: Array
+    tan_beta: Array
+    lift: Array
+    face: Array
+    across: Array
+    pressure_angle: Array
+
+
+def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
+    """Turn the disc to each cam angle and let the rod down on it.
+
+    The best point of each smooth piece is refined by a parabola through it and its neighbours, so the error
+    falls with the third power of the outline's step.
+
+    Args:
+        outline: dense points of the disc's outline about the camshaft.
+        follower: the rod and the faces; radius 0 follows the outline with the rod's axis.
+        cam_angle: shape (n,), rad.
+
+    Raises:
+        DesignError: the outline does not enclose the camshaft or is not star-shaped about it.
+    """
+    cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
+    ring = _Ring.of(outline, follower)
+    best = np.concatenate(
+        [ring.rest(block) for block in np.split(cam_angle, range(_BLOCK, len(cam_angle), _BLOCK))], axis=1
+    )
+    tan_beta, face, across = best
+    return Contact(
+        cam_angle,
+        tan_beta,
+        follower.lift(tan_beta),
+        face,
+        across,
+        _pressure_angle(follower, tan_beta, face, across),
+    )
+
+
+@dataclass(frozen=True)
+class _Ring:
+    """An outline sorted by polar angle, laid out for looking up all points under the rod at once."""
+
+    follower: Follower
+    angle: Array
+    radius: Array
+    piece: NDArray[np.intp]
+    window: float
+
+    @classmethod
+    def of(cls, outline: Outline, follower: Follower) -> "_Ring":
+        angle = outline.angle
+        slack = 1e-9  # rad; rounding at the two equal points of a joint
+        turns = angle[-1] - angle[0]
+        if not (np.diff(angle) > -slack).all() or abs(turns - _TURN) > 1e-3:
+            raise DesignError(
+                "the outline is not a closed curve run once round the camshaft with no overhang: "
+                "check the file, or the profile's undercut"
+            )
+        radius = np.linalg.norm(outline.points, axis=1)
+        reach = np.arcsin(min(1.0, follower.radius / radius.min())) if follower.radius > 0 else 0.0
+        # A little more than a turn on either side, so that a window never wraps.
+        first = angle[0]
+        offsets = np.array([-_TURN, 0.0, _TURN])
+        tiled = (angle + offsets[:, None]).ravel()
+        near = (tiled > first - reach - 0.2) & (tiled < first + _TURN + reach + 0.2)
+        pieces = outline.piece + (outline.piece.max() + 1) * np.arange(3)[:, None]
+        return cls(follower, tiled[near], np.tile(radius, 3)[near], pieces.ravel()[near], reach)
+
+    def rest(self, theta: Array) -> Array:
+        """tan(beta), carrying face and contact's y at each cam angle, shape (3, n)."""
+        theta = self.angle[0] + (theta - self.angle[0]) % _TURN
+        theta = np.where(theta < self.angle[0] + self.window, theta + _TURN, theta)
+        follower = self.follower
+        if follower.radius == 0:
+            u = np.interp(theta, self.angle, self.radius) - follower.base_radius
+            face = follower.contact_face(u)
+            return np.stack([u / face, face, np.zeros_like(u)])
+        first = np.searchsorted(self.angle, theta - self.window)
+        last = np.searchsorted(self.angle, theta + self.window)
+        index = np.minimum(first[:, None] + np.arange(-1, (last - first).max() + 1), len(self.angle) - 1)
+        off = self.angle[index] - theta[:, None]
+        x, y = self.radius[index] * np.cos(off), self.radius[index] * np.sin(off)
+        under = np.abs(y) < follower.radius
+        h = np.sqrt(np.where(under, follower.radius**2 - y**2, 0.0))
+        rows = np.arange(len(theta))
+        results = []
+        for face in (follower.inner, follower.outer):
+            u = x - follower.base_radius
+            needed = (face * u + h * np.sqrt(u**2 + face**2 - h**2)) / (face**2 - h**2)
+            needed = np.where(under, needed, -np.inf)
+            top = np.clip(np.argmax(needed, axis=1), 1, index.shape[1] - 2)
+            before, at, after = (needed[rows, top + k] for k in (-1, 0, 1))
+            piece = self.piece[index[rows[:, None], top[:, None] + np.arange(-1, 2)]]
+            inside = (piece[:, 0] == piece[:, 1]) & (piece[:, 1] == piece[:, 2])
+            inside &= np.isfinite(before) & np.isfinite(after)
+            bend = np.where(inside, before - 2 * at + after, -1.0)
+            bend = np.minimum(bend, -1e-300)
+            shift = np.where(inside, np.clip((before - after) / (2 * bend), -1.0, 1.0), 0.0)
+            value = np.where(inside, at - (before - after) * shift / 4, at)
+            y0, y1 = y[rows, top], y[rows, top + np.where(shift >= 0, 1, -1)]
+            results.append(np.stack([value, np.full(len(theta), face), y0 + np.abs(shift) * (y1 - y0)]))
+        inner, outer = results
+        return np.where(inner[0] >= outer[0], inner, outer)
+
+
+def _pressure_angle(follower: Follower, T: Array, face: Array, y: Array) -> Array:
+    """Angle between the rod's normal at the contact and the velocity of its contact point, rad.
+
+    In (ahead, across, lateral) the rod's axis runs through (0, 0, 0) along (T, 0, 1), the contact lies at
+    (c, y, w) with c = w T - h sqrt(1 + T^2), and turning the fork moves it along (w, 0, -c).
+    """
+    root = np.sqrt(1 + T**2)
+    h = np.sqrt(np.maximum(follower.radius**2 - y**2, 0.0))
+    c = face * T - h * root
+    # Foot of the contact on the axis; the force is along the line from the contact to it.
+    along = (c * T + face) / root**2
+    force = np.stack([along * T - c, -y, along - face])
+    velocity = np.stack([face, np.zeros_like(face), -c])
+    size = np.linalg.norm(force, axis=0) * np.linalg.norm(velocity, axis=0)
+    with np.errstate(invalid="ignore"):
+        cosine = np.where(size > 0, np.sum(force * velocity, axis=0) / size, 1.0)
+    return np.asarray(np.sign(y) * np.arccos(np.clip(cosine, -1.0, 1.0)))

@@ -1,0 +1,271 @@
+"""The actual profile: the exact envelope of the leaning rod over both faces.
+
+In a face plane w the rod's section at cam angle theta is the ellipse
+    X(theta, eta) = (d - A cos eta) e_r(theta) - r sin eta e_t(theta),
+    d = a + w T(theta),  A = r sqrt(1 + T^2),  T = tan(beta).
+It touches its neighbours where dX/dtheta is parallel to dX/deta (Litvin, Gear Geometry and Applied Theory,
+sec. 6.1):
+    (d' - A' cos eta + r sin eta) r cos eta + (d - A cos eta) A sin eta = 0.
+At a kink of the lift that is hollow, the rod's own section joins the two envelopes; at one that is convex the two
+cross and the part beyond the crossing is lost. The disc that no section cuts is the smallest of all branches at
+each polar angle.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.cam.theoretical import rod_half_width, span_jets
+from cadgen.curves.closed import ClosedCurve, Jet, cross, piece_at_angle, polar_angle
+from cadgen.errors import DesignError
+
+Array = NDArray[np.float64]
+
+_TURN = 2 * np.pi
+_SAMPLES = 3600  # of a turn: folds and crossings closer together than 0.1 degree count as one
+_NEWTON_STEPS = 8
+_JOINT = 1e-9  # rad; two branches that end and begin within this meet, they do not cross
+
+
+@dataclass(frozen=True)
+class EnvelopePiece:
+    """The envelope in one face plane, by cam angle, over a span without kinks."""
+
+    lift: LiftCurve
+    follower: Follower
+    face: float
+    start: float
+    stop: float
+
+    def touch(self, theta: Array) -> Array:
+        """The section's parameter eta at which it touches the envelope, rad."""
+        d, d1, _, A, A1, _ = self._section(theta)
+        r = self.follower.radius
+        eta = np.arctan2(-r * (d1 - A1), A * (d - A) + r**2)
+        for _ in range(_NEWTON_STEPS):
+            c, s = np.cos(eta), np.sin(eta)
+            f = (d1 - A1 * c + r * s) * r * c + (d - A * c) * A * s
+            f_eta = (A1 * s + r * c) * r * c - (d1 - A1 * c + r * s) * r * s + A**2 * s**2 + (d - A * c) * A * c
+            eta = eta - f / f_eta
+        return eta
+
+    def jet(self, t: Array) -> Jet:
+        """Point, velocity by cam angle, and curvature; on a swallowtail the velocity points backwards."""
+        d, d1, d2, A, A1, A2 = self._section(t)
+        r = self.follower.radius
+        eta = self.touch(t)
+        c, s = np.cos(eta), np.sin(eta)
+        p, q = d - A * c, -r * s
+        p1 = d1 - A1 * c
+        f_eta = (A1 * s + r * c) * r * c - (p1 - q) * r * s + A**2 * s**2 + p * A * c
+        f_theta = (d2 - A2 * c) * r * c + p1 * A * s + p * A1 * s
+        eta1 = -f_theta / f_eta
+        # Derivative along the envelope in the turning frame, and the angle of the tangent (A sin, -r cos) in it.
+        along = np.stack([p1 - q + A * s * eta1, p - r * c * eta1], axis=1)
+        tangent = np.stack([-A * s, r * c], axis=1)
+        size2 = np.sum(tangent**2, axis=1)
+        turn = 1.0 + (A * s * r * s * eta1 + r * c * (A * c * eta1 + A1 * s)) / size2
+        speed = np.sum(along * tangent, axis=1) / np.sqrt(size2)
+        with np.errstate(divide="ignore"):
+            curvature = turn / speed
+        return Jet(_turned(p, q, t), _turned(along[:, 0], along[:, 1], t), curvature)
+
+    def advance(self, theta: Array) -> Array:
+        """Rate of the tangential travel along the envelope, mm/rad; negative on a swallowtail."""
+        jet = self.jet(theta)
+        return np.asarray(cross(jet.point, jet.velocity) / np.linalg.norm(jet.point, axis=1))
+
+    def _section(self, theta: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
+        T, T1, T2 = span_jets(self.lift, theta, self.start, self.stop)
+        d = self.follower.base_radius + self.face * T
+        return d, self.face * T1, self.face * T2, *rod_half_width(self.follower.radius, T, T1, T2)
+
+
+@dataclass(frozen=True)
+class RodArc:
+    """The rod's own section at a hollow kink of the lift, by t = -eta."""
+
+    distance: float
+    half_width: float
+    follower: Follower
+    face: float
+    theta: float
+    start: float
+    stop: float
+
+    def jet(self, t: Array) -> Jet:
+        """Point, velocity by t, and curvature (negative: the disc is hollow here)."""
+        A, r = self.half_width, self.follower.radius
+        c, s = np.cos(t), np.sin(t)
+        theta = np.full(len(t), self.theta)
+        return Jet(
+            _turned(self.distance - A * c, r * s, theta),
+            _turned(A * s, r * c, theta),
+            -A * r / (A**2 * s**2 + r**2 * c**2) ** 1.5,
+        )
+
+
+@dataclass(frozen=True)
+class Trim:
+    """A place where two branches cross: between the two cam angles the lift wanted cannot be had in full.
+
+    Attributes:
+        point: shape (2,), mm.
+        before: cam angle whose section last touches before the crossing, rad.
+        after: cam angle whose section first touches after it, rad.
+        kind: `face change` (both faces' envelopes meet), `local` (a kink, or a convex radius smaller than the
+            rod's, lies between) or `global` (two distant parts cut each other off).
+    """
+
+    point: Array
+    before: float
+    after: float
+    kind: Literal["face change", "local", "global"]
+
+
+@dataclass(frozen=True)
+class ActualProfile:
+    """The trimmed envelope and the places where it was trimmed."""
+
+    curve: ClosedCurve
+    trims: tuple[Trim, ...]
+
+
+Branch = EnvelopePiece | RodArc
+
+
+def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
+    """Return the largest disc that no section of the rod cuts, in either face plane.
+
+    Raises:
+        DesignError: the rod is too thick for the cam's smallest radius, so that no disc remains.
+    """
+    _refuse_thick_rod(lift, follower)
+    branches = _branches(lift, follower)
+    starts = np.array([_angle(b, b.start) for b in branches])
+    spans = np.array([(_angle(b, b.stop) - _angle(b, b.start)) % _TURN for b in branches])
+
+    # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
+    uniform = np.linspace(0.0, _TURN, _SAMPLES, endpoint=False)
+    edges = np.sort(np.concatenate([starts % _TURN, (starts + spans) % _TURN, uniform]))
+    edges = edges[np.concatenate([[True], np.diff(edges) > _JOINT])]
+    cells = edges + np.diff(np.concatenate([edges, [edges[0] + _TURN]])) / 2
+    radii = np.full((len(branches), len(cells)), np.inf)
+    for number, branch in enumerate(branches):
+        covered = np.flatnonzero((cells - starts[number]) % _TURN <= spans[number])
+        if covered.size:
+            t = piece_at_angle(branch, cells[covered])
+            radii[number, covered] = np.linalg.norm(branch.jet(t).point, axis=1)
+    owner = np.argmin(radii, axis=0)
+
+    # Walk once round from a cell where the owner changes; each change is a joint or a crossing.
+    changes = np.flatnonzero(owner != np.roll(owner, 1))
+    stops: dict[int, float] = {}
+    begins: list[tuple[int, float]] = []
+    trims = []
+    for place, cell in enumerate(changes):
+        before, after = branches[owner[cell - 1]], branches[owner[cell]]
+        gap = (_angle(after, after.start) - _angle(before, before.stop) + np.pi) % _TURN - np.pi
+        if abs(gap) < _JOINT:
+            leave, enter = before.stop, after.start
+        else:
+            leave, enter = _crossing(before, after, edges[cell])
+            trims.append(_trim(lift, before, after, leave, enter))
+        stops[(place - 1) % len(changes)] = leave
+        begins.append((owner[cell], enter))
+    pieces = tuple(
+        replace(branches[number], start=enter, stop=stops[place]) for place, (number, enter) in enumerate(begins)
+    )
+    return ActualProfile(ClosedCurve(pieces), tuple(trims))
+
+
+def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
+    """Every part of both envelopes that runs forward, and the rod's section at every hollow kink."""
+    joints = np.unique(np.concatenate([[0.0], lift.kinks, [_TURN]]))
+    branches: list[Branch] = []
+    for face in (follower.inner, follower.outer):
+        spans = [
+            EnvelopePiece(lift, follower, face, float(a), float(b))
+            for a, b in zip(joints[:-1], joints[1:], strict=True)
+        ]
+        for number, span in enumerate(spans):
+            branches.extend(_forward_parts(span))
+            after = spans[(number + 1) % len(spans)]
+            eta_before, eta_after = span.touch(np.array([span.stop]))[0], after.touch(np.array([after.start]))[0]
+            if eta_after < eta_before - _JOINT:
+                T = float(lift.tan_beta(after.start))
+                distance, half = follower.base_radius + face * T, follower.radius * float(np.sqrt(1 + T**2))
+                arc = RodArc(distance, half, follower, face, after.start, -eta_before, -eta_after)
+                branches.append(arc)
+    return branches
+
+
+def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
+    """Cut a span at its cusps and folds and keep what runs forward."""
+    count = max(9, int(_SAMPLES * (span.stop - span.start) / _TURN))
+    theta = np.linspace(span.start, span.stop, count)
+    forward = span.advance(theta) > 0
+    if forward.all():
+        return [span]
+    flips = np.flatnonzero(forward[1:] != forward[:-1])
+    low, high = theta[flips], theta[flips + 1]
+    for _ in range(50):  # bisection to rounding
+        middle = (low + high) / 2
+        same = (span.advance(middle) > 0) == forward[flips]
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    edges = np.concatenate([[span.start], (low + high) / 2, [span.stop]])
+    keep = np.concatenate([forward[flips], forward[-1:]])
+    return [replace(span, start=float(a), stop=float(b)) for a, b, k in zip(edges, edges[1:], keep, strict=False) if k]
+
+
+def _crossing(before: Branch, after: Branch, near: float) -> tuple[float, float]:
+    """Parameters at which two branches meet, by Newton's method from a polar angle nearby."""
+    t = np.array([piece_at_angle(b, np.array([near]))[0] for b in (before, after)])
+    for _ in range(_NEWTON_STEPS * 2):
+        a, b = before.jet(t[:1]), after.jet(t[1:])
+        step = np.linalg.solve(np.stack([a.velocity[0], -b.velocity[0]], axis=1), (a.point - b.point)[0])
+        t = np.clip(t - step, [before.start, after.start], [before.stop, after.stop])
+    return float(t[0]), float(t[1])
+
+
+def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> Trim:
+    angles = [b.theta if isinstance(b, RodArc) else t for b, t in ((before, leave), (after, enter))]
+    point = before.jet(np.array([leave])).point[0]
+    kind: Literal["face change", "local", "global"] = "local"
+    if before.face != after.face:
+        kind = "face change"
+    elif isinstance(before, EnvelopePiece):
+        lost = angles[0] + np.linspace(0, 1, 201) * ((angles[1] - angles[0]) % _TURN)
+        kinked = np.any((lift.kinks - angles[0]) % _TURN <= (angles[1] - angles[0]) % _TURN)
+        whole = replace(before, start=float(lost[0]), stop=float(lost[-1]))
+        if not kinked and whole.jet(lost).curvature.min() > 0:
+            kind = "global"
+    return Trim(point, angles[0] % _TURN, angles[1] % _TURN, kind)
+
+
+def _refuse_thick_rod(lift: LiftCurve, follower: Follower) -> None:
+    theta = np.linspace(0, _TURN, _SAMPLES, endpoint=False)
+    T = lift.tan_beta(theta)
+    room = follower.base_radius + follower.lift(T) - follower.radius * np.sqrt(1 + T**2)
+    worst = int(np.argmin(room))
+    if room[worst] <= 0:
+        raise DesignError(
+            f"at cam angle {np.degrees(theta[worst]):.1f} degrees the rod's axis is "
+            f"{follower.base_radius + follower.lift(T)[worst]:.2f} mm from the camshaft, but the rod's radius is "
+            f"{follower.radius:g} mm, so nothing is left of the disc: lower follower.radius_mm or raise "
+            f"cam.base_radius_mm"
+        )
+
+
+def _angle(branch: Branch, t: float) -> float:
+    return float(polar_angle(branch.jet(np.array([t])).point)[0])
+
+
+def _turned(radial: Array, around: Array, theta: Array) -> Array:
+    """Components along and across the ray, as points of the cam frame."""
+    c, s = np.cos(theta), np.sin(theta)
+    return np.stack([radial * c - around * s, radial * s + around * c], axis=1)

@@ -1,0 +1,73 @@
+"""The steering that one turn of the cam must give."""
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import PPoly
+
+from cadgen.errors import DesignError
+from cadgen.path.hermite import quintic_hermite
+
+Array = NDArray[np.float64]
+
+_TURN = 2 * np.pi
+_KINK = 1e-6  # a jump of d tan(beta)/d theta below this turns the outline by less than 1e-6 rad: no kink
+
+
+@dataclass(frozen=True)
+class LiftCurve:
+    """tan(beta) as a function of the cam angle, closed over one turn.
+
+    Attributes:
+        tan_beta: periodic piecewise quintic, cam angle (rad) -> tan(beta).
+        kinks: cam angles at which the slope jumps, shape (k,), rad.
+        blend_start: cam angle from which the closing blend, and not the path, steers, rad.
+    """
+
+    tan_beta: PPoly
+    kinks: Array
+    blend_start: float
+
+    def extrema(self) -> tuple[Array, Array]:
+        """Cam angles of the peaks and of the valleys of the lift, rad, in order."""
+        slope = self.tan_beta.derivative()
+        roots = slope.roots(discontinuity=True, extrapolate=False)
+        roots = np.unique(roots[(roots >= 0) & (roots < _TURN) & np.isfinite(roots)])
+        # Both sides are probed: at a kink the slope changes sign without being zero.
+        probe = 1e-7
+        before, after = slope(roots - probe), slope(roots + probe)
+        return roots[(before > 0) & (after < 0)], roots[(before < 0) & (after > 0)]
+
+
+def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftCurve:
+    """Turn steering by arc length into steering by cam angle, and close it.
+
+    The cam turns once over the whole track in proportion to the drive wheel's travel: theta = 2 pi arc / length
+    (eq. 20). Over the last `blend` of the turn a quintic leads back to the start; value, slope and second
+    derivative are continuous at both its ends, so the profile's curvature is too.
+
+    Args:
+        arc: arc length at the nodes, shape (n,), mm; a kink stands twice.
+        jets: tan(beta) and two derivatives by arc length, shape (n, 3).
+        length: of the whole track, mm.
+        blend: angle of the closing blend, rad.
+
+    Raises:
+        DesignError: the blend covers the whole turn or nothing of it.
+    """
+    if not 0 < blend < _TURN:
+        raise DesignError(f"cam.blend_deg is {degrees(blend):g}; it must lie between 0 and 360 degrees")
+    rate = length / _TURN
+    theta = arc / rate
+    jets = jets * rate ** np.arange(3)
+    open_curve = quintic_hermite(theta, jets)
+    start = _TURN - blend
+    driven = theta < start
+    at_start = np.stack([open_curve(start, nu=order) for order in range(3)])
+    nodes = np.concatenate([theta[driven], [start, _TURN]])
+    closed = quintic_hermite(nodes, np.vstack([jets[driven], at_start, jets[0]]), periodic=True)
+    doubled = np.flatnonzero((np.diff(theta) == 0) & (np.abs(np.diff(jets[:, 1])) > _KINK))
+    kinks = theta[doubled]
+    return LiftCurve(tan_beta=closed, kinks=kinks[kinks < start], blend_start=start)

@@ -1,0 +1,82 @@
+"""Profiles given by a polar formula: the theoretical one and that of the paper's appendix."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.curves.closed import ClosedCurve, Jet, Piece
+
+Array = NDArray[np.float64]
+
+_TURN = 2 * np.pi
+
+
+@dataclass(frozen=True)
+class PolarPiece:
+    """R(phi) = a + w T(phi) - r sqrt(1 + T(phi)^2), with T = tan(beta), over a span without kinks.
+
+    With r = 0 this is the theoretical profile in the face plane w; with the rod's radius, the formula of the
+    paper's appendix, which subtracts the rod's half-width along the cam's radius.
+    """
+
+    lift: LiftCurve
+    base_radius: float
+    face: float
+    rod_radius: float
+    start: float
+    stop: float
+
+    def jet(self, t: Array) -> Jet:
+        """Point, velocity by polar angle, and curvature."""
+        T, T1, T2 = span_jets(self.lift, t, self.start, self.stop)
+        A, A1, A2 = rod_half_width(self.rod_radius, T, T1, T2)
+        R = self.base_radius + self.face * T - A
+        R1, R2 = self.face * T1 - A1, self.face * T2 - A2
+        radial = np.stack([np.cos(t), np.sin(t)], axis=1)
+        around = np.stack([-np.sin(t), np.cos(t)], axis=1)
+        speed2 = R**2 + R1**2
+        return Jet(
+            R[:, None] * radial,
+            R1[:, None] * radial + R[:, None] * around,
+            (R**2 + 2 * R1**2 - R * R2) / speed2**1.5,
+        )
+
+
+def span_jets(lift: LiftCurve, theta: Array, start: float, stop: float) -> tuple[Array, Array, Array]:
+    """tan(beta) and two derivatives inside [start, stop], one-sided at the ends (a kink may stand there)."""
+    inside = np.clip(theta, start, stop - 1e-13 * (1.0 + abs(stop)))
+    return lift.tan_beta(inside), lift.tan_beta(inside, nu=1), lift.tan_beta(inside, nu=2)
+
+
+def rod_half_width(radius: float, T: Array, T1: Array, T2: Array) -> tuple[Array, Array, Array]:
+    """The section's semi-axis r / cos(beta) = r sqrt(1 + T^2) with two derivatives."""
+    root = np.sqrt(1.0 + T**2)
+    return radius * root, radius * T * T1 / root, radius * (T1**2 / root**3 + T * T2 / root)
+
+
+def theoretical_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
+    """R = a + s: where the rod's axis crosses the plane of the face it rests on (paper, section 2.5)."""
+    return _polar_profile(lift, follower, rod_radius=0.0)
+
+
+def published_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
+    """The profile by the formula of the paper's appendix.
+
+    It is not the envelope: the rod touches beside the ray, not on it, so it rides up to 0.27 mm too high on the
+    paper's car. It is offered for comparison.
+    """
+    return _polar_profile(lift, follower, rod_radius=follower.radius)
+
+
+def _polar_profile(lift: LiftCurve, follower: Follower, *, rod_radius: float) -> ClosedCurve:
+    changes = lift.tan_beta.roots(extrapolate=False)
+    changes = changes[np.isfinite(changes)]
+    joints = np.unique(np.concatenate([[0.0], lift.kinks, changes[(changes > 0) & (changes < _TURN)], [_TURN]]))
+    pieces: list[Piece] = []
+    for start, stop in zip(joints[:-1], joints[1:], strict=True):
+        face = float(follower.contact_face(lift.tan_beta((start + stop) / 2)))
+        pieces.append(PolarPiece(lift, follower.base_radius, face, rod_radius, float(start), float(stop)))
+    return ClosedCurve(tuple(pieces))

@@ -1,0 +1,10 @@
+"""Plane closed curves made of smooth pieces, and what a shop needs of them.
+
+| module     | what it does                                                                |
+|------------|-----------------------------------------------------------------------------|
+| `closed`   | a closed curve of smooth pieces: sampling, polar radius, area, corners       |
+| `offset`   | the parallel curve on which a cutter's centre runs                           |
+| `biarc`    | lines and arcs within a stated tolerance (DXF, G-code)                       |
+| `spline`   | B-splines within a stated tolerance (STEP, DXF)                              |
+| `polygon`  | chords within a stated tolerance (STL, 3MF)                                  |
+"""

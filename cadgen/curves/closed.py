@@ -1,0 +1,168 @@
+"""A closed plane curve made of smooth pieces, star-shaped about the origin and run counterclockwise."""
+
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+_TURN = 2 * np.pi
+_GAUSS_POINTS = 6
+_TABLE = 257  # samples of a piece from which Newton's method starts
+_NEWTON_STEPS = 5  # from a start 1e-2 rad off, quadratic convergence reaches rounding in four
+
+
+class Jet(NamedTuple):
+    """A curve at some parameters: point and velocity, shape (n, 2), and signed curvature, shape (n,)."""
+
+    point: Array
+    velocity: Array
+    curvature: Array
+
+
+class Piece(Protocol):
+    """A smooth arc over the parameters [start, stop], start < stop."""
+
+    @property
+    def start(self) -> float:
+        """First parameter."""
+
+    @property
+    def stop(self) -> float:
+        """Last parameter."""
+
+    def jet(self, t: Array) -> Jet:
+        """Point (mm), velocity by t, and curvature (mm^-1, positive where convex) at parameters t."""
+
+
+@dataclass(frozen=True)
+class Outline:
+    """A closed curve as points, dense enough that three neighbours in one piece lie on a parabola.
+
+    Attributes:
+        points: shape (n, 2), mm, counterclockwise; a joint between two pieces stands twice.
+        piece: number of the smooth piece that each point belongs to, shape (n,).
+    """
+
+    points: Array
+    piece: NDArray[np.intp]
+
+    @property
+    def angle(self) -> Array:
+        """Polar angle of the points, rad, unwrapped and so increasing on a star-shaped outline."""
+        return np.unwrap(np.arctan2(self.points[:, 1], self.points[:, 0]))
+
+
+@dataclass(frozen=True)
+class Corner:
+    """A joint at which the direction jumps.
+
+    Attributes:
+        point: shape (2,), mm.
+        turn: jump of the tangent's direction, rad; positive where the curve is convex.
+        after: index of the piece that begins at the corner.
+    """
+
+    point: Array
+    turn: float
+    after: int
+
+
+@dataclass(frozen=True)
+class ClosedCurve:
+    """Smooth pieces joined end to end, the last to the first."""
+
+    pieces: tuple[Piece, ...]
+
+    def outline(self, step: float) -> Outline:
+        """Sample every piece evenly in its parameter, no two points further apart than `step` mm or so.
+
+        Each piece has at least five points, so that a parabola fits inside even the shortest.
+        """
+        points, owner = [], []
+        for number, piece in enumerate(self.pieces):
+            coarse = piece.jet(np.linspace(piece.start, piece.stop, 65)).point
+            length = np.linalg.norm(np.diff(coarse, axis=0), axis=1).sum()
+            count = max(5, int(np.ceil(length / step)) + 1)
+            points.append(piece.jet(np.linspace(piece.start, piece.stop, count)).point)
+            owner.append(np.full(count, number))
+        return Outline(np.concatenate(points), np.concatenate(owner))
+
+    def area(self) -> float:
+        """Enclosed area by Green's theorem, mm^2, Gauss quadrature on each piece (exact to rounding)."""
+        nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
+        total = 0.0
+        for piece in self.pieces:
+            count = max(8, int(np.ceil((piece.stop - piece.start) * 360)))
+            edges = np.linspace(piece.start, piece.stop, count + 1)
+            half = np.diff(edges) / 2
+            t = (edges[:-1] + half)[:, None] + half[:, None] * nodes
+            jet = piece.jet(t.ravel())
+            total += 0.5 * float(np.sum((cross(jet.point, jet.velocity).reshape(t.shape) @ weights) * half))
+        return total
+
+    def radius(self, angle: Array) -> Array:
+        """Polar radius at given polar angles, mm, by Newton's method on the piece that covers each angle."""
+        starts = np.array([polar_angle(piece.jet(np.array([piece.start])).point)[0] for piece in self.pieces])
+        spans = np.diff(np.concatenate([starts, starts[:1]])) % _TURN
+        if len(self.pieces) == 1:
+            spans[:] = _TURN
+        behind = (np.asarray(angle)[:, None] - starts) % _TURN
+        # An angle just before a start comes out near a full turn; it belongs to the piece before.
+        owner = np.argmin(behind, axis=1)
+        out = np.empty(len(owner))
+        for number, piece in enumerate(self.pieces):
+            mine = np.flatnonzero(owner == number)
+            if not mine.size:
+                continue
+            t = piece_at_angle(piece, np.asarray(angle)[mine])
+            out[mine] = np.linalg.norm(piece.jet(t).point, axis=1)
+        return out
+
+    def corners(self, least: float = 1e-6) -> tuple[Corner, ...]:
+        """Joints at which the direction turns by more than `least` rad."""
+        found = []
+        for number, piece in enumerate(self.pieces):
+            before = self.pieces[number - 1]
+            arriving = before.jet(np.array([before.stop])).velocity
+            leaving = piece.jet(np.array([piece.start]))
+            turn = np.arctan2(
+                cross(arriving, leaving.velocity)[0], float(np.sum(arriving * leaving.velocity))
+            )
+            if abs(turn) > least:
+                found.append(Corner(leaving.point[0], float(turn), number))
+        return tuple(found)
+
+
+def piece_at_angle(piece: Piece, angle: Array) -> Array:
+    """Parameters at which a piece that runs forward has given polar angles, by Newton's method."""
+    t = np.linspace(piece.start, piece.stop, _TABLE)
+    turned = np.unwrap(polar_angle(piece.jet(t).point))
+    # The angle meant is the one nearest the piece's middle: right for any piece up to a whole turn.
+    middle = (turned[0] + turned[-1]) / 2
+    want = middle + (angle - middle + np.pi) % _TURN - np.pi
+    guess = np.interp(want, turned, t)
+    for _ in range(_NEWTON_STEPS):
+        jet = piece.jet(guess)
+        rate = cross(jet.point, jet.velocity) / np.sum(jet.point**2, axis=1)
+        miss = (polar_angle(jet.point) - want + np.pi) % _TURN - np.pi
+        guess = np.clip(guess - miss / rate, piece.start, piece.stop)
+    return guess
+
+
+def cross(a: Array, b: Array) -> Array:
+    """Plane cross product of rows, shape (n,)."""
+    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
+
+
+def polar_angle(points: Array) -> Array:
+    """Polar angle of rows in (-pi, pi], rad."""
+    return np.arctan2(points[..., 1], points[..., 0])
+
+
+def left_normal(velocity: Array) -> Array:
+    """Unit normal to the left of the direction of travel: into a counterclockwise curve."""
+    turned = np.stack([-velocity[:, 1], velocity[:, 0]], axis=1)
+    return turned / np.linalg.norm(turned, axis=1, keepdims=True)

@@ -1,0 +1,148 @@
+"""The drive wheel's track: the planned path offset sideways, by arc length, with signed curvature."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import PPoly
+
+from cadgen.errors import DesignError
+from cadgen.path.hermite import quintic_hermite
+from cadgen.path.spline import PlannedPath
+
+Array = NDArray[np.float64]
+
+# 64 intervals a span keep the sixth-order interpolation error under 1e-9 of the curvature on the paper's path,
+# and eight Gauss points make the arc length exact to rounding.
+INTERVALS_PER_SPAN = 64
+GAUSS_POINTS = 8
+
+
+@dataclass(frozen=True)
+class Track:
+    """The path of the drive wheel's contact point, by its own arc length.
+
+    Curvature is positive for a left turn. At a waypoint where the slope of curvature jumps, the node stands
+    twice, with the jet of either side.
+
+    Attributes:
+        length: arc length of the whole track, mm.
+        arc: arc length at the nodes, shape (n,), mm.
+        curvature_jets: curvature, its first and second derivative by arc length, shape (n, 3), mm^-1 ...
+        position: arc length -> (x, y), mm.
+        planned: arc length of this track -> (x, y) of the planned path at the same moment, mm.
+        kinks: arc lengths at which the slope of curvature jumps, shape (k,), mm.
+        waypoint_arc: arc length of this track at each waypoint, shape (m,), mm.
+    """
+
+    length: float
+    arc: Array
+    curvature_jets: Array
+    position: PPoly
+    planned: PPoly
+    kinks: Array
+    waypoint_arc: Array
+
+    def heading(self, arc: Array) -> Array:
+        """Direction of travel at given arc lengths, rad, unwrapped along the array."""
+        tangent = self.position(arc, nu=1)
+        return np.unwrap(np.arctan2(tangent[..., 1], tangent[..., 0]))
+
+    def where(self, arc: float) -> str:
+        """Say in words where on the path an arc length lies."""
+        x, y = self.planned(arc)
+        span = int(np.clip(np.searchsorted(self.waypoint_arc, arc, side="right"), 1, len(self.waypoint_arc) - 1))
+        return f"at ({x:.0f}, {y:.0f}) mm, between waypoints {span} and {span + 1}"
+
+
+def offset_track(path: PlannedPath, offset: float) -> Track:
+    """Offset the planned path to the left and return the track by arc length.
+
+    With the planned path's curvature k and left offset m: ds_track = (1 - m k) ds, k_track = k / (1 - m k).
+
+    Args:
+        path: the planned path.
+        offset: distance of the drive wheel to the left of the planned path, mm.
+
+    Raises:
+        DesignError: the offset track has a cusp (1 - m k <= 0), with the place.
+    """
+    # Nodes: every span subdivided, both ends included, so that a waypoint carries a jet from either side.
+    fractions = np.linspace(0.0, 1.0, INTERVALS_PER_SPAN + 1)
+    starts, widths = path.knots[:-1], np.diff(path.knots)
+    u = starts[:, None] + widths[:, None] * fractions
+    # One-sided derivatives: stay inside the span by less than rounding can show.
+    inside = np.clip(u, starts[:, None], (starts + widths * (1 - 1e-13))[:, None])
+    position, tangent, speed, k, k1, k2 = _jets(path, inside.ravel())
+    _refuse_cusp(path, offset, u.ravel(), position, k)
+
+    nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    middle, half = (u[:, :-1] + u[:, 1:]) / 2, np.diff(u, axis=1) / 2
+    quad_u = middle[..., None] + half[..., None] * nodes
+    _, _, quad_speed, quad_k, _, _ = _jets(path, quad_u.ravel())
+    rate = (quad_speed * (1.0 - offset * quad_k)).reshape(quad_u.shape)
+    steps = (rate @ weights) * half
+    span_arc = np.concatenate([np.zeros((len(starts), 1)), np.cumsum(steps, axis=1)], axis=1)
+    span_start = np.concatenate([[0.0], np.cumsum(span_arc[:, -1])])
+    arc = (span_arc + span_start[:-1, None]).ravel()
+
+    shrink = 1.0 - offset * k
+    curvature = np.stack([k / shrink, k1 / shrink**3, k2 / shrink**4 + 3 * offset * k1**2 / shrink**5], axis=1)
+    normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
+    wheel = np.stack([position + offset * normal, tangent, curvature[:, :1] * normal], axis=1)
+    # The planned point moves 1/(1 - m k) as far; its second derivative follows by the product rule.
+    planned = np.stack(
+        [
+            position,
+            tangent / shrink[:, None],
+            (k / shrink**2)[:, None] * normal + (offset * k1 / shrink**3)[:, None] * tangent,
+        ],
+        axis=1,
+    )
+    return Track(
+        length=float(span_start[-1]),
+        arc=arc,
+        curvature_jets=curvature,
+        position=quintic_hermite(arc, wheel),
+        planned=quintic_hermite(arc, planned),
+        kinks=np.array([]) if path.smooth else span_start[1:-1],
+        waypoint_arc=span_start,
+    )
+
+
+def _jets(path: PlannedPath, u: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
+    """Position, unit tangent, speed, and curvature with two derivatives by the path's own arc length."""
+    r, r1, r2, r3, r4 = path.derivatives(u)
+    speed = np.linalg.norm(r1, axis=1)
+    dot12 = np.einsum("ij,ij->i", r1, r2)
+    speed1 = dot12 / speed
+    speed2 = (np.einsum("ij,ij->i", r2, r2) + np.einsum("ij,ij->i", r1, r3) - speed1**2) / speed
+    cross, cross1, cross2 = _cross(r1, r2), _cross(r1, r3), _cross(r2, r3) + _cross(r1, r4)
+    k = cross / speed**3
+    k_u = cross1 / speed**3 - 3 * k * speed1 / speed
+    k_uu = (
+        cross2 / speed**3
+        - 3 * cross1 * speed1 / speed**4
+        - 3 * k_u * speed1 / speed
+        - 3 * k * (speed2 / speed - speed1**2 / speed**2)
+    )
+    k_s = k_u / speed
+    k_ss = (k_uu - k_u * speed1 / speed) / speed**2
+    return r, r1 / speed[:, None], speed, k, k_s, k_ss
+
+
+def _cross(a: Array, b: Array) -> Array:
+    return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+
+
+def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k: Array) -> None:
+    shrink = 1.0 - offset * k
+    worst = int(np.argmin(shrink))
+    if shrink[worst] > 0 and np.isfinite(k).all():
+        return
+    span = int(np.clip(np.searchsorted(path.knots, u[worst], side="right"), 1, len(path.knots) - 1))
+    raise DesignError(
+        f"the path turns left with a radius of {1 / k[worst]:.1f} mm at ({position[worst, 0]:.0f}, "
+        f"{position[worst, 1]:.0f}) mm, between waypoints {span} and {span + 1}, but the drive wheel runs "
+        f"{offset:.1f} mm inside it, so its track has a cusp there: move the waypoints to a wider turn"
+    )

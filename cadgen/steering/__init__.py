@@ -1,0 +1,6 @@
+"""Curvature of the drive wheel's track <-> steering angle.
+
+| module | what it does                                                                    |
+|--------|---------------------------------------------------------------------------------|
+| `car`  | the three-wheeled car; tan(beta) from curvature (eq. 17-19 with signs) and back |
+"""
