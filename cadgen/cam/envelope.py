@@ -177,10 +177,12 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
             trims.append(_trim(lift, before, after, leave, enter))
         stops[(place - 1) % len(changes)] = leave
         begins.append((owner[cell], enter))
-    pieces = tuple(
-        replace(branches[number], start=enter, stop=stops[place]) for place, (number, enter) in enumerate(begins)
-    )
-    return ActualProfile(ClosedCurve(pieces), tuple(trims))
+    pieces = []
+    for place, (number, enter) in enumerate(begins):
+        stop = stops[place]
+        # Without kinks one branch covers the whole turn, and a piece of it may run through its end.
+        pieces.append(replace(branches[number], start=enter, stop=stop if stop > enter else stop + _TURN))
+    return ActualProfile(ClosedCurve(tuple(pieces)), tuple(trims))
 
 
 def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:

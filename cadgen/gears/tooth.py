@@ -1,0 +1,307 @@
+"""Form of a spur gear's tooth, as a rack with a rounded tip generates it (ISO 21771-1, basic rack ISO 53).
+
+The gear is given by numbers (`GearForm`); `tooth_of` resolves them into the exact curves of one tooth: involute
+flanks, trochoid roots, undercut where the rack undercuts. Helical teeth can follow: everything is computed
+from the transverse module and pressure angle, which for a spur gear are the normal ones.
+
+Choice of cutting: the tooth-thickness deviation E_sn is made by feeding the rack, so the root follows the flanks
+(generating profile shift x_E = x + E_sn / (2 m_n tan α_n), ISO 21771-1), while the tip circle is turned
+to the nominal x before cutting.
+"""
+
+from __future__ import annotations
+
+from cmath import phase
+from dataclasses import dataclass, replace
+from math import acos, asinh, cos, degrees, isfinite, pi, radians, sin, sqrt, tan
+from numbers import Integral
+
+import numpy as np
+from scipy.optimize import brentq
+
+from cadgen.errors import DesignError
+from cadgen.gears.outline import Arc, Curve, Involute, Line, Outline, Trochoid
+
+MINIMUM_TEETH = 4
+# Outside these the basic rack has either no straight flank of use or no width at its tip.
+PRESSURE_ANGLE_RANGE = (radians(10.0), radians(35.0))
+# In modules: least tip land, neck above an undercut and height of flank. Less is pointed or severed for any cutter.
+LEAST_THICKNESS = 0.05
+# In modules: a sharper rack tip is no tool, and its root curve may shrink to a point.
+LEAST_RACK_TIP_RADIUS = 0.01
+# In modules: a flat at the rack's tip of no more than this is a full radius typed with few digits; the radius is
+# then taken as the full one (0.003 µm per mm of module away at most), so that no edge is shorter than kernels bear.
+LEAST_FLAT = 2e-6
+# In mm: a smaller chamfer is no chamfer.
+LEAST_CHAMFER = 1e-3
+# Points at which a root curve is searched for its narrowest place.
+NECK_SAMPLES = 65
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GearForm:
+    """Numbers of one external spur gear, lengths in mm and angles in rad; the factors are multiples of the module.
+
+    `dedendum_factor` (h_fP*) and `rack_tip_radius_factor` (ρ_fP*) are those of the basic rack, by default ISO 53
+    profile A. `tooth_thickness_deviation` is E_sn, signed: negative thins the tooth. `tip_chamfer` is the leg of the
+    chamfer along the tip circle and along the radius. Raises `DesignError` for a number outside its range.
+    """
+
+    teeth: int
+    normal_module: float
+    width: float
+    normal_pressure_angle: float = radians(20.0)
+    profile_shift: float = 0.0
+    addendum_factor: float = 1.0
+    dedendum_factor: float = 1.25
+    rack_tip_radius_factor: float = 0.38
+    tooth_thickness_deviation: float = 0.0
+    tip_chamfer: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.teeth, Integral) or self.teeth < MINIMUM_TEETH:
+            raise DesignError(
+                f"a gear has {self.teeth} teeth; give a whole number of at least {MINIMUM_TEETH}"
+            )
+        for name in ("normal_module", "width", "addendum_factor", "dedendum_factor"):
+            self._require(name, getattr(self, name) > 0, "a number above 0")
+        radius, chamfer = self.rack_tip_radius_factor, self.tip_chamfer
+        self._require(
+            "rack_tip_radius_factor", radius >= LEAST_RACK_TIP_RADIUS, f"{LEAST_RACK_TIP_RADIUS} or more"
+        )
+        self._require(
+            "tip_chamfer", chamfer == 0 or chamfer >= LEAST_CHAMFER, f"0, or {LEAST_CHAMFER} mm or more"
+        )
+        for name in ("profile_shift", "tooth_thickness_deviation"):
+            self._require(name, True, "a finite number")
+        low, high = PRESSURE_ANGLE_RANGE
+        if not low <= self.normal_pressure_angle <= high:
+            raise DesignError(
+                f"{self} has a pressure angle of {degrees(self.normal_pressure_angle):g}°;"
+                f" give {degrees(low):g}° to {degrees(high):g}°"
+            )
+
+    def _require(self, name: str, holds: bool, allowed: str) -> None:
+        value = getattr(self, name)
+        if not (holds and isfinite(value)):
+            raise DesignError(f"{self} has {name} = {value:g}; give {allowed}")
+
+    def __str__(self) -> str:
+        return f"the gear with {self.teeth} teeth of module {self.normal_module:g}"
+
+    @property
+    def transverse_module(self) -> float:
+        """m_t in mm; m_n for a spur gear."""
+        return self.normal_module
+
+    @property
+    def transverse_pressure_angle(self) -> float:
+        """α_t in rad; α_n for a spur gear."""
+        return self.normal_pressure_angle
+
+    @property
+    def generating_profile_shift(self) -> float:
+        """x_E = x + E_sn / (2 m_n tan α_n)."""
+        feed = self.tooth_thickness_deviation / (2 * tan(self.normal_pressure_angle))
+        return self.profile_shift + feed / self.normal_module
+
+    @property
+    def reference_diameter(self) -> float:
+        """d = z m_t in mm."""
+        return self.teeth * self.transverse_module
+
+    @property
+    def base_diameter(self) -> float:
+        """d_b = d cos α_t in mm."""
+        return self.reference_diameter * cos(self.transverse_pressure_angle)
+
+    @property
+    def tip_diameter(self) -> float:
+        """d_a = d + 2 m_n (h_aP* + x) in mm, from the nominal profile shift."""
+        return self.reference_diameter + 2 * self.normal_module * (self.addendum_factor + self.profile_shift)
+
+    @property
+    def tip_form_diameter(self) -> float:
+        """d_Fa = d_a less the chamfer on both sides, in mm: where the flanks end."""
+        return self.tip_diameter - 2 * self.tip_chamfer
+
+    @property
+    def root_diameter(self) -> float:
+        """d_fE = d − 2 m_n (h_fP* − x_E) in mm, as cut."""
+        depth = self.dedendum_factor - self.generating_profile_shift
+        return self.reference_diameter - 2 * self.normal_module * depth
+
+    @property
+    def tooth_thickness(self) -> float:
+        """Transverse arc thickness on the reference circle in mm, as cut: m_t (π/2 + 2 x_E tan α_n)."""
+        shift = 2 * self.generating_profile_shift * tan(self.normal_pressure_angle)
+        return self.transverse_module * (pi / 2 + shift)
+
+    @property
+    def base_half_angle(self) -> float:
+        """ψ_b in rad: half the angle of a tooth between the origins of its two involutes."""
+        return self.tooth_thickness / self.reference_diameter + involute(self.transverse_pressure_angle)
+
+    def half_angle(self, diameter: float) -> float:
+        """Half the angle of a tooth's thickness on the circle `diameter` ≥ d_b, in rad (ψ_b − inv α)."""
+        return self.base_half_angle - involute(acos(self.base_diameter / diameter))
+
+    def roll_angle(self, diameter: float) -> float:
+        """Roll angle tan α of the involute on the circle `diameter` ≥ d_b, in rad."""
+        return sqrt((diameter / self.base_diameter) ** 2 - 1)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tooth:
+    """One resolved tooth of `form`, centred on the x axis.
+
+    `root_form_diameter` is where the usable flank starts, `undercut` whether the root cuts into the involute there.
+    `upper_flank` and `upper_root` run outwards on the side of growing angle; `root_flat_angle` is half the
+    angle of the root circle's arc between two roots, `tip_half_angle` that of the land on the tip circle.
+    """
+
+    form: GearForm
+    undercut: bool
+    root_form_diameter: float
+    upper_flank: Involute
+    upper_root: Trochoid
+    root_flat_angle: float
+    tip_half_angle: float
+
+    @property
+    def tip_land(self) -> float:
+        """Arc of the tip circle that is left, chamfers taken off, in mm."""
+        return self.tip_half_angle * self.form.tip_diameter
+
+    @property
+    def outline(self) -> Outline:
+        """Transverse section of the whole gear: root, flank, tip, flank, root and root circle, once per tooth."""
+        form = self.form
+        tip = Arc(form.tip_diameter / 2, -self.tip_half_angle, 2 * self.tip_half_angle)
+        curves: list[Curve] = [self.upper_root.mirrored(), self.upper_flank.mirrored()]
+        if form.tip_chamfer > 0:
+            flank_end, tip_end = complex(self.upper_flank.point(1.0)), complex(tip.point(1.0))
+            curves.append(Line(flank_end.conjugate(), tip_end.conjugate()))
+            curves.append(tip)
+            curves.append(Line(tip_end, flank_end))
+        else:
+            curves.append(tip)
+        curves += [self.upper_flank.reversed(), self.upper_root.reversed()]
+        if self.root_flat_angle > 0:
+            gap = pi / form.teeth - self.root_flat_angle
+            curves.append(Arc(form.root_diameter / 2, gap, 2 * self.root_flat_angle))
+        return Outline(tuple(curves), form.teeth)
+
+
+def tooth_of(form: GearForm) -> Tooth:
+    """Exact curves of one tooth of `form`.
+
+    The flank of the rack makes the involute down to the depth h_Ff = d_c + ρ sin α below the pitch line, at the roll angle
+    ξ_Ff = tan α − h_Ff / (r sin α cos α); its rounded tip makes the root, tangent to the flank there. A negative ξ_Ff
+    is undercut: the root then cuts the involute off where both have the same radius and angle (ISO 21771-1).
+
+    Raises `DesignError` if the rack has no such tip radius, if the teeth are pointed or severed, if undercut or chamfer
+    leave no flank, or if nothing is left inside the root.
+    """
+    module, radius, angle = (
+        form.transverse_module,
+        form.reference_diameter / 2,
+        form.transverse_pressure_angle,
+    )
+    flat, tip_radius = _rack_tip(form)
+    centre_depth = module * (form.dedendum_factor - form.generating_profile_shift) - tip_radius
+    if form.root_diameter <= 0:
+        raise DesignError(
+            f"{form} has a root diameter of {form.root_diameter:.4g} mm; raise profile_shift or the number of teeth"
+        )
+    root = Trochoid(
+        radius, centre_depth, tip_radius, pi / form.teeth - flat / radius, 1, 0.0, asinh(1 / tan(angle))
+    )
+    depth = centre_depth + tip_radius * sin(angle)
+    roll = tan(angle) - depth / (radius * sin(angle) * cos(angle))
+    undercut = roll < 0
+    if undercut:
+        root, roll = _undercut(form, root)
+    root_form_diameter = form.base_diameter * sqrt(1 + roll**2)
+    tip_half_angle = _tip_half_angle(form, root_form_diameter)
+    flank = Involute(
+        form.base_diameter / 2, form.base_half_angle, -1, roll, form.roll_angle(form.tip_form_diameter)
+    )
+    neck = 2 * float(np.min(root.point(np.linspace(0.0, 1.0, NECK_SAMPLES)).imag))
+    if neck < LEAST_THICKNESS * module:
+        raise DesignError(
+            f"{form} is undercut to a neck of {neck:.4g} mm; raise profile_shift above {form.profile_shift:g}"
+        )
+    return Tooth(
+        form=form,
+        undercut=undercut,
+        root_form_diameter=root_form_diameter,
+        upper_flank=flank,
+        upper_root=root,
+        root_flat_angle=flat / radius,
+        tip_half_angle=tip_half_angle,
+    )
+
+
+def involute(angle: float) -> float:
+    """inv α = tan α − α."""
+    return tan(angle) - angle
+
+
+def _rack_tip(form: GearForm) -> tuple[float, float]:
+    """Half the flat at the rack's tip and the tip radius, in mm."""
+    angle, module = form.normal_pressure_angle, form.normal_module
+    half_width = pi / 4 - form.dedendum_factor * tan(angle)
+    largest = half_width * cos(angle) / (1 - sin(angle))
+    if largest < LEAST_RACK_TIP_RADIUS:
+        raise DesignError(
+            f"{form} has dedendum_factor = {form.dedendum_factor:g}, at which the rack comes to a point;"
+            f" give less than {(pi / 4) / tan(angle):.4g}"
+        )
+    flat = half_width - form.rack_tip_radius_factor * (1 - sin(angle)) / cos(angle)
+    if flat < -LEAST_FLAT:
+        raise DesignError(
+            f"{form} has rack_tip_radius_factor = {form.rack_tip_radius_factor:g}, which does not fit the rack's tip;"
+            f" give at most {largest:.6f}"
+        )
+    if flat <= LEAST_FLAT:
+        return 0.0, module * largest
+    return module * flat, module * form.rack_tip_radius_factor
+
+
+def _undercut(form: GearForm, root: Trochoid) -> tuple[Trochoid, float]:
+    """The root up to its crossing with the involute, and the involute's roll angle there."""
+
+    def beyond_base(q: float) -> float:
+        return abs(complex(root.point(q / root.q_end))) - form.base_diameter / 2
+
+    def off_involute(q: float) -> float:
+        point = complex(root.point(q / root.q_end))
+        return phase(point) - form.half_angle(max(2 * abs(point), form.base_diameter))
+
+    crossing = brentq(off_involute, brentq(beyond_base, 0.0, root.q_end), root.q_end, xtol=1e-15)
+    root = replace(root, q_end=crossing)
+    return root, form.roll_angle(2 * abs(complex(root.point(1.0))))
+
+
+def _tip_half_angle(form: GearForm, root_form_diameter: float) -> float:
+    """Half the angle of the tip land, after the checks that land and flank are there."""
+    least = LEAST_THICKNESS * form.normal_module
+    land = 0.0
+    if form.tip_diameter > form.base_diameter:
+        land = form.half_angle(form.tip_diameter) * form.tip_diameter
+    if land < least:
+        raise DesignError(
+            f"{form} has pointed teeth: its tip land is {land:.4g} mm, and {least:.4g} mm is the least;"
+            f" lower profile_shift from {form.profile_shift:g} or addendum_factor from {form.addendum_factor:g}"
+        )
+    flank = (form.tip_diameter - root_form_diameter) / 2
+    if flank < least:
+        raise DesignError(
+            f"{form} has no flank left: its root reaches to {root_form_diameter:.4g} mm, its tip to"
+            f" {form.tip_diameter:.4g} mm; raise profile_shift from {form.profile_shift:g} or addendum_factor"
+        )
+    largest = min((land - least) / 2, flank - least)
+    if form.tip_chamfer > largest:
+        raise DesignError(f"{form} has tip_chamfer = {form.tip_chamfer:g}; give at most {largest:.4g} mm")
+    return (land - 2 * form.tip_chamfer) / form.tip_diameter
