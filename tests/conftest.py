@@ -1,0 +1,64 @@
+"""The two cars of the paper, built once per run from the files in `designs/`."""
+
+import tomllib
+from dataclasses import dataclass
+from math import radians
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cadgen.cam.envelope import ActualProfile, actual_profile
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve, lift_curve
+from cadgen.path.spline import plan_path
+from cadgen.path.track import Track, offset_track
+from cadgen.steering.car import Car, steering_jets
+
+DESIGNS = Path(__file__).parent.parent / "designs"
+
+
+@dataclass(frozen=True)
+class Built:
+    """A car from its waypoints to its actual profile."""
+
+    car: Car
+    track: Track
+    lift: LiftCurve
+    follower: Follower
+    actual: ActualProfile
+
+
+def build(name: str) -> Built:
+    """Build a packaged design through the numeric rooms alone."""
+    data = tomllib.loads((DESIGNS / f"{name}.toml").read_text())
+    path, cam = data["path"], data["cam"]
+    car = Car(
+        wheelbase=data["car"]["wheelbase_mm"],
+        drive_wheel_offset=data["car"]["drive_wheel_offset_mm"],
+        idle_wheel_offset=data["car"]["idle_wheel_offset_mm"],
+        max_steering_angle=radians(data["car"]["max_steering_angle_deg"]),
+    )
+    thickness = cam["thickness_mm"]
+    inner = cam["inner_face_mm"] if "inner_face_mm" in cam else cam["mid_plane_mm"] - thickness / 2
+    follower = Follower(
+        base_radius=cam["base_radius_mm"],
+        inner=inner,
+        outer=inner + thickness,
+        radius=data["follower"]["radius_mm"],
+    )
+    track = offset_track(plan_path(np.array(path["waypoints_mm"]), path["spline"]), path["offset_mm"])
+    lift = lift_curve(track.arc, steering_jets(track, car), track.length, blend=radians(cam["blend_deg"]))
+    return Built(car, track, lift, follower, actual_profile(lift, follower))
+
+
+@pytest.fixture(scope="session")
+def carbon_free_car() -> Built:
+    """Tables 1 and 2 with the sixth-order spline."""
+    return build("carbon_free_car")
+
+
+@pytest.fixture(scope="session")
+def appendix_car() -> Built:
+    """The appendix program's car with its cubic spline."""
+    return build("appendix_car")
