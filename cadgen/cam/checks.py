@@ -1,0 +1,330 @@
+"""Every figure that decides whether a cam may be cut, with its place, limit, verdict and what to change.
+
+Values here are for people: each carries its own unit (mm, degrees, micrometres).
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.contact import Contact, roll
+from cadgen.cam.cutter import largest_cutter
+from cadgen.cam.envelope import Trim
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.cam.theoretical import theoretical_profile
+from cadgen.curves.closed import ClosedCurve
+
+Array = NDArray[np.float64]
+
+_TURN = 2 * np.pi
+
+# The rod rolled on the exact curve errs by the parabola through three neighbours: under 0.005 um of lift at this
+# step on a rod of 2.5 mm, 0.02 um on one of 1.25 mm.
+CURVE_STEP = 0.03
+STATIONS = 3600  # one per 0.1 degree of cam angle
+# Where the exact envelope is not trimmed, the rod must not be lifted at all; this is ten times what rolling errs.
+PENETRATION_LIMIT_UM = 0.2
+# Closure is by construction; anything above rounding is a defect. Relative to the curve's own largest value.
+CLOSURE_LIMIT = 1e-9
+
+
+@dataclass(frozen=True)
+class Check:
+    """One figure and its verdict.
+
+    Attributes:
+        name: what is checked.
+        value: the figure, in `unit`.
+        unit: of value and limit.
+        limit: the bound.
+        bound: `max` if the value must not exceed the limit, `min` if it must reach it.
+        place: where the figure occurs.
+        advice: what to change if it fails; empty if there is nothing to say.
+    """
+
+    name: str
+    value: float
+    unit: str
+    limit: float
+    bound: Literal["max", "min"]
+    place: str = ""
+    advice: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """True when the value keeps its limit; a value that is not a number never does."""
+        return bool(self.value <= self.limit if self.bound == "max" else self.value >= self.limit)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CheckLimits:
+    """What the checks allow; angles in rad, lengths in mm.
+
+    Attributes:
+        rise_pressure_angle: limit while the cam drives the rod outwards.
+        return_pressure_angle: limit while the spring drives it back.
+        pressure_angle_source: where the two come from, in words.
+        lost_lift: how much lift the trimmed profile may miss.
+        min_convex_radius: of the actual profile, away from its corners.
+        cutter_radius: of the cutter that will cut the part.
+        rod_length: from the fork axis to the rod's end.
+    """
+
+    rise_pressure_angle: float
+    return_pressure_angle: float
+    pressure_angle_source: str
+    lost_lift: float
+    min_convex_radius: float
+    cutter_radius: float
+    rod_length: float
+
+
+@dataclass(frozen=True)
+class Loss:
+    """Lift that the profile cannot give near a trim: mm at the worst cam angle, rad."""
+
+    trim: Trim
+    lift: float
+    cam_angle: float
+
+
+def cam_angles(lift: LiftCurve) -> Array:
+    """Stations for the checks: an even grid and every kink, rad."""
+    even = np.linspace(0.0, _TURN, STATIONS, endpoint=False)
+    return np.unique(np.concatenate([even, lift.kinks]))
+
+
+def lost_lift(lift: LiftCurve, follower: Follower, curve: ClosedCurve, trims: tuple[Trim, ...]) -> list[Loss]:
+    """Roll the rod through every trimmed interval and take the greatest lift missing in each."""
+    outline = curve.outline(CURVE_STEP)
+    losses = []
+    for trim in trims:
+        theta = trim.before + np.linspace(0.0, 1.0, 129) * ((trim.after - trim.before) % _TURN)
+        theta = np.concatenate([theta, lift.kinks[(lift.kinks - theta[0]) % _TURN < theta[-1] - theta[0]]])
+        missing = follower.lift(lift.tan_beta(theta)) - roll(outline, follower, theta).lift
+        worst = int(np.argmax(missing))
+        losses.append(Loss(trim, float(missing[worst]), float(theta[worst] % _TURN)))
+    return losses
+
+
+def check_cam(
+    lift: LiftCurve,
+    follower: Follower,
+    curve: ClosedCurve,
+    trims: tuple[Trim, ...],
+    limits: CheckLimits,
+) -> tuple[Check, ...]:
+    """All checks of a profile that need no blank.
+
+    Args:
+        lift: the steering wanted.
+        follower: the rod the profile is for; radius 0 for the theoretical profile.
+        curve: the profile.
+        trims: where the envelope was trimmed; empty for profiles that are not an envelope.
+        limits: what is allowed.
+    """
+    theta = cam_angles(lift)
+    contact = roll(curve.outline(CURVE_STEP), follower, theta)
+    wanted = follower.lift(lift.tan_beta(theta))
+    return (
+        *_pressure(lift, contact, limits),
+        *_curvature(lift, follower, curve, limits),
+        *_undercut(lift, follower, curve, trims, limits),
+        *_contact(lift, follower, contact, contact.lift - wanted, trims),
+        _rod_reach(lift, follower, theta, limits),
+        _cutter(curve, limits),
+        *_closure(lift),
+    )
+
+
+def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Check]:
+    rising = lift.tan_beta(contact.cam_angle, nu=1) >= 0
+    angle = np.degrees(np.abs(contact.pressure_angle))
+    checks = []
+    for name, mine, limit in (
+        ("pressure angle, rise", rising, limits.rise_pressure_angle),
+        ("pressure angle, return", ~rising, limits.return_pressure_angle),
+    ):
+        value = np.where(mine, angle, 0.0)
+        worst = int(np.argmax(value))
+        checks.append(
+            Check(
+                name,
+                float(value[worst]),
+                "deg",
+                float(np.degrees(limit)),
+                "max",
+                _at(contact.cam_angle[worst]),
+                f"raise cam.base_radius_mm, widen the turn there, or choose another checks.pressure_angle_limit "
+                f"(now {limits.pressure_angle_source})",
+            )
+        )
+    return checks
+
+
+def _curvature(lift: LiftCurve, follower: Follower, curve: ClosedCurve, limits: CheckLimits) -> list[Check]:
+    theoretical = theoretical_profile(lift, follower)
+    radius, place = _least_convex_radius(theoretical)
+    if lift.kinks.size:
+        corners = [c for c in theoretical.corners(1e-4) if c.turn > 0 and _near(c.point, lift.kinks)]
+        if corners:
+            sharpest = max(corners, key=lambda c: c.turn)
+            radius, place = 0.0, f"{_polar(sharpest.point)}, a corner of {np.degrees(sharpest.turn):.2f} deg"
+    checks = [
+        Check(
+            "convex radius, theoretical profile",
+            radius,
+            "mm",
+            follower.radius,
+            "min",
+            place,
+            "a convex part sharper than the rod is undercut: lower follower.radius_mm, raise cam.base_radius_mm, "
+            "or smooth the path there",
+        )
+    ]
+    radius, place = _least_convex_radius(curve)
+    advice = "a sharp ridge wears: lower follower.radius_mm or raise cam.base_radius_mm"
+    checks.append(
+        Check("convex radius, this profile", radius, "mm", limits.min_convex_radius, "min", place, advice)
+    )
+    return checks
+
+
+def _undercut(
+    lift: LiftCurve, follower: Follower, curve: ClosedCurve, trims: tuple[Trim, ...], limits: CheckLimits
+) -> list[Check]:
+    losses = lost_lift(lift, follower, curve, trims)
+    checks = []
+    for name, kind, advice in (
+        ("lift lost, undercut", "local", "no profile gives this lift to this rod: see the cures below"),
+        ("lift lost, self-intersection", "global", "two flanks cut each other off: see the cures below"),
+        ("lift lost, change of face", "face change", "make the disc thinner (cam.thickness_mm)"),
+    ):
+        mine = [loss for loss in losses if loss.trim.kind == kind]
+        worst = max(mine, key=lambda loss: loss.lift, default=None)
+        place = "none" if worst is None else f"{_at(worst.cam_angle)} ({len(mine)} in all)"
+        value = 0.0 if worst is None else worst.lift * 1e3
+        checks.append(Check(name, value, "um", limits.lost_lift * 1e3, "max", place, advice))
+    return checks
+
+
+def _contact(
+    lift: LiftCurve, follower: Follower, contact: Contact, error: Array, trims: tuple[Trim, ...]
+) -> list[Check]:
+    high = int(np.argmax(error))
+    checks = [
+        Check(
+            "rod pushed out, greatest",
+            float(error[high]) * 1e3,
+            "um",
+            PENETRATION_LIMIT_UM,
+            "max",
+            _at(contact.cam_angle[high]),
+            "this profile is not the rod's envelope: use --profile actual",
+        )
+    ]
+    # Within a trimmed interval either face may carry; elsewhere it must be the one of eq. 15.
+    trimmed = np.zeros(len(error), dtype=bool)
+    for trim in trims:
+        trimmed |= (contact.cam_angle - trim.before) % _TURN <= (trim.after - trim.before) % _TURN
+    due = follower.contact_face(lift.tan_beta(contact.cam_angle))
+    wrong = (contact.face != due) & ~trimmed
+    inner = float(np.mean(contact.face == follower.inner)) * 100
+    checks.append(
+        Check(
+            "wrong face carries",
+            float(np.sum(wrong)),
+            "stations",
+            0.0,
+            "max",
+            f"inner face {inner:.0f} %, outer {100 - inner:.0f} % of the turn",
+            "the rod rests on the other face than eq. 15 says: use --profile actual",
+        )
+    )
+    return checks
+
+
+def _rod_reach(lift: LiftCurve, follower: Follower, theta: Array, limits: CheckLimits) -> Check:
+    """The rod must cross the whole rim: its end lies beyond the outer face at every steering angle."""
+    T = lift.tan_beta(theta)
+    # The end's nearest corner lies r tan(beta) short of the axis's end, seen along the rod.
+    beyond = limits.rod_length / np.sqrt(1 + T**2) - follower.radius * np.abs(T) / np.sqrt(1 + T**2)
+    worst = int(np.argmin(beyond))
+    return Check(
+        "rod beyond the outer face",
+        float(beyond[worst] - follower.outer),
+        "mm",
+        0.0,
+        "min",
+        _at(theta[worst]),
+        "the rod slips off the disc's rim: raise follower.length_mm",
+    )
+
+
+def _cutter(curve: ClosedCurve, limits: CheckLimits) -> Check:
+    cutter = largest_cutter(curve)
+    return Check(
+        "largest cutter's radius",
+        cutter.radius,
+        "mm",
+        limits.cutter_radius,
+        "min",
+        "no concave part" if not np.isfinite(cutter.radius) else _polar(cutter.point),
+        "choose a smaller machining.cutter_diameter_mm",
+    )
+
+
+def _closure(lift: LiftCurve) -> list[Check]:
+    """Jumps of tan(beta) and its derivatives where the turn closes and where the blend begins."""
+    dense = np.linspace(0.0, _TURN, STATIONS, endpoint=False)
+    breaks, coefficients = lift.tan_beta.x, lift.tan_beta.c
+    checks = []
+    for name, left in (
+        ("closure at 0 deg", len(breaks) - 2),
+        ("start of the blend", int(np.searchsorted(breaks, lift.blend_start)) - 1),
+    ):
+        right = (left + 1) % (len(breaks) - 1)
+        width = breaks[left + 1] - breaks[left]
+        worst = 0.0
+        for order in range(3):
+            ends = np.polyder(coefficients[:, left], order), np.polyder(coefficients[:, right], order)
+            jump = abs(float(np.polyval(ends[0], width)) - float(np.polyval(ends[1], 0.0)))
+            worst = max(worst, jump / float(np.max(np.abs(lift.tan_beta(dense, nu=order)))))
+        checks.append(
+            Check(
+                f"continuity, {name}",
+                worst,
+                "relative",
+                CLOSURE_LIMIT,
+                "max",
+                _at(lift.blend_start if "blend" in name else 0.0),
+                "lift, slope and second derivative must not jump: report this design",
+            )
+        )
+    return checks
+
+
+def _least_convex_radius(curve: ClosedCurve) -> tuple[float, str]:
+    radius, place = np.inf, "no convex part"
+    for piece in curve.pieces:
+        jet = piece.jet(np.linspace(piece.start, piece.stop, STATIONS))
+        worst = int(np.argmax(jet.curvature))
+        if jet.curvature[worst] > 0 and 1 / jet.curvature[worst] < radius:
+            radius, place = float(1 / jet.curvature[worst]), _polar(jet.point[worst])
+    return radius, place
+
+
+def _near(point: Array, angles: Array) -> bool:
+    off = (np.arctan2(point[1], point[0]) - angles + np.pi) % _TURN - np.pi
+    return bool(np.any(np.abs(off) < 1e-6))
+
+
+def _at(theta: float) -> str:
+    return f"cam angle {np.degrees(theta):.2f} deg"
+
+
+def _polar(point: Array) -> str:
+    return f"polar angle {np.degrees(np.arctan2(point[1], point[0])) % 360:.2f} deg"
