@@ -35,8 +35,9 @@ class Contact:
         lift: s, mm.
         face: lateral distance of the face that carries the rod, mm.
         across: y of the contact point, mm, ahead in the sense of growing polar angle.
-        pressure_angle: between the force on the rod and the velocity of its contact point, rad; positive while
-            the cam drives the rod outwards.
+        pressure_angle: between the force on the rod and the velocity of its axis, rad; positive where the
+            outline rises under the rod. The axis moves horizontally and the force is square to it, so
+            sin(pressure angle) = across / r; for the rod's axis on its own curve tan = (dR/dphi) / R.
     """
 
     cam_angle: Array
@@ -66,15 +67,8 @@ def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
     best = np.concatenate(
         [ring.rest(block) for block in np.split(cam_angle, range(_BLOCK, len(cam_angle), _BLOCK))], axis=1
     )
-    tan_beta, face, across = best
-    return Contact(
-        cam_angle,
-        tan_beta,
-        follower.lift(tan_beta),
-        face,
-        across,
-        _pressure_angle(follower, tan_beta, face, across),
-    )
+    tan_beta, face, across, pressure_angle = best
+    return Contact(cam_angle, tan_beta, follower.lift(tan_beta), face, across, pressure_angle)
 
 
 @dataclass(frozen=True)
@@ -108,14 +102,17 @@ class _Ring:
         return cls(follower, tiled[near], np.tile(radius, 3)[near], pieces.ravel()[near], reach)
 
     def rest(self, theta: Array) -> Array:
-        """tan(beta), carrying face and contact's y at each cam angle, shape (3, n)."""
+        """tan(beta), carrying face, contact's y and pressure angle at each cam angle, shape (4, n)."""
         theta = self.angle[0] + (theta - self.angle[0]) % _TURN
         theta = np.where(theta < self.angle[0] + self.window, theta + _TURN, theta)
         follower = self.follower
         if follower.radius == 0:
             u = np.interp(theta, self.angle, self.radius) - follower.base_radius
             face = follower.contact_face(u)
-            return np.stack([u / face, face, np.zeros_like(u)])
+            step = 1e-4  # rad; well above rounding, well below any feature
+            ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
+            slope = (ahead - behind) / (2 * step)
+            return np.stack([u / face, face, np.zeros_like(u), np.arctan2(slope, u + follower.base_radius)])
         first = np.searchsorted(self.angle, theta - self.window)
         last = np.searchsorted(self.angle, theta + self.window)
         index = np.minimum(first[:, None] + np.arange(-1, (last - first).max() + 1), len(self.angle) - 1)
@@ -123,41 +120,35 @@ class _Ring:
         x, y = self.radius[index] * np.cos(off), self.radius[index] * np.sin(off)
         under = np.abs(y) < follower.radius
         h = np.sqrt(np.where(under, follower.radius**2 - y**2, 0.0))
-        rows = np.arange(len(theta))
         results = []
         for face in (follower.inner, follower.outer):
             u = x - follower.base_radius
             needed = (face * u + h * np.sqrt(u**2 + face**2 - h**2)) / (face**2 - h**2)
             needed = np.where(under, needed, -np.inf)
-            top = np.clip(np.argmax(needed, axis=1), 1, index.shape[1] - 2)
-            before, at, after = (needed[rows, top + k] for k in (-1, 0, 1))
-            piece = self.piece[index[rows[:, None], top[:, None] + np.arange(-1, 2)]]
-            inside = (piece[:, 0] == piece[:, 1]) & (piece[:, 1] == piece[:, 2])
-            inside &= np.isfinite(before) & np.isfinite(after)
-            bend = np.where(inside, before - 2 * at + after, -1.0)
-            bend = np.minimum(bend, -1e-300)
-            shift = np.where(inside, np.clip((before - after) / (2 * bend), -1.0, 1.0), 0.0)
-            value = np.where(inside, at - (before - after) * shift / 4, at)
-            y0, y1 = y[rows, top], y[rows, top + np.where(shift >= 0, 1, -1)]
-            results.append(np.stack([value, np.full(len(theta), face), y0 + np.abs(shift) * (y1 - y0)]))
+            results.append(self._refine(needed, y, index, face))
         inner, outer = results
         return np.where(inner[0] >= outer[0], inner, outer)
 
-
-def _pressure_angle(follower: Follower, T: Array, face: Array, y: Array) -> Array:
-    """Angle between the rod's normal at the contact and the velocity of its contact point, rad.
-
-    In (ahead, across, lateral) the rod's axis runs through (0, 0, 0) along (T, 0, 1), the contact lies at
-    (c, y, w) with c = w T - h sqrt(1 + T^2), and turning the fork moves it along (w, 0, -c).
-    """
-    root = np.sqrt(1 + T**2)
-    h = np.sqrt(np.maximum(follower.radius**2 - y**2, 0.0))
-    c = face * T - h * root
-    # Foot of the contact on the axis; the force is along the line from the contact to it.
-    along = (c * T + face) / root**2
-    force = np.stack([along * T - c, -y, along - face])
-    velocity = np.stack([face, np.zeros_like(face), -c])
-    size = np.linalg.norm(force, axis=0) * np.linalg.norm(velocity, axis=0)
-    with np.errstate(invalid="ignore"):
-        cosine = np.where(size > 0, np.sum(force * velocity, axis=0) / size, 1.0)
-    return np.asarray(np.sign(y) * np.arccos(np.clip(cosine, -1.0, 1.0)))
+    def _refine(self, needed: Array, y: Array, index: NDArray[np.intp], face: float) -> Array:
+        """The greatest tan(beta) between the samples: parabolas through three neighbours of one piece."""
+        last = index.shape[1] - 1
+        rows = np.arange(len(index))[:, None]
+        top = np.argmax(needed, axis=1)[:, None]
+        # A joint stands twice, and the contact may lie just beside it: look two points to either side.
+        centre = np.clip(top + np.arange(-2, 3), 1, last - 1)
+        before, at, after = (needed[rows, centre + k] for k in (-1, 0, 1))
+        piece = self.piece[index[rows[..., None], centre[..., None] + np.arange(-1, 2)]]
+        fits = (piece == piece[..., 1:2]).all(axis=2) & np.isfinite(before) & np.isfinite(after)
+        before, at, after = (np.where(fits, f, 0.0) for f in (before, at, after))
+        slope, bend = (after - before) / 2, np.minimum(before - 2 * at + after, -1e-300)
+        shift = np.clip(-slope / bend, -1.0, 1.0)
+        value = np.where(fits, at + slope * shift + bend * shift**2 / 2, -np.inf)
+        row, best = np.arange(len(index)), np.argmax(value, axis=1)
+        refined, chosen, shift = value[row, best], centre[row, best], shift[row, best]
+        sampled = needed[row, top[:, 0]]
+        use = refined >= sampled
+        chosen, shift = np.where(use, chosen, top[:, 0]), np.where(use, shift, 0.0)
+        beside = np.clip(chosen + np.where(shift >= 0, 1, -1), 0, last)
+        across = y[row, chosen] + np.abs(shift) * (y[row, beside] - y[row, chosen])
+        angle = np.arcsin(np.clip(across / self.follower.radius, -1.0, 1.0))
+        return np.stack([np.maximum(refined, sampled), np.full(len(index), face), across, angle])

@@ -164,13 +164,16 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
 
     # Walk once round from a cell where the owner changes; each change is a joint or a crossing.
     changes = np.flatnonzero(owner != np.roll(owner, 1))
+    if not changes.size:
+        return ActualProfile(ClosedCurve((branches[owner[0]],)), ())
     stops: dict[int, float] = {}
     begins: list[tuple[int, float]] = []
     trims = []
     for place, cell in enumerate(changes):
         before, after = branches[owner[cell - 1]], branches[owner[cell]]
-        gap = (_angle(after, after.start) - _angle(before, before.stop) + np.pi) % _TURN - np.pi
-        if abs(gap) < _JOINT:
+        ends = np.array([_angle(before, before.stop), _angle(after, after.start)])
+        gaps = (ends - edges[cell] + np.pi) % _TURN - np.pi
+        if np.abs(gaps).max() < 2 * _JOINT:
             leave, enter = before.stop, after.start
         else:
             leave, enter = _crossing(before, after, edges[cell])

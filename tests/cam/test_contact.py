@@ -1,0 +1,127 @@
+"""Rolling: against closed forms, against brute force, its order, and then as the judge of the envelope."""
+
+import numpy as np
+import pytest
+
+from cadgen.cam.contact import roll
+from cadgen.cam.follower import Follower
+from cadgen.cam.theoretical import theoretical_profile
+from cadgen.curves.closed import Outline
+from cadgen.errors import DesignError
+
+TURN = 2 * np.pi
+FOLLOWER = Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
+
+
+def circle(radius: float, centre: float = 0.0, count: int = 7200) -> Outline:
+    angle = np.linspace(0, TURN, count + 1)
+    points = np.stack([centre + radius * np.cos(angle), radius * np.sin(angle)], axis=1)
+    return Outline(points, np.zeros(len(points), dtype=np.intp))
+
+
+@pytest.mark.parametrize("radius", [63.0, 67.5, 74.0])
+def test_concentric_circle_leans_by_a_closed_form(radius):
+    """a + w T - r sqrt(1 + T^2) = R at the face that carries."""
+    contact = roll(circle(radius), FOLLOWER, np.linspace(0, 6, 20))
+    T, w = contact.tan_beta, contact.face
+    np.testing.assert_allclose(70.0 + w * T - 2.5 * np.sqrt(1 + T**2), radius, atol=1e-9)
+    assert (w == (FOLLOWER.outer if radius < 67.5 else FOLLOWER.inner)).all()
+    np.testing.assert_allclose(contact.pressure_angle, 0.0, atol=2e-5)
+
+
+def test_eccentric_circle_far_from_the_fork():
+    """d = e cos + sqrt((R + r)^2 - e^2 sin^2), the textbook eccentric (Norton, Design of Machinery, ch. 8)."""
+    far = Follower(base_radius=60.0, inner=1e7, outer=1e7 + 1, radius=2.5)
+    theta = np.linspace(0, TURN, 360, endpoint=False)
+    contact = roll(circle(60.0, 6.0), far, theta)
+    exact = 6 * np.cos(theta) + np.sqrt(62.5**2 - 36 * np.sin(theta) ** 2) - 60.0
+    np.testing.assert_allclose(contact.lift, exact, atol=2e-6)
+    # Straight-line follower: tan(pressure angle) = (ds/dtheta) / (a + s).
+    slope = -6 * np.sin(theta) - 36 * np.sin(theta) * np.cos(theta) / np.sqrt(62.5**2 - 36 * np.sin(theta) ** 2)
+    np.testing.assert_allclose(contact.pressure_angle, np.arctan(slope / (60.0 + exact)), atol=1e-4)
+
+
+def test_the_parabola_makes_rolling_third_order_or_better():
+    fine = roll(circle(60.0, 9.0, 400_000), FOLLOWER, np.linspace(0, 6, 50)).lift
+    errors = [np.abs(roll(circle(60.0, 9.0, n), FOLLOWER, np.linspace(0, 6, 50)).lift - fine).max() for n in (600, 1200)]
+    order = np.log2(errors[0] / errors[1])
+    print(f"order {order:.2f}; {errors[1] * 1e3:.5f} um at {TURN * 60 / 1200:.2f} mm")
+    assert order > 2.7
+
+
+def test_brute_force_in_space(carbon_free_car):
+    """Push a solid cylinder down on 40 parallel slices of the disc by bisection: no formula of `contact` is used."""
+    follower = carbon_free_car.follower
+    points = carbon_free_car.actual.curve.outline(0.02).points
+    widths = np.linspace(follower.inner, follower.outer, 41)
+    stations = np.radians([20.0, 91.3, 112.2, 129.4, 160.0, 178.6, 235.0, 300.0, 355.0])
+    expected = roll(carbon_free_car.actual.curve.outline(0.02), follower, stations)
+    for theta, tan_beta in zip(stations, expected.tan_beta, strict=True):
+        c, s = np.cos(theta), np.sin(theta)
+        turned = points @ np.array([[c, -s], [s, c]])
+        near = turned[(np.abs(turned[:, 1]) < 3) & (turned[:, 0] > 0)]
+        solid = np.concatenate([np.column_stack([near, np.full(len(near), w)]) for w in widths])
+        low, high = -0.6, 0.6
+        for _ in range(60):
+            T = (low + high) / 2
+            axis = np.array([T, 0.0, 1.0]) / np.sqrt(1 + T**2)
+            offset = solid - np.array([follower.base_radius, 0.0, 0.0])
+            distance = np.linalg.norm(offset - np.outer(offset @ axis, axis), axis=1)
+            ahead = (offset[:, 0] - offset[:, 2] * T) > 0  # past the axis is inside just as well
+            cut = np.any((distance < follower.radius) | ahead)
+            low, high = (T, high) if cut else (low, T)
+        assert abs(high - tan_beta) * follower.outer < 5e-5
+
+
+@pytest.mark.parametrize("name", ["carbon_free_car"])
+def test_the_actual_profile_gives_its_lift_back(name, request):
+    car = request.getfixturevalue(name)
+    theta = np.linspace(0, TURN, 36_000, endpoint=False)
+    error = (roll(car.actual.curve.outline(0.03), car.follower, theta).lift - car.follower.lift(car.lift.tan_beta(theta))) * 1e3
+    in_trim = np.zeros(len(theta), dtype=bool)
+    for trim in car.actual.trims:
+        in_trim |= (theta - trim.before) % TURN <= trim.after - trim.before
+    print(f"{name}: {np.abs(error[~in_trim]).max():.4f} um away from face changes, {-error[in_trim].min():.3f} um there")
+    assert np.abs(error[~in_trim]).max() <= 0.05
+    slope = car.lift.tan_beta(np.radians(112.3), nu=1)
+    turn = car.follower.thickness * slope / car.follower.base_radius
+    closed_form = car.follower.radius * turn**2 / 8 * 1e3
+    print(f"closed form at 112.3 deg: {closed_form:.3f} um")
+    assert -error[in_trim].min() < closed_form * 1.15
+
+
+def test_undercut_corners_lose_the_closed_form(appendix_car):
+    """r (1/cos(delta/2) - 1) along the normal at each convex corner of angle delta, / cos(pressure angle) as lift."""
+    from cadgen.cam.checks import lost_lift
+
+    lift, follower = appendix_car.lift, appendix_car.follower
+    losses = [
+        loss
+        for loss in lost_lift(lift, follower, appendix_car.actual.curve, appendix_car.actual.trims)
+        if loss.trim.kind == "local"
+    ]
+    assert len(losses) == 6
+    for loss in losses:
+        kink = lift.kinks[np.argmin(np.abs(lift.kinks - loss.cam_angle))]
+        w = float(follower.contact_face(lift.tan_beta(kink)))
+        slopes = [np.arctan2(w * lift.tan_beta(kink + side, nu=1), 70.0 + w * lift.tan_beta(kink)) for side in (-1e-9, 1e-9)]
+        delta, pressure = slopes[0] - slopes[1], sum(slopes) / 2
+        expected = follower.radius * (1 / np.cos(delta / 2) - 1) / np.cos(pressure) * 1e3
+        print(f"{np.degrees(kink):8.3f} deg: corner {np.degrees(delta):6.3f} deg, lost {loss.lift * 1e3:7.3f} um, closed form {expected:7.3f}")
+        assert abs(loss.lift * 1e3 - expected) < 0.5
+
+
+def test_a_knife_edge_reads_the_radius(carbon_free_car):
+    follower = Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=0.0)
+    theta = np.linspace(0, TURN, 500)
+    curve = theoretical_profile(carbon_free_car.lift, carbon_free_car.follower)
+    error = roll(curve.outline(0.03), follower, theta).lift - follower.lift(carbon_free_car.lift.tan_beta(theta))
+    assert np.abs(error).max() < 2e-5  # linear interpolation over 0.03 mm
+
+
+def test_refuses_what_does_not_enclose_the_camshaft():
+    with pytest.raises(DesignError, match="closed curve run once round the camshaft"):
+        roll(circle(5.0, 20.0), FOLLOWER, np.array([0.0]))
+    backwards = circle(67.0)
+    with pytest.raises(DesignError, match="closed curve"):
+        roll(Outline(backwards.points[::-1], backwards.piece), FOLLOWER, np.array([0.0]))

@@ -1,0 +1,53 @@
+"""The lift curve: kinks where the path has them, and a blend that closes the turn smoothly."""
+
+import numpy as np
+import pytest
+
+from cadgen.cam.lift import lift_curve
+from cadgen.errors import DesignError
+from cadgen.path.hermite import quintic_hermite
+from cadgen.steering.car import steering_jets
+
+TURN = 2 * np.pi
+
+
+def test_follows_the_path_up_to_the_blend(carbon_free_car):
+    car = carbon_free_car
+    by_arc = quintic_hermite(car.track.arc, steering_jets(car.track, car.car))
+    theta = np.linspace(0, car.lift.blend_start, 1000)
+    np.testing.assert_allclose(car.lift.tan_beta(theta), by_arc(theta / TURN * car.track.length), atol=1e-12)
+
+
+@pytest.mark.parametrize("angle", [0.0, "blend"])
+def test_closes_with_continuous_curvature(carbon_free_car, angle):
+    lift = carbon_free_car.lift
+    at = lift.blend_start if angle == "blend" else 0.0
+    step = 1e-9
+    for order, allowed in ((0, 1e-8), (1, 1e-7), (2, 1e-5)):
+        jump = lift.tan_beta(at + step, nu=order) - lift.tan_beta(at - step, nu=order)
+        assert abs(jump) < allowed
+
+
+def test_kinks_of_the_cubic_are_its_waypoints(appendix_car, carbon_free_car):
+    assert carbon_free_car.lift.kinks.size == 0
+    waypoints = appendix_car.track.waypoint_arc[1:-1] / appendix_car.track.length * TURN
+    np.testing.assert_allclose(appendix_car.lift.kinks, waypoints, atol=1e-12)
+
+
+def test_extrema_agree_with_a_dense_search(appendix_car):
+    """The second valley sits on a kink, where the slope jumps through zero."""
+    lift = appendix_car.lift
+    theta = np.arange(0, TURN, 1e-5)
+    value = lift.tan_beta(theta)
+    peaks = theta[1:-1][(value[1:-1] > value[:-2]) & (value[1:-1] > value[2:])]
+    valleys = theta[1:-1][(value[1:-1] < value[:-2]) & (value[1:-1] < value[2:])]
+    found = lift.extrema()
+    np.testing.assert_allclose(found[0], peaks, atol=2e-5)
+    np.testing.assert_allclose(found[1], valleys, atol=2e-5)
+
+
+@pytest.mark.parametrize("blend", [0.0, TURN, -0.1])
+def test_refuses_a_blend_that_is_none(carbon_free_car, blend):
+    track = carbon_free_car.track
+    with pytest.raises(DesignError, match="blend_deg"):
+        lift_curve(track.arc, steering_jets(track, carbon_free_car.car), track.length, blend=blend)
