@@ -9,13 +9,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.cam.blank import CamBlank
 from cadgen.cam.contact import Contact, roll
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.limits import PressureAngleLimit
 from cadgen.cam.theoretical import theoretical_profile
-from cadgen.curves.closed import ClosedCurve
+from cadgen.curves.closed import ClosedCurve, Outline
 
 Array = NDArray[np.float64]
 
@@ -64,22 +66,20 @@ class CheckLimits:
     """What the checks allow; angles in rad, lengths in mm.
 
     Attributes:
-        rise_pressure_angle: limit while the cam drives the rod outwards.
-        return_pressure_angle: limit while the spring drives it back.
-        pressure_angle_source: where the two come from, in words.
+        pressure_angle: limits while the cam drives the rod outwards and while the spring drives it back.
         lost_lift: how much lift the trimmed profile may miss.
         min_convex_radius: of the actual profile, away from its corners.
         cutter_radius: of the cutter that will cut the part.
         rod_length: from the fork axis to the rod's end.
+        wall: between the profile and every hole.
     """
 
-    rise_pressure_angle: float
-    return_pressure_angle: float
-    pressure_angle_source: str
+    pressure_angle: PressureAngleLimit
     lost_lift: float
     min_convex_radius: float
     cutter_radius: float
     rod_length: float
+    wall: float
 
 
 @dataclass(frozen=True)
@@ -115,19 +115,22 @@ def check_cam(
     follower: Follower,
     curve: ClosedCurve,
     trims: tuple[Trim, ...],
+    blank: CamBlank,
     limits: CheckLimits,
 ) -> tuple[Check, ...]:
-    """All checks of a profile that need no blank.
+    """All checks of a cam.
 
     Args:
         lift: the steering wanted.
         follower: the rod the profile is for; radius 0 for the theoretical profile.
         curve: the profile.
         trims: where the envelope was trimmed; empty for profiles that are not an envelope.
+        blank: what the disc has besides its profile.
         limits: what is allowed.
     """
     theta = cam_angles(lift)
-    contact = roll(curve.outline(CURVE_STEP), follower, theta)
+    outline = curve.outline(CURVE_STEP)
+    contact = roll(outline, follower, theta)
     wanted = follower.lift(lift.tan_beta(theta))
     return (
         *_pressure(lift, contact, limits),
@@ -135,7 +138,9 @@ def check_cam(
         *_undercut(lift, follower, curve, trims, limits),
         *_contact(lift, follower, contact, contact.lift - wanted, trims),
         _rod_reach(lift, follower, theta, limits),
+        *_hub_clearance(lift, follower, theta, blank),
         _cutter(curve, limits),
+        _wall(blank, outline, limits),
         *_closure(lift),
     )
 
@@ -145,8 +150,8 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
     angle = np.degrees(np.abs(contact.pressure_angle))
     checks = []
     for name, mine, limit in (
-        ("pressure angle, rise", rising, limits.rise_pressure_angle),
-        ("pressure angle, return", ~rising, limits.return_pressure_angle),
+        ("pressure angle, rise", rising, limits.pressure_angle.rise),
+        ("pressure angle, return", ~rising, limits.pressure_angle.fall),
     ):
         value = np.where(mine, angle, 0.0)
         worst = int(np.argmax(value))
@@ -159,7 +164,7 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
                 "max",
                 _at(contact.cam_angle[worst]),
                 f"raise cam.base_radius_mm, widen the turn there, or choose another checks.pressure_angle_limit "
-                f"(now {limits.pressure_angle_source})",
+                f"(now {limits.pressure_angle.source})",
             )
         )
     return checks
@@ -261,6 +266,43 @@ def _rod_reach(lift: LiftCurve, follower: Follower, theta: Array, limits: CheckL
         "min",
         _at(theta[worst]),
         "the rod slips off the disc's rim: raise follower.length_mm",
+    )
+
+
+def _hub_clearance(lift: LiftCurve, follower: Follower, theta: Array, blank: CamBlank) -> list[Check]:
+    """The rod passes above the hub as well as above the disc."""
+    if blank.hub is None:
+        return []
+    T = lift.tan_beta(theta)
+    ends = {
+        "outer": (follower.outer, follower.outer + blank.hub.length),
+        "inner": (follower.inner - blank.hub.length, follower.inner),
+    }[blank.hub.side]
+    nearest = np.min([follower.base_radius + w * T for w in ends], axis=0) - follower.radius * np.sqrt(1 + T**2)
+    worst = int(np.argmin(nearest))
+    return [
+        Check(
+            "rod above the hub",
+            float(nearest[worst]) - blank.hub.diameter / 2,
+            "mm",
+            0.0,
+            "min",
+            _at(theta[worst]),
+            "the rod meets the hub: lower blank.hub.diameter_mm or blank.hub.length_mm",
+        )
+    ]
+
+
+def _wall(blank: CamBlank, outline: Outline, limits: CheckLimits) -> Check:
+    wall = min(blank.walls(outline), key=lambda wall: wall.thickness)
+    return Check(
+        "thinnest wall",
+        wall.thickness,
+        "mm",
+        limits.wall,
+        "min",
+        f"{wall.between}, {_polar(wall.place)}",
+        "make the hole smaller or move it (the design's [blank]), or lower checks.min_wall_mm",
     )
 
 

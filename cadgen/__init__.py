@@ -1,0 +1,22 @@
+"""Steering cams and the gear trains that drive them: from a planned path to verified files.
+
+The rooms, in walking order; each imports only those before it.
+
+| room       | what happens there                                                              |
+|------------|---------------------------------------------------------------------------------|
+| `errors`   | what can go wrong, with the exit codes                                          |
+| `curves`   | closed plane curves: arcs, splines, chords and offsets within a tolerance        |
+| `path`     | waypoints -> spline -> the drive wheel's track by arc length                     |
+| `steering` | curvature of the track <-> steering angle                                        |
+| `cam`      | lift, theoretical and actual profile, contact, checks                            |
+| `gears`    | tolerances, backlash, return error, order of stages, tooth form                  |
+| `design`   | the design file: TOML -> frozen values -> the numeric rooms' own types           |
+| `solids`   | the only room that imports the CAD kernel                                        |
+| `export`   | one file per format, each with its read-back; manifest; publishing               |
+| `workflow` | one job from design to verified files                                            |
+| `cli`      | the commands                                                                     |
+
+Inside, lengths are mm and angles rad; other units occur only at the rim and then stand in the name.
+"""
+
+__version__ = "0.1.0"
