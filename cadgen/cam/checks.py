@@ -159,7 +159,7 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
             Check(
                 name,
                 float(value[worst]),
-                "deg",
+                "°",
                 float(np.degrees(limit)),
                 "max",
                 _at(contact.cam_angle[worst]),
@@ -177,10 +177,10 @@ def _curvature(lift: LiftCurve, follower: Follower, curve: ClosedCurve, limits: 
         corners = [c for c in theoretical.corners(1e-4) if c.turn > 0 and _near(c.point, lift.kinks)]
         if corners:
             sharpest = max(corners, key=lambda c: c.turn)
-            radius, place = 0.0, f"{_polar(sharpest.point)}, a corner of {np.degrees(sharpest.turn):.2f} deg"
+            radius, place = 0.0, f"{_polar(sharpest.point)}, corner {np.degrees(sharpest.turn):.1f}°"
     checks = [
         Check(
-            "convex radius, theoretical profile",
+            "convex radius, theory",
             radius,
             "mm",
             follower.radius,
@@ -193,7 +193,7 @@ def _curvature(lift: LiftCurve, follower: Follower, curve: ClosedCurve, limits: 
     radius, place = _least_convex_radius(curve)
     advice = "a sharp ridge wears: lower follower.radius_mm or raise cam.base_radius_mm"
     checks.append(
-        Check("convex radius, this profile", radius, "mm", limits.min_convex_radius, "min", place, advice)
+        Check("convex radius, profile", radius, "mm", limits.min_convex_radius, "min", place, advice)
     )
     return checks
 
@@ -204,15 +204,15 @@ def _undercut(
     losses = lost_lift(lift, follower, curve, trims)
     checks = []
     for name, kind, advice in (
-        ("lift lost, undercut", "local", "no profile gives this lift to this rod: see the cures below"),
-        ("lift lost, self-intersection", "global", "two flanks cut each other off: see the cures below"),
-        ("lift lost, change of face", "face change", "make the disc thinner (cam.thickness_mm)"),
+        ("lost lift, undercut", "local", "no profile gives this lift to this rod: see the cures below"),
+        ("lost lift, crossing", "global", "two flanks cut each other off: see the cures below"),
+        ("lost lift, face change", "face change", "make the disc thinner (cam.thickness_mm)"),
     ):
         mine = [loss for loss in losses if loss.trim.kind == kind]
         worst = max(mine, key=lambda loss: loss.lift, default=None)
         place = "none" if worst is None else f"{_at(worst.cam_angle)} ({len(mine)} in all)"
         value = 0.0 if worst is None else worst.lift * 1e3
-        checks.append(Check(name, value, "um", limits.lost_lift * 1e3, "max", place, advice))
+        checks.append(Check(name, value, "µm", limits.lost_lift * 1e3, "max", place, advice))
     return checks
 
 
@@ -222,9 +222,9 @@ def _contact(
     high = int(np.argmax(error))
     checks = [
         Check(
-            "rod pushed out, greatest",
+            "rod pushed out",
             float(error[high]) * 1e3,
-            "um",
+            "µm",
             PENETRATION_LIMIT_UM,
             "max",
             _at(contact.cam_angle[high]),
@@ -245,7 +245,7 @@ def _contact(
             "stations",
             0.0,
             "max",
-            f"inner face {inner:.0f} %, outer {100 - inner:.0f} % of the turn",
+            f"inner {inner:.0f} %, outer {100 - inner:.0f} %",
             "the rod rests on the other face than eq. 15 says: use --profile actual",
         )
     )
@@ -259,7 +259,7 @@ def _rod_reach(lift: LiftCurve, follower: Follower, theta: Array, limits: CheckL
     beyond = limits.rod_length / np.sqrt(1 + T**2) - follower.radius * np.abs(T) / np.sqrt(1 + T**2)
     worst = int(np.argmin(beyond))
     return Check(
-        "rod beyond the outer face",
+        "rod past the rim",
         float(beyond[worst] - follower.outer),
         "mm",
         0.0,
@@ -309,12 +309,12 @@ def _wall(blank: CamBlank, outline: Outline, limits: CheckLimits) -> Check:
 def _cutter(curve: ClosedCurve, limits: CheckLimits) -> Check:
     cutter = largest_cutter(curve)
     return Check(
-        "largest cutter's radius",
+        "largest cutter radius",
         cutter.radius,
         "mm",
         limits.cutter_radius,
         "min",
-        "no concave part" if not np.isfinite(cutter.radius) else _polar(cutter.point),
+        "no concave part" if cutter.point is None else f"{_polar(cutter.point)} ({cutter.kind})",
         "choose a smaller machining.cutter_diameter_mm",
     )
 
@@ -325,7 +325,7 @@ def _closure(lift: LiftCurve) -> list[Check]:
     breaks, coefficients = lift.tan_beta.x, lift.tan_beta.c
     checks = []
     for name, left in (
-        ("closure at 0 deg", len(breaks) - 2),
+        ("closure ", len(breaks) - 2),
         ("start of the blend", int(np.searchsorted(breaks, lift.blend_start)) - 1),
     ):
         right = (left + 1) % (len(breaks) - 1)
@@ -337,9 +337,9 @@ def _closure(lift: LiftCurve) -> list[Check]:
             worst = max(worst, jump / float(np.max(np.abs(lift.tan_beta(dense, nu=order)))))
         checks.append(
             Check(
-                f"continuity, {name}",
+                name,
                 worst,
-                "relative",
+                "",
                 CLOSURE_LIMIT,
                 "max",
                 _at(lift.blend_start if "blend" in name else 0.0),
@@ -365,8 +365,8 @@ def _near(point: Array, angles: Array) -> bool:
 
 
 def _at(theta: float) -> str:
-    return f"cam angle {np.degrees(theta):.2f} deg"
+    return f"cam angle {np.degrees(theta):.2f}°"
 
 
 def _polar(point: Array) -> str:
-    return f"polar angle {np.degrees(np.arctan2(point[1], point[0])) % 360:.2f} deg"
+    return f"polar angle {np.degrees(np.arctan2(point[1], point[0])) % 360:.2f}°"

@@ -2,6 +2,9 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import exp, log
+
+from scipy.optimize import brentq
 
 from cadgen.cam.checks import lost_lift
 from cadgen.cam.envelope import actual_profile
@@ -12,6 +15,7 @@ from cadgen.errors import DesignError
 # The change is found to this share of itself; a shop rounds further than that.
 _PRECISION = 0.01
 _LARGEST_FACTOR = 64.0  # a change beyond this is no cure
+_NOTHING = 1e-12  # mm; keeps the logarithm finite where nothing at all is lost
 
 
 @dataclass(frozen=True)
@@ -47,7 +51,7 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
     """Try a thinner rod and a larger base circle, each alone, and return what cures, smallest change first.
 
     The loss falls with both (r / (cos(delta/2)) - r at a corner of angle delta, and delta falls as the base
-    grows), so bisection on the factor finds the smallest change; every answer has been computed, not estimated.
+    grows), so a root search on the factor finds the smallest change; every answer has been computed, not estimated.
 
     Args:
         lift: the steering wanted.
@@ -59,23 +63,21 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
         ("follower.radius_mm", follower.radius, lambda f: replace(follower, radius=follower.radius / f)),
         ("cam.base_radius_mm", follower.base_radius, lambda f: replace(follower, base_radius=follower.base_radius * f)),
     ):
-        factor = _smallest_factor(lambda f, changed=changed: worst_loss(lift, changed(f)) <= limit)
+        factor = _smallest_factor(lambda f, changed=changed: worst_loss(lift, changed(f)), limit)
         if factor is not None:
             value = now / factor if name == "follower.radius_mm" else now * factor
             cures.append(Cure(name, now, value))
     return tuple(sorted(cures, key=lambda cure: cure.factor))
 
 
-def _smallest_factor(cured: Callable[[float], bool]) -> float | None:
-    low, high = 1.0, 2.0
-    while not cured(high):
-        low, high = high, high * 2
-        if high > _LARGEST_FACTOR:
-            return None
-    while high / low > 1 + _PRECISION:
-        middle = (low * high) ** 0.5
-        if cured(middle):
-            high = middle
-        else:
-            low = middle
-    return high
+def _smallest_factor(loss: Callable[[float], float], limit: float) -> float | None:
+    """The factor at which the loss meets its limit, rounded to the safe side; None if no factor in reach does."""
+
+    def excess(log_factor: float) -> float:
+        # Losses fall as a power of the factor, so this is close to a straight line.
+        return log(max(loss(exp(log_factor)), _NOTHING) / limit)
+
+    if excess(log(_LARGEST_FACTOR)) > 0:
+        return None
+    root = brentq(excess, 0.0, log(_LARGEST_FACTOR), xtol=_PRECISION / 2)
+    return float(exp(root + _PRECISION / 2))

@@ -1,0 +1,242 @@
+"""What a disc has besides its profile: bore, keyway or flat, lightening holes, hub; and the walls left."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.curves.closed import Outline, cross, polar_angle
+from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
+from cadgen.errors import DesignError
+
+Array = NDArray[np.float64]
+
+_TURN = 2 * np.pi
+_STEP = 0.05  # mm between points on bore and hub, which errs by 1e-4 mm of wall on a hub of 6 mm
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Keyway:
+    """A keyway in the bore's wall.
+
+    Attributes:
+        width: across the key, mm.
+        depth: from the bore's circle to the keyway's floor, mm.
+        angle: polar angle of its middle, rad.
+    """
+
+    width: float
+    depth: float
+    angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DFlat:
+    """A flat in the bore.
+
+    Attributes:
+        depth: how far it stands inside the bore's circle, mm.
+        angle: polar angle of its middle, rad.
+    """
+
+    depth: float
+    angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SetScrew:
+    """A radial hole through the hub's wall.
+
+    Attributes:
+        diameter: mm.
+        height: of its axis above the disc's face, mm.
+        angle: polar angle of its axis, rad.
+    """
+
+    diameter: float
+    height: float
+    angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hub:
+    """A round hub on one face of the disc.
+
+    Attributes:
+        diameter: mm.
+        length: how far it stands out of the face, mm.
+        side: the face it stands on.
+        set_screw: None for a hub without one.
+    """
+
+    diameter: float
+    length: float
+    side: Literal["outer", "inner"] = "outer"
+    set_screw: SetScrew | None = None
+
+    def span(self, thickness: float) -> tuple[float, float]:
+        """Heights between which the hub stands on a disc from z = 0 to z = thickness, mm."""
+        return (thickness, thickness + self.length) if self.side == "outer" else (-self.length, 0.0)
+
+    def screw_height(self, thickness: float) -> float:
+        """Height of the set screw's axis, mm."""
+        height = self.set_screw.height if self.set_screw else 0.0
+        return thickness + height if self.side == "outer" else -height
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lightening:
+    """A ring of equal round holes.
+
+    Attributes:
+        count: how many.
+        hole_diameter: of each, mm.
+        circle_diameter: of the circle on which their centres lie, mm.
+        start_angle: polar angle of the first one, rad.
+    """
+
+    count: int
+    hole_diameter: float
+    circle_diameter: float
+    start_angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """Material left between two features.
+
+    Attributes:
+        between: the two, in words.
+        thickness: mm; negative where one cuts into the other.
+        place: where it is thinnest, shape (2,), mm.
+    """
+
+    between: str
+    thickness: float
+    place: Array
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CamBlank:
+    """What a disc has besides its profile.
+
+    Attributes:
+        bore_diameter: of the hole for the camshaft, mm.
+        key: what keeps the disc from turning on its shaft; None for a plain bore.
+        hub: None for a flat disc.
+        lightening: None for a full disc.
+    """
+
+    bore_diameter: float
+    key: Keyway | DFlat | None = None
+    hub: Hub | None = None
+    lightening: Lightening | None = None
+
+    def bore(self) -> Contour:
+        """The bore with its keyway or flat, run counterclockwise.
+
+        Raises:
+            DesignError: the keyway or the flat does not fit the bore.
+        """
+        match self.key:
+            case Keyway(width=width, depth=depth, angle=angle):
+                return keyway_bore(self.bore_diameter, width, depth, angle)
+            case DFlat(depth=depth, angle=angle):
+                return d_bore(self.bore_diameter, depth, angle)
+            case _:
+                return circle((0.0, 0.0), self.bore_diameter / 2)
+
+    def holes(self) -> tuple[Contour, ...]:
+        """The lightening holes, each run counterclockwise."""
+        ring = self.lightening
+        if ring is None:
+            return ()
+        angles = ring.start_angle + _TURN / ring.count * np.arange(ring.count)
+        centers = ring.circle_diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        return tuple(circle(center, ring.hole_diameter / 2) for center in centers)
+
+    def inner_contours(self) -> tuple[Contour, ...]:
+        """Everything cut out of the disc: the bore, then the lightening holes."""
+        return self.bore(), *self.holes()
+
+    def disc_volume(self, profile_area: float, thickness: float) -> float:
+        """Volume of the disc without its hub, mm^3: what the contours leave of the profile's area (mm^2)."""
+        return (profile_area - sum(contour.area() for contour in self.inner_contours())) * thickness
+
+    def walls(self, profile: Outline) -> tuple[Wall, ...]:
+        """Material between profile, bore, hub and lightening holes, at the thinnest place of each kind.
+
+        Exact but for the profile's own points, whose spacing h errs by h^2 / 8 times its curvature.
+
+        Args:
+            profile: dense points of the disc's outline.
+        """
+        core, name = self.bore(), "bore"
+        walls = [_enclosed(core, name, profile, "profile")]
+        if self.hub:
+            hub = circle((0.0, 0.0), self.hub.diameter / 2)
+            walls.append(_enclosed(core, name, hub.outline(_STEP), "hub"))
+            core, name = hub, "hub"
+            walls.append(_enclosed(core, name, profile, "profile"))
+        holes, ring = self.holes(), self.lightening
+        if ring:
+            rim = [
+                _enclosed(hole, f"lightening hole {n}", profile, "profile") for n, hole in enumerate(holes, 1)
+            ]
+            walls.append(min(rim, key=lambda wall: wall.thickness))
+            centers = np.array([hole.centers[0] for hole in holes])
+            aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))
+            inner = aside - ring.hole_diameter / 2
+            worst = int(np.argmin(inner))
+            walls.append(Wall(f"lightening hole {worst + 1} and {name}", float(inner[worst]), centers[worst]))
+        if ring and ring.count > 1:
+            apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
+            walls.append(Wall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
+        return tuple(walls)
+
+    def require_walls(self, profile: Outline) -> None:
+        """Refuse a blank of which no solid can be made.
+
+        Raises:
+            DesignError: one feature cuts into another or through the profile.
+        """
+        thinnest = min(self.walls(profile), key=lambda wall: wall.thickness)
+        if thinnest.thickness <= 0:
+            x, y = thinnest.place
+            raise DesignError(
+                f"{thinnest.between} overlap by {-thinnest.thickness:.2f} mm at ({x:.1f}, {y:.1f}) mm: make one "
+                "of them smaller or move them apart (the design's [blank])"
+            )
+
+
+def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Wall:
+    points = inner.outline(_STEP).points
+    beyond = _beyond(points, outer)
+    worst = int(np.argmax(beyond))
+    if beyond[worst] >= 0:
+        return Wall(f"{name} and {outer_name}", -float(beyond[worst]), points[worst])
+    distance = _distance(inner, outer.points)
+    nearest = int(np.argmin(distance))
+    return Wall(f"{name} and {outer_name}", float(distance[nearest]), outer.points[nearest])
+
+
+def _beyond(points: Array, outline: Outline) -> Array:
+    """How much further from the axis points lie than an outline that is star-shaped about it, mm."""
+    rim = np.interp(polar_angle(points), outline.angle, np.linalg.norm(outline.points, axis=1), period=_TURN)
+    return np.asarray(np.linalg.norm(points, axis=1) - rim)
+
+
+def _distance(contour: Contour, points: Array) -> Array:
+    """Distance of points, shape (n, 2), from the nearest side of a contour, mm, in closed form."""
+    from_start = points[:, None] - contour.vertices
+    chords = contour.chords
+    share = np.sum(from_start * chords, axis=2) / np.sum(chords**2, axis=1)
+    to_line = np.linalg.norm(from_start - np.clip(share, 0.0, 1.0)[..., None] * chords, axis=2)
+    from_center, middle = points[:, None] - contour.centers, contour.middles - contour.centers
+    off_middle = np.arctan2(cross(middle, from_center), np.sum(middle * from_center, axis=2))
+    to_circle = np.abs(np.linalg.norm(from_center, axis=2) - contour.radii)
+    to_ends = np.linalg.norm(from_start, axis=2)
+    to_ends = np.minimum(to_ends, np.roll(to_ends, -1, axis=1))
+    to_arc = np.where(np.abs(off_middle) <= np.abs(contour.sweeps) / 2, to_circle, to_ends)
+    return np.asarray(np.where(contour.bulges == 0, to_line, to_arc).min(axis=1))

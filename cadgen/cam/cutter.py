@@ -1,0 +1,121 @@
+"""Which cutter reaches every part of a profile."""
+
+from dataclasses import dataclass
+from math import inf
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.curves.closed import ClosedCurve, Jet, Piece, left_normal
+from cadgen.curves.offset import parallel
+
+Array = NDArray[np.float64]
+
+_CLEARANCE = 1e-3  # mm; a cutter smaller than this is none
+_POINTS = 1200  # round the curve; pairs of them are tried, then the tightest is closed in on
+_ZOOM = 33  # points along each side of the square of pairs that is closed in on
+_ZOOMS = 4  # each narrows the square sixteenfold: to 1e-5 of the points' distance, squared in the radius
+_BLOCK = 64
+_NEXT_TO = 0.01  # mm; nearer points say nothing that the curvature does not say better
+_FLAT = 1e7  # mm; a hollow flatter than this is a straight line with rounding
+
+
+@dataclass(frozen=True)
+class CutterLimit:
+    """The largest round cutter that reaches the whole profile from outside.
+
+    Attributes:
+        radius: mm; infinite if the profile is nowhere hollow, zero at a hollow corner.
+        point: where it fits most tightly, shape (2,), mm; None if the profile is nowhere hollow.
+        kind: `none` (nowhere hollow), `corner` (a hollow corner), `local` (the hollow's own radius) or `global`
+            (two parts of the profile are too close, as in a narrow valley).
+    """
+
+    radius: float
+    point: Array | None
+    kind: Literal["none", "corner", "local", "global"]
+
+
+def largest_cutter(curve: ClosedCurve) -> CutterLimit:
+    """Return the largest disc that can be set against every point of the curve from outside and overlap nothing.
+
+    A disc outside, tangent at p with outward normal n, overlaps no other point q if its radius is at most
+    |q - p|^2 / (2 (q - p).n), wherever that is positive; next to p this tends to the hollow's own radius. The
+    smallest value over all pairs is the answer. It is found on a curve moved out by a micrometre, which rounds
+    convex corners, so that the cutter rolling about them is tried as well.
+    """
+    hollow = [corner for corner in curve.corners() if corner.turn < 0]
+    if hollow:
+        return CutterLimit(0.0, min(hollow, key=lambda corner: corner.turn).point, "corner")
+    rounded = parallel(curve, _CLEARANCE)
+    local_radius, local_point = _tightest_hollow(rounded)
+    radius, point = _tightest_pair(rounded)
+    # Pairs close together see the local radius too, a little late; only a clear difference is another place.
+    if radius < local_radius * (1 - 1e-4):
+        return CutterLimit(radius + _CLEARANCE, point, "global")
+    if local_radius > _FLAT:
+        return CutterLimit(inf, None, "none")
+    return CutterLimit(local_radius + _CLEARANCE, local_point, "local")
+
+
+def _tightest_hollow(curve: ClosedCurve) -> tuple[float, Array]:
+    """Least radius of curvature of the hollow parts, and where; infinite if there are none."""
+    best = (inf, np.full(2, np.nan))
+    for piece, t in zip(curve.pieces, curve.parameters(_step(curve)), strict=True):
+        for _ in range(_ZOOMS):
+            jet = piece.jet(t)
+            least = int(np.argmin(jet.curvature))
+            if jet.curvature[least] < 0 and -1 / jet.curvature[least] < best[0]:
+                best = (float(-1 / jet.curvature[least]), jet.point[least])
+            t = _around(piece, t, least)
+    return best
+
+
+def _tightest_pair(curve: ClosedCurve) -> tuple[float, Array]:
+    """Least radius of a disc tangent at one point and through another, and the first point."""
+    parameters = curve.parameters(_step(curve))
+    owner = np.repeat(np.arange(len(parameters)), [len(t) for t in parameters])
+    within = np.concatenate([np.arange(len(t)) for t in parameters])
+    jets = [piece.jet(t) for piece, t in zip(curve.pieces, parameters, strict=True)]
+    jet = Jet(*(np.concatenate(columns) for columns in zip(*jets, strict=True)))
+    least, pair = inf, (0, 0)
+    for first in range(0, len(owner), _BLOCK):
+        radii = _radii(Jet(*(column[first : first + _BLOCK] for column in jet)), jet.point)
+        p, q = np.unravel_index(np.argmin(radii), radii.shape)
+        if radii[p, q] < least:
+            least, pair = float(radii[p, q]), (first + int(p), int(q))
+    pieces = [curve.pieces[owner[i]] for i in pair]
+    spans = [_around(curve.pieces[owner[i]], parameters[owner[i]], within[i]) for i in pair]
+    point = jet.point[pair[0]]
+    for _ in range(_ZOOMS):
+        at, others = pieces[0].jet(spans[0]), pieces[1].jet(spans[1])
+        radii = _radii(at, others.point)
+        p, q = np.unravel_index(np.argmin(radii), radii.shape)
+        least, point = min(least, float(radii[p, q])), at.point[p]
+        spans = [_around(piece, t, int(i)) for piece, t, i in zip(pieces, spans, (p, q), strict=True)]
+    return least, point
+
+
+def _radii(at: Jet, others: Array) -> Array:
+    """Radius of the disc tangent outside at each of n points and through each of m others, shape (n, m), mm."""
+    dx = others[:, 0] - at.point[:, 0, None]
+    dy = others[:, 1] - at.point[:, 1, None]
+    out = -left_normal(at.velocity)
+    ahead = dx * out[:, 0, None] + dy * out[:, 1, None]
+    apart = dx * dx + dy * dy
+    # Closer pairs are a hollow's own radius, and rounding.
+    meets = (ahead > 0) & (apart > _NEXT_TO**2)
+    return np.where(meets, apart / np.where(meets, 2 * ahead, 1.0), inf)
+
+
+def _around(piece: Piece, t: Array, index: int) -> Array:
+    """Finer parameters between the neighbours of one of them."""
+    step = t[1] - t[0]
+    return np.linspace(max(piece.start, t[index] - step), min(piece.stop, t[index] + step), _ZOOM)
+
+
+def _step(curve: ClosedCurve) -> float:
+    """Distance between points, mm."""
+    points = curve.outline(np.inf).points
+    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()) / _POINTS

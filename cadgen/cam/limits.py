@@ -1,0 +1,49 @@
+"""Limits of the pressure angle that textbooks give, by name."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import radians
+from types import MappingProxyType
+from typing import Literal
+
+PressureAngleLimitName = Literal[
+    "norton_translating", "norton_oscillating", "chinese_texts_strict", "chinese_texts"
+]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PressureAngleLimit:
+    """What the pressure angle of the true contact may reach, in size.
+
+    Attributes:
+        rise: limit while the cam drives the rod outwards (the working stroke), rad.
+        fall: limit while the spring drives the rod back (the return stroke), rad.
+        source: who recommends it, and for which follower.
+    """
+
+    rise: float
+    fall: float
+    source: str
+
+
+_NORTON = "R. L. Norton, Cam Design and Manufacturing Handbook, 2nd ed. (2009), chapter 7"
+_CHINESE = (
+    "Chinese textbooks of mechanisms, oscillating follower: 40-50° working stroke, 70-80° return stroke"
+)
+
+PRESSURE_ANGLE_LIMITS: Mapping[PressureAngleLimitName, PressureAngleLimit] = MappingProxyType(
+    {
+        "norton_translating": PressureAngleLimit(
+            rise=radians(30), fall=radians(30), source=f"{_NORTON}: translating follower"
+        ),
+        "norton_oscillating": PressureAngleLimit(
+            rise=radians(35), fall=radians(35), source=f"{_NORTON}: follower on a pivoted arm"
+        ),
+        "chinese_texts_strict": PressureAngleLimit(
+            rise=radians(40), fall=radians(70), source=f"{_CHINESE}; the lower ends"
+        ),
+        "chinese_texts": PressureAngleLimit(
+            rise=radians(50), fall=radians(80), source=f"{_CHINESE}; the upper ends"
+        ),
+    }
+)

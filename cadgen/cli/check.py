@@ -1,0 +1,28 @@
+"""`cadgen check`: every check of a cam, without making a file."""
+
+import sys
+
+import click
+
+from cadgen.cli.options import design_options
+
+
+@click.command()
+@design_options
+def check(design: str | None, overrides: tuple[str, ...], profile: str, as_json: bool) -> None:
+    """Check a cam without making any file.
+
+    Exit code 1 if a check fails.
+    """
+    from cadgen.cli import show
+    from cadgen.design.load import load_design
+    from cadgen.workflow.cam import plan_cam
+
+    loaded = load_design(design, overrides)
+    with show.progress(not as_json) as step:
+        plan = plan_cam(loaded, profile, step)
+    if as_json:
+        show.document(plan.facts())
+    else:
+        show.checks(plan)
+    sys.exit(0 if plan.passed else 1)

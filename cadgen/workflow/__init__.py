@@ -1,0 +1,7 @@
+"""One job from a design to verified files; the command line and other programs call these.
+
+| module  | what it does                                                         |
+|---------|----------------------------------------------------------------------|
+| `cam`   | design -> lift, profile and checks; cures for what fails             |
+| `files` | a checked cam -> every file, read back, rolled, published, on record |
+"""

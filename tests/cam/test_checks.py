@@ -1,0 +1,124 @@
+"""Every check can fail, says where, and passes on the paper's car; the cures cure."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from cadgen.cam.blank import CamBlank, Hub
+from cadgen.cam.checks import CheckLimits, check_cam, lost_lift
+from cadgen.cam.cure import undercut_cures, worst_loss
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.cam.theoretical import published_profile, theoretical_profile
+
+LIMITS = CheckLimits(
+    pressure_angle=PRESSURE_ANGLE_LIMITS["norton_oscillating"],
+    lost_lift=1e-3,
+    min_convex_radius=0.5,
+    cutter_radius=2.0,
+    rod_length=40.0,
+    wall=2.0,
+)
+BLANK = CamBlank(bore_diameter=8.0)
+
+
+def run(car, curve=None, *, trims=None, limits=LIMITS, blank=BLANK, follower=None):
+    checks = check_cam(
+        car.lift,
+        follower or car.follower,
+        curve or car.actual.curve,
+        car.actual.trims if trims is None else trims,
+        blank,
+        limits,
+    )
+    return {check.name: check for check in checks}
+
+
+def failed(checks):
+    return {name for name, check in checks.items() if not check.passed}
+
+
+def test_the_papers_car_passes(carbon_free_car):
+    checks = run(carbon_free_car)
+    for check in checks.values():
+        print(f"{check.name:36s} {check.value:10.4f} {check.unit:8s} {check.bound} {check.limit:8.3g}  {check.place}")
+    assert failed(checks) == set()
+
+
+def test_the_appendix_car_is_undercut(appendix_car):
+    checks = run(appendix_car, limits=replace(LIMITS, cutter_radius=1.0))
+    assert failed(checks) == {
+        "convex radius, theory",
+        "lost lift, undercut",
+        "pressure angle, rise",
+        "pressure angle, return",
+    }
+    worst = checks["lost lift, undercut"]
+    assert worst.value == pytest.approx(14.7, abs=0.5)
+    assert "cam angle 115.1" in worst.place
+
+
+def test_pressure_angle_is_that_of_the_pitch_curve(carbon_free_car):
+    """Independent: tan = ds/dtheta / (a + s) in the plane of the face, to which the lean adds little."""
+    lift, follower = carbon_free_car.lift, carbon_free_car.follower
+    theta = np.linspace(0, 2 * np.pi, 3600)
+    w = follower.contact_face(lift.tan_beta(theta))
+    angle = np.degrees(np.arctan2(w * lift.tan_beta(theta, nu=1), 70 + w * lift.tan_beta(theta)))
+    checks = run(carbon_free_car)
+    assert checks["pressure angle, rise"].value == pytest.approx(angle.max(), abs=0.6)
+    assert checks["pressure angle, return"].value == pytest.approx(-angle.min(), abs=0.6)
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"pressure_angle": PRESSURE_ANGLE_LIMITS["norton_translating"]}, None),
+        ({"pressure_angle": replace(PRESSURE_ANGLE_LIMITS["norton_oscillating"], rise=0.3)}, "pressure angle, rise"),
+        ({"pressure_angle": replace(PRESSURE_ANGLE_LIMITS["norton_oscillating"], fall=0.3)}, "pressure angle, return"),
+        ({"cutter_radius": 9.0}, "largest cutter radius"),
+        ({"rod_length": 27.0}, "rod past the rim"),
+        ({"min_convex_radius": 20.0}, "convex radius, profile"),
+        ({"lost_lift": 1e-4}, "lost lift, face change"),
+        ({"wall": 60.0}, "thinnest wall"),
+    ],
+)
+def test_each_limit_binds(carbon_free_car, change, name):
+    assert failed(run(carbon_free_car, limits=replace(LIMITS, **change))) == ({name} if name else set())
+
+
+def test_a_hub_in_the_rods_way(carbon_free_car):
+    low = run(carbon_free_car, blank=CamBlank(bore_diameter=8.0, hub=Hub(diameter=30.0, length=10.0)))
+    assert failed(low) == set()
+    high = run(carbon_free_car, blank=CamBlank(bore_diameter=8.0, hub=Hub(diameter=118.0, length=10.0)))
+    assert "rod above the hub" in failed(high)
+
+
+def test_the_published_profile_is_refused(carbon_free_car):
+    curve = published_profile(carbon_free_car.lift, carbon_free_car.follower)
+    checks = run(carbon_free_car, curve, trims=())
+    assert "rod pushed out" in failed(checks)
+    assert checks["rod pushed out"].value == pytest.approx(304, abs=5)
+
+
+def test_the_theoretical_profile_with_the_rods_axis(carbon_free_car):
+    axis = replace(carbon_free_car.follower, radius=0.0)
+    checks = run(carbon_free_car, theoretical_profile(carbon_free_car.lift, axis), trims=(), follower=axis)
+    assert failed(checks) == set()
+
+
+def test_losses_are_counted_per_corner(appendix_car):
+    losses = lost_lift(appendix_car.lift, appendix_car.follower, appendix_car.actual.curve, appendix_car.actual.trims)
+    assert len(losses) == len(appendix_car.actual.trims)
+    assert all(loss.lift >= -1e-7 for loss in losses)
+
+
+def test_cures_are_the_smallest_change_that_cures(appendix_car):
+    cures = undercut_cures(appendix_car.lift, appendix_car.follower, 5e-3)
+    assert {cure.parameter for cure in cures} == {"follower.radius_mm", "cam.base_radius_mm"}
+    assert [cure.factor for cure in cures] == sorted(cure.factor for cure in cures)
+    for cure in cures:
+        field = cure.parameter.split(".")[1].removesuffix("_mm")
+        print(f"{cure.parameter}: {cure.now:g} -> {cure.value:.3f} mm")
+        at = replace(appendix_car.follower, **{field: cure.value})
+        short = replace(appendix_car.follower, **{field: cure.value * (1.03 if cure.value < cure.now else 0.97)})
+        assert worst_loss(appendix_car.lift, at) <= 5e-3 < worst_loss(appendix_car.lift, short)
