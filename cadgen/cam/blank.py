@@ -205,8 +205,8 @@ class CamBlank:
         if thinnest.thickness <= 0:
             x, y = thinnest.place
             raise DesignError(
-                f"{thinnest.between} overlap by {-thinnest.thickness:.2f} mm at ({x:.1f}, {y:.1f}) mm: make one "
-                "of them smaller or move them apart (the design's [blank])"
+                f"{thinnest.between} overlap by {-thinnest.thickness:.2f} mm at ({x:.1f}, {y:.1f}) mm: "
+                "make one of them smaller or move them apart (the design's [blank])"
             )
 
 

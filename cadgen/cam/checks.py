@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.cam.blank import CamBlank
-from cadgen.cam.contact import Contact, roll
+from cadgen.cam.contact import Contact, rest_on_point, roll
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
@@ -97,14 +97,13 @@ def cam_angles(lift: LiftCurve) -> Array:
     return np.unique(np.concatenate([even, lift.kinks]))
 
 
-def lost_lift(lift: LiftCurve, follower: Follower, curve: ClosedCurve, trims: tuple[Trim, ...]) -> list[Loss]:
-    """Roll the rod through every trimmed interval and take the greatest lift missing in each."""
-    outline = curve.outline(CURVE_STEP)
+def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...]) -> list[Loss]:
+    """Where the envelope is trimmed the rod rests on a corner: the greatest lift missing at each."""
     losses = []
     for trim in trims:
-        theta = trim.before + np.linspace(0.0, 1.0, 129) * ((trim.after - trim.before) % _TURN)
+        theta = trim.before + np.linspace(0.0, 1.0, 257) * ((trim.after - trim.before) % _TURN)
         theta = np.concatenate([theta, lift.kinks[(lift.kinks - theta[0]) % _TURN < theta[-1] - theta[0]]])
-        missing = follower.lift(lift.tan_beta(theta)) - roll(outline, follower, theta).lift
+        missing = follower.lift(lift.tan_beta(theta)) - follower.lift(rest_on_point(trim.point, follower, theta))
         worst = int(np.argmax(missing))
         losses.append(Loss(trim, float(missing[worst]), float(theta[worst] % _TURN)))
     return losses
@@ -135,7 +134,7 @@ def check_cam(
     return (
         *_pressure(lift, contact, limits),
         *_curvature(lift, follower, curve, limits),
-        *_undercut(lift, follower, curve, trims, limits),
+        *_undercut(lift, follower, trims, limits),
         *_contact(lift, follower, contact, contact.lift - wanted, trims),
         _rod_reach(lift, follower, theta, limits),
         *_hub_clearance(lift, follower, theta, blank),
@@ -199,9 +198,9 @@ def _curvature(lift: LiftCurve, follower: Follower, curve: ClosedCurve, limits: 
 
 
 def _undercut(
-    lift: LiftCurve, follower: Follower, curve: ClosedCurve, trims: tuple[Trim, ...], limits: CheckLimits
+    lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], limits: CheckLimits
 ) -> list[Check]:
-    losses = lost_lift(lift, follower, curve, trims)
+    losses = lost_lift(lift, follower, trims)
     checks = []
     for name, kind, advice in (
         ("lost lift, undercut", "local", "no profile gives this lift to this rod: see the cures below"),

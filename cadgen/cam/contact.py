@@ -48,6 +48,27 @@ class Contact:
     pressure_angle: Array
 
 
+def rest_on_point(point: Array, follower: Follower, cam_angle: Array) -> Array:
+    """tan(beta) of the rod resting on a single point of the disc, such as a corner, at each cam angle.
+
+    Args:
+        point: shape (2,), mm.
+        follower: the rod and the faces.
+        cam_angle: shape (n,), rad; the point must lie under the rod there.
+    """
+    off = np.arctan2(point[1], point[0]) - cam_angle
+    radius = np.linalg.norm(point)
+    x, y = radius * np.cos(off), radius * np.sin(off)
+    h = np.sqrt(follower.radius**2 - y**2)
+    u = x - follower.base_radius
+    return np.maximum(_clearing(u, h, follower.inner), _clearing(u, h, follower.outer))
+
+
+def _clearing(u: Array, h: Array, face: float) -> Array:
+    """The least tan(beta) at which the rod clears a point in a face plane (see the module's equation)."""
+    return np.asarray((face * u + h * np.sqrt(u**2 + face**2 - h**2)) / (face**2 - h**2))
+
+
 def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
     """Turn the disc to each cam angle and let the rod down on it.
 
@@ -122,9 +143,7 @@ class _Ring:
         h = np.sqrt(np.where(under, follower.radius**2 - y**2, 0.0))
         results = []
         for face in (follower.inner, follower.outer):
-            u = x - follower.base_radius
-            needed = (face * u + h * np.sqrt(u**2 + face**2 - h**2)) / (face**2 - h**2)
-            needed = np.where(under, needed, -np.inf)
+            needed = np.where(under, _clearing(x - follower.base_radius, h, face), -np.inf)
             results.append(self._refine(needed, y, index, face))
         inner, outer = results
         return np.where(inner[0] >= outer[0], inner, outer)

@@ -44,7 +44,7 @@ def worst_loss(lift: LiftCurve, follower: Follower) -> float:
         profile = actual_profile(lift, follower)
     except DesignError:
         return float("inf")
-    return max((loss.lift for loss in lost_lift(lift, follower, profile.curve, profile.trims)), default=0.0)
+    return max((loss.lift for loss in lost_lift(lift, follower, profile.trims)), default=0.0)
 
 
 def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[Cure, ...]:

@@ -97,7 +97,7 @@ def test_undercut_corners_lose_the_closed_form(appendix_car):
     lift, follower = appendix_car.lift, appendix_car.follower
     losses = [
         loss
-        for loss in lost_lift(lift, follower, appendix_car.actual.curve, appendix_car.actual.trims)
+        for loss in lost_lift(lift, follower, appendix_car.actual.trims)
         if loss.trim.kind == "local"
     ]
     assert len(losses) == 6
