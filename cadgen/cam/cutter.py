@@ -38,12 +38,15 @@ class CutterLimit:
 
 
 def largest_cutter(curve: ClosedCurve) -> CutterLimit:
-    """Return the largest disc that can be set against every point of the curve from outside and overlap nothing.
+    """Return the largest disc that can be set against every point of the curve from outside, cutting nothing.
 
-    A disc outside, tangent at p with outward normal n, overlaps no other point q if its radius is at most
-    |q - p|^2 / (2 (q - p).n), wherever that is positive; next to p this tends to the hollow's own radius. The
-    smallest value over all pairs is the answer. It is found on a curve moved out by a micrometre, which rounds
-    convex corners, so that the cutter rolling about them is tried as well.
+    A disc outside, tangent at p with outward normal n, keeps clear of another point q if its radius is at most
+    |q - p|^2 / (2 (q - p).n), where that is positive; next to p this tends to the hollow's own radius. The
+    smallest value over all pairs is the answer. It is found on the curve moved out by a micrometre, which
+    rounds convex corners, so that the cutter rolling about them is tried as well.
+
+    Raises:
+        CheckError: a hollow has a radius of less than a micrometre.
     """
     hollow = [corner for corner in curve.corners() if corner.turn < 0]
     if hollow:

@@ -27,7 +27,8 @@ Array = NDArray[np.float64]
 
 _TURN = 2 * np.pi
 _SAMPLES = 3600  # of a turn: folds and crossings closer together than 0.1 degree count as one
-_NEWTON_STEPS = 8
+_NEWTON_STEPS = 20
+_CONVERGED = 1e-13  # rad; Newton's method has doubled its digits past rounding
 _JOINT = 1e-9  # rad; two branches that end and begin within this meet, they do not cross
 
 
@@ -50,7 +51,10 @@ class EnvelopePiece:
             c, s = np.cos(eta), np.sin(eta)
             f = (d1 - A1 * c + r * s) * r * c + (d - A * c) * A * s
             f_eta = (A1 * s + r * c) * r * c - (d1 - A1 * c + r * s) * r * s + A**2 * s**2 + (d - A * c) * A * c
-            eta = eta - f / f_eta
+            step = f / f_eta
+            eta = eta - step
+            if np.abs(step).max() < _CONVERGED:
+                break
         return eta
 
     def jet(self, t: Array) -> Jet:
@@ -147,7 +151,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     _refuse_thick_rod(lift, follower)
     branches = _branches(lift, follower)
     starts = np.array([_angle(b, b.start) for b in branches])
-    spans = np.array([(_angle(b, b.stop) - _angle(b, b.start)) % _TURN for b in branches])
+    spans = np.array([_travel(b) for b in branches])
 
     # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
     uniform = np.linspace(0.0, _TURN, _SAMPLES, endpoint=False)
@@ -230,10 +234,12 @@ def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
 def _crossing(before: Branch, after: Branch, near: float) -> tuple[float, float]:
     """Parameters at which two branches meet, by Newton's method from a polar angle nearby."""
     t = np.array([piece_at_angle(b, np.array([near]))[0] for b in (before, after)])
-    for _ in range(_NEWTON_STEPS * 2):
+    for _ in range(_NEWTON_STEPS):
         a, b = before.jet(t[:1]), after.jet(t[1:])
         step = np.linalg.solve(np.stack([a.velocity[0], -b.velocity[0]], axis=1), (a.point - b.point)[0])
         t = np.clip(t - step, [before.start, after.start], [before.stop, after.stop])
+        if np.abs(step).max() < _CONVERGED:
+            break
     return float(t[0]), float(t[1])
 
 
@@ -268,6 +274,13 @@ def _refuse_thick_rod(lift: LiftCurve, follower: Follower) -> None:
 
 def _angle(branch: Branch, t: float) -> float:
     return float(polar_angle(branch.jet(np.array([t])).point)[0])
+
+
+def _travel(branch: Branch) -> float:
+    """Polar angle that a branch runs through, rad; up to a whole turn, which an end less start would not show."""
+    points = branch.jet(np.linspace(branch.start, branch.stop, 65)).point
+    angles = np.unwrap(polar_angle(points))
+    return float(angles[-1] - angles[0])
 
 
 def _turned(radial: Array, around: Array, theta: Array) -> Array:
