@@ -1,0 +1,255 @@
+"""From a checked cam to files on disk, each read back and rolled against the rod before it is published."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.checks import CURVE_STEP, cam_angles
+from cadgen.cam.contact import roll
+from cadgen.cam.cutter import CutterLimit, largest_cutter
+from cadgen.curves.biarc import arcs
+from cadgen.curves.closed import Outline
+from cadgen.curves.spline import splines
+from cadgen.errors import CheckError, FileError
+from cadgen.export.folder import publishing
+from cadgen.export.manifest import file_hash, versions, write_manifest
+from cadgen.workflow.cam import CamPlan, Step
+
+Array = NDArray[np.float64]
+
+# What a file may add to the lift's error, in um. STL and 3MF are held to their own chord tolerance.
+STEP_LIMIT_UM = 0.5
+POINTS_LIMIT_UM = 0.5
+DXF_LIMIT_UM = 1.0
+GCODE_LIMIT_UM = 1.0
+# Relative error of the solid's volume against the profile's own area times thickness.
+SOLID_VOLUME_LIMIT = 1e-6
+# How far the cubic splines of the DXF may stray, mm: a tenth of what the lift is allowed.
+_DXF_SPLINE_TOLERANCE = 1e-4
+# Distance of the points on what is read back, mm; rolling errs by 0.005 um at this step.
+_READ_STEP = 0.05
+
+
+@dataclass(frozen=True)
+class Written:
+    """The files of one cam and their entry in the manifest.
+
+    Attributes:
+        part: name of the entry.
+        entry: its content; `entry["files"]` maps names to facts.
+    """
+
+    part: str
+    entry: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class _Job:
+    """What the writers share."""
+
+    plan: CamPlan
+    staging: Path
+
+    @property
+    def stem(self) -> str:
+        return f"{self.plan.design.name}_{self.plan.profile}"
+
+    @property
+    def description(self) -> str:
+        return f"steering cam, {self.plan.profile} profile, design {self.plan.design.content_hash[:12]}"
+
+    @property
+    def thickness(self) -> float:
+        return self.plan.rod.thickness
+
+    @cached_property
+    def cam_angle(self) -> Array:
+        return cam_angles(self.plan.lift)
+
+    @cached_property
+    def lift(self) -> Array:
+        """Lift of the exact curve, mm: what every file is compared with."""
+        return roll(self.plan.curve.outline(CURVE_STEP), self.plan.follower, self.cam_angle).lift
+
+    @cached_property
+    def cutter_limit(self) -> CutterLimit:
+        return largest_cutter(self.plan.curve)
+
+    def lift_error_um(self, outline: Outline) -> float:
+        """Largest difference of the lift that an outline gives, over the whole turn."""
+        rolled = roll(outline, self.plan.follower, self.cam_angle).lift
+        return float(np.abs(rolled - self.lift).max() * 1e3)
+
+
+@dataclass(frozen=True)
+class _Result:
+    """A file that was written and read back."""
+
+    name: str
+    outline: Outline | None
+    limit_um: float | None
+    facts: dict[str, Any]
+
+
+def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None) -> Written:
+    """Write, read back, judge and publish every file of a cam.
+
+    Args:
+        plan: a computed cam, normally one whose checks passed.
+        out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
+        step: told what is being done.
+
+    Raises:
+        FileError: a file cannot be written, or what was read back is not what was meant.
+    """
+    with publishing(out) as staging:
+        job = _Job(plan, staging)
+        files: dict[str, Any] = {}
+        omitted: dict[str, str] = {}
+        for label, make in _FORMATS.items():
+            step(f"writing and reading back {label}")
+            try:
+                results = list(make(job))
+            except CheckError as error:
+                # Only a forced export comes here: the check that failed names the same cause.
+                omitted[label] = str(error)
+                continue
+            for result in results:
+                files[result.name] = _judged(job, result)
+        entry = {**plan.facts(), "frame": _FRAME, "versions": versions(), "omitted": omitted, "files": files}
+        write_manifest(staging, out, job.stem, entry)
+    return Written(job.stem, entry)
+
+
+_FRAME = (
+    "mm; z = 0 is the disc's inner face (the one nearer to the fork axis), +z points to the outer face; at cam "
+    "angle theta the rod stands at polar angle theta, counterclockwise from +X seen from the outer face"
+)
+
+
+def _judged(job: _Job, result: _Result) -> dict[str, Any]:
+    file = job.staging / result.name
+    facts: dict[str, Any] = {"bytes": file.stat().st_size, "sha256": file_hash(file), **result.facts}
+    if result.outline is not None and result.limit_um is not None:
+        error = job.lift_error_um(result.outline)
+        facts |= {"lift_error_um": error, "lift_limit_um": result.limit_um}
+        if not error <= result.limit_um:
+            raise FileError(
+                f"{result.name}, read back, moves the rod by {error:.2f} µm, more than the {result.limit_um:g} µm "
+                f"allowed: use finer tolerances in the design's [export]"
+            )
+    return facts
+
+
+def _step(job: _Job) -> Iterator[_Result]:
+    from cadgen.solids.cam import cam_part
+    from cadgen.solids.kernel import volume
+    from cadgen.solids.step import read_step, step_bytes
+
+    plan = job.plan
+    part = cam_part(plan.curve, plan.blank, job.thickness, name=job.stem, description=job.description)
+    name = f"{job.stem}.step"
+    (job.staging / name).write_bytes(step_bytes(part))
+    content = read_step(job.staging / name, _READ_STEP)
+    if not content.valid or content.bodies != 1 or (content.name, content.description) != (part.name, part.description):
+        raise FileError(f"{name}, read back, is not one valid solid with its name: report this design")
+    expected = volume(part.solid)
+    if plan.blank.hub is None:
+        expected = plan.blank.disc_volume(plan.curve.area(), job.thickness)
+    error = abs(content.volume / expected - 1)
+    if not error <= SOLID_VOLUME_LIMIT:
+        raise FileError(f"{name}, read back, has {error:.1e} more or less volume than the profile: report this design")
+    yield _Result(
+        name, content.rim, STEP_LIMIT_UM, {"volume_mm3": content.volume, "volume_error_relative": error}
+    )
+
+
+def _meshes(job: _Job) -> Iterator[_Result]:
+    from cadgen.export.mesh import Mesh, cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
+
+    plan = job.plan
+    chord = plan.design.export.mesh_chord_um * 1e-3
+    mesh = cam_mesh(plan.curve, plan.blank, job.thickness, chord)
+    exact = inspect(mesh, _READ_STEP).volume
+
+    def read(name: str, again: Mesh) -> _Result:
+        content = inspect(again, _READ_STEP)
+        if not content.watertight or content.bodies != 1:
+            raise FileError(f"{name}, read back, is not one watertight body: report this design")
+        if plan.blank.hub is None:
+            exact_volume = plan.blank.disc_volume(plan.curve.area(), job.thickness)
+            bound = chord * content.wall_area
+        else:
+            exact_volume, bound = exact, 1e-6 * exact
+        error = abs(content.volume - exact_volume)
+        if not error <= bound:
+            raise FileError(f"{name}, read back, has a volume {error:.3g} mm3 off: report this design")
+        facts = {
+            "triangles": len(again.triangles),
+            "watertight": True,
+            "volume_mm3": content.volume,
+            "volume_error_relative": error / exact_volume,
+        }
+        return _Result(name, content.rim, chord * 1e3, facts)
+
+    name = f"{job.stem}.stl"
+    (job.staging / name).write_bytes(stl_bytes(mesh, job.stem))
+    yield read(name, read_stl(job.staging / name))
+    name = f"{job.stem}.3mf"
+    (job.staging / name).write_bytes(threemf_bytes(mesh, job.stem, job.description))
+    again, title = read_3mf(job.staging / name)
+    if title != job.stem:
+        raise FileError(f"{name}, read back, has lost its name: report this design")
+    yield read(name, again)
+
+
+def _dxf(job: _Job) -> Iterator[_Result]:
+    from cadgen.export.dxf import read_dxf, write_dxf
+
+    plan = job.plan
+    tolerance = plan.design.export.arc_tolerance_um * 1e-3
+    chain = arcs(plan.curve, tolerance)
+    cubic = splines(plan.curve, _DXF_SPLINE_TOLERANCE, 3)
+    for suffix, profile, facts in (
+        ("arcs", chain, {"arcs": len(chain.bulges), "arc_tolerance_um": tolerance * 1e3}),
+        ("spline", cubic, {"splines": len(cubic)}),
+    ):
+        name = f"{job.stem}_{suffix}.dxf"
+        write_dxf(job.staging / name, profile, plan.blank.bore(), plan.blank.holes())
+        drawing = read_dxf(job.staging / name, _READ_STEP)
+        if len(drawing.bore) != 1 or len(drawing.holes) != len(plan.blank.holes()):
+            raise FileError(f"{name}, read back, has lost the bore or a hole: report this design")
+        yield _Result(name, drawing.profile, DXF_LIMIT_UM, facts)
+
+
+def _gcode(job: _Job) -> Iterator[_Result]:
+    from cadgen.export.gcode import cutter_path, write_gcode
+    from cadgen.export.gcode_reader import read_gcode
+
+    plan = job.plan
+    machining = plan.design.machining
+    tolerance = plan.design.export.arc_tolerance_um * 1e-3
+    centre = cutter_path(plan.curve, machining.cutter_diameter_mm / 2, job.cutter_limit, tolerance)
+    name = f"{job.stem}.nc"
+    write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem)
+    outline = read_gcode(job.staging / name, machining, job.thickness)
+    facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
+    yield _Result(name, outline, GCODE_LIMIT_UM, facts)
+
+
+def _points(job: _Job) -> Iterator[_Result]:
+    raise NotImplementedError
+
+
+_FORMATS: dict[str, Callable[[_Job], Iterator[_Result]]] = {
+    "STEP": _step,
+    "STL and 3MF": _meshes,
+    "DXF": _dxf,
+    "G-code": _gcode,
+    "points": _points,
+}
