@@ -181,9 +181,7 @@ class CamBlank:
             walls.append(_enclosed(core, name, profile, "profile"))
         holes, ring = self.holes(), self.lightening
         if ring:
-            rim = [
-                _enclosed(hole, f"lightening hole {n}", profile, "profile") for n, hole in enumerate(holes, 1)
-            ]
+            rim = [_enclosed(hole, f"lightening hole {n}", profile, "profile") for n, hole in enumerate(holes, 1)]
             walls.append(min(rim, key=lambda wall: wall.thickness))
             centers = np.array([hole.centers[0] for hole in holes])
             aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))

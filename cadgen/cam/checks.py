@@ -191,15 +191,11 @@ def _curvature(lift: LiftCurve, follower: Follower, curve: ClosedCurve, limits: 
     ]
     radius, place = _least_convex_radius(curve)
     advice = "a sharp ridge wears: lower follower.radius_mm or raise cam.base_radius_mm"
-    checks.append(
-        Check("convex radius, profile", radius, "mm", limits.min_convex_radius, "min", place, advice)
-    )
+    checks.append(Check("convex radius, profile", radius, "mm", limits.min_convex_radius, "min", place, advice))
     return checks
 
 
-def _undercut(
-    lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], limits: CheckLimits
-) -> list[Check]:
+def _undercut(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], limits: CheckLimits) -> list[Check]:
     losses = lost_lift(lift, follower, trims)
     checks = []
     for name, kind, advice in (

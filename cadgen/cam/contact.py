@@ -129,11 +129,11 @@ class _Ring:
         follower = self.follower
         if follower.radius == 0:
             u = np.interp(theta, self.angle, self.radius) - follower.base_radius
-            face = follower.contact_face(u)
+            carrying = follower.contact_face(u)
             step = 1e-4  # rad; well above rounding, well below any feature
             ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
             slope = (ahead - behind) / (2 * step)
-            return np.stack([u / face, face, np.zeros_like(u), np.arctan2(slope, u + follower.base_radius)])
+            return np.stack([u / carrying, carrying, np.zeros_like(u), np.arctan2(slope, u + follower.base_radius)])
         first = np.searchsorted(self.angle, theta - self.window)
         last = np.searchsorted(self.angle, theta + self.window)
         index = np.minimum(first[:, None] + np.arange(-1, (last - first).max() + 1), len(self.angle) - 1)

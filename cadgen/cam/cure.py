@@ -58,15 +58,14 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
         follower: the rod.
         limit: lift that may be lost, mm.
     """
+    thinner, larger = follower.radius, follower.base_radius
     cures = []
-    for name, now, changed in (
-        ("follower.radius_mm", follower.radius, lambda f: replace(follower, radius=follower.radius / f)),
-        ("cam.base_radius_mm", follower.base_radius, lambda f: replace(follower, base_radius=follower.base_radius * f)),
-    ):
-        factor = _smallest_factor(lambda f, changed=changed: worst_loss(lift, changed(f)), limit)
-        if factor is not None:
-            value = now / factor if name == "follower.radius_mm" else now * factor
-            cures.append(Cure(name, now, value))
+    factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, radius=thinner / f)), limit)
+    if factor is not None:
+        cures.append(Cure("follower.radius_mm", thinner, thinner / factor))
+    factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, base_radius=larger * f)), limit)
+    if factor is not None:
+        cures.append(Cure("cam.base_radius_mm", larger, larger * factor))
     return tuple(sorted(cures, key=lambda cure: cure.factor))
 
 

@@ -28,8 +28,8 @@ class CutterLimit:
     Attributes:
         radius: mm; infinite if the profile is nowhere hollow, zero at a hollow corner.
         point: where it fits most tightly, shape (2,), mm; None if the profile is nowhere hollow.
-        kind: `none` (nowhere hollow), `corner` (a hollow corner), `local` (the hollow's own radius) or `global`
-            (two parts of the profile are too close, as in a narrow valley).
+        kind: `none` (nowhere hollow), `corner` (a hollow corner), `local` (the hollow's own radius) or
+            `global` (two parts of the profile are too close, as in a narrow valley).
     """
 
     radius: float
@@ -38,9 +38,9 @@ class CutterLimit:
 
 
 def largest_cutter(curve: ClosedCurve) -> CutterLimit:
-    """Return the largest disc that can be set against every point of the curve from outside, cutting nothing.
+    """Return the largest disc that can be set against every point of the curve from outside.
 
-    A disc outside, tangent at p with outward normal n, keeps clear of another point q if its radius is at most
+    A disc outside, tangent at p with outward normal n, does not cut another point q if its radius is at most
     |q - p|^2 / (2 (q - p).n), where that is positive; next to p this tends to the hollow's own radius. The
     smallest value over all pairs is the answer. It is found on the curve moved out by a micrometre, which
     rounds convex corners, so that the cutter rolling about them is tried as well.
@@ -101,7 +101,7 @@ def _tightest_pair(curve: ClosedCurve) -> tuple[float, Array]:
 
 
 def _radii(at: Jet, others: Array) -> Array:
-    """Radius of the disc tangent outside at each of n points and through each of m others, shape (n, m), mm."""
+    """Radius of the disc tangent outside at each of n points, through each of m others, shape (n, m)."""
     dx = others[:, 0] - at.point[:, 0, None]
     dy = others[:, 1] - at.point[:, 1, None]
     out = -left_normal(at.velocity)

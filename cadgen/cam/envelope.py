@@ -12,6 +12,7 @@ each polar angle.
 """
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -197,10 +198,7 @@ def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
     joints = np.unique(np.concatenate([[0.0], lift.kinks, [_TURN]]))
     branches: list[Branch] = []
     for face in (follower.inner, follower.outer):
-        spans = [
-            EnvelopePiece(lift, follower, face, float(a), float(b))
-            for a, b in zip(joints[:-1], joints[1:], strict=True)
-        ]
+        spans = [EnvelopePiece(lift, follower, face, float(a), float(b)) for a, b in pairwise(joints)]
         for number, span in enumerate(spans):
             branches.extend(_forward_parts(span))
             after = spans[(number + 1) % len(spans)]

@@ -6,9 +6,7 @@ from math import radians
 from types import MappingProxyType
 from typing import Literal
 
-PressureAngleLimitName = Literal[
-    "norton_translating", "norton_oscillating", "chinese_texts_strict", "chinese_texts"
-]
+PressureAngleLimitName = Literal["norton_translating", "norton_oscillating", "chinese_texts_strict", "chinese_texts"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,9 +25,7 @@ class PressureAngleLimit:
 
 
 _NORTON = "R. L. Norton, Cam Design and Manufacturing Handbook, 2nd ed. (2009), chapter 7"
-_CHINESE = (
-    "Chinese textbooks of mechanisms, oscillating follower: 40-50° working stroke, 70-80° return stroke"
-)
+_CHINESE = "Chinese textbooks of mechanisms, oscillating follower: 40-50° working stroke, 70-80° return stroke"
 
 PRESSURE_ANGLE_LIMITS: Mapping[PressureAngleLimitName, PressureAngleLimit] = MappingProxyType(
     {
@@ -42,8 +38,6 @@ PRESSURE_ANGLE_LIMITS: Mapping[PressureAngleLimitName, PressureAngleLimit] = Map
         "chinese_texts_strict": PressureAngleLimit(
             rise=radians(40), fall=radians(70), source=f"{_CHINESE}; the lower ends"
         ),
-        "chinese_texts": PressureAngleLimit(
-            rise=radians(50), fall=radians(80), source=f"{_CHINESE}; the upper ends"
-        ),
+        "chinese_texts": PressureAngleLimit(rise=radians(50), fall=radians(80), source=f"{_CHINESE}; the upper ends"),
     }
 )

@@ -1,6 +1,7 @@
 """Profiles given by a polar formula: the theoretical one and that of the paper's appendix."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,7 +77,7 @@ def _polar_profile(lift: LiftCurve, follower: Follower, *, rod_radius: float) ->
     changes = changes[np.isfinite(changes)]
     joints = np.unique(np.concatenate([[0.0], lift.kinks, changes[(changes > 0) & (changes < _TURN)], [_TURN]]))
     pieces: list[Piece] = []
-    for start, stop in zip(joints[:-1], joints[1:], strict=True):
+    for start, stop in pairwise(joints):
         face = float(follower.contact_face(lift.tan_beta((start + stop) / 2)))
         pieces.append(PolarPiece(lift, follower.base_radius, face, rod_radius, float(start), float(stop)))
     return ClosedCurve(tuple(pieces))

@@ -18,9 +18,7 @@ from cadgen.cli.options import design_options
     help="Folder for the files; it is made if need be.",
 )
 @click.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
-def cam(
-    design: str | None, overrides: tuple[str, ...], profile: str, as_json: bool, out: Path, force: bool
-) -> None:
+def cam(design: str | None, overrides: tuple[str, ...], profile: str, as_json: bool, out: Path, force: bool) -> None:
     """Make a cam: STEP, STL, 3MF, DXF, G-code and points, each read back and rolled against the rod.
 
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.

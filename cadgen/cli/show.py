@@ -40,7 +40,11 @@ def checks(plan: "CamPlan") -> None:
         verdict = "[green]ok[/]" if check.passed else "[red]FAIL[/]"
         bound = "<=" if check.bound == "max" else ">="
         table.add_row(
-            check.name, f"{_number(check.value)} {check.unit}".strip(), f"{bound} {_number(check.limit)}", verdict, check.place
+            check.name,
+            f"{_number(check.value)} {check.unit}".strip(),
+            f"{bound} {_number(check.limit)}",
+            verdict,
+            check.place,
         )
     console = Console()
     console.print(table)

@@ -36,9 +36,7 @@ def quintic_hermite(x: Array, jets: Array, *, periodic: bool = False) -> PPoly:
     keep = h > 0
     h = h[keep].reshape((-1,) + (1,) * (jets.ndim - 2))
     left, right = jets[:-1][keep], jets[1:][keep]
-    data = np.stack(
-        [left[:, 0], h * left[:, 1], h**2 * left[:, 2], right[:, 0], h * right[:, 1], h**2 * right[:, 2]]
-    )
+    data = np.stack([left[:, 0], h * left[:, 1], h**2 * left[:, 2], right[:, 0], h * right[:, 1], h**2 * right[:, 2]])
     coefficients = np.einsum("bp,b...->p...", _BASIS, data)
     powers = np.arange(5, -1, -1).reshape((6,) + (1,) * (jets.ndim - 1))
     breaks = np.concatenate([x[:-1][keep], x[-1:]])

@@ -70,14 +70,15 @@ def plan_path(waypoints: Array, kind: SplineKind) -> PlannedPath:
             f"path.waypoints_mm: waypoints {i + 1} and {i + 2} are both "
             f"({waypoints[i, 0]:g}, {waypoints[i, 1]:g}): remove one of them"
         )
+    # The stubs of scipy know only scalar end conditions; its documentation has lists of (order, value).
     zero = np.zeros(2)
     if kind == "quintic":
         knots = np.concatenate([[0.0], np.cumsum(np.sqrt(chords))])
         natural = [(3, zero), (4, zero)]
-        spline = make_interp_spline(knots, waypoints, k=5, bc_type=(natural, natural))
+        spline = make_interp_spline(knots, waypoints, k=5, bc_type=(natural, natural))  # type: ignore[arg-type]
     else:
         knots = np.arange(len(waypoints), dtype=float)
         # Derivative at 0 of the cubic through u = 0, 1, 2, 3.
         slope = np.array([-11.0, 18.0, -9.0, 2.0]) @ waypoints[:4] / 6.0
-        spline = make_interp_spline(knots, waypoints, k=3, bc_type=([(1, slope)], [(2, zero)]))
+        spline = make_interp_spline(knots, waypoints, k=3, bc_type=([(1, slope)], [(2, zero)]))  # type: ignore[arg-type]
     return PlannedPath(waypoints=waypoints, knots=knots, spline=spline, smooth=kind == "quintic")

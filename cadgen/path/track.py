@@ -73,7 +73,7 @@ def offset_track(path: PlannedPath, offset: float) -> Track:
     u = starts[:, None] + widths[:, None] * fractions
     # One-sided derivatives: stay inside the span by less than rounding can show.
     inside = np.clip(u, starts[:, None], (starts + widths * (1 - 1e-13))[:, None])
-    position, tangent, speed, k, k1, k2 = _jets(path, inside.ravel())
+    position, tangent, _, k, k1, k2 = _jets(path, inside.ravel())
     _refuse_cusp(path, offset, u.ravel(), position, k)
 
     nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)

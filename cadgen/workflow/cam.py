@@ -74,12 +74,12 @@ class CamPlan:
             return []
         lines = []
         if self.design.path.spline == "cubic":
-            smooth = self.design.model_copy(
-                update={"path": self.design.path.model_copy(update={"spline": "quintic"})}
-            )
+            smooth = self.design.model_copy(update={"path": self.design.path.model_copy(update={"spline": "quintic"})})
             loss = worst_loss(stages.lift(smooth), self.rod) * 1e3
             verdict = "cures it" if loss <= lost[0].limit else "does not cure it"
-            lines.append(f'path.spline = "quintic" {verdict}: {loss:.2f} µm lost, but the path between waypoints changes.')
+            lines.append(
+                f'path.spline = "quintic" {verdict}: {loss:.2f} µm lost, but the path between waypoints changes.'
+            )
         for cure in self.cures:
             lines.append(f"{cure.parameter} = {cure.value:.3g} (now {cure.now:g}) cures it alone.")
         worst = max(check.value for check in lost)
@@ -112,7 +112,11 @@ class CamPlan:
             ],
             "cures": [{"parameter": c.parameter, "now": c.now, "value": c.value} for c in self.cures],
             "lift_extrema": [
-                {"kind": kind, "cam_angle_deg": degrees(angle), "lift_mm": float(self.rod.lift(self.lift.tan_beta(angle)))}
+                {
+                    "kind": kind,
+                    "cam_angle_deg": degrees(angle),
+                    "lift_mm": float(self.rod.lift(self.lift.tan_beta(angle))),
+                }
                 for kind, angles in (("peak", peaks), ("valley", valleys))
                 for angle in angles
             ],

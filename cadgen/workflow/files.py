@@ -164,9 +164,7 @@ def _step(job: _Job) -> Iterator[_Result]:
     error = abs(content.volume / expected - 1)
     if not error <= SOLID_VOLUME_LIMIT:
         raise FileError(f"{name}, read back, has {error:.1e} more or less volume than the profile: report this design")
-    yield _Result(
-        name, content.rim, STEP_LIMIT_UM, {"volume_mm3": content.volume, "volume_error_relative": error}
-    )
+    yield _Result(name, content.rim, STEP_LIMIT_UM, {"volume_mm3": content.volume, "volume_error_relative": error})
 
 
 def _meshes(job: _Job) -> Iterator[_Result]:

@@ -43,7 +43,9 @@ def test_eccentric_circle_far_from_the_fork():
 
 def test_the_parabola_makes_rolling_third_order_or_better():
     fine = roll(circle(60.0, 9.0, 400_000), FOLLOWER, np.linspace(0, 6, 50)).lift
-    errors = [np.abs(roll(circle(60.0, 9.0, n), FOLLOWER, np.linspace(0, 6, 50)).lift - fine).max() for n in (600, 1200)]
+    errors = [
+        np.abs(roll(circle(60.0, 9.0, n), FOLLOWER, np.linspace(0, 6, 50)).lift - fine).max() for n in (600, 1200)
+    ]
     order = np.log2(errors[0] / errors[1])
     print(f"order {order:.2f}; {errors[1] * 1e3:.5f} um at {TURN * 60 / 1200:.2f} mm")
     assert order > 2.7
@@ -77,11 +79,15 @@ def test_brute_force_in_space(carbon_free_car):
 def test_the_actual_profile_gives_its_lift_back(name, request):
     car = request.getfixturevalue(name)
     theta = np.linspace(0, TURN, 36_000, endpoint=False)
-    error = (roll(car.actual.curve.outline(0.03), car.follower, theta).lift - car.follower.lift(car.lift.tan_beta(theta))) * 1e3
+    error = (
+        roll(car.actual.curve.outline(0.03), car.follower, theta).lift - car.follower.lift(car.lift.tan_beta(theta))
+    ) * 1e3
     in_trim = np.zeros(len(theta), dtype=bool)
     for trim in car.actual.trims:
         in_trim |= (theta - trim.before) % TURN <= trim.after - trim.before
-    print(f"{name}: {np.abs(error[~in_trim]).max():.4f} um away from face changes, {-error[in_trim].min():.3f} um there")
+    print(
+        f"{name}: {np.abs(error[~in_trim]).max():.4f} um away from face changes, {-error[in_trim].min():.3f} um there"
+    )
     assert np.abs(error[~in_trim]).max() <= 0.05
     slope = car.lift.tan_beta(np.radians(112.3), nu=1)
     turn = car.follower.thickness * slope / car.follower.base_radius
@@ -95,19 +101,19 @@ def test_undercut_corners_lose_the_closed_form(appendix_car):
     from cadgen.cam.checks import lost_lift
 
     lift, follower = appendix_car.lift, appendix_car.follower
-    losses = [
-        loss
-        for loss in lost_lift(lift, follower, appendix_car.actual.trims)
-        if loss.trim.kind == "local"
-    ]
+    losses = [loss for loss in lost_lift(lift, follower, appendix_car.actual.trims) if loss.trim.kind == "local"]
     assert len(losses) == 6
     for loss in losses:
         kink = lift.kinks[np.argmin(np.abs(lift.kinks - loss.cam_angle))]
         w = float(follower.contact_face(lift.tan_beta(kink)))
-        slopes = [np.arctan2(w * lift.tan_beta(kink + side, nu=1), 70.0 + w * lift.tan_beta(kink)) for side in (-1e-9, 1e-9)]
+        slopes = [
+            np.arctan2(w * lift.tan_beta(kink + side, nu=1), 70.0 + w * lift.tan_beta(kink)) for side in (-1e-9, 1e-9)
+        ]
         delta, pressure = slopes[0] - slopes[1], sum(slopes) / 2
         expected = follower.radius * (1 / np.cos(delta / 2) - 1) / np.cos(pressure) * 1e3
-        print(f"{np.degrees(kink):8.3f} deg: corner {np.degrees(delta):6.3f} deg, lost {loss.lift * 1e3:7.3f} um, closed form {expected:7.3f}")
+        print(
+            f"{np.degrees(kink):8.3f} deg: corner {np.degrees(delta):6.3f} deg, lost {loss.lift * 1e3:7.3f} um, closed form {expected:7.3f}"
+        )
         assert abs(loss.lift * 1e3 - expected) < 0.5
 
 

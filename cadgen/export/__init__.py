@@ -1,0 +1,13 @@
+"""Files for a shop: one module per format, each with its own reader, so that what was written can be proved.
+
+| module         | what it does                                                                |
+|----------------|-----------------------------------------------------------------------------|
+| `mesh`         | STL and 3MF of the disc, meshed without the CAD kernel                        |
+| `dxf`          | the outline as arcs or as splines, for laser, wire EDM and CAD                |
+| `gcode`        | the milling program; `gcode_reader` interprets it and finds what is left over |
+| `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
+| `folder`       | files appear all together and complete, or not at all                         |
+| `manifest`     | `manifest.json`: hashes, versions, checks, measured errors                    |
+
+STEP is written and read in `cadgen.solids`, since only the CAD kernel knows it.
+"""
