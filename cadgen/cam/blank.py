@@ -75,13 +75,8 @@ class Hub:
     side: Literal["outer", "inner"] = "outer"
     set_screw: SetScrew | None = None
 
-    def span(self, thickness: float) -> tuple[float, float]:
-        """Heights between which the hub stands on a disc from z = 0 to z = thickness, mm."""
-        return (thickness, thickness + self.length) if self.side == "outer" else (-self.length, 0.0)
-
-    def screw_height(self, thickness: float) -> float:
-        """Height of the set screw's axis, mm."""
-        height = self.set_screw.height if self.set_screw else 0.0
+    def level(self, height: float, thickness: float) -> float:
+        """What stands `height` mm above the hub's face, as z on a disc from z = 0 to z = thickness, mm."""
         return thickness + height if self.side == "outer" else -height
 
 

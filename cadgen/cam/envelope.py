@@ -157,7 +157,8 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
     uniform = np.linspace(0.0, _TURN, _SAMPLES, endpoint=False)
     edges = np.sort(np.concatenate([starts % _TURN, (starts + spans) % _TURN, uniform]))
-    edges = edges[np.concatenate([[True], np.diff(edges) > _JOINT])]
+    # Rounding may put one place at 0 and again just below a turn, so the last cell is measured round the end.
+    edges = edges[np.diff(np.concatenate([edges, [edges[0] + _TURN]])) > _JOINT]
     cells = edges + np.diff(np.concatenate([edges, [edges[0] + _TURN]])) / 2
     radii = np.full((len(branches), len(cells)), np.inf)
     for number, branch in enumerate(branches):

@@ -111,10 +111,11 @@ def test_undercut_corners_lose_the_closed_form(appendix_car):
         ]
         delta, pressure = slopes[0] - slopes[1], sum(slopes) / 2
         expected = follower.radius * (1 / np.cos(delta / 2) - 1) / np.cos(pressure) * 1e3
+        lost = loss.lift * 1e3
         print(
-            f"{np.degrees(kink):8.3f} deg: corner {np.degrees(delta):6.3f} deg, lost {loss.lift * 1e3:7.3f} um, closed form {expected:7.3f}"
+            f"{np.degrees(kink):8.3f}°: corner {np.degrees(delta):6.3f}°, lost {lost:7.3f}, closed {expected:7.3f} µm"
         )
-        assert abs(loss.lift * 1e3 - expected) < 0.5
+        assert abs(lost - expected) < 0.5
 
 
 def test_a_knife_edge_reads_the_radius(carbon_free_car):
