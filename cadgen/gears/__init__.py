@@ -1,0 +1,13 @@
+"""The gears: from a tolerance grade to play and return error, and from numbers to teeth that mesh.
+
+| module         | what it does                                                                    |
+|----------------|---------------------------------------------------------------------------------|
+| `outline`      | exact plane curves and closed outlines                                          |
+| `tooth`        | numbers of a gear -> exact curves of its teeth                                  |
+| `tolerances`   | ISO 1328-1, ISO 1328-2, ISO 286: grade and size -> tolerances                   |
+| `train`        | gears, pairs and stages in a row, checked                                       |
+| `distribution` | sum of contributions free in their zones: bounds, moments, quantiles, samples   |
+| `backlash`     | tolerances -> play of a stage (eq. 1-13) -> return error of a train (eq. 25-26) |
+| `chains`       | branch and bound: the cheapest chains of pairs that give a ratio                |
+| `search`       | all orders of the stages; all tooth numbers that give the ratio                 |
+"""

@@ -1,0 +1,295 @@
+"""From tolerances to play: eq. 1-13 of the paper for a stage, eq. 25-26 for a train, with least values too.
+
+The symbols are the paper's. Its lengths called "normal backlash" (j_bn1, j_bn2, j_bn3) are arcs of the pitch
+circle: widening the axes by Δa opens 2 Δa tan α there, and thinning a tooth by E opens E. Only along the
+line of action are they shorter, by cos α. With the paper's α_t = 0, eq. 12 leaves them as they are, and
+eq. 13 is right; with α_t = α it would count cos α twice. `GearPair.normal_backlash` is the true one.
+
+For profile-shifted pairs the arcs on the reference circles are carried over to the working pitch circles, a
+factor cos α / cos α_w, and axes further apart than the teeth need add the nominal play j_bn0. For unshifted
+pairs at a = m Σz / 2 the factor is 1, j_bn0 is 0, and every line is the paper's.
+
+The least play is that of the closest axes (a − f_a), the thickest teeth (E_sns on both gears) and gears
+without composite error: j_bnmin = j_bn0 − j_bn1 + |2 E_sns|. By eq. 7 that is (j_bnmin_required + j_n)/cos α
+for unshifted pairs: what eq. 6 asks for, and the room j_n for the errors that eq. 3 reckons with.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Generic
+
+import numpy as np
+
+from cadgen.errors import DesignError
+from cadgen.gears.distribution import Law, ZoneSum
+from cadgen.gears.tolerances import (
+    GearTolerances,
+    T,
+    centre_distance_deviation,
+    gear_tolerance,
+    gear_tolerances,
+)
+from cadgen.gears.train import Gear, GearPair, Train
+
+# The paper's "end face angle" of eq. 3 and 12, and the base helix angle of spur gears (see above).
+ALPHA_T = 0.0
+BETA_B = 0.0
+CONTRIBUTIONS = (
+    "centre distance",
+    "driver's tooth thickness",
+    "driven gear's tooth thickness",
+    "driver's composite error",
+    "driven gear's composite error",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GearPlay(Generic[T]):
+    """One gear's part of a stage's play, in mm.
+
+    E_sns (eq. 7), E_sni (eq. 9) and T_sn (eq. 8) are on the reference circle; `thickness_min` and
+    `thickness_max` are what E_sns and E_sni open, `composite_max` what F_i'' opens, on the pitch circle.
+    """
+
+    tolerances: GearTolerances[T]
+    f_sigma_beta: T
+    T_sn: T
+    E_sns: T
+    E_sni: T
+    thickness_min: T
+    thickness_max: T
+    composite_max: T
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StagePlay(Generic[T]):
+    """Every value of eq. 1-13 for one stage (or, as arrays, for many), lengths in mm and B in rad.
+
+    f_a is the centre distance's deviation; f_sigma_beta (eq. 4, the lesser of both gears') and f_sigma_delta
+    (eq. 5) are the axes' parallelism; j_n (eq. 3) is the allowance for manufacture and assembly,
+    j_bnmin_required what eq. 6 asks for. j_bn0 is the nominal play; j_bn1 (eq. 1), j_bn2 (eq. 2) and j_bn3
+    (eq. 10) are the greatest from axes, teeth and composite error. j_bnmax (eq. 11), j_wt_max (eq. 12) and
+    B_max (eq. 13, at the driven gear) are the greatest totals, j_bnmin, j_wt_min and B_min the least.
+    """
+
+    driver: GearPlay[T]
+    driven: GearPlay[T]
+    f_a: T
+    f_sigma_beta: T
+    f_sigma_delta: T
+    j_n: T
+    j_bnmin_required: T
+    E_sns: T
+    j_bn0: T
+    j_bn1: T
+    j_bn2: T
+    j_bn3: T
+    j_bnmax: T
+    j_bnmin: T
+    j_wt_max: T
+    j_wt_min: T
+    B_max: T
+    B_min: T
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Departure:
+    """An overridden tolerance: `used` in place of `standard`, in mm (None: no standard covers the size)."""
+
+    where: str
+    symbol: str
+    used: float
+    standard: float | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrainPlay:
+    """A train with its stages' play, and its return error B_Σ at the output in rad (eq. 25)."""
+
+    train: Train
+    stages: tuple[StagePlay[float], ...]
+
+    @property
+    def return_error_max(self) -> float:
+        """Greatest B_Σ in rad: every stage at its B_max."""
+        return sum(stage.B_max / i for stage, i in self._at_output())
+
+    @property
+    def return_error_min(self) -> float:
+        """Least B_Σ in rad: every stage at its B_min."""
+        return sum(stage.B_min / i for stage, i in self._at_output())
+
+    def return_error_distribution(self, law: Law = "normal") -> ZoneSum:
+        """Distribution of B_Σ in rad: every contribution of every stage free in its own zone."""
+        parts = [
+            play_distribution(stage, law).scaled(1 / (pair.driven_pitch_radius * i))
+            for pair, (stage, i) in zip(self.train.stages, self._at_output(), strict=True)
+        ]
+        return ZoneSum(
+            names=tuple(f"stage {j}: {name}" for j, part in enumerate(parts, 1) for name in part.names),
+            low=np.concatenate([part.low for part in parts]),
+            high=np.concatenate([part.high for part in parts]),
+            law=law,
+        )
+
+    def _at_output(self) -> list[tuple[StagePlay[float], float]]:
+        """Each stage with its i_jn."""
+        return [(stage, float(i)) for stage, i in zip(self.stages, self.train.output_ratios, strict=True)]
+
+
+def play_equations(
+    driver: GearTolerances[T],
+    driven: GearTolerances[T],
+    *,
+    f_a: T,
+    j_bn0: T,
+    module: T,
+    alpha_n: float,
+    alpha_w: float,
+    centre_distance: T,
+    span_to_widths: tuple[T, T],
+    driven_pitch_radius: T,
+) -> StagePlay[T]:
+    """Eq. 1-13 on given tolerances, in mm and rad; the sizes may be arrays of one shape.
+
+    `span_to_widths` is l/b of the driver's and of the driven gear's face width.
+    """
+    tan_n, tan_w, cos_n, cos_t = np.tan(alpha_n), np.tan(alpha_w), np.cos(alpha_n), np.cos(ALPHA_T)
+    onto_pitch_circle = cos_n / np.cos(alpha_w)
+    gears = (driver, driven)
+    parallelism = [0.5 * ratio * gear.F_beta for ratio, gear in zip(span_to_widths, gears, strict=True)]
+    f_sigma_beta = np.minimum(parallelism[0], parallelism[1])
+    f_sigma_delta = 2 * f_sigma_beta
+    allowance = (f_sigma_delta * np.sin(alpha_n)) ** 2 + (f_sigma_beta * cos_n) ** 2
+    for gear in gears:
+        allowance = allowance + (gear.f_pt * cos_t) ** 2 + (gear.F_beta * cos_n) ** 2
+    j_n = np.sqrt(allowance)
+    j_bnmin_required = 2 / 3 * (0.06 + 0.0005 * centre_distance + 0.03 * module)
+    E_sns = -(f_a * tan_w + (j_bnmin_required + j_n) / (2 * cos_n)) / onto_pitch_circle
+    plays = []
+    for gear, f_own in zip(gears, parallelism, strict=True):
+        T_sn = 2 * tan_n * np.hypot(gear.F_r, gear.b_r)
+        plays.append(
+            GearPlay(
+                tolerances=gear,
+                f_sigma_beta=f_own,
+                T_sn=T_sn,
+                E_sns=E_sns,
+                E_sni=E_sns - T_sn,
+                thickness_min=onto_pitch_circle * abs(E_sns),
+                thickness_max=onto_pitch_circle * abs(E_sns - T_sn),
+                composite_max=2 * gear.F_i_radial * tan_w,
+            )
+        )
+    j_bn1 = 2 * f_a * tan_w
+    j_bn2 = plays[0].thickness_max + plays[1].thickness_max
+    j_bn3 = plays[0].composite_max + plays[1].composite_max
+    j_bnmax = j_bn0 + j_bn1 + j_bn2 + j_bn3
+    j_bnmin = j_bn0 - j_bn1 + plays[0].thickness_min + plays[1].thickness_min
+    j_wt_max, j_wt_min = (j_bn / (cos_t * np.cos(BETA_B)) for j_bn in (j_bnmax, j_bnmin))
+    return StagePlay(
+        driver=plays[0],
+        driven=plays[1],
+        f_a=f_a,
+        f_sigma_beta=f_sigma_beta,
+        f_sigma_delta=f_sigma_delta,
+        j_n=j_n,
+        j_bnmin_required=j_bnmin_required,
+        E_sns=E_sns,
+        j_bn0=j_bn0,
+        j_bn1=j_bn1,
+        j_bn2=j_bn2,
+        j_bn3=j_bn3,
+        j_bnmax=j_bnmax,
+        j_bnmin=j_bnmin,
+        j_wt_max=j_wt_max,
+        j_wt_min=j_wt_min,
+        B_max=j_wt_max / driven_pitch_radius,
+        B_min=j_wt_min / driven_pitch_radius,
+    )
+
+
+def stage_play(pair: GearPair) -> StagePlay[float]:
+    """Play and return error of one stage, by the standards' tolerances or their overrides.
+
+    f_a follows the coarser of both grades. Raises `DesignError` for a size that the standards do not cover.
+    """
+    form, mesh = pair.driver.form, pair.working_pressure_angle
+    return play_equations(
+        _tolerances(pair.driver),
+        _tolerances(pair.driven),
+        f_a=_f_a(pair),
+        j_bn0=pair.normal_backlash(pair.centre_distance) / float(np.cos(mesh)),
+        module=form.normal_module,
+        alpha_n=form.normal_pressure_angle,
+        alpha_w=mesh,
+        centre_distance=pair.centre_distance,
+        span_to_widths=(pair.bearing_span / form.width, pair.bearing_span / pair.driven.form.width),
+        driven_pitch_radius=pair.driven_pitch_radius,
+    )
+
+
+def train_play(train: Train) -> TrainPlay:
+    """Play of every stage of a train; a `DesignError` names the stage it comes from."""
+    stages = []
+    for number, pair in enumerate(train.stages, 1):
+        try:
+            stages.append(stage_play(pair))
+        except DesignError as error:
+            raise DesignError(f"in stage {number}, {error}") from error
+    return TrainPlay(train=train, stages=tuple(stages))
+
+
+def play_distribution(stage: StagePlay[float], law: Law = "normal") -> ZoneSum:
+    """Distribution of a stage's play on the pitch circle, in mm.
+
+    Five independent contributions: the centre distance within ± f_a about a, each gear's thickness from E_sns
+    to E_sni, each gear's composite error from 0 to F_i''.
+    """
+    gears = (stage.driver, stage.driven)
+    thickness = [(gear.thickness_min, gear.thickness_max) for gear in gears]
+    composite = [(0.0, gear.composite_max) for gear in gears]
+    axes = (stage.j_bn0 - stage.j_bn1, stage.j_bn0 + stage.j_bn1)
+    low, high = np.array([axes, *thickness, *composite]).T
+    return ZoneSum(names=CONTRIBUTIONS, low=low, high=high, law=law)
+
+
+def departures(train: Train) -> tuple[Departure, ...]:
+    """Every override of the train beside the standard's value."""
+    found = []
+    for number, pair in enumerate(train.stages, 1):
+        for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
+            sizes = (gear.form.reference_diameter, gear.form.normal_module, gear.form.width, gear.grade)
+            where = f"stage {number}, {role} of {gear.form.teeth} teeth"
+            for symbol, used in gear.overrides.given().items():
+                standard = _standard(gear_tolerance, symbol, *sizes)
+                found.append(Departure(where=where, symbol=symbol, used=used, standard=standard))
+        if pair.centre_distance_deviation is not None:
+            standard = _standard(centre_distance_deviation, pair.centre_distance, _pair_grade(pair))
+            used = pair.centre_distance_deviation
+            found.append(Departure(where=f"stage {number}", symbol="f_a", used=used, standard=standard))
+    return tuple(found)
+
+
+def _standard(rule: Callable[..., Any], *arguments: Any) -> float | None:
+    try:
+        return float(rule(*arguments))
+    except DesignError:
+        return None
+
+
+def _tolerances(gear: Gear) -> GearTolerances[float]:
+    form = gear.form
+    return gear_tolerances(form.reference_diameter, form.normal_module, form.width, gear.grade, gear.overrides)
+
+
+def _f_a(pair: GearPair) -> float:
+    if pair.centre_distance_deviation is not None:
+        return pair.centre_distance_deviation
+    return float(centre_distance_deviation(pair.centre_distance, _pair_grade(pair)))
+
+
+def _pair_grade(pair: GearPair) -> int:
+    return max(pair.driver.grade, pair.driven.grade)

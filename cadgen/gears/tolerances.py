@@ -1,0 +1,280 @@
+"""Tolerances of spur gears, from the formulas of the standards.
+
+| symbol | what it limits                          | source                                      |
+|--------|-----------------------------------------|---------------------------------------------|
+| f_pt   | single pitch deviation                  | ISO 1328-1:1995, 6.1                         |
+| F_pk   | cumulative pitch deviation over k teeth | ISO 1328-1:1995, 6.2                         |
+| F_p    | total cumulative pitch deviation        | ISO 1328-1:1995, 6.3                         |
+| F_α    | total profile deviation                 | ISO 1328-1:1995, 6.4                         |
+| F_β    | total helix deviation                   | ISO 1328-1:1995, 6.5                         |
+| F_i''  | total radial composite deviation        | ISO 1328-2:1997, clause 7                    |
+| f_i''  | tooth-to-tooth radial composite         | ISO 1328-2:1997, clause 7                    |
+| F_r    | radial runout                           | ISO 1328-2:1997, annex B                     |
+| IT     | standard tolerance of a size            | ISO 286-1:1988, annex A                      |
+| f_a    | centre distance, ± half an IT           | GB/T 10095-1988, supplementary table         |
+| b_r    | radial feed when cutting the teeth      | Chinese gear handbooks for GB/T 10095        |
+
+A formula of ISO 1328 holds for grade 5, with the geometric means of the limits of the steps that hold d, m
+and b; another grade Q multiplies the unrounded value by 2^((Q − 5)/2), and the result is rounded. Grades 3 to
+12 are offered. ISO 1328-1 and the runout go down to grade 0; ISO 1328-2 begins at 4 for F_i'' and f_i'', and
+3 is its own rule carried one step further. The handbooks give b_r for 4 to 9; the others follow its pattern.
+
+Sizes may be arrays, which broadcast. Sizes and results are in mm; a size or grade outside the ranges raises
+`DesignError`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields
+from functools import cache
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from cadgen.errors import DesignError
+
+FloatArray = NDArray[np.float64]
+# One gear's numbers, or the arrays of many.
+T = TypeVar("T", float, FloatArray)
+
+UM_PER_MM = 1000
+GRADES = range(3, 13)
+DIAMETER_STEPS = (5, 20, 50, 125, 280, 560, 1000, 1600, 2500, 4000, 6000, 8000, 10000)
+MODULE_STEPS = (0.5, 2, 3.5, 6, 10, 16, 25, 40, 70)
+WIDTH_STEPS = (4, 10, 20, 40, 80, 160, 250, 400, 650, 1000)
+COMPOSITE_DIAMETER_STEPS = (5, 20, 50, 125, 280, 560, 1000)
+COMPOSITE_MODULE_STEPS = (0.2, 0.5, 0.8, 1, 1.5, 2.5, 4, 6, 10)
+SIZE_STEPS = (0, 3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500)
+# The reference diameters for which every one of `GearTolerances` has a rule.
+COVERED_DIAMETERS = (DIAMETER_STEPS[0], SIZE_STEPS[-1])
+# A size that equals a step's upper limit but for rounding of z·m (relative) belongs to that step.
+STEP_SLACK = 1e-12
+
+IT_FACTORS = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64}
+# Where the printed table of ISO 286-1, which prevails by the standard's own note, departs from its formulas
+# and rounding: {grade: {upper limit of the size step, mm: value, µm}}.
+IT_DEPARTURES: dict[int, dict[int, float]] = {
+    3: {6: 2.5, 10: 2.5, 30: 4, 400: 13, 500: 15},
+    4: {6: 4, 400: 18, 500: 20},
+    6: {3: 6, 6: 8, 400: 36, 500: 40},
+    7: {3: 10, 10: 15, 18: 18, 500: 63},
+    9: {3: 25, 6: 30},
+    10: {3: 40, 6: 48, 10: 58, 18: 70},
+    11: {6: 75},
+}
+CENTRE_DISTANCE_GRADES = {3: 6, 4: 6, 5: 7, 6: 7, 7: 8, 8: 8, 9: 9, 10: 9, 11: 11, 12: 11}
+
+
+def single_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+    """f_pt = 0.3 (m + 0.4 √d) + 4 µm at grade 5; the deviation may have either sign."""
+    d, m = _part_1(diameter, module)
+    return _graded(_f_pt(d, m), grade, finest=0.1)
+
+
+def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, grade: int) -> FloatArray:
+    """F_pk = f_pt + 1.6 √((k − 1) m) µm at grade 5, over k = `pitches`, 2 to z/8 in the standard."""
+    if pitches < 2:
+        raise DesignError(f"F_pk over {pitches} pitches is not defined; give 2 or more")
+    d, m = _part_1(diameter, module)
+    return _graded(_f_pt(d, m) + 1.6 * np.sqrt((pitches - 1) * m), grade, finest=0.1)
+
+
+def total_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+    """F_p = 0.3 m + 1.25 √d + 7 µm at grade 5."""
+    d, m = _part_1(diameter, module)
+    return _graded(0.3 * m + 1.25 * np.sqrt(d) + 7, grade, finest=0.1)
+
+
+def total_profile_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+    """F_α = 3.2 √m + 0.22 √d + 0.7 µm at grade 5."""
+    d, m = _part_1(diameter, module)
+    return _graded(3.2 * np.sqrt(m) + 0.22 * np.sqrt(d) + 0.7, grade, finest=0.1)
+
+
+def total_helix_deviation(diameter: ArrayLike, width: ArrayLike, grade: int) -> FloatArray:
+    """F_β = 0.1 √d + 0.63 √b + 4.2 µm at grade 5."""
+    d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1")
+    b = _step_mean(width, WIDTH_STEPS, "face width", "ISO 1328-1")
+    return _graded(0.1 * np.sqrt(d) + 0.63 * np.sqrt(b) + 4.2, grade, finest=0.1)
+
+
+def radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+    """F_i'' = 3.2 m_n + 1.01 √d + 6.4 µm at grade 5: the variation of the centre distance in a tight mesh."""
+    d, m = _part_2(diameter, module)
+    return _graded(3.2 * m + 1.01 * np.sqrt(d) + 6.4, grade, finest=0.5)
+
+
+def tooth_radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+    """f_i'' = 2.96 m_n + 0.01 √d + 0.8 µm at grade 5: the part of F_i'' within one pitch."""
+    d, m = _part_2(diameter, module)
+    return _graded(2.96 * m + 0.01 * np.sqrt(d) + 0.8, grade, finest=0.5)
+
+
+def radial_runout(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+    """F_r = 0.8 F_p = 0.24 m_n + 1.0 √d + 5.6 µm at grade 5, in the steps of part 1."""
+    d, m = _part_1(diameter, module)
+    return _graded(0.24 * m + np.sqrt(d) + 5.6, grade, finest=0.5)
+
+
+def standard_tolerance(size: ArrayLike, it_grade: int) -> FloatArray:
+    """Standard tolerance of ISO 286-1, IT3 to IT12, for sizes above 0 and up to 500 mm.
+
+    IT5 to IT10 are multiples of i = 0.45 ∛D + 0.001 D µm with the geometric mean D of the step (of 1 and 3 mm
+    in the first); IT11 and IT12 are ten times IT6 and IT7; IT3 and IT4 lie in geometric progression between
+    IT1 = 0.8 + 0.020 D and IT5. Rounded to 1 µm, above 100 µm to 5, above 200 µm to 10; `IT_DEPARTURES` are
+    the values printed otherwise. (The standard goes on to 3150 mm with another formula.)
+    """
+    sizes = np.asarray(size, dtype=np.float64)
+    if not np.all(sizes > 0):
+        raise DesignError(f"the size {_first(sizes, sizes > 0):g} mm is outside ISO 286-1; give one above 0 mm")
+    return _it_um(_checked(it_grade, "IT grade"))[_step(sizes, SIZE_STEPS, "size", "ISO 286-1") - 1] / UM_PER_MM
+
+
+def centre_distance_deviation(centre_distance: ArrayLike, grade: int) -> FloatArray:
+    """f_a of the centre distance a ± f_a: half of IT6 (grades 3-4), 7 (5-6), 8 (7-8), 9 (9-10) or 11."""
+    return standard_tolerance(centre_distance, CENTRE_DISTANCE_GRADES[_checked(grade)]) / 2
+
+
+def cutting_feed_tolerance(diameter: ArrayLike, grade: int) -> FloatArray:
+    """b_r: IT7 for grade 3, 1.26 IT7 for 4, IT8 for 5, 1.26 IT8 for 6, IT9 for 7, and so on."""
+    step, coarser = divmod(_checked(grade) - GRADES[0], 2)
+    return standard_tolerance(diameter, 7 + step) * (1.26 if coarser else 1.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GearTolerances(Generic[T]):
+    """The tolerances of one gear (or of many) that enter eq. 1-13, in mm; `F_i_radial` is F_i''."""
+
+    f_pt: T
+    F_beta: T
+    F_r: T
+    b_r: T
+    F_i_radial: T
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ToleranceOverrides:
+    """Values in mm that stand in for the standards'; None leaves the standard's value.
+
+    Raises `DesignError` for a value that is negative or not finite.
+    """
+
+    f_pt: float | None = None
+    F_beta: float | None = None
+    F_r: float | None = None
+    b_r: float | None = None
+    F_i_radial: float | None = None
+
+    def __post_init__(self) -> None:
+        for name, value in self.given().items():
+            if not 0 <= value < np.inf:
+                raise DesignError(f"the override {name} = {value:g} mm is no tolerance; give 0 or more")
+
+    def given(self) -> dict[str, float]:
+        """The overridden values by symbol."""
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {name: value for name, value in values.items() if value is not None}
+
+
+_RULES: dict[str, Callable[[Any, Any, Any, int], Any]] = {
+    "f_pt": lambda d, m, b, grade: single_pitch_deviation(d, m, grade),
+    "F_beta": lambda d, m, b, grade: total_helix_deviation(d, b, grade),
+    "F_r": lambda d, m, b, grade: radial_runout(d, m, grade),
+    "b_r": lambda d, m, b, grade: cutting_feed_tolerance(d, grade),
+    "F_i_radial": lambda d, m, b, grade: radial_composite_deviation(d, m, grade),
+}
+
+
+def gear_tolerance(symbol: str, diameter: T, module: T, width: T, grade: int) -> T:
+    """The standard's value of one of `GearTolerances`' symbols, for d, m and b."""
+    value: T = _RULES[symbol](diameter, module, width, grade)
+    return value
+
+
+def gear_tolerances(
+    diameter: T, module: T, width: T, grade: int, overrides: ToleranceOverrides | None = None
+) -> GearTolerances[T]:
+    """Tolerances of a gear of reference diameter d, module m and face width b.
+
+    An overridden one is not looked up. Raises `DesignError` when d, m, b or the grade is outside the rule of
+    one that is.
+    """
+    values: dict[str, Any] = dict(overrides.given()) if overrides else {}
+    for symbol in _RULES:
+        if symbol not in values:
+            values[symbol] = gear_tolerance(symbol, diameter, module, width, grade)
+    return GearTolerances(**values)
+
+
+def _f_pt(d: FloatArray, m: FloatArray) -> FloatArray:
+    return 0.3 * (m + 0.4 * np.sqrt(d)) + 4
+
+
+def _part_1(diameter: ArrayLike, module: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1")
+    return d, _step_mean(module, MODULE_STEPS, "module", "ISO 1328-1")
+
+
+def _part_2(diameter: ArrayLike, module: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    d = _step_mean(diameter, COMPOSITE_DIAMETER_STEPS, "reference diameter", "ISO 1328-2")
+    return d, _step_mean(module, COMPOSITE_MODULE_STEPS, "module", "ISO 1328-2")
+
+
+def _step_mean(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str) -> FloatArray:
+    """Geometric mean of the limits of the step (lower, upper] that holds each size."""
+    upper = _step(size, steps, quantity, standard)
+    limits = np.asarray(steps, dtype=np.float64)
+    return np.sqrt(limits[upper - 1] * limits[upper])
+
+
+def _step(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str) -> NDArray[np.intp]:
+    """Index of the upper limit of the step that holds each size; the least size belongs to the first step."""
+    sizes = np.asarray(size, dtype=np.float64)
+    covered = (sizes >= steps[0] * (1 - STEP_SLACK)) & (sizes <= steps[-1] * (1 + STEP_SLACK))
+    if not np.all(covered):
+        raise DesignError(
+            f"the {quantity} {_first(sizes, covered):g} mm is outside {standard};"
+            f" give {steps[0]:g} to {steps[-1]:g} mm, or override the tolerance"
+        )
+    return np.maximum(np.searchsorted(steps, sizes * (1 - STEP_SLACK), side="left"), 1)
+
+
+def _first(sizes: FloatArray, good: NDArray[np.bool_]) -> float:
+    return float(np.extract(~good, sizes)[0])
+
+
+def _checked(grade: int, name: str = "tolerance grade") -> int:
+    if grade not in GRADES:
+        raise DesignError(f"the {name} {grade} is not offered; give a whole number from {GRADES[0]} to {GRADES[-1]}")
+    return grade
+
+
+def _graded(grade_5_um: FloatArray, grade: int, finest: float) -> FloatArray:
+    """Value in mm at the grade, rounded to 1 µm above 10 µm, to 0.5 µm below, and below 5 µm to `finest`."""
+    value = grade_5_um * 2 ** ((_checked(grade) - 5) / 2)
+    return _rounded(value, np.where(value > 10, 1.0, np.where(value >= 5, 0.5, finest))) / UM_PER_MM
+
+
+def _rounded(value: FloatArray, unit: FloatArray) -> FloatArray:
+    return np.asarray(unit * np.floor(value / unit + 0.5))
+
+
+@cache
+def _it_um(grade: int) -> FloatArray:
+    """IT in µm of every size step, shape (13,)."""
+    upper = np.asarray(SIZE_STEPS[1:], dtype=np.float64)
+    mean = np.sqrt(np.maximum(SIZE_STEPS[:-1], 1.0) * upper)
+    unit = 0.45 * np.cbrt(mean) + 0.001 * mean
+    if grade < 5:
+        value = (0.8 + 0.020 * mean) ** ((5 - grade) / 4) * (IT_FACTORS[5] * unit) ** ((grade - 1) / 4)
+    elif grade > 10:
+        value = 10 * _it_um(grade - 5)
+    else:
+        value = IT_FACTORS[grade] * unit
+    table = _rounded(value, np.where(value <= 100, 1.0, np.where(value <= 200, 5.0, 10.0)))
+    for limit, printed in IT_DEPARTURES.get(grade, {}).items():
+        table[upper == limit] = printed
+    table.flags.writeable = False
+    return table

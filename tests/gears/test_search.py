@@ -1,0 +1,219 @@
+"""Orders and searched trains against brute force that shares nothing with the search but one stage's play."""
+
+from dataclasses import replace
+from fractions import Fraction
+from itertools import permutations, product
+from math import degrees, prod, radians
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from cadgen.errors import DesignError
+from cadgen.gears.backlash import stage_play
+from cadgen.gears.chains import best_chains
+from cadgen.gears.search import SearchLimits, all_orders, arrange, search_trains
+from cadgen.gears.tolerances import ToleranceOverrides
+from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import Gear, GearPair, Train
+
+
+def pair(z1: int, z2: int, module: float = 0.5, width: float = 5.0, **driver_overrides: float) -> GearPair:
+    driver, driven = (Gear(form=GearForm(teeth=z, normal_module=module, width=width)) for z in (z1, z2))
+    return GearPair(
+        driver=replace(driver, overrides=ToleranceOverrides(**driver_overrides)),
+        driven=driven,
+        centre_distance=module * (z1 + z2) / 2,
+        bearing_span=80.0,
+    )
+
+
+def paper() -> Train:
+    return Train((pair(30, 150, b_r=0.052), pair(40, 120), pair(40, 120)))
+
+
+def return_error(stages) -> float:
+    """Eq. 25, shaft by shaft."""
+    lag = 0.0
+    for stage in stages:
+        lag = lag / float(stage.ratio) + stage_play(stage).B_max
+    return lag
+
+
+def brute_force(limits: SearchLimits) -> list[tuple[float, tuple[GearPair, ...]]]:
+    """Every train within the limits by plain loops, best first."""
+    fewest, most = limits.teeth
+    candidates = []
+    for module, width in product(limits.modules, limits.widths):
+        for z1, z2 in product(range(fewest, most + 1), repeat=2):
+            if (
+                limits.centre_distance[0] <= module * (z1 + z2) / 2 <= limits.centre_distance[1]
+                and limits.stage_ratio[0] <= z2 / z1 <= limits.stage_ratio[1]
+                and module * min(z1, z2) >= 5
+            ):
+                candidates.append(pair(z1, z2, module, width))
+    plays = {stage: stage_play(stage).B_max for stage in candidates}
+    found = []
+    for stages in product(candidates, repeat=limits.stages):
+        wheels = prod(stage.driven.form.teeth for stage in stages) * limits.ratio.denominator
+        pinions = prod(stage.driver.form.teeth for stage in stages) * limits.ratio.numerator
+        if wheels == pinions or abs(wheels / pinions - 1) <= limits.ratio_tolerance:
+            lag = 0.0
+            for stage in stages:
+                lag = lag / float(stage.ratio) + plays[stage]
+            found.append((lag, stages))
+    return sorted(found, key=lambda entry: entry[0])
+
+
+def within(**changes) -> SearchLimits:
+    limits = SearchLimits(
+        ratio=Fraction(6),
+        stages=2,
+        teeth=(10, 30),
+        modules=(0.5,),
+        widths=(5.0,),
+        centre_distance=(5.0, 20.0),
+        bearing_span=80.0,
+        pattern=pair(20, 20).driver,
+        keep=25,
+    )
+    return replace(limits, **changes)
+
+
+@pytest.mark.parametrize(
+    "limits",
+    [
+        within(),
+        within(stages=1, ratio=Fraction(3)),
+        within(stages=1, ratio=Fraction(31, 10), ratio_tolerance=0.05),
+        within(ratio=Fraction(5), ratio_tolerance=0.002),
+        within(teeth=(10, 18), modules=(0.5, 0.6), widths=(4.0, 5.0, 12.0), ratio=Fraction(9, 4)),
+        within(stages=3, teeth=(10, 16), ratio=Fraction(3)),
+        within(stages=3, teeth=(20, 25), ratio=Fraction(1), keep=60),
+        within(stages=3, teeth=(10, 16), ratio=Fraction(5, 2), ratio_tolerance=0.01),
+        within(stages=4, teeth=(10, 14), ratio=Fraction(252, 125), stage_ratio=(1.0, 1.4)),
+        within(centre_distance=(9.0, 11.0), ratio=Fraction(4)),
+    ],
+)
+def test_the_search_finds_what_brute_force_finds(limits):
+    expected, found = brute_force(limits), search_trains(limits)
+    assert len(found) == min(limits.keep, len(expected)) > 0
+    assert [play.return_error_max for play in found] == pytest.approx([lag for lag, _ in expected[: len(found)]])
+    every_train = {stages for _, stages in expected}
+    assert all(play.train.stages in every_train for play in found)
+    assert len({play.train for play in found}) == len(found)
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    st.lists(st.tuples(st.integers(1, 12), st.integers(1, 12), st.floats(0.1, 10)), min_size=1, max_size=8),
+    st.fractions(Fraction(1, 8), 8, max_denominator=12),
+    st.sampled_from([0.0, 1 / 64, 0.25]),
+    st.integers(1, 4),
+    st.integers(1, 6),
+)
+def test_chains_of_any_costs_are_those_of_brute_force(pairs, ratio, tolerance, length, keep):
+    driver, driven, cost = (np.array(column) for column in zip(*pairs, strict=True))
+    expected = []
+    for rows in product(range(len(pairs)), repeat=length):
+        total, behind = 0.0, Fraction(1)
+        for row in reversed(rows):
+            total += pairs[row][2] / float(behind)
+            behind *= Fraction(pairs[row][1], pairs[row][0])
+        if abs(behind / ratio - 1) <= Fraction(tolerance):
+            expected.append(total)
+    found = best_chains(driver, driven, cost, ratio=ratio, tolerance=tolerance, length=length, keep=keep)
+    assert len(found) == min(keep, len(expected))
+    lags = []
+    for rows in found:
+        lag = 0.0
+        for row in rows:
+            lag = lag * driver[row] / driven[row] + cost[row]
+        lags.append(lag)
+    assert lags == pytest.approx(sorted(expected)[: len(found)])
+
+
+@settings(deadline=None, max_examples=30)
+@given(st.lists(st.tuples(st.integers(20, 90), st.integers(20, 90)), min_size=1, max_size=4))
+def test_all_orders_are_ranked_and_complete(choice):
+    train = Train(tuple(pair(z1, z2) for z1, z2 in choice))
+    ranked = all_orders(train)
+    assert {play.train.stages for play in ranked} == set(permutations(train.stages))
+    assert len(ranked) == len(set(permutations(train.stages)))
+    errors = [play.return_error_max for play in ranked]
+    assert errors == sorted(errors)
+    assert errors == pytest.approx([return_error(play.train.stages) for play in ranked])
+    assert {play.train.ratio for play in ranked} == {train.ratio}
+
+
+@settings(deadline=None, max_examples=30)
+@given(st.lists(st.tuples(st.integers(20, 50), st.integers(51, 120)), min_size=2, max_size=5))
+def test_the_best_order_of_reductions_is_that_of_the_exchange_argument(choice):
+    # Swapping neighbours p, q behind which nothing changes gains when B_q (1 − 1/i_p) < B_p (1 − 1/i_q): the
+    # best order has B / (1 − 1/i) falling towards the output.
+    stages = [pair(z1, z2) for z1, z2 in choice]
+    by_rule = sorted(stages, key=lambda stage: -stage_play(stage).B_max / (1 - 1 / float(stage.ratio)))
+    best = all_orders(Train(tuple(stages)))[0]
+    assert best.return_error_max == pytest.approx(return_error(by_rule))
+
+
+def test_the_paper_s_reordering_is_the_best_of_its_three_orders():
+    ranked = arrange(paper(), "reordered")
+    assert [degrees(play.return_error_max) for play in ranked] == pytest.approx([0.724, 0.902, 0.962], abs=5e-4)
+    assert [stage.ratio for stage in ranked[0].train.stages] == [3, 3, 5]
+    assert arrange(paper(), "as-given")[0].return_error_max == ranked[-1].return_error_max
+
+
+def test_the_search_beats_the_reordering_within_the_paper_s_own_sizes():
+    limits = SearchLimits.like(paper())
+    assert limits.ratio == 45
+    assert (limits.teeth, limits.centre_distance) == ((30, 150), (40.0, 45.0))
+    best = arrange(paper(), "search")[0]
+    assert best.train.ratio == 45
+    assert best.return_error_max < arrange(paper(), "reordered")[0].return_error_max
+    assert best.return_error_max == pytest.approx(return_error(best.train.stages))
+    for stage in best.train.stages:
+        assert 40 <= stage.centre_distance <= 45
+        assert stage.driver.overrides == ToleranceOverrides()
+
+
+def test_searched_gears_take_the_pattern_s_grade_and_form():
+    pattern = Gear(
+        form=GearForm(teeth=20, normal_module=1.0, width=5.0, normal_pressure_angle=radians(25), addendum_factor=0.9),
+        grade=9,
+        overrides=ToleranceOverrides(b_r=0.01),
+    )
+    gear = search_trains(within(pattern=pattern))[0].train.stages[0].driven
+    assert (gear.grade, gear.form.addendum_factor, gear.form.normal_module) == (9, 0.9, 0.5)
+    assert gear.form.normal_pressure_angle == radians(25)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"teeth": (40, 10)}, "teeth run from 40 to 10; give the lesser first"),
+        ({"centre_distance": (20.0, 5.0)}, "centre_distance run from 20 to 5"),
+        ({"stage_ratio": (3.0, 1.0)}, "stage_ratio run from 3 to 1"),
+        ({"teeth": (3, 10)}, "allows 3 teeth; give at least 4"),
+        ({"stages": 0}, "0 stages; give 1 to 6"),
+        ({"stages": 7}, "7 stages; give 1 to 6"),
+        ({"ratio": Fraction(0)}, "ratio = 0; give a value above 0"),
+        ({"bearing_span": -1.0}, "bearing_span = -1"),
+        ({"keep": 0}, "keep = 0"),
+        ({"ratio_tolerance": -0.1}, "ratio_tolerance = -0.1; give 0 up to 1"),
+        ({"modules": ()}, "no module or no face width"),
+    ],
+)
+def test_empty_limits_are_refused(changes, said):
+    with pytest.raises(DesignError, match=said):
+        within(**changes)
+
+
+def test_a_ratio_out_of_reach_says_what_was_searched():
+    with pytest.raises(DesignError, match=r"2 stages with 10 to 30 teeth and axes 5 to 20 mm apart .* ratio 101/7"):
+        search_trains(within(ratio=Fraction(101, 7)))
+    with pytest.raises(DesignError, match="no train of 2 stages"):
+        search_trains(within(centre_distance=(1.0, 2.0)))
+    with pytest.raises(DesignError, match=r"module 0\.3 mm"):
+        search_trains(within(modules=(0.3,), teeth=(20, 40)))
