@@ -91,8 +91,8 @@ class _Result:
     """A file that was written and read back."""
 
     name: str
-    outline: Outline | None
-    limit_um: float | None
+    lift_error_um: float
+    lift_limit_um: float
     facts: dict[str, Any]
 
 
@@ -134,16 +134,18 @@ _FRAME = (
 
 def _judged(job: _Job, result: _Result) -> dict[str, Any]:
     file = job.staging / result.name
-    facts: dict[str, Any] = {"bytes": file.stat().st_size, "sha256": file_hash(file), **result.facts}
-    if result.outline is not None and result.limit_um is not None:
-        error = job.lift_error_um(result.outline)
-        facts |= {"lift_error_um": error, "lift_limit_um": result.limit_um}
-        if not error <= result.limit_um:
-            raise FileError(
-                f"{result.name}, read back, moves the rod by {error:.2f} µm, more than the {result.limit_um:g} µm "
-                f"allowed: use finer tolerances in the design's [export]"
-            )
-    return facts
+    if not result.lift_error_um <= result.lift_limit_um:
+        raise FileError(
+            f"{result.name}, read back, moves the rod by {result.lift_error_um:.2f} µm, more than the "
+            f"{result.lift_limit_um:g} µm allowed: use finer tolerances in the design's [export]"
+        )
+    return {
+        "bytes": file.stat().st_size,
+        "sha256": file_hash(file),
+        "lift_error_um": result.lift_error_um,
+        "lift_limit_um": result.lift_limit_um,
+        **result.facts,
+    }
 
 
 def _step(job: _Job) -> Iterator[_Result]:
@@ -164,7 +166,12 @@ def _step(job: _Job) -> Iterator[_Result]:
     error = abs(content.volume / expected - 1)
     if not error <= SOLID_VOLUME_LIMIT:
         raise FileError(f"{name}, read back, has {error:.1e} more or less volume than the profile: report this design")
-    yield _Result(name, content.rim, STEP_LIMIT_UM, {"volume_mm3": content.volume, "volume_error_relative": error})
+    yield _Result(
+        name,
+        job.lift_error_um(content.rim),
+        STEP_LIMIT_UM,
+        {"volume_mm3": content.volume, "volume_error_relative": error},
+    )
 
 
 def _meshes(job: _Job) -> Iterator[_Result]:
@@ -193,7 +200,7 @@ def _meshes(job: _Job) -> Iterator[_Result]:
             "volume_mm3": content.volume,
             "volume_error_relative": error / exact_volume,
         }
-        return _Result(name, content.rim, chord * 1e3, facts)
+        return _Result(name, job.lift_error_um(content.rim), chord * 1e3, facts)
 
     name = f"{job.stem}.stl"
     (job.staging / name).write_bytes(stl_bytes(mesh, job.stem))
@@ -222,7 +229,7 @@ def _dxf(job: _Job) -> Iterator[_Result]:
         drawing = read_dxf(job.staging / name, _READ_STEP)
         if len(drawing.bore) != 1 or len(drawing.holes) != len(plan.blank.holes()):
             raise FileError(f"{name}, read back, has lost the bore or a hole: report this design")
-        yield _Result(name, drawing.profile, DXF_LIMIT_UM, facts)
+        yield _Result(name, job.lift_error_um(drawing.profile), DXF_LIMIT_UM, facts)
 
 
 def _gcode(job: _Job) -> Iterator[_Result]:
@@ -237,11 +244,28 @@ def _gcode(job: _Job) -> Iterator[_Result]:
     write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem)
     outline = read_gcode(job.staging / name, machining, job.thickness)
     facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
-    yield _Result(name, outline, GCODE_LIMIT_UM, facts)
+    yield _Result(name, job.lift_error_um(outline), GCODE_LIMIT_UM, facts)
 
 
 def _points(job: _Job) -> Iterator[_Result]:
-    raise NotImplementedError
+    from cadgen.export.points import contact_outline, read_csv, read_xyz, write_csv, write_xyz
+
+    plan = job.plan
+    count = plan.design.export.point_count
+    name = f"{job.stem}.xyz"
+    write_xyz(job.staging / name, plan.curve, count)
+    cloud = read_xyz(job.staging / name)
+    yield _Result(name, job.lift_error_um(cloud), POINTS_LIMIT_UM, {"points": count})
+
+    name = f"{job.stem}.csv"
+    cam_angle = np.linspace(0.0, 2 * np.pi, count, endpoint=False)
+    contact = roll(plan.curve.outline(CURVE_STEP), plan.follower, cam_angle)
+    write_csv(job.staging / name, plan.curve, plan.follower, contact)
+    table = read_csv(job.staging / name)
+    # The table's points touch the rod at the table's angles, so rolling them there must give the table's lift.
+    rolled = roll(contact_outline(table), plan.follower, np.radians(table["cam_angle_deg"])).lift
+    error = float(np.abs(np.stack([rolled, table["lift_mm"]]) - contact.lift).max() * 1e3)
+    yield _Result(name, error, POINTS_LIMIT_UM, {"rows": count})
 
 
 _FORMATS: dict[str, Callable[[_Job], Iterator[_Result]]] = {

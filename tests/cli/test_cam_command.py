@@ -1,0 +1,136 @@
+"""`cadgen cam` as a user meets it: files that hold what they claim, or no files at all."""
+
+import hashlib
+import json
+import resource
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from tests.cli.conftest import one_sentence
+
+SUFFIXES = {".step", ".stl", ".3mf", "_arcs.dxf", "_spline.dxf", ".nc", ".xyz", ".csv"}
+
+
+def contents(folder):
+    return {file.name for file in folder.iterdir()}
+
+
+def test_all_files_are_made_proved_and_recorded(cadgen, tmp_path):
+    result = cadgen("cam", "--profile", "actual", "--out", "exports/", code=0)
+    print(result.stdout)
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    assert contents(tmp_path / "exports") == {f"carbon_free_car_actual{s}" for s in SUFFIXES} | {"manifest.json"}
+    part = json.loads((tmp_path / "exports/manifest.json").read_text())["parts"]["carbon_free_car_actual"]
+    assert part["passed"] is True
+    for name, facts in part["files"].items():
+        data = (tmp_path / "exports" / name).read_bytes()
+        assert hashlib.sha256(data).hexdigest() == facts["sha256"]
+        assert facts["lift_error_um"] <= facts["lift_limit_um"]
+    assert part["files"]["carbon_free_car_actual.step"]["bytes"] <= 200_000
+    assert part["versions"]["cadgen"]
+    assert part["blend"]["from_cam_angle_deg"] == pytest.approx(348.0)
+
+
+def test_the_same_design_gives_the_same_bytes(cadgen, tmp_path):
+    for folder in ("a", "b"):
+        cadgen("cam", "--out", folder, code=0)
+    for name in contents(tmp_path / "a"):
+        assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes(), name
+
+
+def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
+    result = cadgen("cam", "appendix_car", "--out", "out", code=1)
+    assert "nothing was exported" in result.stderr
+    assert not (tmp_path / "out").exists()
+    result = cadgen("cam", "appendix_car", "--out", "out", "--force", "--json", code=0)
+    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["appendix_car_actual"]
+    assert json.loads(result.stdout) == part
+    assert part["passed"] is False
+    failed = {check["name"] for check in part["checks"] if not check["passed"]}
+    assert failed == {"lost lift, undercut", "convex radius, theory"}
+    assert {cure["parameter"] for cure in part["cures"]} == {"follower.radius_mm", "cam.base_radius_mm"}
+
+
+def test_a_cutter_too_large_leaves_out_only_the_program(cadgen, tmp_path):
+    cadgen("cam", "--set", "machining.cutter_diameter_mm=20", "--out", "out", "--force", code=0)
+    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["carbon_free_car_actual"]
+    assert "choose a smaller cutter" in part["omitted"]["G-code"]
+    assert "carbon_free_car_actual.nc" not in contents(tmp_path / "out")
+    assert len(part["files"]) == 7
+
+
+@pytest.mark.parametrize("profile", ["theoretical", "published"])
+def test_the_other_profiles(cadgen, tmp_path, profile):
+    cadgen("cam", "--profile", profile, "--out", "out", "--force", code=0)
+    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"][f"carbon_free_car_{profile}"]
+    assert part["passed"] is (profile == "theoretical")
+    assert len(part["files"]) == 8
+
+
+def test_parts_share_a_manifest_and_edited_files_drop_out(cadgen, tmp_path):
+    cadgen("cam", "--profile", "theoretical", "--out", "out", code=0)
+    cadgen("cam", "--out", "out", code=0)
+    manifest = tmp_path / "out/manifest.json"
+    assert set(json.loads(manifest.read_text())["parts"]) == {"carbon_free_car_theoretical", "carbon_free_car_actual"}
+    (tmp_path / "out/carbon_free_car_theoretical.nc").write_text("edited by hand")
+    cadgen("cam", "--out", "out", code=0)
+    assert set(json.loads(manifest.read_text())["parts"]) == {"carbon_free_car_actual"}
+
+
+def test_a_hub_and_a_d_shaft(cadgen, tmp_path):
+    cadgen(
+        "cam",
+        *("--set", "blank.keyway=", "--set", "blank.d_flat.across_mm=7"),
+        *("--set", "blank.hub.diameter_mm=20", "--set", "blank.hub.length_mm=8"),
+        *("--set", "blank.hub.set_screw.hole_diameter_mm=2.5", "--set", "blank.hub.set_screw.height_mm=4"),
+        *("--out", "out"),
+        code=0,
+    )
+    assert len(contents(tmp_path / "out")) == 9
+
+
+def test_a_file_in_the_folders_place(cadgen, tmp_path):
+    (tmp_path / "taken").write_text("")
+    assert "choose another --out" in one_sentence(cadgen("cam", "--out", "taken/below", code=3))
+    cadgen("cam", "--out", "taken", code=2)
+    assert contents(tmp_path) == {"taken"}
+
+
+@pytest.mark.parametrize("limit", [300_000, 60_000, 20_000])
+def test_a_full_disk_leaves_the_folder_as_it_was(cadgen, tmp_path, limit):
+    """A limit on file size stands for the full disk: the write fails in the middle, in one format or another."""
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "carbon_free_car_actual.step").write_text("an earlier part")
+
+    def small_files():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+    message = one_sentence(cadgen("cam", "--out", "out", code=3, preexec_fn=small_files))
+    assert "nothing was written" in message
+    assert contents(out) == {"carbon_free_car_actual.step"}
+    assert (out / "carbon_free_car_actual.step").read_text() == "an earlier part"
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupted_run_leaves_nothing(tmp_path, number):
+    """The signal comes when STEP, STL and 3MF stand in the staging folder and DXF is about to be written."""
+    script = (
+        "import os\n"
+        "from cadgen.cli import main\n"
+        "from cadgen.workflow import files\n"
+        "assert len(list(files._FORMATS)) == 5\n"
+        f"files._FORMATS['DXF'] = lambda job: os.kill(os.getpid(), {int(number)}) or iter(())\n"
+        "main()\n"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", script, "cam", "--out", "out"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert result.returncode == 130
+    assert result.stderr.strip() == "cadgen: interrupted: nothing was written"
+    assert result.stdout == ""
+    assert contents(tmp_path) == set()
