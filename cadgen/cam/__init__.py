@@ -7,6 +7,9 @@
 | `theoretical` | the rod axis's curve, and the formula of the paper's appendix                   |
 | `envelope`    | the actual profile: exact envelope of the rod over both faces, trimmed          |
 | `contact`     | a rod rolled on any outline: the lift it gives (shares no code with `envelope`) |
+| `blank`       | bore, keyway or flat, holes and hub, and the walls they leave                   |
+| `limits`      | textbook limits of the pressure angle, by name                                  |
 | `cutter`      | which cutter reaches every concave part                                         |
-| `checks`      | every figure with its limit, verdict and cure                                   |
+| `checks`      | every figure with its limit, place and verdict                                  |
+| `cure`        | the smallest single change that brings lost lift within its limit               |
 """

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_hash, versions, write_manifest
 from cadgen.workflow.cam import CamPlan, Step
+
+if TYPE_CHECKING:
+    from cadgen.solids.kernel import Part
 
 Array = NDArray[np.float64]
 
@@ -75,6 +78,22 @@ class _Job:
     def lift(self) -> Array:
         """Lift of the exact curve, mm: what every file is compared with."""
         return roll(self.plan.curve.outline(CURVE_STEP), self.plan.follower, self.cam_angle).lift
+
+    @cached_property
+    def part(self) -> "Part":
+        """The solid, for STEP, and for its volume."""
+        from cadgen.solids.cam import cam_part
+
+        return cam_part(self.plan.curve, self.plan.blank, self.thickness, name=self.stem, description=self.description)
+
+    @cached_property
+    def volume(self) -> float:
+        """What every file's volume is compared with, mm^3: by the profile's area, or with a hub the exact solid's."""
+        from cadgen.solids.kernel import volume
+
+        if self.plan.blank.hub is None:
+            return self.plan.blank.disc_volume(self.plan.curve.area(), self.thickness)
+        return volume(self.part.solid)
 
     @cached_property
     def cutter_limit(self) -> CutterLimit:
@@ -149,56 +168,38 @@ def _judged(job: _Job, result: _Result) -> dict[str, Any]:
 
 
 def _step(job: _Job) -> Iterator[_Result]:
-    from cadgen.solids.cam import cam_part
-    from cadgen.solids.kernel import volume
     from cadgen.solids.step import read_step, step_bytes
 
-    plan = job.plan
-    part = cam_part(plan.curve, plan.blank, job.thickness, name=job.stem, description=job.description)
     name = f"{job.stem}.step"
-    (job.staging / name).write_bytes(step_bytes(part))
+    (job.staging / name).write_bytes(step_bytes(job.part))
     content = read_step(job.staging / name, _READ_STEP)
-    if not content.valid or content.bodies != 1 or (content.name, content.description) != (part.name, part.description):
+    if not content.valid or content.bodies != 1 or content.name != job.stem or content.description != job.description:
         raise FileError(f"{name}, read back, is not one valid solid with its name: report this design")
-    expected = volume(part.solid)
-    if plan.blank.hub is None:
-        expected = plan.blank.disc_volume(plan.curve.area(), job.thickness)
-    error = abs(content.volume / expected - 1)
+    error = abs(content.volume / job.volume - 1)
     if not error <= SOLID_VOLUME_LIMIT:
-        raise FileError(f"{name}, read back, has {error:.1e} more or less volume than the profile: report this design")
-    yield _Result(
-        name,
-        job.lift_error_um(content.rim),
-        STEP_LIMIT_UM,
-        {"volume_mm3": content.volume, "volume_error_relative": error},
-    )
+        raise FileError(f"{name}, read back, misses the exact volume by {error:.1e}: report this design")
+    facts = {"volume_mm3": content.volume, "volume_error_relative": error}
+    yield _Result(name, job.lift_error_um(content.rim), STEP_LIMIT_UM, facts)
 
 
 def _meshes(job: _Job) -> Iterator[_Result]:
     from cadgen.export.mesh import Mesh, cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
 
-    plan = job.plan
-    chord = plan.design.export.mesh_chord_um * 1e-3
-    mesh = cam_mesh(plan.curve, plan.blank, job.thickness, chord)
-    exact = inspect(mesh, _READ_STEP).volume
+    chord = job.plan.design.export.mesh_chord_um * 1e-3
+    mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord)
 
     def read(name: str, again: Mesh) -> _Result:
         content = inspect(again, _READ_STEP)
         if not content.watertight or content.bodies != 1:
             raise FileError(f"{name}, read back, is not one watertight body: report this design")
-        if plan.blank.hub is None:
-            exact_volume = plan.blank.disc_volume(plan.curve.area(), job.thickness)
-            bound = chord * content.wall_area
-        else:
-            exact_volume, bound = exact, 1e-6 * exact
-        error = abs(content.volume - exact_volume)
-        if not error <= bound:
-            raise FileError(f"{name}, read back, has a volume {error:.3g} mm3 off: report this design")
+        error = abs(content.volume - job.volume)
+        if not error <= chord * content.wall_area:
+            raise FileError(f"{name}, read back, misses the exact volume by {error:.3g} mm3: report this design")
         facts = {
             "triangles": len(again.triangles),
             "watertight": True,
             "volume_mm3": content.volume,
-            "volume_error_relative": error / exact_volume,
+            "volume_error_relative": error / job.volume,
         }
         return _Result(name, job.lift_error_um(content.rim), chord * 1e3, facts)
 

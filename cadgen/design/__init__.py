@@ -1,0 +1,14 @@
+"""Designs: a TOML file, checked against a schema, as frozen values in the file's units.
+
+| module      | what it does                                                             |
+|-------------|--------------------------------------------------------------------------|
+| `section`   | what all sections have in common                                         |
+| `blank`     | sections of bore, keyway, hub, holes                                     |
+| `schema`    | all other sections; ranges, defaults, how keys must fit each other       |
+| `keys`      | the schema as a list of keys, their units and ranges in words            |
+| `explain`   | what is wrong with a design, as sentences                                |
+| `override`  | `--set key=value`                                                        |
+| `load`      | name or file -> `Design`                                                 |
+| `stages`    | `Design` -> the numeric rooms' dataclasses, in mm and rad                |
+| `reference` | the schema as a page of documentation                                    |
+"""

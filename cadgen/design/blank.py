@@ -1,0 +1,139 @@
+"""The sections of what the disc has besides its profile, and how they must fit each other.
+
+Walls against the profile need the profile, and are checked with it.
+"""
+
+from math import hypot, pi, sin
+from typing import Literal
+
+from pydantic import Field, model_validator
+
+from cadgen.design.section import Section
+
+
+class Keyway(Section):
+    """A keyway in the bore."""
+
+    width_mm: float = Field(gt=0, le=100, description="across the key; less than the bore's diameter")
+    depth_mm: float = Field(gt=0, le=50, description="from the bore's circle to the keyway's floor, along its middle")
+    angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of its middle")
+
+
+class DFlat(Section):
+    """A flat in the bore, for a D-shaft."""
+
+    across_mm: float = Field(
+        gt=0, le=200, description="from the flat to the bore's far side; more than half the bore's diameter"
+    )
+    angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the flat's middle")
+
+
+class SetScrew(Section):
+    """A radial hole through the hub's wall."""
+
+    hole_diameter_mm: float = Field(gt=0, le=50, description="of the hole to be tapped; less than the bore's diameter")
+    height_mm: float = Field(gt=0, le=200, description="from the disc's face to the hole's axis")
+    angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the hole")
+
+
+class Hub(Section):
+    """A round hub on one face of the disc."""
+
+    diameter_mm: float = Field(gt=0, le=500, description="outer; the bore and its keyway must fit inside")
+    length_mm: float = Field(gt=0, le=200, description="how far it stands out of the disc's face")
+    side: Literal["outer", "inner"] = Field(
+        default="outer", description="face that it stands on; the inner one is nearer to the fork"
+    )
+    set_screw: SetScrew | None = None
+
+    @model_validator(mode="after")
+    def _set_screw_fits(self) -> "Hub":
+        screw = self.set_screw
+        if screw is None:
+            return self
+        radius = screw.hole_diameter_mm / 2
+        if not radius < screw.height_mm < self.length_mm - radius:
+            raise ValueError(
+                f"blank.hub.set_screw.height_mm is {screw.height_mm:g}; a hole of {2 * radius:g} mm there "
+                f"does not lie within the hub's length of {self.length_mm:g} mm: change height_mm, "
+                "hole_diameter_mm or blank.hub.length_mm"
+            )
+        return self
+
+
+class Lightening(Section):
+    """A ring of equal round holes."""
+
+    holes: int = Field(ge=1, le=360, description="how many")
+    hole_diameter_mm: float = Field(gt=0, le=500, description="of each hole")
+    circle_diameter_mm: float = Field(gt=0, le=1000, description="of the circle that their centres lie on")
+    angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the first hole")
+
+    @model_validator(mode="after")
+    def _holes_keep_apart(self) -> "Lightening":
+        apart = self.circle_diameter_mm * sin(pi / self.holes)
+        if self.holes > 1 and apart <= self.hole_diameter_mm:
+            raise ValueError(
+                f"blank.lightening has {self.holes} holes of {self.hole_diameter_mm:g} mm that overlap each "
+                f"other, because their centres are {apart:.4g} mm apart: lower holes or hole_diameter_mm, or "
+                f"raise circle_diameter_mm, which is {self.circle_diameter_mm:g}"
+            )
+        return self
+
+
+class Blank(Section):
+    """What the disc has besides its profile. Polar angles are those of the profile."""
+
+    bore_diameter_mm: float = Field(default=8.0, gt=0, le=200, description="of the hole for the camshaft")
+    keyway: Keyway | None = None
+    d_flat: DFlat | None = None
+    hub: Hub | None = None
+    lightening: Lightening | None = None
+
+    @model_validator(mode="after")
+    def _parts_fit_each_other(self) -> "Blank":
+        key_reach = self._reach_of_bore()
+        core, reach = "bore and keyway" if self.keyway else "bore", key_reach
+        if self.hub:
+            if self.hub.diameter_mm / 2 <= key_reach:
+                raise ValueError(
+                    f"blank.hub.diameter_mm is {self.hub.diameter_mm:g}; it must be greater than "
+                    f"{2 * key_reach:.4g}, or {core} cut through the hub's wall"
+                )
+            screw = self.hub.set_screw
+            if screw and screw.hole_diameter_mm >= self.bore_diameter_mm:
+                raise ValueError(
+                    f"blank.hub.set_screw.hole_diameter_mm is {screw.hole_diameter_mm:g}; it must be less "
+                    f"than blank.bore_diameter_mm, which is {self.bore_diameter_mm:g}"
+                )
+            core, reach = "hub", self.hub.diameter_mm / 2
+        ring = self.lightening
+        if ring and (ring.circle_diameter_mm - ring.hole_diameter_mm) / 2 <= reach:
+            raise ValueError(
+                f"blank.lightening has holes of {ring.hole_diameter_mm:g} mm on a circle of "
+                f"{ring.circle_diameter_mm:g} mm, which overlap the {core}, {reach:.4g} mm from the axis: "
+                "lower hole_diameter_mm or raise circle_diameter_mm"
+            )
+        return self
+
+    def _reach_of_bore(self) -> float:
+        """Farthest point of the bore from its axis, mm; refuses a keyway or flat that does not fit it."""
+        bore, key, flat = self.bore_diameter_mm, self.keyway, self.d_flat
+        if key and flat:
+            raise ValueError(
+                "blank has both keyway and d_flat, which exclude each other: remove [blank.keyway] or "
+                "[blank.d_flat] (on the command line with --set blank.keyway= or --set blank.d_flat=)"
+            )
+        if flat and not bore / 2 < flat.across_mm < bore:
+            raise ValueError(
+                f"blank.d_flat.across_mm is {flat.across_mm:g}; it must lie between {bore / 2:g} and "
+                f"{bore:g}, half of blank.bore_diameter_mm and all of it"
+            )
+        if key is None:
+            return bore / 2
+        if key.width_mm >= bore:
+            raise ValueError(
+                f"blank.keyway.width_mm is {key.width_mm:g}; it must be less than blank.bore_diameter_mm, "
+                f"which is {bore:g}"
+            )
+        return hypot(bore / 2 + key.depth_mm, key.width_mm / 2)

@@ -1,0 +1,83 @@
+"""What is wrong with a design's values, as sentences: the key, its value, what is allowed."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from pydantic import ValidationError
+
+from cadgen.design.keys import dotted, is_unit_slip, keys, last, nearest, shown, tables
+from cadgen.design.section import listed
+
+# A key's parts from the top, items of lists counted from 0.
+Place = tuple[str | int, ...]
+
+_WRONG_TYPE = {"float_type", "int_type", "int_from_float", "string_type", "tuple_type", "missing", "too_long"}
+
+
+def explain(error: ValidationError) -> Iterator[tuple[Place, str]]:
+    """Yield the place of each error and one sentence about it; unknown keys come first.
+
+    What only follows from another error is left out: a required key that stands there under a wrong name,
+    and a list that counts as too short because its items are wrong.
+    """
+    found = error.errors(include_url=False)
+    unknown = [item["loc"] for item in found if item["type"] == "extra_forbidden"]
+    places = [item["loc"] for item in found]
+    meant = {nearest(section(place[:-1]), str(place[-1])) for place in unknown}
+    for place in unknown:
+        yield place, unknown_key(place)
+    for item in found:
+        place, kind = item["loc"], item["type"]
+        renamed = kind == "missing" and dotted(*place) in meant
+        emptied = kind == "too_short" and any(other[:-1][: len(place)] == place for other in places)
+        if not renamed and not emptied and kind != "extra_forbidden":
+            yield place, _sentence(kind, place, item["input"], item.get("ctx", {}))
+
+
+def section(place: Place) -> str:
+    """Dotted name of a place in the schema, where items of lists have no number."""
+    return dotted(*(part for part in place if isinstance(part, str)))
+
+
+def unknown_key(place: Place) -> str:
+    """Say that there is no such key, which one was most likely meant, and what its section takes."""
+    parent, wrong = section(place[:-1]), str(place[-1])
+    right = nearest(parent, wrong)
+    name = dotted(spoken(place[:-1]), wrong or '""')
+    if right and is_unit_slip(wrong, right):
+        return f"{name} is not a key: write {right}, in {keys()[right].unit}"
+    hint = f"did you mean {right}? " if right else ""
+    where = f"[{parent}]" if parent else "a design"
+    return f"{name} is not a key: {hint}{where} takes {listed(tables()[parent].names, 'and')}"
+
+
+def spoken(place: Place) -> str:
+    """A place as users count: `path.waypoints_mm.3` is the third waypoint."""
+    return dotted(*(part + 1 if isinstance(part, int) else part for part in place))
+
+
+def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any]) -> str:
+    if kind == "value_error":
+        return str(context["error"])
+    if kind == "missing" and isinstance(place[-1], int):  # of a pair, whose value pydantic gives
+        place = place[:-1]
+    name, path = spoken(place), section(place)
+    if path in tables():
+        needs = listed([last(key.name) for key in tables()[path].keys if key.required], "and")
+        if kind == "missing":
+            return f"the section [{name}] is missing: add it, with at least {needs}"
+        return f"{name} is {shown(value)}; it must be a section: write [{name}] and its keys below it"
+    key = keys()[path]
+    depth = sum(isinstance(part, int) for part in place)
+    wanted = f"{key.kinds[depth]} in {key.unit}" if key.unit else key.kinds[depth]
+    if kind == "missing" and depth == 0:
+        return f"{name} is missing: add it, {wanted} ({key.meaning})"
+    if kind in _WRONG_TYPE:
+        bare = ", without quotes or unit" if isinstance(value, str) and "number" in wanted else ""
+        return f"{name} is {shown(value)}; it must be {wanted}{bare}"
+    if kind == "finite_number":
+        return f"{name} is {shown(value)}; it must be a finite number"
+    if kind == "too_short":
+        return f"{name} has {len(value)} items; it needs at least {context['min_length']}: add more"
+    unit = f" ({key.unit})" if key.unit else ""
+    return f"{name} is {shown(value)}; it must be {key.allowed_inside if depth else key.allowed}{unit}"

@@ -1,0 +1,188 @@
+"""The schema as a list of keys: for messages that name what is allowed, and for the reference page."""
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cache
+from typing import Annotated, Any, Literal, get_args, get_origin
+
+from annotated_types import Ge, Gt, Le, Lt, MinLen
+from pydantic.fields import FieldInfo
+
+from cadgen.design.schema import DesignFile
+from cadgen.design.section import Section, listed
+
+# How the ends of key names read in a sentence.
+_UNITS = {"_mm_per_min": "mm/min", "_mm": "mm", "_um": "µm", "_deg": "degrees", "_rpm": "rev/min"}
+# What users may write at the end of a key instead.
+_UNIT_ENDING = re.compile(
+    r"_(?:mm|cm|dm|m|km|um|nm|in|inch|inches|thou|mil|deg|degree|degrees|rad|radians|rpm|hz)"
+    r"(?:_per_(?:min|minute|s|sec|second|rev))?$",
+    re.IGNORECASE,
+)
+_KINDS = {float: "a number", int: "a whole number", str: "text"}
+_PAIR = "a pair [x, y]"
+_PLURALS = {"a number": "numbers", "a whole number": "whole numbers", "text": "texts", _PAIR: "pairs [x, y]"}
+
+
+@dataclass(frozen=True)
+class Key:
+    """One key of a design file.
+
+    Attributes:
+        name: dotted, from the top.
+        unit: of its numbers; empty if it has none.
+        kinds: what its value must be, what an item of that must be, and so on: `a pair [x, y]`, `a number`.
+        allowed: range or choices, as they read after "must be"; empty if anything of its kind will do.
+        allowed_inside: the same of the numbers in a list or pair.
+        required: True if a section that is given must have it.
+        default: None if it has none.
+        meaning: a phrase.
+    """
+
+    name: str
+    unit: str
+    kinds: tuple[str, ...]
+    allowed: str
+    allowed_inside: str
+    required: bool
+    default: object
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Table:
+    """A section with its keys and the names of the sections in it; `name` is dotted and empty at the top."""
+
+    name: str
+    meaning: str
+    required: bool
+    keys: tuple[Key, ...]
+    subtables: tuple[str, ...]
+
+    @property
+    def names(self) -> list[str]:
+        """Everything that may stand in this section."""
+        return [last(key.name) for key in self.keys] + list(self.subtables)
+
+
+@cache
+def tables() -> dict[str, Table]:
+    """Every section by its dotted name, from the top down."""
+    return {table.name: table for table in _walk("", DesignFile, required=True)}
+
+
+@cache
+def keys() -> dict[str, Key]:
+    """Every key by its dotted name."""
+    return {key.name: key for table in tables().values() for key in table.keys}
+
+
+def nearest(parent: str, wrong: str) -> str | None:
+    """Dotted name of the key or section that an unknown one was most likely meant for."""
+    names = tables()[parent].names
+    stem = _stem(wrong)
+    found = [name for name in names if _stem(name) == stem] or get_close_matches(wrong.lower(), names, 1)
+    if found:
+        return dotted(parent, found[0])
+    # The right key in the wrong section, or with its section left out.
+    return next((name for name in (*keys(), *tables()) if _stem(last(name)) == stem), None)
+
+
+def is_unit_slip(wrong: str, right: str) -> bool:
+    """True if a name lacks the unit at the end of the right one, or has another."""
+    return _stem(wrong) == _stem(last(right)) and _unit(right) != ""
+
+
+def dotted(*parts: str | int) -> str:
+    """Join the parts of a key; the empty name of the top level falls away."""
+    return ".".join(str(part) for part in parts if part != "")
+
+
+def last(name: str) -> str:
+    """The last part of a dotted name."""
+    return name.rpartition(".")[2]
+
+
+def shown(value: object) -> str:
+    """A value as TOML writes it, cut short if it is long."""
+    text = repr(value) if isinstance(value, float) else json.dumps(value, ensure_ascii=False, default=str)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _unit(name: str) -> str:
+    return next((unit for ending, unit in _UNITS.items() if name.endswith(ending)), "")
+
+
+def _stem(name: str) -> str:
+    return _UNIT_ENDING.sub("", name).lower()
+
+
+def _walk(name: str, section: type[Section], *, required: bool) -> Iterator[Table]:
+    own, below = [], []
+    for part, info in section.model_fields.items():
+        inner = _section_in(info.annotation)
+        if inner:
+            below.append((part, inner, info.is_required()))
+        else:
+            own.append(_key(dotted(name, part), info))
+    meaning = " ".join((section.__doc__ or "").split())
+    yield Table(name, meaning, required, tuple(own), tuple(part for part, _, _ in below))
+    for part, inner, needed in below:
+        yield from _walk(dotted(name, part), inner, required=needed)
+
+
+def _section_in(annotation: Any) -> type[Section] | None:
+    candidates = (annotation, *get_args(annotation))
+    return next((c for c in candidates if isinstance(c, type) and issubclass(c, Section)), None)
+
+
+def _key(name: str, info: FieldInfo) -> Key:
+    kinds, inside = _kinds(info.annotation)
+    allowed = _phrases(info.metadata)
+    if get_origin(info.annotation) is Literal:
+        allowed = listed([shown(choice) for choice in get_args(info.annotation)], "or")
+    return Key(
+        name=name,
+        unit=_unit(name),
+        kinds=kinds,
+        allowed=allowed,
+        allowed_inside=_phrases(inside),
+        required=info.is_required(),
+        default=None if info.is_required() else info.default,
+        meaning=info.description or "",
+    )
+
+
+def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
+    """What a type and its items are called in a sentence, and the limits written inside the type."""
+    arguments = get_args(annotation)
+    if get_origin(annotation) is Annotated:
+        kinds, limits = _kinds(arguments[0])
+        return kinds, [*limits, *arguments[1:]]
+    if get_origin(annotation) is tuple:
+        kinds, limits = _kinds(arguments[0])
+        return (f"a list of {_PLURALS[kinds[0]]}" if arguments[1] is ... else _PAIR, *kinds), limits
+    return (next((_KINDS[arm] for arm in (annotation, *arguments) if arm in _KINDS), "text"),), []
+
+
+def _phrases(limits: Iterable[Any]) -> str:
+    return listed([phrase for limit in limits if (phrase := _phrase(limit))], "and")
+
+
+def _phrase(limit: Any) -> str:
+    match limit:
+        case MinLen(least):
+            return f"{least} or more"
+        case Gt(bound):
+            return f"greater than {bound:.12g}"
+        case Ge(bound):
+            return f"at least {bound:.12g}"
+        case Lt(bound):
+            return f"less than {bound:.12g}"
+        case Le(bound):
+            return f"at most {bound:.12g}"
+        case _:
+            return ""

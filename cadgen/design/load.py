@@ -1,0 +1,117 @@
+"""A design by name or file, with overrides, checked."""
+
+import re
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from cadgen.design.explain import Place, explain
+from cadgen.design.override import override, quoted
+from cadgen.design.schema import Design, DesignFile
+from cadgen.design.section import listed
+from cadgen.errors import DesignError
+
+DEFAULT_DESIGN = "carbon_free_car"
+MAX_ERRORS_SHOWN = 5
+
+# Beside this package in a wheel, beside `cadgen/` in a working copy.
+_PACKAGE = Path(__file__).parent.parent
+_PACKAGED = (_PACKAGE / "designs", _PACKAGE.parent / "designs")
+
+
+def packaged_designs() -> dict[str, Path]:
+    """The designs that come with cadgen, by name."""
+    folder = next((folder for folder in _PACKAGED if (folder / f"{DEFAULT_DESIGN}.toml").is_file()), None)
+    return {file.stem: file for file in sorted(folder.glob("*.toml"))} if folder else {}
+
+
+def load_design(source: str | Path | None = None, overrides: Sequence[str] = ()) -> Design:
+    """Read a design, apply the overrides in order, and check the result.
+
+    Args:
+        source: a packaged design's name, a path to a TOML file (a `Path`, or text that ends in `.toml` or
+            names a folder), or None for the default.
+        overrides: `key=value` each; see `cadgen.design.override`.
+
+    Raises:
+        DesignError: no such design, a file that cannot be read or is not TOML in UTF-8, or values that cannot
+            be; one sentence for each of up to five errors, on a line of its own.
+    """
+    file = _find(DEFAULT_DESIGN if source is None else source)
+    values = _read(file)
+    applied = [(override(values, text), text) for text in overrides]
+    values.setdefault("name", re.sub(r"[^A-Za-z0-9._-]+", "_", file.stem).lstrip("._-")[:64] or "design")
+    try:
+        checked = DesignFile.model_validate(values)
+    except ValidationError as error:
+        raise DesignError(_report(error, file.name, applied)) from None
+    return Design(**dict(checked), source=file.name, overrides=tuple(overrides))
+
+
+def _find(source: str | Path) -> Path:
+    if isinstance(source, Path) or source.endswith(".toml") or Path(source).name != source:
+        return Path(source)
+    packaged = packaged_designs()
+    if source in packaged:
+        return packaged[source]
+    here = next((name for name in (source, f"{source}.toml") if Path(name).is_file()), None)
+    hint = f"the file in this folder is ./{here}" if here else "give a file by its path, such as ./my_car.toml"
+    names = listed(list(packaged), "and")
+    raise DesignError(f'there is no packaged design "{source}": the packaged ones are {names}; {hint}')
+
+
+def _read(file: Path) -> dict[str, Any]:
+    try:
+        text = file.read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        raise DesignError(
+            f"there is no design file {file}: correct the path, or name a packaged design "
+            f"({listed(list(packaged_designs()), 'or')})"
+        ) from None
+    except IsADirectoryError:
+        raise DesignError(f"{file} is a folder: give the path of a design file in it") from None
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        raise DesignError(f"{file}, line {line}: not UTF-8 text: save the file again as UTF-8") from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise DesignError(f"{file} cannot be read ({reason}): give a design file that can") from None
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise DesignError(f"{file}: brackets are nested too deeply for TOML: correct the file") from None
+    except ValueError as error:
+        raise DesignError(_syntax(str(error), file, text)) from None
+
+
+def _syntax(problem: str, file: Path, text: str) -> str:
+    """Turn tomllib's message into file, line, column, problem and the line's own text."""
+    lines = text.replace("\r\n", "\n").rstrip("\n").split("\n")
+    found = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", problem, re.DOTALL)
+    if not found:  # Python's own limit on the digits of a whole number
+        return f"{file}: a whole number has more digits than can be read: correct the file"
+    line, column = (int(found[2]), int(found[3])) if found[2] else (len(lines), len(lines[-1]) + 1)
+    quoted_line = lines[min(line, len(lines)) - 1].strip()[:80]
+    where = f"{file}, line {line}, column {column}"
+    if problem.startswith(("Cannot overwrite", "Cannot declare")):
+        return f"{where}: `{quoted_line}` is given a second time: remove one of the two"
+    return f"{where}: not TOML ({found[1][:1].lower()}{found[1][1:]}): correct `{quoted_line}`"
+
+
+def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]]) -> str:
+    """One line for each error, after the file or the override that it comes from."""
+    lines = [f"{_blame(place, source, applied)}: {sentence}" for place, sentence in explain(error)]
+    more = len(lines) - MAX_ERRORS_SHOWN
+    return "\n".join([*lines[:MAX_ERRORS_SHOWN], *([f"and {more} more like these"] if more > 0 else [])])
+
+
+def _blame(place: Place, source: str, applied: Sequence[tuple[Place, str]]) -> str:
+    """The override that set this place, or the file with the overrides that changed something inside it."""
+    for where, text in reversed(applied):
+        if place[: len(where)] == where:
+            return quoted(text)
+    inside = [quoted(text) for where, text in applied if where[: len(place)] == place]
+    return f"{source} with {' '.join(inside)}" if inside else source

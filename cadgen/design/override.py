@@ -1,0 +1,99 @@
+"""`--set key=value`: change, add or remove one value of a design before it is checked."""
+
+import tomllib
+from itertools import pairwise
+from typing import Any
+
+from cadgen.design.explain import Place, section, spoken, unknown_key
+from cadgen.design.keys import keys, shown, tables
+from cadgen.errors import DesignError
+
+_MOST_DIGITS = 6  # of an item's number
+
+
+def override(values: dict[str, Any], text: str) -> Place:
+    """Apply one override to a design's raw values, in place, and return where it went.
+
+    `cam.thickness_mm=3.2` sets a key to a TOML value; a bare word is text. `cam.mid_plane_mm=` removes a key
+    or a whole section. Items of lists are counted from 1: `path.waypoints_mm.3=[1, 2]`.
+
+    Raises:
+        DesignError: not of the form key=value, an unknown key (with the nearest known one), an item that the
+            list does not have, or a value that is not TOML.
+    """
+    name, equals, written = (part.strip() for part in text.partition("="))
+    if not equals or not all(name.split(".")):
+        raise DesignError(f"{quoted(text)}: write it as key=value, such as --set cam.thickness_mm=3.2")
+    try:
+        place = _place(name)
+        _apply(values, place, written)
+    except DesignError as error:
+        raise DesignError(f"{quoted(text)}: {error}") from None
+    return place
+
+
+def quoted(text: str) -> str:
+    """An override as it stands at the head of an error: on one line, cut short if it is long."""
+    line = " ".join(f"--set {text}".split())
+    return line if len(line) <= 80 else line[:77] + "..."
+
+
+def _place(name: str) -> Place:
+    """Find a dotted name in the schema; after a key of lists its numbers count items."""
+    place: Place = ()
+    for part in name.split("."):
+        key = keys().get(section(place))
+        if key is None:
+            place = (*place, part)
+            if section(place) not in keys() and section(place) not in tables():
+                raise DesignError(unknown_key(place))
+        elif (
+            part.isdecimal()
+            and len(part) <= _MOST_DIGITS
+            and sum(isinstance(step, int) for step in place) < len(key.kinds) - 1
+        ):
+            place = (*place, int(part) - 1)
+        else:
+            items = ", or the number of one of its items" if len(key.kinds) > 1 else ""
+            raise DesignError(f"{name} is not a key: {spoken(place)} has no {part}; set {key.name} itself{items}")
+    return place
+
+
+def _apply(values: dict[str, Any], place: Place, written: str) -> None:
+    holder: Any = values
+    for step, below in pairwise(place):
+        if isinstance(step, str) and isinstance(holder, dict) and step not in holder:
+            if not written:
+                return
+            holder[step] = [] if isinstance(below, int) else {}
+        _refuse_absent(holder, step)
+        holder = holder[step]
+    last = place[-1]
+    if isinstance(last, int) or not isinstance(holder, dict):
+        _refuse_absent(holder, last)
+    if written:
+        holder[last] = _value(written)
+    elif isinstance(last, int) or last in holder:
+        del holder[last]
+
+
+def _refuse_absent(holder: object, step: str | int) -> None:
+    if isinstance(step, str):
+        if not isinstance(holder, dict):
+            raise DesignError(f"the design has {shown(holder)} where the section of {step} should be: correct it first")
+    elif not isinstance(holder, list) or not 0 <= step < len(holder):
+        count = len(holder) if isinstance(holder, list) else 0
+        raise DesignError(f"there is no item {step + 1}: the list has {count}, counted from 1")
+
+
+def _value(written: str) -> object:
+    """Read a TOML value; what is none but could be a bare word is text."""
+    try:
+        read = tomllib.loads(f"value = {written}")
+    except (ValueError, RecursionError):
+        read = {}
+    if set(read) == {"value"}:
+        return read["value"]
+    if written[:1] in {"[", "{", '"', "'"} or "\n" in written:
+        raise DesignError("the value is not TOML: check its brackets, quotes and commas")
+    return written

@@ -1,0 +1,93 @@
+"""The schema as a page: `python -m cadgen.design.reference > docs/design-file.md`."""
+
+from math import degrees
+
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.design.keys import Key, Table, last, shown, tables
+from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
+
+_HEAD = """\
+# The design file
+
+A design is a TOML file in UTF-8. Lengths are in mm, angles in degrees, small errors in µm; the unit stands
+at the end of a key's name. A key that is not listed here, a number in quotes, NaN or a value outside its
+range is an error, which names the key and what is allowed.
+
+The shortest useful design has a path, a car, a cam and a follower; everything else has a default:
+
+```toml
+[path]
+waypoints_mm = [[0.0, 0.0], [1500.0, 200.0], [2600.0, 1200.0], [4000.0, 1500.0], [5500.0, 1000.0]]
+
+[car]
+wheelbase_mm = 167.0
+drive_wheel_offset_mm = 37.0
+idle_wheel_offset_mm = 201.0
+
+[cam]
+base_radius_mm = 70.0
+mid_plane_mm = 25.0
+thickness_mm = 3.0
+
+[follower]
+radius_mm = 2.5
+```
+
+The designs {names} come with the program and go by name; without any it takes
+`{default}`.
+
+## Changing a value from the command line
+
+`--set` changes one value, and may be given more than once; the result is the same as that of an edited file.
+
+| written | does |
+|---|---|
+| `--set cam.thickness_mm=3.2` | sets a key |
+| `--set path.spline=cubic` | sets text; quotes are not needed |
+| `--set path.waypoints_mm.3=[4200, 260]` | sets the third item of a list |
+| `--set blank.d_flat.across_mm=7` | adds a section, if it is not there |
+| `--set cam.mid_plane_mm=` | removes a key, so that its default holds |
+| `--set blank.keyway=` | removes a section |
+
+## Keys
+"""
+
+_LIMITS = """
+## Limits of the pressure angle
+
+The names that `checks.pressure_angle_limit` takes. On the rise, the working stroke, the cam drives the rod
+outwards; on the return the spring drives it back.
+
+| name | rise | return | source |
+|---|---|---|---|
+"""
+
+
+def page() -> str:
+    """The reference page in Markdown, written from the schema."""
+    names = " and ".join(f"`{name}`" for name in packaged_designs())
+    sections = "".join(_section(table) for table in tables().values())
+    limits = "".join(
+        f"| `{name}` | {degrees(limit.rise):.0f}° | {degrees(limit.fall):.0f}° | {limit.source} |\n"
+        for name, limit in PRESSURE_ANGLE_LIMITS.items()
+    )
+    return _HEAD.format(names=names, default=DEFAULT_DESIGN) + sections + _LIMITS + limits
+
+
+def _section(table: Table) -> str:
+    head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
+    title = f"### [{table.name}]\n\n{table.meaning}" if table.name else "### Before the first section"
+    optional = "" if table.required else " May be left out."
+    return f"\n{title}{optional}\n\n{head}{''.join(_row(key) for key in table.keys)}"
+
+
+def _row(key: Key) -> str:
+    must = ", ".join(filter(None, [key.kinds[0], key.allowed]))
+    if key.allowed_inside:
+        must += f"; each number {key.allowed_inside}"
+    default = "required" if key.required else "" if key.default in (None, "") else f"`{shown(key.default)}`"
+    return f"| `{last(key.name)}` | {key.unit} | {must} | {default} | {key.meaning} |\n"
+
+
+if __name__ == "__main__":
+    print(page(), end="")

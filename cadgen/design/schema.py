@@ -1,0 +1,255 @@
+"""What a design file may say: its sections, keys, ranges and defaults.
+
+A unit stands at the end of a key's name; numbers here are as the file has them (mm, degrees, micrometres). A
+new section is a class and one line in `DesignFile`. Checks that compare keys stand in the section that holds
+them all; their messages are sentences for the user.
+"""
+
+import hashlib
+import json
+import re
+from typing import Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from cadgen.cam.limits import PressureAngleLimitName
+from cadgen.design.blank import Blank
+from cadgen.design.section import Point, Points, Section, Size, listed
+
+# What may be part of a file's name on every system, and of STEP's product data.
+_FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
+THINNEST_DISC_MM = 0.1
+
+
+class Path(Section):
+    """The path the car is to drive."""
+
+    spline: Literal["quintic", "cubic"] = Field(
+        default="quintic",
+        description="curve through the waypoints: the sixth-order natural spline of the paper's text, or the "
+        "cubic of its appendix, whose curvature has kinks",
+    )
+    offset_mm: float = Field(
+        default=0.0,
+        ge=-1000,
+        le=1000,
+        description="how far to the right of the drive wheel the waypoints' path runs",
+    )
+    waypoints_mm: Points = Field(min_length=4, description="[x, y] of each waypoint, in the order driven")
+
+
+class Arena(Section):
+    """The field the car drives on. The figures show it; the cam does not depend on it."""
+
+    corner_mm: Point = Field(default=(0.0, 0.0), description="[x, y] of the field's lower left corner")
+    size_mm: Size = Field(description="[width, height]")
+    obstacle_radius_mm: float = Field(default=50.0, gt=0, le=1000, description="of every obstacle")
+    obstacles_mm: Points = Field(default=(), description="[x, y] of each obstacle's centre")
+
+
+class Car(Section):
+    """The three-wheeled car in plan view. Its left rear wheel is driven."""
+
+    wheelbase_mm: float = Field(gt=0, le=2000, description="L, front fork axis to rear axle")
+    drive_wheel_offset_mm: float = Field(
+        ge=0, le=1000, description="A1, fork axis to the left, driven wheel, along the axle"
+    )
+    idle_wheel_offset_mm: float = Field(ge=0, le=1000, description="A2, fork axis to the right wheel, along the axle")
+    max_steering_angle_deg: float = Field(
+        default=35.0, gt=0, le=80, description="what the fork can turn to either side"
+    )
+
+
+class Cam(Section):
+    """The disc and its place. Two of the four keys from `inner_face_mm` to `thickness_mm` fix its faces."""
+
+    base_radius_mm: float = Field(gt=0, le=500, description="a, camshaft to fork axis")
+    inner_face_mm: float | None = Field(default=None, gt=0, le=500, description="fork axis to the disc's nearer face")
+    outer_face_mm: float | None = Field(default=None, gt=0, le=500, description="fork axis to the disc's farther face")
+    mid_plane_mm: float | None = Field(default=None, gt=0, le=500, description="e, fork axis to the disc's middle")
+    thickness_mm: float | None = Field(
+        default=None, ge=THINNEST_DISC_MM, le=100, description="C, between the disc's faces"
+    )
+    blend_deg: float = Field(
+        default=12.0,
+        gt=0,
+        lt=360,
+        description="last part of the turn, which leads the lift back to its start",
+    )
+
+    @property
+    def faces_mm(self) -> tuple[float, float]:
+        """Distances of the inner and of the outer face from the fork axis."""
+        match self._given_faces():
+            case {"mid_plane_mm": middle, "thickness_mm": thickness}:
+                return middle - thickness / 2, middle + thickness / 2
+            case {"mid_plane_mm": middle, "inner_face_mm": inner}:
+                return inner, 2 * middle - inner
+            case {"mid_plane_mm": middle, "outer_face_mm": outer}:
+                return 2 * middle - outer, outer
+            case {"inner_face_mm": inner, "thickness_mm": thickness}:
+                return inner, inner + thickness
+            case {"outer_face_mm": outer, "thickness_mm": thickness}:
+                return outer - thickness, outer
+            case {"inner_face_mm": inner, "outer_face_mm": outer}:
+                return inner, outer
+            case given:
+                raise AssertionError(f"no cam with {given} passes the schema")
+
+    def _given_faces(self) -> dict[str, float]:
+        names = ("inner_face_mm", "outer_face_mm", "mid_plane_mm", "thickness_mm")
+        return {name: value for name in names if (value := getattr(self, name)) is not None}
+
+    @model_validator(mode="after")
+    def _two_keys_fix_the_faces(self) -> "Cam":
+        given = self._given_faces()
+        have = listed([f"{name} = {value:g}" for name, value in given.items()], "and") or "none of them"
+        if len(given) < 2:
+            raise ValueError(
+                "cam needs exactly two of inner_face_mm, outer_face_mm, mid_plane_mm and thickness_mm, but "
+                f"has {have}: add {2 - len(given)} more"
+            )
+        if len(given) > 2:
+            drop = listed([f"--set cam.{name}=" for name in given], "or")
+            raise ValueError(
+                f"cam has {have}, but exactly two fix the faces: remove the others (on the command line with {drop})"
+            )
+        inner, outer = self.faces_mm
+        if inner > outer:
+            raise ValueError(
+                f"cam has {have}, which puts the faces in the wrong order, the inner one at {inner:g} mm and "
+                f"the outer one at {outer:g} mm: the inner face must be the one nearer to the fork axis"
+            )
+        if inner <= 0 or outer - inner < THINNEST_DISC_MM:
+            raise ValueError(
+                f"cam has {have}, which puts the faces at {inner:g} and {outer:g} mm from the fork axis: "
+                f"both must lie beyond it, at least {THINNEST_DISC_MM:g} mm apart"
+            )
+        return self
+
+
+class Follower(Section):
+    """The straight round rod on the fork that rides on the disc."""
+
+    radius_mm: float = Field(gt=0, le=100, description="r_t, of the rod: half its diameter")
+    length_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=2000,
+        description="fork axis to the rod's end; left out, twice the distance of the outer face",
+    )
+
+
+class Machining(Section):
+    """How the outline is milled (G-code)."""
+
+    cutter_diameter_mm: float = Field(default=4.0, gt=0, le=100, description="of the end mill")
+    feed_mm_per_min: float = Field(default=240.0, gt=0, le=100_000, description="along the outline")
+    plunge_feed_mm_per_min: float = Field(default=60.0, gt=0, le=100_000, description="downwards")
+    spindle_rpm: float = Field(default=8000.0, gt=0, le=200_000, description="speed of the spindle")
+    step_down_mm: float = Field(default=1.0, gt=0, le=100, description="greatest depth of one pass")
+    safe_height_mm: float = Field(
+        default=5.0, gt=0, le=500, description="above the disc, where the cutter may travel freely"
+    )
+    break_through_mm: float = Field(default=0.3, ge=0, le=20, description="how far below the disc the last pass goes")
+    lead_radius_mm: float = Field(default=3.0, gt=0, le=100, description="of the arcs that lead the cutter in and out")
+
+
+class Checks(Section):
+    """What a cam must keep to be exported."""
+
+    pressure_angle_limit: PressureAngleLimitName = Field(
+        default="norton_oscillating",
+        description="whose limits of the pressure angle hold; see the table below",
+    )
+    lost_lift_limit_um: float = Field(
+        default=1.0, gt=0, le=10_000, description="greatest lift that an undercut may cost"
+    )
+    min_convex_radius_mm: float = Field(
+        default=0.5,
+        ge=0,
+        le=100,
+        description="least radius of convex parts, so that no ridge wears; corners apart",
+    )
+    min_wall_mm: float = Field(default=2.0, ge=0, le=100, description="least wall between the outline and any hole")
+
+
+class Export(Section):
+    """How finely the files follow the exact outline."""
+
+    mesh_chord_um: float = Field(default=5.0, ge=0.1, le=1000, description="greatest chord error of STL and 3MF")
+    arc_tolerance_um: float = Field(
+        default=0.2, ge=0.01, le=1000, description="greatest error of the arcs in DXF and G-code"
+    )
+    point_count: int = Field(default=3600, ge=36, le=1_000_000, description="points of the xyz and CSV clouds")
+
+
+class DesignFile(Section):
+    """A design as its file gives it, checked, with the defaults filled in."""
+
+    name: str = Field(
+        default="",
+        description="what the exported files are named after; left out, the design file's own name",
+    )
+    path: Path
+    field: Arena | None = None
+    car: Car
+    cam: Cam
+    follower: Follower
+    blank: Blank = Blank()
+    machining: Machining = Machining()
+    checks: Checks = Checks()
+    export: Export = Export()
+
+    @field_validator("name")
+    @classmethod
+    def _name_suits_files(cls, name: str) -> str:
+        if not re.fullmatch(_FILE_NAME, name):
+            raise ValueError(
+                f'name is "{name[:80]}"; it must be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and '
+                "underscores, and begin with a letter or digit"
+            )
+        return name
+
+    @model_validator(mode="after")
+    def _rod_fits_the_disc(self) -> "DesignFile":
+        (inner, outer), rod = self.cam.faces_mm, self.follower
+        # A face nearer than this the rod cannot swing clear of (the divisor w^2 - h^2 in `cam.contact`).
+        if rod.radius_mm >= inner:
+            raise ValueError(
+                f"follower.radius_mm is {rod.radius_mm:g}; it must be less than the distance of the disc's "
+                f"inner face from the fork axis, {inner:g} mm: lower it, or move the disc outwards"
+            )
+        if rod.radius_mm >= self.cam.base_radius_mm:
+            raise ValueError(
+                f"follower.radius_mm is {rod.radius_mm:g}; it must be less than cam.base_radius_mm, which "
+                f"is {self.cam.base_radius_mm:g}: lower it, or raise cam.base_radius_mm"
+            )
+        if rod.length_mm is not None and rod.length_mm <= outer:
+            raise ValueError(
+                f"follower.length_mm is {rod.length_mm:g}; it must be greater than the distance of the "
+                f"disc's outer face from the fork axis, {outer:g} mm"
+            )
+        return self
+
+
+class Design(DesignFile):
+    """A design with where it comes from.
+
+    Attributes:
+        source: name of the file it was read from, without its folder.
+        overrides: the `--set` arguments applied, in order.
+    """
+
+    source: str
+    overrides: tuple[str, ...] = ()
+
+    def values(self) -> dict[str, object]:
+        """What the file would say with every default written out, as plain TOML or JSON values."""
+        return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude_none=True)
+
+    @property
+    def content_hash(self) -> str:
+        """SHA-256 of the canonical JSON of `values()`: of what the design says, not of how it is written."""
+        canonical = json.dumps(self.values(), sort_keys=True, separators=(",", ":"), allow_nan=False)
+        return hashlib.sha256(canonical.encode()).hexdigest()

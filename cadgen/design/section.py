@@ -1,0 +1,30 @@
+"""What all sections of a design file have in common."""
+
+from collections.abc import Sequence
+from typing import Annotated
+
+from annotated_types import Ge, Le
+from pydantic import BaseModel, ConfigDict, Strict
+
+FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
+
+Coordinate = Annotated[float, Ge(-FARTHEST_MM), Le(FARTHEST_MM)]
+Extent = Annotated[float, Ge(1.0), Le(FARTHEST_MM)]
+# TOML has lists only. They are kept as tuples, which stay frozen; strictness is for what they hold.
+Point = Annotated[tuple[Coordinate, Coordinate], Strict(False)]
+Points = Annotated[tuple[Point, ...], Strict(False)]
+Size = Annotated[tuple[Extent, Extent], Strict(False)]
+
+
+class Section(BaseModel):
+    """A frozen table of a design file: no unknown keys, no text for numbers, no NaN or infinity.
+
+    The docstring of a section and the descriptions of its keys make the reference page.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+
+def listed(items: Sequence[str], conjunction: str) -> str:
+    """Join words as in a sentence: a, b and c."""
+    return f"{', '.join(items[:-1])} {conjunction} {items[-1]}" if len(items) > 1 else "".join(items)

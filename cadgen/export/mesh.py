@@ -1,0 +1,240 @@
+"""The cam as a closed mesh, made of polygons by manifold3d and not by the CAD kernel; its STL and 3MF files.
+
+Each file is written by a library and read again without it: STL is written by trimesh and 3MF by lib3mf, and
+both are read here from their bytes. lib3mf could read STL, but welds vertices on a grid of 1 um and so would
+hide a flaw; trimesh could read 3MF, but only with two more libraries installed.
+"""
+
+import io
+import uuid
+import zipfile
+import zlib
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+import lib3mf
+import numpy as np
+import trimesh
+from manifold3d import CrossSection, Error, FillRule, Manifold, Mesh64
+from numpy.typing import NDArray
+from trimesh.exchange.stl import export_stl
+
+from cadgen.cam.blank import CamBlank, Hub
+from cadgen.curves.closed import ClosedCurve, Outline, cross
+from cadgen.curves.contour import Contour, circle
+from cadgen.curves.polygon import polygon
+from cadgen.errors import FileError
+
+Array = NDArray[np.float64]
+Triangles = NDArray[np.int64]
+
+# A chord that strays by e along the normal shifts the lift by e / cos(pressure angle): with half the
+# tolerance for the rim, the lift keeps it up to a pressure angle of 60 degrees.
+_RIM_SHARE = 0.5
+_OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
+_STEP = 0.1  # mm between the profile's points when the walls are measured
+
+_STL_HEADER = 80
+_STL_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+_MODEL = "3D/3dmodel.model"
+_CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+
+
+class Mesh(NamedTuple):
+    """Vertices, shape (n, 3), mm, and triangles, shape (m, 3), counterclockwise seen from outside."""
+
+    vertices: Array
+    triangles: Triangles
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class MeshContent:
+    """What a mesh is, measured.
+
+    Attributes:
+        rim: outline of the disc at z = 0, each chord one piece.
+        watertight: whether trimesh and manifold3d both find it closed, oriented and free of faults.
+        bodies: number of connected parts.
+        volume: mm^3.
+        wall_area: of all faces that are not horizontal, mm^2; the volume misses the true one by no more than
+            the chord tolerance times this.
+    """
+
+    rim: Outline
+    watertight: bool
+    bodies: int
+    volume: float
+    wall_area: float
+
+
+def cam_mesh(profile: ClosedCurve, blank: CamBlank, thickness: float, chord_tolerance: float) -> Mesh:
+    """Return the disc with its bore, holes and hub; z = 0 is the inner face, z = thickness the outer one.
+
+    Args:
+        profile: of the rim, mm.
+        blank: what else the disc has.
+        thickness: of the disc, mm.
+        chord_tolerance: what bore, holes and hub may stray from the true shape, and the lift that the rim
+            gives from the true lift, mm.
+
+    Raises:
+        DesignError: a hole cuts into another one, into the hub or through the profile.
+    """
+    blank.require_walls(profile.outline(_STEP))
+    rim = polygon(profile, _RIM_SHARE * chord_tolerance)
+    holes = [contour.polygon(chord_tolerance) for contour in blank.holes()]
+    bore = blank.bore()
+    if blank.hub is None:
+        solid = _prism([rim, bore.polygon(chord_tolerance), *holes], 0.0, thickness)
+    else:
+        solid = _with_hub(_prism([rim, *holes], 0.0, thickness), blank.hub, bore, thickness, chord_tolerance)
+    mesh = solid.to_mesh64()
+    return Mesh(np.asarray(mesh.vert_properties), np.asarray(mesh.tri_verts).astype(np.int64))
+
+
+def inspect(mesh: Mesh, step: float) -> MeshContent:
+    """Measure a mesh, as read from a file.
+
+    Args:
+        mesh: with vertices joined.
+        step: largest distance of two points of the rim, mm.
+
+    Raises:
+        FileError: the mesh has no closed outline at z = 0.
+    """
+    body = trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False)
+    # Copies: manifold3d takes no array that is read-only or out of order.
+    solid = Manifold(Mesh64(np.array(mesh.vertices, order="C"), mesh.triangles.astype(np.uint64, order="C")))
+    closed = body.is_watertight and body.is_winding_consistent and solid.status() == Error.NoError
+    upright = np.abs(body.face_normals[:, 2]) < 0.5
+    return MeshContent(
+        rim=_rim(mesh, step),
+        watertight=bool(closed),
+        bodies=int(body.body_count),
+        volume=float(body.volume),
+        wall_area=float(body.area_faces[upright].sum()),
+    )
+
+
+def stl_bytes(mesh: Mesh, name: str) -> bytes:
+    """Return a binary STL file; STL knows no unit, so the header says that it is mm."""
+    data = export_stl(trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False))
+    # Not "solid": readers take a file that begins so for text.
+    header = f"cadgen: {name}; mm".encode("ascii", "replace")[:_STL_HEADER].ljust(_STL_HEADER)
+    return bytes(header + data[_STL_HEADER:])
+
+
+def read_stl(path: Path) -> Mesh:
+    """Read a binary STL file and join the vertices that are equal bit for bit.
+
+    Raises:
+        FileError: the file cannot be read or is cut off.
+    """
+    data = _read(path)
+    count = int.from_bytes(data[_STL_HEADER : _STL_HEADER + 4], "little")
+    body = data[_STL_HEADER + 4 :]
+    if count == 0 or len(body) != count * _STL_RECORD.itemsize:
+        raise FileError(f"{path.name} is not a whole binary STL file: export it again")
+    corners = np.frombuffer(body, _STL_RECORD)["corners"].reshape(-1, 3)
+    vertices, index = np.unique(corners, axis=0, return_inverse=True)
+    return Mesh(vertices.astype(float), index.reshape(-1, 3))
+
+
+def threemf_bytes(mesh: Mesh, name: str, description: str) -> bytes:
+    """Return a 3MF file in mm; its identifiers come from the content, so equal parts give equal bytes."""
+    vertices, triangles = mesh.vertices.astype(np.float32), mesh.triangles.astype(np.uint32)
+    content = sha256(vertices.tobytes() + triangles.tobytes() + f"{name}\0{description}".encode()).hexdigest()
+    wrapper = lib3mf.get_wrapper()
+    model = wrapper.CreateModel()
+    model.SetUnit(lib3mf.ModelUnit.MilliMeter)
+    for key, value in (("Title", name), ("Description", description), ("Application", "cadgen")):
+        model.GetMetaDataGroup().AddMetaData("", key, value, "xs:string", True)
+    body = model.AddMeshObject()
+    body.SetName(name)
+    body.SetGeometry(
+        (lib3mf.Position * len(vertices)).from_buffer_copy(vertices),
+        (lib3mf.Triangle * len(triangles)).from_buffer_copy(triangles),
+    )
+    item = model.AddBuildItem(body, wrapper.GetIdentityTransform())
+    for role, identify in (("body", body.SetUUID), ("item", item.SetUUID), ("build", model.SetBuildUUID)):
+        identify(str(uuid.uuid5(uuid.NAMESPACE_OID, f"cadgen {role} {content}")))
+    return bytes(model.QueryWriter("3mf").WriteToBuffer())
+
+
+def read_3mf(path: Path) -> tuple[Mesh, str]:
+    """Read the only body of a 3MF file, and its name.
+
+    Raises:
+        FileError: the file cannot be read, is not in millimetres or does not hold exactly one body.
+    """
+    try:
+        with zipfile.ZipFile(io.BytesIO(_read(path))) as package:
+            model = ElementTree.fromstring(package.read(_MODEL))
+        bodies = list(model.iter(f"{_CORE}object"))
+        vertices = [[float(v.attrib[k]) for k in ("x", "y", "z")] for v in model.iter(f"{_CORE}vertex")]
+        triangles = [[int(t.attrib[k]) for k in ("v1", "v2", "v3")] for t in model.iter(f"{_CORE}triangle")]
+        mesh = Mesh(np.array(vertices), np.array(triangles))
+        whole = mesh.triangles.min() >= 0 and mesh.triangles.max() < len(vertices)
+    except (zipfile.BadZipFile, zlib.error, ElementTree.ParseError, KeyError, ValueError) as error:
+        raise FileError(f"{path.name} is not a whole 3MF file: export it again") from error
+    unit = model.get("unit")
+    if not whole or unit != "millimeter" or len(bodies) != 1:
+        raise FileError(f"{path.name} holds {len(bodies)} bodies in {unit}, not a whole one in millimeter")
+    return mesh, bodies[0].get("name", "")
+
+
+def _prism(polygons: list[Array], bottom: float, height: float) -> Manifold:
+    section = CrossSection(polygons, FillRule.EvenOdd)
+    return Manifold.extrude(section, height).translate((0.0, 0.0, bottom))
+
+
+def _with_hub(disc: Manifold, hub: Hub, bore: Contour, thickness: float, chord_tolerance: float) -> Manifold:
+    """Set the hub on a disc without bore, then cut bore and set screw through both."""
+    # From the disc's middle on, so that the two bodies do not merely touch.
+    low, high = sorted((thickness / 2, hub.level(hub.length, thickness)))
+    boss = _prism([circle((0.0, 0.0), hub.diameter / 2).polygon(chord_tolerance)], low, high - low)
+    bottom, top = min(low, 0.0) - _OVERSHOOT, max(high, thickness) + _OVERSHOOT
+    solid = disc + boss - _prism([bore.polygon(chord_tolerance)], bottom, top - bottom)
+    if screw := hub.set_screw:
+        section = circle((0.0, 0.0), screw.diameter / 2).polygon(chord_tolerance)
+        drill = _prism([section], 0.0, hub.diameter / 2 + _OVERSHOOT)
+        c, s, z = np.cos(screw.angle), np.sin(screw.angle), hub.level(screw.height, thickness)
+        # Lays the drill's axis, which is z, along the ray of the screw.
+        solid -= drill.transform(np.array([[0.0, -s, c, 0.0], [0.0, c, s, 0.0], [-1.0, 0.0, 0.0, z]]))
+    return solid
+
+
+def _rim(mesh: Mesh, step: float) -> Outline:
+    """The outer boundary of the faces at z = 0, counterclockwise; each chord a piece of at least five points."""
+    flat = (mesh.vertices[mesh.triangles][:, :, 2] == 0).all(axis=1)
+    edges = mesh.triangles[flat][:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    count = len(mesh.vertices)
+    inner = np.isin(edges @ [count, 1], edges @ [1, count])
+    after = dict(edges[~inner].tolist())
+    if not after:
+        raise FileError("the mesh has no face at z = 0: export it again")
+    boundary = np.array(list(after))
+    first = int(boundary[np.argmax(np.linalg.norm(mesh.vertices[boundary], axis=1))])
+    loop = [first]
+    while (following := after.pop(loop[-1], None)) not in (first, None):
+        loop.append(following)
+    if following is None:
+        raise FileError("the outline of the mesh at z = 0 is open: export it again")
+    corners = mesh.vertices[loop][:, :2]
+    if np.sum(cross(corners, np.roll(corners, -1, axis=0))) < 0:
+        corners = corners[::-1]
+    chords = np.roll(corners, -1, axis=0) - corners
+    counts = np.maximum(5, np.ceil(np.linalg.norm(chords, axis=1) / step).astype(int) + 1)
+    piece = np.repeat(np.arange(len(corners)), counts)
+    share = (np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts)) / (counts[piece] - 1)
+    return Outline(corners[piece] + share[:, None] * chords[piece], piece)
+
+
+def _read(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise FileError(f"cannot read {path.name}: {error.strerror}") from error

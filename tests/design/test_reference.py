@@ -1,0 +1,39 @@
+"""The reference page is what the schema says, and its example works."""
+
+import re
+from pathlib import Path
+
+from cadgen.design.keys import keys, last, tables
+from cadgen.design.load import load_design
+from cadgen.design.reference import page
+
+PAGE = Path(__file__).parents[2] / "docs" / "design-file.md"
+
+
+def test_the_page_is_up_to_date() -> None:
+    assert PAGE.read_text(encoding="utf-8") == page(), "run: python -m cadgen.design.reference > docs/design-file.md"
+
+
+def test_the_page_has_every_key() -> None:
+    rows = re.findall(r"^\| `(\w+)` \|", PAGE.read_text(encoding="utf-8").partition("## Keys")[2], re.MULTILINE)
+    limits = re.findall(r'"(\w+)"', keys()["checks.pressure_angle_limit"].allowed)
+    assert sorted(rows) == sorted([*map(last, keys()), *limits])
+
+
+def test_the_shortest_design_of_the_page_loads(tmp_path: Path) -> None:
+    (example,) = re.findall(r"```toml\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    (tmp_path / "mine.toml").write_text(example)
+    design = load_design(tmp_path / "mine.toml")
+    assert design.cam.faces_mm == (23.5, 26.5)
+    # Shortest: what must be there, and two keys for the faces.
+    required = [key for table in tables().values() if table.required for key in table.keys if key.required]
+    assert sorted(re.findall(r"^(\w+) =", example, re.MULTILINE)) == sorted(
+        [*(last(key.name) for key in required), "mid_plane_mm", "thickness_mm"]
+    )
+
+
+def test_the_overrides_of_the_page_work() -> None:
+    written = re.findall(r"\| `--set (.*?)` \|", PAGE.read_text(encoding="utf-8"))
+    assert len(written) == 6
+    # As they stand they leave the disc with one face only.
+    load_design(None, [*written, "cam.inner_face_mm=23"])
