@@ -1,12 +1,12 @@
-"""Bézier curves through the exact tooth curves: the polynomials that a CAD kernel and a STEP file can hold."""
+"""Bézier curves through the exact tooth curves: what a CAD kernel and a STEP file can hold."""
 
 from __future__ import annotations
 
 from functools import lru_cache
+from math import comb
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import comb
 
 from cadgen.errors import DesignError
 from cadgen.gears.outline import Curve, Points
@@ -14,29 +14,29 @@ from cadgen.gears.outline import Curve, Points
 # Degree 5 carries a whole flank and degree 8 a whole root of usual size; beyond 20 the pole matrix loses digits.
 LOWEST_DEGREE = 3
 HIGHEST_DEGREE = 20
-# The deviation is read at this many parameters: several between neighbouring zeros of any error polynomial used.
+# The deviation is read at this many parameters: several between neighbouring zeros of the error.
 DEVIATION_SAMPLES = 101
 
 
 def bernstein(degree: int, t: NDArray[np.float64]) -> NDArray[np.float64]:
     """Bernstein polynomials at `t`, shape (n,), as a matrix of shape (n, degree + 1)."""
-    i = np.arange(degree + 1)
-    column = t[:, None]
-    return np.asarray(comb(degree, i) * column**i * (1 - column) ** (degree - i), dtype=np.float64)
+    i, column = np.arange(degree + 1), t[:, None]
+    binomials = np.array([comb(degree, k) for k in range(degree + 1)], dtype=np.float64)
+    return np.asarray(binomials * column**i * (1 - column) ** (degree - i))
 
 
 @lru_cache(maxsize=HIGHEST_DEGREE)
 def _basis(degree: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     nodes = (1 - np.cos(np.pi * np.arange(degree + 1) / degree)) / 2
     samples = np.linspace(0.0, 1.0, DEVIATION_SAMPLES)
-    return nodes, np.linalg.inv(bernstein(degree, nodes)), bernstein(degree, samples)
+    return nodes, np.asarray(np.linalg.inv(bernstein(degree, nodes))), bernstein(degree, samples)
 
 
 def bezier_poles(curve: Curve, tolerance: float) -> Points:
     """Poles, shape (degree + 1,), of the Bézier curve of least degree within `tolerance` (mm) of `curve`.
 
-    The Bézier curve meets `curve` at the Chebyshev-Lobatto points of its parameter, so both ends are exact; the
-    deviation is measured across the curve. Raises `DesignError` if no degree up to `HIGHEST_DEGREE` is enough.
+    The Bézier curve meets `curve` at the Chebyshev-Lobatto points of its parameter, so both ends are exact;
+    the deviation is measured across the curve. Raises `DesignError` if `HIGHEST_DEGREE` is not enough.
     """
     samples = np.linspace(0.0, 1.0, DEVIATION_SAMPLES)
     exact, tangent = curve.point(samples), curve.tangent(samples)
@@ -48,5 +48,5 @@ def bezier_poles(curve: Curve, tolerance: float) -> Points:
             return np.asarray(poles)
     raise DesignError(
         f"a tooth curve cannot be drawn within {tolerance * 1e3:g} µm (degree {HIGHEST_DEGREE} leaves"
-        f" {deviation * 1e3:g} µm); choose a smaller module or a larger tolerance"
+        f" {deviation * 1e3:g} µm); choose a smaller module"
     )

@@ -13,13 +13,28 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from cadgen.curves.spacing import even_nodes, inside_spans
+
 Points = NDArray[np.complex128]
+Reals = NDArray[np.float64]
 
 # Gauss-Legendre nodes of one trochoid: its integrand is analytic and 40 nodes reach rounding (1e-15).
 AREA_NODES = 40
-# Samples from which a curve's turning is read: the chord count from them is right to about 1 %, and the
-# sag itself is checked afterwards.
-TURNING_SAMPLES = 129
+# Points of a chord at which its sag is read; the middle one meets the peak of an even bend.
+CHORD_SAMPLES = 8
+# Parameters at which radius and turning of a curve are read; ends and middle are among them.
+SHARES = np.linspace(0.0, 1.0, 65)
+# No chord turns by more, so that even a curve smaller than the tolerance keeps its shape.
+QUARTER_TURN = np.pi / 2
+
+
+def _share(start: float, end: float, t: ArrayLike) -> Reals:
+    return start + (end - start) * np.asarray(t, dtype=np.float64)
+
+
+def _unit(angle: ArrayLike) -> Points:
+    """exp(i·angle)."""
+    return np.asarray(np.exp(1j * np.asarray(angle)), dtype=np.complex128)
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,12 +46,12 @@ class Line:
 
     def point(self, t: ArrayLike) -> Points:
         """Points at t."""
-        return self.start + (self.end - self.start) * np.asarray(t, dtype=np.float64)
+        return np.asarray(self.start + (self.end - self.start) * np.asarray(t), dtype=np.complex128)
 
     def tangent(self, t: ArrayLike) -> Points:
         """Unit tangent at t."""
         step = self.end - self.start
-        return np.full(np.shape(t), step / abs(step))
+        return np.full(np.shape(t), step / abs(step), dtype=np.complex128)
 
     def swept_area(self) -> float:
         """½∫(x dy − y dx) in mm²."""
@@ -44,7 +59,7 @@ class Line:
 
     def rotated(self, angle: float) -> Self:
         """The curve turned about the origin by `angle` in rad."""
-        turn = complex(np.exp(1j * angle))
+        turn = complex(_unit(angle))
         return replace(self, start=self.start * turn, end=self.end * turn)
 
 
@@ -57,33 +72,31 @@ class Arc:
     sweep: float
     centre: complex = 0j
 
+    def _angle(self, t: ArrayLike) -> Reals:
+        return _share(self.start, self.start + self.sweep, t)
+
     def point(self, t: ArrayLike) -> Points:
         """Points at t."""
-        return self.centre + self.radius * np.exp(
-            1j * (self.start + self.sweep * np.asarray(t, dtype=np.float64))
-        )
+        return self.centre + self.radius * _unit(self._angle(t))
 
     def tangent(self, t: ArrayLike) -> Points:
         """Unit tangent at t."""
-        return (
-            np.sign(self.sweep)
-            * 1j
-            * np.exp(1j * (self.start + self.sweep * np.asarray(t, dtype=np.float64)))
-        )
+        return _unit(self._angle(t) + np.copysign(np.pi / 2, self.sweep))
 
     def swept_area(self) -> float:
         """½∫(x dy − y dx) in mm²."""
-        chord = np.exp(1j * (self.start + self.sweep)) - np.exp(1j * self.start)
-        return float(self.radius**2 * self.sweep + self.radius * (np.conj(self.centre) * chord / 1j).real) / 2
+        start, end = complex(self.point(0.0)), complex(self.point(1.0))
+        moment = (self.centre.conjugate() * (end - start)).imag
+        return float(self.radius**2 * self.sweep + moment) / 2
 
     def rotated(self, angle: float) -> Self:
         """The curve turned about the origin by `angle` in rad."""
-        return replace(self, start=self.start + angle, centre=complex(self.centre * np.exp(1j * angle)))
+        return replace(self, start=self.start + angle, centre=self.centre * complex(_unit(angle)))
 
 
 @dataclass(frozen=True, slots=True)
 class Involute:
-    """Involute r_b·exp(i(origin + hand·ξ))·(1 − i·hand·ξ) of the base circle, roll angle ξ from `roll_start` on.
+    """Involute r_b·exp(i(origin + hand·ξ))·(1 − i·hand·ξ) of the base circle over the roll angle ξ.
 
     `hand` is +1 where the polar angle grows with the radius and −1 where it falls.
     """
@@ -94,19 +107,15 @@ class Involute:
     roll_start: float
     roll_end: float
 
-    def _roll(self, t: ArrayLike) -> NDArray[np.float64]:
-        return self.roll_start + (self.roll_end - self.roll_start) * np.asarray(t, dtype=np.float64)
-
     def point(self, t: ArrayLike) -> Points:
         """Points at t."""
-        roll = self._roll(t)
-        return self.base_radius * np.exp(1j * (self.origin + self.hand * roll)) * (1 - 1j * self.hand * roll)
+        roll = self.hand * _share(self.roll_start, self.roll_end, t)
+        return self.base_radius * _unit(self.origin + roll) * (1 - 1j * roll)
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t; d(point)/dξ is r_b·ξ times the direction of the unwound base tangent's normal."""
-        return np.sign(self.roll_end - self.roll_start) * np.exp(
-            1j * (self.origin + self.hand * self._roll(t))
-        )
+        """Unit tangent at t: d(point)/dξ = r_b·ξ·exp(i(origin + hand·ξ))."""
+        roll = self.hand * _share(self.roll_start, self.roll_end, t)
+        return _unit(self.origin + roll) * float(np.sign(self.roll_end - self.roll_start))
 
     def swept_area(self) -> float:
         """½∫(x dy − y dx) = hand·r_b²·(ξ₂³ − ξ₁³)/6 in mm²."""
@@ -131,8 +140,8 @@ class Trochoid:
 
     The circle of radius ρ has its centre at the depth d_c below the rack's pitch line. When the centre is at
     u = d_c·sinh q along that line from the pitch point, the common normal through the pitch point meets the
-    circle at Q = (u + ρ·tanh q, r − d_c − ρ·sech q), and the gear has turned by u/r (law of gearing). The
-    parameter q is the one in which polynomials follow the curve best; it covers d_c of either sign and zero.
+    circle at Q = (u + ρ·tanh q, r − d_c − ρ·sech q), and the gear has turned by u/r (law of gearing). In q
+    polynomials of low degree follow the curve closely, and it serves d_c of either sign and zero.
     """
 
     reference_radius: float
@@ -143,28 +152,29 @@ class Trochoid:
     q_start: float
     q_end: float
 
-    def _turned(self, t: ArrayLike) -> tuple[NDArray[np.float64], Points]:
-        q = self.q_start + (self.q_end - self.q_start) * np.asarray(t, dtype=np.float64)
-        return q, np.exp(
-            1j * (self.origin + self.hand * self.centre_depth * np.sinh(q) / self.reference_radius)
-        )
+    def _q(self, t: ArrayLike) -> Reals:
+        return _share(self.q_start, self.q_end, t)
+
+    def _turn(self, q: Reals) -> Points:
+        rolled = self.centre_depth * np.sinh(q) / self.reference_radius
+        return _unit(self.origin + self.hand * rolled)
 
     def point(self, t: ArrayLike) -> Points:
         """Points at t."""
-        q, turn = self._turned(t)
+        q = self._q(t)
         along = self.centre_depth * np.sinh(q) + self.tip_radius * np.tanh(q)
         outward = self.reference_radius - self.centre_depth - self.tip_radius / np.cosh(q)
-        return (outward - 1j * self.hand * along) * turn
+        return (outward - 1j * self.hand * along) * self._turn(q)
 
     def tangent(self, t: ArrayLike) -> Points:
         """Unit tangent at t: across the common normal."""
-        q, turn = self._turned(t)
-        return np.sign(self.q_end - self.q_start) * (np.tanh(q) - 1j * self.hand / np.cosh(q)) * turn
+        q, sense = self._q(t), float(np.sign(self.q_end - self.q_start))
+        return self._turn(q) * (np.tanh(q) - 1j * self.hand / np.cosh(q)) * sense
 
-    def _speed(self, t: ArrayLike) -> NDArray[np.float64]:
-        # The gear turns about the pitch point, at the distance d_c·cosh q + ρ from the contact, while the contact
+    def _speed(self, t: ArrayLike) -> Reals:
+        # The gear turns about the pitch point, d_c·cosh q + ρ away from the contact, while the contact
         # walks along the circle of radius ρ.
-        q = self.q_start + (self.q_end - self.q_start) * np.asarray(t, dtype=np.float64)
+        q = self._q(t)
         reach = self.centre_depth * np.cosh(q)
         rate = self.tip_radius / np.cosh(q) + reach / self.reference_radius * (reach + self.tip_radius)
         return abs(self.q_end - self.q_start) * rate
@@ -192,45 +202,39 @@ class Trochoid:
 Curve = Line | Arc | Involute | Trochoid
 
 
-def chord_parameters(curve: Curve, chord_tolerance: float) -> NDArray[np.float64]:
+def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
     """Parameters 0 = t_0 < … < t_n = 1 whose chords stay within `chord_tolerance` (mm) of the curve.
 
-    The sag of a chord is κ·s²/8, so equal shares of ∫√κ ds give equal sags and the fewest chords.
+    The sag of a chord grows with the square of its length, and the spacing makes all sags equal.
     """
     if isinstance(curve, Line):
         return np.array([0.0, 1.0])
-    t = np.linspace(0.0, 1.0, TURNING_SAMPLES)
-    turning = np.abs(np.angle(curve.tangent(t[1:]) / curve.tangent(t[:-1])))
-    share = np.concatenate(([0.0], np.cumsum(np.sqrt(turning * np.abs(np.diff(curve.point(t)))))))
-    count = max(1, int(np.ceil(share[-1] / np.sqrt(8 * chord_tolerance))))
-    while True:
-        nodes = np.interp(np.linspace(0.0, share[-1], count + 1), share, t)
-        if _sag(curve, nodes) <= chord_tolerance:
-            return nodes
-        count += 1
 
+    def sags(nodes: Reals) -> Reals:
+        points = curve.point(inside_spans(nodes, CHORD_SAMPLES))
+        inside, ends = points[:-1].reshape(-1, CHORD_SAMPLES), points[::CHORD_SAMPLES]
+        chord = np.diff(ends)[:, None]
+        across = ((inside - inside[:, :1]) * np.conj(chord / np.abs(chord))).imag
+        return np.asarray(np.abs(across).max(axis=1))
 
-def _sag(curve: Curve, nodes: NDArray[np.float64]) -> float:
-    """Largest distance between the chords at `nodes` and the curve, read at seven points of each chord."""
-    inside = np.linspace(0.0, 1.0, 9)[1:-1, None]
-    ends = curve.point(nodes)
-    chord = np.diff(ends)
-    points = curve.point(nodes[:-1] + inside * np.diff(nodes))
-    return float(np.max(np.abs(((points - ends[:-1]) * np.conj(chord)).imag) / np.abs(chord)))
+    turning = np.abs(np.angle(curve.tangent(SHARES[1:]) / curve.tangent(SHARES[:-1]))).sum()
+    return even_nodes(sags, (0.0, 1.0), chord_tolerance, 2, at_least=max(1, int(np.ceil(turning / QUARTER_TURN))))
 
 
 @dataclass(frozen=True, slots=True)
-class Outline:
-    """Closed counter-clockwise curve about the origin: `curves`, then their `repeats` − 1 copies turned on by 2π/repeats."""
+class GearOutline:
+    """Closed counter-clockwise curve: `curves` end to end, and their copies turned by 2π/`repeats`.
+
+    Arcs in it run counter-clockwise.
+    """
 
     curves: tuple[Curve, ...]
     repeats: int = 1
 
     @property
     def radii(self) -> tuple[float, float]:
-        """Least and greatest distance from the origin, in mm (read at `TURNING_SAMPLES` points of each curve)."""
-        t = np.linspace(0.0, 1.0, TURNING_SAMPLES)
-        distance = np.abs([curve.point(t) for curve in self.curves])
+        """Least and greatest distance from the origin in mm, among the points at `SHARES` of each curve."""
+        distance = np.abs([curve.point(SHARES) for curve in self.curves])
         return float(distance.min()), float(distance.max())
 
     @property
@@ -240,8 +244,19 @@ class Outline:
 
     def polygon(self, chord_tolerance: float) -> Points:
         """Corners, shape (n,), on the outline, whose chords stay within `chord_tolerance` (mm) of it."""
-        pitch = np.concatenate(
-            [curve.point(chord_parameters(curve, chord_tolerance)[:-1]) for curve in self.curves]
-        )
-        turns = np.exp(2j * np.pi / self.repeats * np.arange(self.repeats))
-        return (turns[:, None] * pitch).ravel()
+        pitch = np.concatenate([curve.point(chord_parameters(curve, chord_tolerance)[:-1]) for curve in self.curves])
+        return np.asarray(np.outer(self.turns, pitch).ravel())
+
+    @property
+    def turns(self) -> Points:
+        """exp(i·angle) of the copies, shape (repeats,)."""
+        return _unit(2 * np.pi / self.repeats * np.arange(self.repeats))
+
+    def rotated(self, angle: float) -> GearOutline:
+        """The outline turned about the origin by `angle` in rad."""
+        return GearOutline(tuple(curve.rotated(angle) for curve in self.curves), self.repeats)
+
+
+def circle(diameter: float, centre: complex = 0j) -> GearOutline:
+    """Circle of `diameter` (mm) as an outline."""
+    return GearOutline((Arc(diameter / 2, 0.0, 2 * np.pi, centre),))

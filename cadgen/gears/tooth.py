@@ -1,12 +1,12 @@
 """Form of a spur gear's tooth, as a rack with a rounded tip generates it (ISO 21771-1, basic rack ISO 53).
 
-The gear is given by numbers (`GearForm`); `tooth_of` resolves them into the exact curves of one tooth: involute
-flanks, trochoid roots, undercut where the rack undercuts. Helical teeth can follow: everything is computed
-from the transverse module and pressure angle, which for a spur gear are the normal ones.
+The gear is given by numbers (`GearForm`); `tooth_of` resolves them into the exact curves of one tooth:
+involute flanks, trochoid roots, undercut where the rack undercuts. Helical teeth can follow: everything is
+computed from the transverse module and pressure angle, which for a spur gear are the normal ones.
 
-Choice of cutting: the tooth-thickness deviation E_sn is made by feeding the rack, so the root follows the flanks
-(generating profile shift x_E = x + E_sn / (2 m_n tan α_n), ISO 21771-1), while the tip circle is turned
-to the nominal x before cutting.
+Choice of cutting: the tooth-thickness deviation E_sn is made by feeding the rack, so the root follows the
+flanks (generating profile shift x_E = x + E_sn / (2 m_n tan α_n), ISO 21771-1), while the tip circle is
+turned to the nominal x before cutting.
 """
 
 from __future__ import annotations
@@ -20,31 +20,35 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
-from cadgen.gears.outline import Arc, Curve, Involute, Line, Outline, Trochoid
+from cadgen.gears.outline import Arc, Curve, GearOutline, Involute, Line, Trochoid
 
 MINIMUM_TEETH = 4
 # Outside these the basic rack has either no straight flank of use or no width at its tip.
 PRESSURE_ANGLE_RANGE = (radians(10.0), radians(35.0))
-# In modules: least tip land, neck above an undercut and height of flank. Less is pointed or severed for any cutter.
+# In modules: least tip land, neck above an undercut and height of flank; with less, teeth are pointed or break.
 LEAST_THICKNESS = 0.05
 # In modules: a sharper rack tip is no tool, and its root curve may shrink to a point.
 LEAST_RACK_TIP_RADIUS = 0.01
-# In modules: a flat at the rack's tip of no more than this is a full radius typed with few digits; the radius is
-# then taken as the full one (0.003 µm per mm of module away at most), so that no edge is shorter than kernels bear.
+# In modules: a flat at the rack's tip of no more than this is a full radius typed with few digits, and taken as one
+# (0.003 µm per mm of module away at most), so that no edge is shorter than kernels bear.
 LEAST_FLAT = 2e-6
 # In mm: a smaller chamfer is no chamfer.
 LEAST_CHAMFER = 1e-3
+# Roll angle (rad) up to which root and involute still meet at the base circle: the gap there is 2/3 of its
+# cube times the base radius, 0.002 nm at 100 mm.
+TANGENT_ROLL = 3e-4
 # Points at which a root curve is searched for its narrowest place.
 NECK_SAMPLES = 65
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GearForm:
-    """Numbers of one external spur gear, lengths in mm and angles in rad; the factors are multiples of the module.
+    """Numbers of one external spur gear: lengths in mm, angles in rad, factors in modules.
 
-    `dedendum_factor` (h_fP*) and `rack_tip_radius_factor` (ρ_fP*) are those of the basic rack, by default ISO 53
-    profile A. `tooth_thickness_deviation` is E_sn, signed: negative thins the tooth. `tip_chamfer` is the leg of the
-    chamfer along the tip circle and along the radius. Raises `DesignError` for a number outside its range.
+    `dedendum_factor` (h_fP*) and `rack_tip_radius_factor` (ρ_fP*) are those of the basic rack, by default ISO
+    53 profile A. `tooth_thickness_deviation` is E_sn, signed: negative thins the tooth. `tip_chamfer` is the
+    leg of the chamfer along the tip circle and along the radius. Raises `DesignError` for a number outside
+    its range.
     """
 
     teeth: int
@@ -60,18 +64,12 @@ class GearForm:
 
     def __post_init__(self) -> None:
         if not isinstance(self.teeth, Integral) or self.teeth < MINIMUM_TEETH:
-            raise DesignError(
-                f"a gear has {self.teeth} teeth; give a whole number of at least {MINIMUM_TEETH}"
-            )
+            raise DesignError(f"a gear has {self.teeth} teeth; give a whole number of at least {MINIMUM_TEETH}")
         for name in ("normal_module", "width", "addendum_factor", "dedendum_factor"):
             self._require(name, getattr(self, name) > 0, "a number above 0")
         radius, chamfer = self.rack_tip_radius_factor, self.tip_chamfer
-        self._require(
-            "rack_tip_radius_factor", radius >= LEAST_RACK_TIP_RADIUS, f"{LEAST_RACK_TIP_RADIUS} or more"
-        )
-        self._require(
-            "tip_chamfer", chamfer == 0 or chamfer >= LEAST_CHAMFER, f"0, or {LEAST_CHAMFER} mm or more"
-        )
+        self._require("rack_tip_radius_factor", radius >= LEAST_RACK_TIP_RADIUS, f"{LEAST_RACK_TIP_RADIUS} or more")
+        self._require("tip_chamfer", chamfer == 0 or chamfer >= LEAST_CHAMFER, f"0, or {LEAST_CHAMFER} mm or more")
         for name in ("profile_shift", "tooth_thickness_deviation"):
             self._require(name, True, "a finite number")
         low, high = PRESSURE_ANGLE_RANGE
@@ -155,9 +153,9 @@ class GearForm:
 class Tooth:
     """One resolved tooth of `form`, centred on the x axis.
 
-    `root_form_diameter` is where the usable flank starts, `undercut` whether the root cuts into the involute there.
-    `upper_flank` and `upper_root` run outwards on the side of growing angle; `root_flat_angle` is half the
-    angle of the root circle's arc between two roots, `tip_half_angle` that of the land on the tip circle.
+    `root_form_diameter` is where the usable flank starts, `undercut` whether the root cuts into the involute
+    there. `upper_flank` and `upper_root` run outwards on the side of growing angle; `root_flat_angle` is half
+    the angle of the root circle's arc between two roots, `tip_half_angle` that of the land on the tip circle.
     """
 
     form: GearForm
@@ -174,8 +172,8 @@ class Tooth:
         return self.tip_half_angle * self.form.tip_diameter
 
     @property
-    def outline(self) -> Outline:
-        """Transverse section of the whole gear: root, flank, tip, flank, root and root circle, once per tooth."""
+    def outline(self) -> GearOutline:
+        """Transverse section of the whole gear: root, flank, tip, flank, root and root circle per tooth."""
         form = self.form
         tip = Arc(form.tip_diameter / 2, -self.tip_half_angle, 2 * self.tip_half_angle)
         curves: list[Curve] = [self.upper_root.mirrored(), self.upper_flank.mirrored()]
@@ -190,42 +188,51 @@ class Tooth:
         if self.root_flat_angle > 0:
             gap = pi / form.teeth - self.root_flat_angle
             curves.append(Arc(form.root_diameter / 2, gap, 2 * self.root_flat_angle))
-        return Outline(tuple(curves), form.teeth)
+        return GearOutline(tuple(curves), form.teeth)
 
 
 def tooth_of(form: GearForm) -> Tooth:
     """Exact curves of one tooth of `form`.
 
-    The flank of the rack makes the involute down to the depth h_Ff = d_c + ρ sin α below the pitch line, at the roll angle
-    ξ_Ff = tan α − h_Ff / (r sin α cos α); its rounded tip makes the root, tangent to the flank there. A negative ξ_Ff
-    is undercut: the root then cuts the involute off where both have the same radius and angle (ISO 21771-1).
+    The flank of the rack makes the involute down to the depth h_Ff = d_c + ρ sin α below the pitch line, at
+    the roll angle ξ_Ff = tan α − h_Ff / (r sin α cos α); its rounded tip makes the root, tangent to the flank
+    there. A negative ξ_Ff is undercut: the root then cuts the involute off where both have the same radius
+    and angle (ISO 21771-1).
 
-    Raises `DesignError` if the rack has no such tip radius, if the teeth are pointed or severed, if undercut or chamfer
-    leave no flank, or if nothing is left inside the root.
+    Raises `DesignError` if the rack has no such tip radius, if the teeth are pointed or severed, if undercut
+    or chamfer leave no flank, or if nothing is left inside the root.
     """
-    module, radius, angle = (
-        form.transverse_module,
-        form.reference_diameter / 2,
-        form.transverse_pressure_angle,
-    )
+    module, angle = form.transverse_module, form.transverse_pressure_angle
+    radius = form.reference_diameter / 2
     flat, tip_radius = _rack_tip(form)
     centre_depth = module * (form.dedendum_factor - form.generating_profile_shift) - tip_radius
     if form.root_diameter <= 0:
         raise DesignError(
-            f"{form} has a root diameter of {form.root_diameter:.4g} mm; raise profile_shift or the number of teeth"
+            f"{form} has a root diameter of {form.root_diameter:.4g} mm; raise profile_shift or the teeth"
         )
     root = Trochoid(
-        radius, centre_depth, tip_radius, pi / form.teeth - flat / radius, 1, 0.0, asinh(1 / tan(angle))
+        reference_radius=radius,
+        centre_depth=centre_depth,
+        tip_radius=tip_radius,
+        origin=pi / form.teeth - flat / radius,
+        hand=1,
+        q_start=0.0,
+        q_end=asinh(1 / tan(angle)),
     )
     depth = centre_depth + tip_radius * sin(angle)
     roll = tan(angle) - depth / (radius * sin(angle) * cos(angle))
-    undercut = roll < 0
+    undercut = roll < -TANGENT_ROLL
     if undercut:
         root, roll = _undercut(form, root)
+    roll = abs(roll)
     root_form_diameter = form.base_diameter * sqrt(1 + roll**2)
     tip_half_angle = _tip_half_angle(form, root_form_diameter)
     flank = Involute(
-        form.base_diameter / 2, form.base_half_angle, -1, roll, form.roll_angle(form.tip_form_diameter)
+        base_radius=form.base_diameter / 2,
+        origin=form.base_half_angle,
+        hand=-1,
+        roll_start=roll,
+        roll_end=form.roll_angle(form.tip_form_diameter),
     )
     neck = 2 * float(np.min(root.point(np.linspace(0.0, 1.0, NECK_SAMPLES)).imag))
     if neck < LEAST_THICKNESS * module:
@@ -261,8 +268,8 @@ def _rack_tip(form: GearForm) -> tuple[float, float]:
     flat = half_width - form.rack_tip_radius_factor * (1 - sin(angle)) / cos(angle)
     if flat < -LEAST_FLAT:
         raise DesignError(
-            f"{form} has rack_tip_radius_factor = {form.rack_tip_radius_factor:g}, which does not fit the rack's tip;"
-            f" give at most {largest:.6f}"
+            f"{form} has rack_tip_radius_factor = {form.rack_tip_radius_factor:g}, too large for the rack's"
+            f" tip; give at most {largest:.6f}"
         )
     if flat <= LEAST_FLAT:
         return 0.0, module * largest
@@ -287,19 +294,18 @@ def _undercut(form: GearForm, root: Trochoid) -> tuple[Trochoid, float]:
 def _tip_half_angle(form: GearForm, root_form_diameter: float) -> float:
     """Half the angle of the tip land, after the checks that land and flank are there."""
     least = LEAST_THICKNESS * form.normal_module
-    land = 0.0
-    if form.tip_diameter > form.base_diameter:
-        land = form.half_angle(form.tip_diameter) * form.tip_diameter
-    if land < least:
-        raise DesignError(
-            f"{form} has pointed teeth: its tip land is {land:.4g} mm, and {least:.4g} mm is the least;"
-            f" lower profile_shift from {form.profile_shift:g} or addendum_factor from {form.addendum_factor:g}"
-        )
     flank = (form.tip_diameter - root_form_diameter) / 2
     if flank < least:
         raise DesignError(
             f"{form} has no flank left: its root reaches to {root_form_diameter:.4g} mm, its tip to"
             f" {form.tip_diameter:.4g} mm; raise profile_shift from {form.profile_shift:g} or addendum_factor"
+        )
+    land = form.half_angle(form.tip_diameter) * form.tip_diameter
+    if land < least:
+        raise DesignError(
+            f"{form} has pointed teeth: its tip land is {land:.4g} mm, and {least:.4g} mm is the least; lower"
+            f" profile_shift ({form.profile_shift:g}), addendum_factor ({form.addendum_factor:g}) or the thinning"
+            f" (E_sn = {form.tooth_thickness_deviation * 1e3:g} µm)"
         )
     largest = min((land - least) / 2, flank - least)
     if form.tip_chamfer > largest:

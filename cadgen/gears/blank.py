@@ -1,0 +1,276 @@
+"""What a gear has besides its teeth: bore, keyway, hub, web, lightening holes, and the walls they leave."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import asin, cos, hypot, inf, isfinite, pi, sin
+
+import numpy as np
+
+from cadgen.errors import DesignError
+from cadgen.gears.body import Body, RadialHole, Slab
+from cadgen.gears.outline import Arc, GearOutline, Line, circle
+from cadgen.gears.tooth import GearForm, tooth_of
+
+# Least rim under the root in tooth heights: ISO 6336-3 gives no rim factor for a thinner one.
+LEAST_RIM = 0.5
+# Least wall elsewhere in mm: thinner ones bend under the cutter.
+LEAST_WALL = 0.4
+# DIN 6885-1 (ISO 773): bore above and up to, in mm; width b and depth t2 of the keyway in the hub, in mm.
+STANDARD_KEYWAYS = (
+    (6.0, 8.0, 2.0, 1.0),
+    (8.0, 10.0, 3.0, 1.4),
+    (10.0, 12.0, 4.0, 1.8),
+    (12.0, 17.0, 5.0, 2.3),
+    (17.0, 22.0, 6.0, 2.8),
+    (22.0, 30.0, 8.0, 3.3),
+    (30.0, 38.0, 10.0, 3.3),
+    (38.0, 44.0, 12.0, 3.3),
+    (44.0, 50.0, 14.0, 3.8),
+    (50.0, 58.0, 16.0, 4.3),
+    (58.0, 65.0, 18.0, 4.4),
+    (65.0, 75.0, 20.0, 4.9),
+    (75.0, 85.0, 22.0, 5.4),
+    (85.0, 95.0, 25.0, 5.4),
+    (95.0, 110.0, 28.0, 6.4),
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Keyway:
+    """Keyway in the bore: `width` b and `depth` t2 in mm, so that bore and keyway together span d + t2."""
+
+    width: float
+    depth: float
+
+    @classmethod
+    def standard(cls, bore_diameter: float) -> Keyway:
+        """The keyway of DIN 6885-1 (ISO 773) for a bore in mm; `DesignError` for one it does not cover."""
+        for above, up_to, width, depth in STANDARD_KEYWAYS:
+            if above < bore_diameter <= up_to:
+                return cls(width=width, depth=depth)
+        raise DesignError(
+            f"no keyway is standardised for a bore of {bore_diameter:g} mm; give a bore above 6 up to 110 mm,"
+            " or the keyway's own width and depth"
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hub:
+    """Round hub that stands `length` above the face; a radial set screw goes through it at half that length.
+
+    All in mm. A hub of no length is flush with the face and only bounds a web; a set screw of 0 is none.
+    """
+
+    diameter: float
+    length: float = 0.0
+    set_screw_diameter: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Web:
+    """Disc midway along the teeth between hub and rim, and the rim's thickness under the root; in mm."""
+
+    thickness: float
+    rim_thickness: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lightening:
+    """`count` round holes (mm) on the circle midway between rim and hub, or root and bore without them."""
+
+    count: int
+    hole_diameter: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GearBlank:
+    """What a gear has besides its teeth; None, and a bore of 0, leave a feature out."""
+
+    bore_diameter: float = 0.0
+    keyway: Keyway | None = None
+    hub: Hub | None = None
+    web: Web | None = None
+    lightening: Lightening | None = None
+
+
+def gear_body(form: GearForm, blank: GearBlank | None = None) -> Body:
+    """The body of one gear between the heights 0 and `form.width`, its hub above.
+
+    Without `blank` it is a plain disc. Raises `DesignError` for a tooth that cannot be cut (`tooth_of`) and for
+    features that cut into each other, into the teeth, or leave too thin a wall.
+    """
+    blank = blank or GearBlank()
+    teeth = tooth_of(form).outline
+    _check_bore(blank, form)
+    _check_web(blank, form)
+    _check_hub(blank, form)
+    bore, holes = _bore(blank), _lightening_holes(blank, form)
+    hub = (circle(blank.hub.diameter),) if blank.hub else ()
+    width = form.width
+    slabs = [Slab(0.0, width, (teeth, *bore), holes)]
+    if blank.web:
+        low, high = (width - blank.web.thickness) / 2, (width + blank.web.thickness) / 2
+        recessed = (teeth, circle(_rim_diameter(blank, form)), *hub, *bore)
+        disc = Slab(low, high, (teeth, *bore), holes)
+        slabs = [Slab(0.0, low, recessed), disc, Slab(high, width, recessed)]
+    if not (blank.hub and blank.hub.length):
+        return Body(tuple(slabs))
+    slabs.append(Slab(width, width + blank.hub.length, (*hub, *bore)))
+    if not blank.hub.set_screw_diameter:
+        return Body(tuple(slabs))
+    middle = width + blank.hub.length / 2
+    screw = RadialHole(len(slabs) - 1, blank.hub.set_screw_diameter, middle, reach=blank.hub.diameter)
+    return Body(tuple(slabs), screw)
+
+
+def cluster_body(lower: GearForm, upper: GearForm, blank: GearBlank | None = None, turn: float = 0.0) -> Body:
+    """Two gears on one shaft as one body: `lower` made from `blank`, its hub as a collar, and `upper` on top.
+
+    `turn` (rad) turns `upper` against `lower`. Raises `DesignError` as `gear_body` does, and where `upper`
+    does not fit on the face or the collar it stands on.
+    """
+    blank = blank or GearBlank()
+    body = gear_body(lower, blank)
+    _check_bore(blank, upper)
+    if blank.hub and blank.hub.length:
+        _require(
+            blank.hub.diameter < upper.root_diameter,
+            f"the collar of {blank.hub.diameter:g} mm stands in the teeth of {upper};"
+            f" give a hub diameter under {upper.root_diameter:.4g} mm",
+        )
+    else:
+        seat = blank.hub.diameter if blank.hub else lower.root_diameter
+        _require(
+            upper.tip_diameter <= seat - 2 * LEAST_WALL,
+            f"{upper} does not fit on the {seat:.4g} mm that {lower} offers it;"
+            " put a collar (a hub with a length) between them",
+        )
+    top = body.slabs[-1].end
+    teeth = tooth_of(upper).outline.rotated(turn)
+    return Body((*body.slabs, Slab(top, top + upper.width, (teeth, *_bore(blank)))), body.radial_hole)
+
+
+def _require(holds: bool, message: str) -> None:
+    if not holds:
+        raise DesignError(message)
+
+
+def _require_positive(form: GearForm, **lengths: float) -> None:
+    for name, value in lengths.items():
+        _require(
+            isfinite(value) and value > 0,
+            f"{form} has a {name.replace('_', ' ')} of {value:g} mm; give more than 0, or leave it out",
+        )
+
+
+def _least_rim(form: GearForm) -> float:
+    return LEAST_RIM * (form.tip_diameter - form.root_diameter) / 2
+
+
+def _rim_diameter(blank: GearBlank, form: GearForm) -> float:
+    """Where the rim ends inwards: at the web's recess if there is one, else as deep as the teeth need it."""
+    return form.root_diameter - 2 * (blank.web.rim_thickness if blank.web else _least_rim(form))
+
+
+def _reach(blank: GearBlank) -> float:
+    """Diameter of the circle that holds bore and keyway."""
+    radius = blank.bore_diameter / 2
+    if blank.keyway:
+        radius = hypot(radius + blank.keyway.depth, blank.keyway.width / 2)
+    return 2 * radius
+
+
+def _check_bore(blank: GearBlank, form: GearForm) -> None:
+    """The keyway must fit the bore, and both must leave a rim under the root."""
+    key, bore = blank.keyway, blank.bore_diameter
+    _require(isfinite(bore) and bore >= 0, f"{form} has a bore of {bore:g} mm; give more than 0, or 0 for none")
+    if key:
+        _require_positive(form, keyway_width=key.width, keyway_depth=key.depth)
+        _require(
+            key.width < bore,
+            f"{form} has a keyway of {key.width:g} mm width in a bore of {bore:g} mm; give a narrower one",
+        )
+    largest = form.root_diameter - 2 * _least_rim(form)
+    _require(
+        _reach(blank) <= largest,
+        f"{form} has a {'keyway' if key and bore <= largest else 'bore'} that reaches to"
+        f" {_reach(blank):.4g} mm diameter under its root of {form.root_diameter:.4g} mm;"
+        f" keep it within {largest:.4g} mm",
+    )
+
+
+def _check_web(blank: GearBlank, form: GearForm) -> None:
+    """A web needs a hub to stand on, a width to be thinner than and a rim that carries the teeth."""
+    if not blank.web:
+        return
+    web, thickest = blank.web, form.width - 2 * LEAST_WALL
+    _require(blank.hub is not None, f"{form} has a web but no hub; give the hub's diameter")
+    _require(
+        LEAST_WALL <= web.thickness <= thickest,
+        f"{form} has a web of {web.thickness:g} mm in a width of {form.width:g} mm;"
+        f" give {LEAST_WALL:g} to {thickest:.4g} mm",
+    )
+    _require(
+        web.rim_thickness >= _least_rim(form),
+        f"{form} has a rim of {web.rim_thickness:g} mm under its root; give at least {_least_rim(form):.4g} mm",
+    )
+
+
+def _check_hub(blank: GearBlank, form: GearForm) -> None:
+    """The hub must hold the bore and the set screw, and stay inside the root or the rim."""
+    if not blank.hub:
+        return
+    hub = blank.hub
+    _require(
+        isfinite(hub.length) and (hub.length > 0 or (hub.length == 0 and blank.web is not None)),
+        f"{form} has a hub of {hub.length:g} mm length; give more than 0, or 0 and a web",
+    )
+    least = _reach(blank) + 2 * LEAST_WALL
+    largest = (_rim_diameter(blank, form) if blank.web else form.root_diameter) - 2 * LEAST_WALL
+    _require(
+        least <= hub.diameter <= largest,
+        f"{form} has a hub of {hub.diameter:g} mm between its bore and its teeth; give {least:.4g} to {largest:.4g} mm",
+    )
+    widest = max(min(hub.length, blank.bore_diameter) - 2 * LEAST_WALL, 0.0)
+    _require(
+        0 <= hub.set_screw_diameter <= widest,
+        f"{form} has a set screw of {hub.set_screw_diameter:g} mm in a hub of {hub.length:g} mm length with a"
+        f" bore of {blank.bore_diameter:g} mm; give at most {widest:.4g} mm",
+    )
+
+
+def _bore(blank: GearBlank) -> tuple[GearOutline, ...]:
+    """The outline of the bore, if there is one; its keyway lies on the x axis, under a tooth."""
+    if not blank.bore_diameter:
+        return ()
+    if not blank.keyway:
+        return (circle(blank.bore_diameter),)
+    radius, half = blank.bore_diameter / 2, blank.keyway.width / 2
+    angle = asin(half / radius)
+    edge, floor = complex(radius * cos(angle), half), complex(radius + blank.keyway.depth, half)
+    keyed = (
+        Line(edge.conjugate(), floor.conjugate()),
+        Line(floor.conjugate(), floor),
+        Line(floor, edge),
+        Arc(radius, angle, 2 * (pi - angle)),
+    )
+    return (GearOutline(keyed),)
+
+
+def _lightening_holes(blank: GearBlank, form: GearForm) -> tuple[GearOutline, ...]:
+    if not blank.lightening:
+        return ()
+    count, diameter = blank.lightening.count, blank.lightening.hole_diameter
+    low, high = max(blank.hub.diameter if blank.hub else 0.0, _reach(blank)), _rim_diameter(blank, form)
+    pitch_radius = (low + high) / 4
+    apart = 2 * pitch_radius * sin(pi / count) if count > 1 else inf
+    largest = max(min((high - low) / 2, apart) - 2 * LEAST_WALL, 0.0)
+    _require(
+        count >= 1 and LEAST_WALL <= diameter <= largest,
+        f"{form} has {count} lightening holes of {diameter:g} mm between {low:.4g} and {high:.4g} mm"
+        f" diameter; give at least one, of {LEAST_WALL:g} to {largest:.4g} mm, or fewer",
+    )
+    # Half a step off the keyway, which weakens the disc on the x axis.
+    angles = 2 * pi * (np.arange(count) + 0.5) / count
+    return tuple(circle(diameter, complex(pitch_radius * np.exp(1j * angle))) for angle in angles)

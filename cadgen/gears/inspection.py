@@ -1,0 +1,204 @@
+"""Inspection dimensions for the shop: span over k teeth and size over two pins, with their limits.
+
+Formulas of ISO 21771-1 / DIN 21773 for a spur gear. The limits follow from those of the tooth-thickness
+deviation, E_sns (upper) and E_sni (lower), by computing the whole gear at each limit, so nothing is
+linearised.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import acos, ceil, cos, hypot, pi, sin, tan
+
+from scipy.optimize import brentq
+
+from cadgen.errors import DesignError
+from cadgen.gears.tooth import GearForm, Tooth, involute, tooth_of
+
+LEAST_TEETH_SPANNED = 2
+# Radial place of the pins' contact against the circle d + 2 x m_n, in modules (DIN 3977).
+PIN_CONTACT_RANGE = (-0.1, 0.5)
+# Plug gauges come in sets by 0.1 mm and singly by 0.01 mm (DIN 2269), in mm; the coarser step is tried first.
+PIN_STEPS = (0.1, 0.01)
+# Pins tried above the ideal one, per step.
+PINS_TRIED = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """A dimension in mm at E_sn = 0 (`nominal`), at E_sns (`upper`) and at E_sni (`lower`)."""
+
+    nominal: float
+    upper: float
+    lower: float
+
+
+@dataclass(frozen=True, slots=True)
+class SpanMeasurement:
+    """Span W_k over `teeth_spanned` teeth; its flats touch on `contact_diameter` (mm, at the upper limit)."""
+
+    teeth_spanned: int
+    span: Limits
+    contact_diameter: float
+
+
+@dataclass(frozen=True, slots=True)
+class PinMeasurement:
+    """Size M_d over two pins, which touch the flanks on `contact_diameter` (mm, at the upper limit)."""
+
+    pin_diameter: float
+    over_pins: Limits
+    contact_diameter: float
+
+
+@dataclass(frozen=True, slots=True)
+class Inspection:
+    """What the shop measures on one gear; None where the flanks are too short for that measurement."""
+
+    span: SpanMeasurement | None
+    pins: PinMeasurement | None
+
+
+def inspection_of(
+    form: GearForm, upper_deviation: float, lower_deviation: float, pin_diameter: float | None = None
+) -> Inspection:
+    """Inspection dimensions of `form` between E_sns = `upper_deviation` and E_sni = `lower_deviation` (mm).
+
+    `pin_diameter` (mm) is chosen if it is not given. Raises `DesignError` for limits in the wrong order, for
+    a tooth that cannot be cut at a limit, and for a given pin that does not rest on the flanks.
+    """
+    if lower_deviation > upper_deviation:
+        raise DesignError(
+            f"{form} has E_sni = {lower_deviation * 1e3:g} µm above E_sns = {upper_deviation * 1e3:g} µm; exchange them"
+        )
+    limits = (
+        tooth_of(with_deviation(form, upper_deviation)),
+        tooth_of(with_deviation(form, lower_deviation)),
+    )
+    if pin_diameter is None:
+        return Inspection(_span_measurement(limits), _chosen_pins(limits))
+    pins = _pin_measurement(limits, pin_diameter)
+    if pins is None:
+        raise DesignError(
+            f"{form} cannot be measured over pins of {pin_diameter:g} mm, which do not rest on its flanks;"
+            f" give about {ideal_pin_diameter(form):.3g} mm"
+        )
+    return Inspection(_span_measurement(limits), pins)
+
+
+def with_deviation(form: GearForm, deviation: float) -> GearForm:
+    """`form` cut with the tooth-thickness deviation E_sn = `deviation` (mm)."""
+    return replace(form, tooth_thickness_deviation=deviation)
+
+
+def span_over(form: GearForm, teeth_spanned: int) -> float:
+    """Span W_k = m_n cos α_n [π(k − ½) + z inv α_t] + 2 x_E m_n sin α_n in mm, as cut."""
+    angle = form.normal_pressure_angle
+    bracket = pi * (teeth_spanned - 0.5) + form.teeth * involute(form.transverse_pressure_angle)
+    shift = 2 * form.generating_profile_shift * sin(angle)
+    return form.normal_module * (cos(angle) * bracket + shift)
+
+
+def size_over_pins(form: GearForm, pin_diameter: float) -> float:
+    """Size M_d over two pins in mm, as cut: d_K + D_M, times cos(π/2z) on d_K for an odd number of teeth.
+
+    The pin's centre lies on d_K = d_b / cos α_K with inv α_K = D_M / d_b − (π/z − ψ_b), where ψ_b is half the
+    angle of the tooth on the base circle. Raises `DesignError` if the pin is too thin to stand above the base
+    circle.
+    """
+    across = 1.0 if form.teeth % 2 == 0 else cos(pi / (2 * form.teeth))
+    return form.base_diameter / cos(_pin_angle(form, pin_diameter)) * across + pin_diameter
+
+
+def ideal_pin_diameter(form: GearForm) -> float:
+    """The pin D_M in mm that touches the flanks on the circle d + 2 x m_n, as cut.
+
+    There the pressure angle is α_v and half a space takes the angle η_v = π/z − ψ_v; the normals of both
+    flanks touch the base circle and meet on the middle of the space, so D_M = d_b [tan(α_v + η_v) − tan α_v].
+    """
+    diameter = max(_reference_with_shift(form), form.base_diameter)
+    angle = acos(form.base_diameter / diameter)
+    space = pi / form.teeth - form.half_angle(diameter)
+    return form.base_diameter * (tan(angle + space) - tan(angle))
+
+
+def _reference_with_shift(form: GearForm) -> float:
+    return form.reference_diameter + 2 * form.profile_shift * form.normal_module
+
+
+def _space_at_base(form: GearForm) -> float:
+    """Half the angle of a space on the base circle, in rad; negative where the teeth overlap there."""
+    return pi / form.teeth - form.base_half_angle
+
+
+def _pin_angle(form: GearForm, pin_diameter: float) -> float:
+    """Pressure angle α_K at the centre of a pin, in rad."""
+    value = pin_diameter / form.base_diameter - _space_at_base(form)
+    if value <= 0:
+        raise DesignError(
+            f"{form} cannot be measured over pins of {pin_diameter:g} mm, which drop into its spaces;"
+            f" give about {ideal_pin_diameter(form):.3g} mm"
+        )
+    return float(brentq(lambda angle: involute(angle) - value, 0.0, pi / 2 - 1e-9, xtol=1e-15))
+
+
+def _usable(tooth: Tooth, contact_diameter: float) -> bool:
+    return tooth.root_form_diameter < contact_diameter < tooth.form.tip_form_diameter
+
+
+def _span_measurement(limits: tuple[Tooth, Tooth]) -> SpanMeasurement | None:
+    """The span that touches nearest to the circle d + 2 x m_n, on the usable flanks at both limits."""
+    upper, lower = limits[0].form, limits[1].form
+    best = None
+    for count in range(LEAST_TEETH_SPANNED, upper.teeth):
+        spans = Limits(span_over(with_deviation(upper, 0.0), count), span_over(upper, count), span_over(lower, count))
+        contacts = [hypot(upper.base_diameter, spans.upper), hypot(upper.base_diameter, spans.lower)]
+        if all(_usable(tooth, contact) for tooth, contact in zip(limits, contacts, strict=True)):
+            candidate = SpanMeasurement(count, spans, contacts[0])
+            if best is None or _from_middle(upper, contacts[0]) < _from_middle(upper, best.contact_diameter):
+                best = candidate
+    return best
+
+
+def _from_middle(form: GearForm, contact_diameter: float) -> float:
+    return abs(contact_diameter - _reference_with_shift(form))
+
+
+def _pin_measurement(limits: tuple[Tooth, Tooth], pin_diameter: float) -> PinMeasurement | None:
+    """The measurement over pins of that size, or None if at a limit they do not rest on the flanks.
+
+    They must touch on the usable flanks, stand out over the tip circle and clear the root circle.
+    """
+    contacts = []
+    for tooth in limits:
+        form = tooth.form
+        if pin_diameter <= form.base_diameter * _space_at_base(form):
+            return None
+        angle = _pin_angle(form, pin_diameter)
+        centre = form.base_diameter / cos(angle)
+        roll = tan(angle) - pin_diameter / form.base_diameter
+        contacts.append(form.base_diameter * hypot(1.0, roll))
+        rests = roll > 0 and _usable(tooth, contacts[-1])
+        if not rests or not form.root_diameter + pin_diameter < centre > form.tip_diameter - pin_diameter:
+            return None
+    upper, lower = limits[0].form, limits[1].form
+    sizes = [size_over_pins(form, pin_diameter) for form in (with_deviation(upper, 0.0), upper, lower)]
+    return PinMeasurement(pin_diameter, Limits(*sizes), contacts[0])
+
+
+def _chosen_pins(limits: tuple[Tooth, Tooth]) -> PinMeasurement | None:
+    """The first pin from the ideal one upwards that rests on the flanks within `PIN_CONTACT_RANGE`."""
+    form = limits[0].form
+    low, high = (_reference_with_shift(form) + 2 * place * form.normal_module for place in PIN_CONTACT_RANGE)
+    for pin in _pins_from(ideal_pin_diameter(form)):
+        pins = _pin_measurement(limits, pin)
+        if pins and low <= pins.contact_diameter <= high:
+            return pins
+    return None
+
+
+def _pins_from(diameter: float) -> Iterator[float]:
+    for step in PIN_STEPS:
+        first = ceil(diameter / step)
+        yield from (round(count * step, 3) for count in range(first, first + PINS_TRIED))
