@@ -1,0 +1,107 @@
+"""The tolerance run of 10 000 cars with 3600 steps each: as ratios within one run, for machines differ.
+
+Run with `pytest benchmarks/test_tolerance_run.py -o addopts=--import-mode=importlib --benchmark-only -s`.
+"""
+
+import subprocess
+import sys
+import tracemalloc
+from math import radians
+from time import perf_counter
+
+import numpy as np
+import pytest
+
+from cadgen.cam.contact import roll
+from cadgen.cam.envelope import actual_profile
+from cadgen.design import stages
+from cadgen.design.load import load_design
+from cadgen.motion.drive import TURN, drive, wheel_radius
+from cadgen.optimize.compensation import compensated_lift
+from cadgen.optimize.fleet import Fleet, make_fleet
+from cadgen.optimize.robust import Tolerances, tolerance_run
+
+SAMPLES = 10_000
+STEPS = 3600
+PROCESSES = 2
+MOST_IMPORTS = 5.0
+MOST_BYTES = 1e9
+# Four times the samples may take this much more than four times as long.
+LINEARITY = 1.5
+
+TOLERANCES = Tolerances(
+    half_widths={
+        "base_radius": 0.005,
+        "inner_face": 0.05,
+        "outer_face": 0.05,
+        "rod_radius": 0.005,
+        "profile_offset": 0.01,
+        "steering_zero": radians(0.02),
+        "wheelbase": 0.1,
+        "drive_wheel_offset": 0.1,
+        "wheel_radius": 0.02,
+        "cam_phase": radians(0.2),
+        "start_x": 2.0,
+        "start_y": 2.0,
+        "start_heading": radians(0.2),
+    },
+    play=(radians(0.6), radians(0.962)),
+)
+
+
+@pytest.fixture(scope="module")
+def fleet() -> Fleet:
+    design = load_design("carbon_free_car")
+    track, car, follower = stages.track(design), stages.car(design), stages.follower(design)
+    lift = stages.lift(design, track)
+    play = radians(0.781)
+    cam = compensated_lift(lift, follower, play)
+    grid = np.linspace(0.0, TURN, STEPS, endpoint=False)
+    contact = roll(actual_profile(cam, follower).curve.outline(0.06), follower, grid)
+    return make_fleet(
+        contact,
+        follower,
+        car,
+        track.length,
+        cam,
+        drive(lift, car, track.length, steps=STEPS),
+        wheel_radius=wheel_radius(track.length, 45.0),
+        play=play,
+        stations=range(300, STEPS + 1, 300),
+    )
+
+
+def seconds(work: object, *args: object, **settings: object) -> float:
+    start = perf_counter()
+    work(*args, **settings)
+    return perf_counter() - start
+
+
+def test_ten_thousand_cars_against_one_import_of_the_kernel(benchmark, fleet):
+    command = [sys.executable, "-c", "import build123d"]
+    kernel = min(seconds(subprocess.run, command, check=True) for _ in range(3))
+    benchmark.pedantic(
+        tolerance_run, (fleet, TOLERANCES, SAMPLES), {"seed": 1, "processes": PROCESSES}, rounds=3, warmup_rounds=1
+    )
+    taken = benchmark.stats.stats.min
+    benchmark.extra_info["imports"] = taken / kernel
+    print(f"\n{SAMPLES} cars of {STEPS} steps: {taken:.2f} s, {taken / kernel:.2f} imports of {kernel:.2f} s each")
+    assert taken <= MOST_IMPORTS * kernel
+
+
+def test_time_is_linear_in_the_samples(benchmark, fleet):
+    few = min(seconds(tolerance_run, fleet, TOLERANCES, SAMPLES // 4, seed=1) for _ in range(3))
+    benchmark.pedantic(tolerance_run, (fleet, TOLERANCES, SAMPLES), {"seed": 1}, rounds=3)
+    ratio = benchmark.stats.stats.min / few
+    print(f"\nfour times the samples take {ratio:.2f} times as long")
+    assert ratio <= 4 * LINEARITY
+
+
+def test_memory(benchmark, fleet):
+    """One process carries it all here, so its peak is the greatest there is."""
+    tracemalloc.start()
+    benchmark.pedantic(tolerance_run, (fleet, TOLERANCES, SAMPLES), {"seed": 1}, rounds=1)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    print(f"\npeak of {peak / 1e6:.0f} MB")
+    assert peak <= MOST_BYTES

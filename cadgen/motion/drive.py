@@ -1,0 +1,143 @@
+"""The run of the car: steering by motor position -> heading -> the tracks of its three wheels.
+
+The motor turns the drive wheel without play, so the wheel's travel is proportional to the motor position (eq. 20):
+arc = length phi / (2 pi), length = 2 pi R_h i for one turn of the cam. Heading and position then follow from
+    d(heading) = kappa d(arc),  d(position) = (cos heading, sin heading) d(arc),
+with kappa the signed curvature of the drive wheel's track at the steering angle (eq. 21 with signs). Heading here
+is the direction of travel, counterclockwise from the x axis.
+
+The paper's eq. 23 measures its angle so that the car runs along (-sin, -cos), and puts the change beta where the
+heading beta_1 of eq. 22 belongs; v_1 and dx in eq. 21 and 23 count the travel twice. Its eq. 24 then shifts the
+wheels sideways by (cos, sin), which is not square to that direction. Here the wheels stand where the frame has
+them: the fork axis L ahead and A1 to the right of the drive wheel, the idle wheel A1 + A2 to its right.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.lift import LiftCurve
+from cadgen.errors import DesignError
+from cadgen.motion.play import LEAST_SWING, TURN, follow
+from cadgen.path.track import Track
+from cadgen.steering.car import Car, track_curvature
+
+Array = NDArray[np.float64]
+
+STEPS = 3600  # of a run: the position errs by less than 1e-5 mm on the paper's path
+
+# Two-stage Gauss collocation (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, table II.7.3):
+# nodes and the matrix that gives the heading at them; fourth order, and no value is needed at a jump itself.
+_NODES = 0.5 + np.array([-1.0, 1.0]) * np.sqrt(3) / 6
+_MATRIX = np.array([[0.25, 0.25 - np.sqrt(3) / 6], [0.25 + np.sqrt(3) / 6, 0.25]])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pose:
+    """Where the drive wheel stands, mm, and where the car heads, rad."""
+
+    x: float = 0.0
+    y: float = 0.0
+    heading: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Run:
+    """A run of the car; n motor positions.
+
+    Attributes:
+        motor: position of the motor in cam units, phi, shape (n,), rad.
+        cam_angle: theta, shape (n,), rad.
+        tan_beta: of the steering angle, shape (n,).
+        heading: direction of travel, shape (n,), rad, not wrapped.
+        drive_wheel: position of the left rear wheel, shape (n, 2), mm.
+        front_wheel: position of the fork axis, shape (n, 2), mm.
+        idle_wheel: position of the right rear wheel, shape (n, 2), mm.
+    """
+
+    motor: Array
+    cam_angle: Array
+    tan_beta: Array
+    heading: Array
+    drive_wheel: Array
+    front_wheel: Array
+    idle_wheel: Array
+
+
+def start_pose(track: Track) -> Pose:
+    """Where the drive wheel's track begins."""
+    x, y = track.position(0.0)
+    return Pose(x=float(x), y=float(y), heading=float(track.heading(np.array([0.0]))[0]))
+
+
+def wheel_radius(length: float, ratio: float) -> float:
+    """Radius R_h of the drive wheel whose travel in one turn of the cam is `length`, mm (eq. 20).
+
+    Args:
+        length: of the drive wheel's track, mm.
+        ratio: i, turns of the drive wheel per turn of the cam.
+    """
+    return length / (TURN * ratio)
+
+
+def drive(
+    lift: LiftCurve,
+    car: Car,
+    length: float,
+    *,
+    play: float = 0.0,
+    start: Pose | None = None,
+    steps: int = STEPS,
+    stop: float | None = None,
+    least: float = LEAST_SWING,
+) -> Run:
+    """Run the car on a cam.
+
+    Steps end where the cam jumps, stops, goes on or meets a kink, so the rule keeps its fourth order.
+
+    Args:
+        lift: the cam's.
+        car: its dimensions.
+        length: travel of the drive wheel in one turn of the motor's shaft in cam units, mm.
+        play: return error B, rad.
+        start: pose at motor position 0; the origin along x if left out.
+        steps: even steps of the result.
+        stop: last motor position, rad; the start of the lift's closing blend if left out.
+        least: rises and falls of tan(beta) smaller than this are noise, not events.
+
+    Raises:
+        DesignError: the play does not fit the events (see `follow`), or there are no steps.
+    """
+    if steps < 1:
+        raise DesignError(f"a run of {steps} steps goes nowhere: ask for at least 1")
+    start = start or Pose()
+    stop = lift.blend_start if stop is None else stop
+    following = follow(lift, play, least=least)
+    motor = np.linspace(0.0, stop, steps + 1)
+    nodes = np.union1d(motor, following.joints(0.0, stop))
+    widths = np.diff(nodes)[:, None]
+    inside = nodes[:-1, None] + widths * _NODES
+    rate = length / TURN
+    turning = rate * track_curvature(following.tan_beta(inside), car) * widths
+    heading = start.heading + np.append(0.0, np.cumsum(turning.mean(axis=1)))
+    travel = rate * widths * np.exp(1j * (heading[:-1, None] + turning @ _MATRIX.T))
+    position = start.x + 1j * start.y + np.append(0.0, np.cumsum(travel.mean(axis=1)))
+
+    shown = np.searchsorted(nodes, motor)
+    heading, position = heading[shown], position[shown]
+    ahead = np.exp(1j * heading)
+    cam_angle = following.cam_angle(motor)
+    return Run(
+        motor=motor,
+        cam_angle=cam_angle,
+        tan_beta=lift.tan_beta(cam_angle),
+        heading=heading,
+        drive_wheel=_plane(position),
+        front_wheel=_plane(position + (car.wheelbase - 1j * car.drive_wheel_offset) * ahead),
+        idle_wheel=_plane(position - 1j * (car.drive_wheel_offset + car.idle_wheel_offset) * ahead),
+    )
+
+
+def _plane(z: NDArray[np.complex128]) -> Array:
+    return np.stack([z.real, z.imag], axis=-1)

@@ -1,0 +1,149 @@
+"""What play costs: deflection errors of the events, and heading and position errors of the run.
+
+The paper's figures for its events (table 4) cannot be had without its trajectory. Its program, besides, steps the
+spline's parameter, so that its nine points are not 0.96 degrees of cam angle everywhere as eq. 20 asks; it sums the
+reverse zones after the valley, where eq. 29-30 have the part before it, and without their minus sign.
+"""
+
+from dataclasses import dataclass
+from math import degrees
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.errors import DesignError
+from cadgen.motion.drive import Run
+from cadgen.motion.play import LEAST_SWING, TURN, follow
+from cadgen.steering.car import Car, track_curvature
+
+Array = NDArray[np.float64]
+
+GAUSS_POINTS = 8  # on every piece of the lift: exact to rounding, for pieces are half a degree wide
+
+
+@dataclass(frozen=True, kw_only=True)
+class Event:
+    """A peak, where the cam jumps, or a valley, where it waits (the paper's reverse).
+
+    Attributes:
+        kind: `jump` or `reverse`.
+        cam_angle: of the peak or valley, rad.
+        lift: there, mm.
+        deflection: heading that the event adds, rad, positive to the left (eq. 28, 30).
+    """
+
+    kind: Literal["jump", "reverse"]
+    cam_angle: float
+    lift: float
+    deflection: float
+
+
+def turning(lift: LiftCurve, car: Car, length: float, start: float, stop: float) -> float:
+    """Heading gained while the cam turns from `start` to `stop` without play, rad (integral of eq. 21)."""
+    breaks = lift.tan_beta.x
+    turns = TURN * np.arange(np.floor(start / TURN), np.ceil(stop / TURN))
+    edges = np.unique(np.concatenate([[start, stop], (breaks + turns[:, None]).ravel()]))
+    edges = edges[(edges >= start) & (edges <= stop)]
+    nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    half = np.diff(edges) / 2
+    theta = (edges[:-1] + half)[:, None] + half[:, None] * nodes
+    curvature = track_curvature(lift.tan_beta(theta), car)
+    return float(length / TURN * np.sum((curvature @ weights) * half))
+
+
+def deflections(
+    lift: LiftCurve, follower: Follower, car: Car, length: float, play: float, *, least: float = LEAST_SWING
+) -> tuple[Event, ...]:
+    """The events up to the start of the closing blend, in order, each with its deflection error.
+
+    A jump skips the cam from the peak p to p + B (eq. 28); a reverse repeats it from v - B to the valley v (eq.
+    29-30). Both integrals run over the whole of B. The wait in the valley really adds B kappa(v), which differs
+    from eq. 30 in the third power of B; `drive` has it so.
+
+    Args:
+        lift: the cam's.
+        follower: for the lift of the events.
+        car: its dimensions.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        play: return error B, rad.
+        least: rises and falls of tan(beta) smaller than this are noise, not events.
+
+    Raises:
+        DesignError: the lift has no events, or the play does not fit between them.
+    """
+
+    def event(kind: Literal["jump", "reverse"], angle: float, deflection: float) -> Event:
+        height = float(follower.lift(lift.tan_beta(angle)))
+        return Event(kind=kind, cam_angle=angle, lift=height, deflection=deflection)
+
+    events = []
+    for peak, valley in follow(lift, play, least=least).falls.tolist():
+        events += [
+            event("jump", peak, -turning(lift, car, length, peak, peak + play)),
+            event("reverse", valley % TURN, turning(lift, car, length, valley - play, valley)),
+        ]
+    events = [one for one in events if one.cam_angle < lift.blend_start]
+    if not events:
+        raise DesignError(
+            f"the lift has no peak and no valley before its closing blend at {degrees(lift.blend_start):.1f} degrees, "
+            f"so play has nothing to act on: give a path that turns more than once, or use the actual profile as it is"
+        )
+    return tuple(sorted(events, key=lambda one: one.cam_angle))
+
+
+def deflection_sum(events: tuple[Event, ...]) -> float:
+    """Cumulative deflection error, rad: the paper's delta beta_z, each event with its own sign."""
+    return sum(event.deflection for event in events)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RunError:
+    """How far a run is from the planned one at the same motor positions; all arrays have shape (n,).
+
+    Attributes:
+        motor: rad.
+        heading: rad, positive to the left.
+        along: position error of the drive wheel along the planned heading, mm.
+        across: the same to the left of it, mm.
+    """
+
+    motor: Array
+    heading: Array
+    along: Array
+    across: Array
+
+    @property
+    def distance(self) -> Array:
+        """Position error of the drive wheel, mm."""
+        return np.hypot(self.along, self.across)
+
+    @property
+    def end_heading(self) -> float:
+        """Heading error at the end, rad."""
+        return float(self.heading[-1])
+
+    @property
+    def end_distance(self) -> float:
+        """Position error at the end, mm."""
+        return float(self.distance[-1])
+
+
+def run_error(run: Run, planned: Run) -> RunError:
+    """Compare a run with the planned one.
+
+    Raises:
+        DesignError: the two were not taken at the same motor positions.
+    """
+    if not np.array_equal(run.motor, planned.motor):
+        raise DesignError("two runs can only be compared at the same motor positions: use equal steps and stop")
+    off = run.drive_wheel - planned.drive_wheel
+    c, s = np.cos(planned.heading), np.sin(planned.heading)
+    return RunError(
+        motor=run.motor,
+        heading=run.heading - planned.heading,
+        along=off[:, 0] * c + off[:, 1] * s,
+        across=off[:, 1] * c - off[:, 0] * s,
+    )

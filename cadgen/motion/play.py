@@ -1,0 +1,161 @@
+"""The play operator: where the cam stands when gears with play turn it and a spring presses the rod on it.
+
+The gears leave the cam free between motor position phi (in cam units) and phi + B, B the return error. The
+spring turns it downhill as far as that window and the shape of the lift allow, inertia and friction left aside:
+
+- where the lift rises, the gears push: theta = phi;
+- at a peak the cam **jumps** ahead and then leads: theta = phi + B;
+- in a valley v it **waits**, theta = v, until the gears have taken up the play at phi = v.
+
+So over a fall from p to v, theta(phi) = min(phi + B, v) for p <= phi < v, and theta = phi elsewhere: exact for any
+lift and any B, for the cam never climbs.
+
+The least lift within the window, its erosion, is not quite this: it would have the cam cross a peak as soon as the
+far side is lower, at phi_1 < p where s(phi_1) = s(phi_1 + B). The two agree outside [phi_1, p] as long as every
+rise is longer than B, and the erosion's heading error is greater by about |kappa''| B^3 / 8 at each peak.
+"""
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.lift import LiftCurve
+from cadgen.errors import DesignError
+
+Array = NDArray[np.float64]
+
+TURN = 2 * np.pi
+
+# Rises and falls of tan(beta) below this are noise, not events: 0.01 um of lift, what rolling an outline errs by.
+LEAST_SWING = 4e-7
+_ROUNDING = 1e-15  # of tan(beta): a stretch that falls by less is level
+
+
+def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
+    """Where the lift falls: cam angles of the peak that begins and of the valley that ends each fall.
+
+    A level stretch at a peak belongs to the rise before it (nothing pulls the cam off it), one within a fall to
+    the fall.
+
+    Args:
+        lift: any closed lift.
+        least: rises and falls of tan(beta) smaller than this are passed over.
+
+    Returns:
+        Shape (k, 2), rad, in order; starts lie in [0, 2 pi), the last stop may lie beyond 2 pi. Empty if the lift
+        is level.
+    """
+    slope = lift.tan_beta.derivative()
+    roots = slope.roots(discontinuity=False, extrapolate=False)
+    nodes = np.unique(np.concatenate([lift.tan_beta.x, roots[np.isfinite(roots)]]))
+    value = np.append(lift.tan_beta(nodes[:-1]), lift.tan_beta(nodes[0]))
+    falling = np.diff(value) < -_ROUNDING
+    begins = np.flatnonzero(falling & ~np.roll(falling, 1))
+    ends = np.flatnonzero(falling & ~np.roll(falling, -1)) + 1
+    if begins.size and ends[0] <= begins[0]:
+        ends = np.roll(ends, -1)
+    # Turning points in turn, peak first: even places are peaks, and swing j leads from point j to the next.
+    angle = np.stack([nodes[begins], nodes[ends]], axis=1).ravel()
+    height = np.stack([value[begins], value[ends]], axis=1).ravel()
+    while angle.size:
+        swing = np.abs(np.roll(height, -1) - height)
+        least_at = int(np.argmin(swing))
+        if swing[least_at] >= least:
+            break
+        gone = [least_at, (least_at + 1) % angle.size]
+        angle, height = np.delete(angle, gone), np.delete(height, gone)
+        if least_at % 2 and least_at + 1 == len(swing):  # the last valley and the first peak went together
+            angle, height = np.roll(angle, 1), np.roll(height, 1)
+    pairs = angle.reshape(-1, 2) % TURN
+    pairs[:, 1] = pairs[:, 0] + (pairs[:, 1] - pairs[:, 0]) % TURN
+    return pairs[np.argsort(pairs[:, 0])]
+
+
+@dataclass(frozen=True)
+class Following:
+    """How a cam follows the motor.
+
+    Attributes:
+        lift: the cam's own.
+        play: B, rad.
+        falls: of the lift, as `falls` gives them, shape (k, 2), rad.
+    """
+
+    lift: LiftCurve
+    play: float
+    falls: Array
+
+    def cam_angle(self, motor: Array) -> Array:
+        """Cam angle theta at motor positions, rad, any shape; at the instant of a jump, the angle after it."""
+        motor = np.asarray(motor, dtype=float)
+        if not len(self.falls):
+            return motor + 0.0
+        base = motor % TURN
+        number = np.searchsorted(self.falls[:, 0], base, side="right") - 1
+        valley = self.falls[number, 1] - np.where(number < 0, TURN, 0.0)
+        ahead = np.minimum(base + self.play, valley) - base
+        return motor + np.where(base < valley, ahead, 0.0)
+
+    def tan_beta(self, motor: Array) -> Array:
+        """Steering that results at motor positions."""
+        return self.lift.tan_beta(self.cam_angle(motor))
+
+    def joints(self, start: float, stop: float) -> Array:
+        """Motor positions between `start` and `stop` at which the cam jumps, stops, goes on or meets a kink, rad."""
+        peak, valley = self.falls.reshape(-1, 2).T
+        arrive = np.maximum(peak, valley - self.play)
+        places = np.concatenate([peak, arrive, valley, self.lift.kinks, self.lift.kinks - self.play])
+        turns = TURN * np.arange(np.floor(start / TURN) - 1, np.ceil(stop / TURN) + 1)
+        places = np.unique(places + turns[:, None])
+        return places[(places > start) & (places < stop)]
+
+
+def follow(lift: LiftCurve, play: float, *, least: float = LEAST_SWING) -> Following:
+    """Let a cam follow gears with a return error.
+
+    Args:
+        lift: the cam's own.
+        play: B, rad.
+        least: rises and falls of tan(beta) smaller than this are noise; for a meshed or measured outline, its
+            tolerance over the faces' distance.
+
+    Raises:
+        DesignError: the play is negative, or not less than the distance between two events up to the start of the
+            closing blend.
+    """
+    if not play >= 0:
+        raise DesignError(f"the return error is {degrees(play):g} degrees; it must be 0 or more")
+    found = falls(lift, least)
+    refuse_wide_play(lift, play, found)
+    return Following(lift, play, found)
+
+
+def refuse_wide_play(lift: LiftCurve, play: float, found: Array, *, whole_turn: bool = False) -> None:
+    """Refuse a play that does not fit between the events.
+
+    Args:
+        lift: the cam's.
+        play: B, rad.
+        found: where the lift falls, shape (k, 2), rad.
+        whole_turn: look at events in the closing blend too, which a run up to its start never meets.
+
+    Raises:
+        DesignError: the play is above 0 and not less than the distance between two neighbouring events.
+    """
+    if play == 0 or not len(found):
+        return
+    events = np.append(found.ravel(), found[0, 0] + TURN)
+    gaps = np.diff(events)
+    met = (events[:-1] < lift.blend_start) | (events[1:] > TURN) | whole_turn
+    worst = int(np.argmin(np.where(met, gaps, np.inf)))
+    if met[worst] and gaps[worst] <= play:
+        first, second = np.degrees(events[worst : worst + 2]) % 360
+        names = ("valley", "peak") if worst % 2 else ("peak", "valley")
+        cure = "move the waypoints there" if events[worst] < lift.blend_start else "change cam.blend_deg"
+        raise DesignError(
+            f"the return error of {degrees(play):.3f} degrees is not less than the {degrees(gaps[worst]):.3f} degrees "
+            f"between the {names[0]} at {first:.1f} degrees and the {names[1]} at {second:.1f} degrees of cam angle: "
+            f"take a train with less backlash, or {cure}"
+        )

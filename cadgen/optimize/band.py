@@ -1,0 +1,177 @@
+"""One profile for a band of return errors: the play it is best cut for, and what no profile can better.
+
+A car's play is known only to lie in a band. The compensated profile errs by nearly as much for each degree that the
+real play differs from its own, to either side; cut for the right play in between, its worst error over the band is
+least. `fixed_profile_bound` says how much of that is unavoidable.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize_scalar
+
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.errors import DesignError
+from cadgen.motion.drive import drive
+from cadgen.motion.errors import run_error
+from cadgen.motion.play import TURN, falls
+from cadgen.optimize.compensation import compensated_lift
+from cadgen.steering.car import Car, track_curvature
+
+Array = NDArray[np.float64]
+
+_PLAYS = 5  # of the band at which the worst is looked for; it lies at an end unless the band is very wide
+_STEPS = 720  # of a run while searching: the end errs by 1e-5 mm
+_TOLERANCE = 1e-6  # rad of play; it moves the worst error by less than a millimetre's hundredth
+_DIRECTIONS = 720  # in which the bound is taken; each alone is a bound
+
+
+@dataclass(frozen=True, kw_only=True)
+class BandResult:
+    """A compensated profile and its errors over a band of plays.
+
+    Attributes:
+        lift: of the compensated profile.
+        made_for: the play it is cut for, rad.
+        plays: across the band, shape (n,), rad.
+        heading: error at the end of the run at each play, shape (n,), rad.
+        distance: position error at the end, shape (n,), mm.
+    """
+
+    lift: LiftCurve
+    made_for: float
+    plays: Array
+    heading: Array
+    distance: Array
+
+    @property
+    def worst_heading(self) -> float:
+        """Greatest heading error over the band, rad."""
+        return float(np.abs(self.heading).max())
+
+    @property
+    def worst_distance(self) -> float:
+        """Greatest position error over the band, mm."""
+        return float(self.distance.max())
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bound:
+    """What the worst end of run over a band is at least, whatever the profile: rad and mm."""
+
+    heading: float
+    distance: float
+
+
+def best_for_band(
+    lift: LiftCurve, follower: Follower, car: Car, length: float, band: tuple[float, float]
+) -> BandResult:
+    """The compensated profile whose worst position error at the end of the run, over a band of plays, is least.
+
+    For a single play the error falls, then grows, with the play the cam is cut for; so does the greatest of several
+    such errors, and a bounded search for its one minimum is safe.
+
+    Args:
+        lift: the lift wanted.
+        follower: the rod and the faces.
+        car: its dimensions.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        band: least and greatest return error B, rad; the two may be equal.
+
+    Raises:
+        DesignError: the band is not one, or the profile cannot be made for it (see `compensated_lift`).
+    """
+    low, high = _checked(band)
+    plays = np.linspace(low, high, _PLAYS)
+
+    def at(made_for: float) -> BandResult:
+        return over_band(compensated_lift(lift, follower, made_for), lift, car, length, plays, made_for)
+
+    if high - low <= _TOLERANCE:
+        return at((low + high) / 2)
+    found = minimize_scalar(
+        lambda made_for: at(made_for).worst_distance,
+        bounds=(low, high),
+        method="bounded",
+        options={"xatol": _TOLERANCE},
+    )
+    return at(float(found.x))
+
+
+def over_band(
+    cam: LiftCurve, wanted: LiftCurve, car: Car, length: float, plays: Array, made_for: float = 0.0
+) -> BandResult:
+    """Errors of any cam at the end of the run for several plays.
+
+    Args:
+        cam: lift of the cam.
+        wanted: lift that is wanted by motor position.
+        car: its dimensions.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        plays: return errors, shape (n,), rad.
+        made_for: the play the cam is cut for, rad; only passed on.
+    """
+    planned = drive(wanted, car, length, steps=_STEPS)
+    stop = wanted.blend_start
+    errors = [
+        run_error(drive(cam, car, length, play=play, steps=_STEPS, stop=stop), planned) for play in np.asarray(plays)
+    ]
+    return BandResult(
+        lift=cam,
+        made_for=made_for,
+        plays=np.asarray(plays),
+        heading=np.array([error.end_heading for error in errors]),
+        distance=np.array([error.end_distance for error in errors]),
+    )
+
+
+def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[float, float]) -> Bound:
+    """A lower bound, to first order in the band's width, on the worst end of run that any one profile has.
+
+    It holds for every profile whose lift rises and falls where the wanted one does, and which reaches its peaks, its
+    valleys and its values where the run starts and stops. Let f be the turning rate that the profile gives over a
+    fall. With play B the car meets f(phi + B) there; the rises it meets unchanged. So between the plays at the
+    band's ends, D apart, the turning differs by f(phi + D) - f(phi), whose integral over fall k is D M_k, M_k the
+    rise of the turning rate from peak to valley, whatever f does in between: at one end of the band the heading is
+    off by at least half of D sum(M_k).
+    A change of heading at a place Q moves the end E of the run about Q, so the ends of the two runs differ by
+    D sum(M_k (E - Q_k)), turned by 90 degrees, with each Q_k a mean of places on fall k that the profile may choose.
+    For every direction u this is at least D sum(M_k min over the fall of u.(E - Q)); half the greatest of these
+    bounds the worse end.
+
+    A staircase of many small falls, each followed by a rise, would hold the cam against the gears and escape this;
+    it would shake the rod, and a rod of any thickness cannot follow it on a falling flank.
+
+    Raises:
+        DesignError: the band is not one.
+    """
+    low, high = _checked(band)
+    run = drive(lift, car, length)
+    stop = lift.blend_start
+    rate = length / TURN
+    rises, places = [], []
+    for peak, valley in np.concatenate([falls(lift) - TURN, falls(lift)]):
+        start, end = max(peak, 0.0), min(valley, stop)
+        if start < end:
+            ends = rate * track_curvature(lift.tan_beta(np.array([start, end])), car)
+            rises.append(float(ends[1] - ends[0]))
+            places.append(run.drive_wheel[(run.motor >= start) & (run.motor <= end)])
+    angle = np.linspace(0.0, TURN, _DIRECTIONS, endpoint=False)
+    direction = np.stack([np.cos(angle), np.sin(angle)])
+    total = np.zeros(_DIRECTIONS)
+    for rise, place in zip(rises, places, strict=True):
+        total += rise * ((run.drive_wheel[-1] - place) @ direction).min(axis=0)
+    half = (high - low) / 2
+    return Bound(heading=half * sum(rises), distance=half * max(float(total.max()), 0.0))
+
+
+def _checked(band: tuple[float, float]) -> tuple[float, float]:
+    low, high = band
+    if not 0 <= low <= high:
+        raise DesignError(
+            f"the band of return errors from {np.degrees(low):g} to {np.degrees(high):g} degrees is not one: it must "
+            f"run upwards from 0 or more"
+        )
+    return low, high

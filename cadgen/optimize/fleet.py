@@ -1,0 +1,308 @@
+"""Many cars at once, each with its own dimensions: from deviations to poses along the run.
+
+A car's steering at each cam angle is the nominal one plus first-order terms (`steering_derivatives`). Its run then
+needs only one integration without play: play makes the car skip parts of that track and stand on a circle for
+others, so its own track is a chain of rigid copies of pieces, and B may be any number. Peaks and valleys stay at
+their nominal cam angles; that they move a little changes a run in the second order only, for the lift is level
+there.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.contact import Contact
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.errors import DesignError
+from cadgen.motion.drive import Run
+from cadgen.motion.play import LEAST_SWING, TURN, falls
+from cadgen.steering.car import Car
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+# What may deviate, and in what unit. The order is that of the columns of a table of deviations.
+PARAMETERS: dict[str, str] = {
+    "base_radius": "mm",  # a, camshaft to fork axis
+    "inner_face": "mm",  # of the disc from the fork axis
+    "outer_face": "mm",
+    "rod_radius": "mm",
+    "profile_offset": "mm",  # the disc cut too large all round, along its normal
+    "steering_zero": "rad",  # of the front wheel against the rod
+    "wheelbase": "mm",
+    "drive_wheel_offset": "mm",
+    "wheel_radius": "mm",  # of the drive wheel: it scales the travel
+    "cam_phase": "rad",  # the cam set ahead on its shaft, or the run started late
+    "start_x": "mm",
+    "start_y": "mm",
+    "start_heading": "rad",
+    "play": "rad",  # B, added to the nominal one
+}
+_STEERING = tuple(PARAMETERS)[:6]
+_MARGIN = 2  # cells of the grid beyond the cam angles that are met
+
+
+def steering_derivatives(contact: Contact, follower: Follower) -> Array:
+    """How tan(beta) at each cam angle changes with the cam's and the rod's dimensions.
+
+    The rod, at T = tan(beta), rests on a point of the disc at x = a + w T - h sqrt(1 + T^2), h^2 = r^2 - y^2, and
+    no point asks for more; so to first order the point stays the same, and with D = w - h T / sqrt(1 + T^2)
+        dT = (-da - T dw + sqrt(1 + T^2) (r / h) dr) / D.
+    A disc cut too large along its normal lifts the rod as a thicker rod would; the wheel turned against the rod
+    adds to beta itself.
+
+    Args:
+        contact: of the nominal rod on the nominal disc, n cam angles.
+        follower: the rod and the faces.
+
+    Returns:
+        Shape (6, n): for base_radius, inner_face, outer_face, rod_radius, profile_offset (per mm), steering_zero
+        (per rad).
+    """
+    T, w = contact.tan_beta, contact.face
+    root = np.sqrt(1 + T**2)
+    height = np.sqrt(follower.radius**2 - contact.across**2)
+    stretch = follower.radius / height if follower.radius > 0 else np.ones_like(T)
+    divisor = w - height * T / root
+    raised = root * stretch / divisor
+    inner = w == follower.inner
+    face = -T / divisor
+    return np.stack([-1 / divisor, np.where(inner, face, 0.0), np.where(inner, 0.0, face), raised, raised, root**2])
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Where m cars stand at g stations; heading in rad and position of the drive wheel in mm, shape (m, g).
+
+    Both are counted from the nominal start: x along the planned heading there, y to its left.
+    """
+
+    heading: Array
+    position: Complex
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fleet:
+    """The nominal car, ready to be varied.
+
+    Attributes:
+        tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
+        derivatives: of it, shape (6, n); see `steering_derivatives`.
+        falls: where the nominal lift falls, shape (k, 2), rad.
+        car: nominal dimensions.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        wheel_radius: of the drive wheel, mm.
+        play: nominal return error B, rad.
+        stations: motor positions at which poses are wanted, shape (g,), increasing, rad.
+        planned: poses of the planned run there, one car.
+    """
+
+    tan_beta: Array
+    derivatives: Array
+    falls: Array
+    car: Car
+    length: float
+    wheel_radius: float
+    play: float
+    stations: Array
+    planned: Poses
+
+
+def make_fleet(
+    contact: Contact,
+    follower: Follower,
+    car: Car,
+    length: float,
+    lift: LiftCurve,
+    planned: Run,
+    *,
+    wheel_radius: float,
+    play: float,
+    stations: Sequence[int] = (-1,),
+    least: float = LEAST_SWING,
+) -> Fleet:
+    """Prepare a nominal car.
+
+    Args:
+        contact: the nominal rod rolled on the disc that is cut, on an even grid of one turn from cam angle 0.
+        follower: the nominal rod and faces.
+        car: nominal dimensions.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        lift: the lift that the disc was cut for; its peaks and valleys are the events.
+        planned: the run that is wanted.
+        wheel_radius: of the drive wheel, mm; only the effect of its deviation depends on it.
+        play: nominal return error B, rad.
+        stations: which of the planned run's motor positions count, in order; the last is the end of the run.
+        least: rises and falls of tan(beta) smaller than this are noise, not events.
+
+    Raises:
+        DesignError: the cam angles are not an even grid of a turn, or the stations are none or not in order.
+    """
+    even = np.linspace(0.0, TURN, len(contact.cam_angle), endpoint=False)
+    if not np.allclose(contact.cam_angle, even, atol=1e-9):
+        raise DesignError("the rod must be rolled on an even grid of cam angles from 0: take np.linspace(0, 2 pi, n)")
+    chosen = list(stations)
+    motor = planned.motor[chosen]
+    if not motor.size or not (np.diff(motor) > 0).all():
+        raise DesignError("a run needs at least one station, and each further along than the last: sort them")
+    origin, heading = planned.drive_wheel[0], planned.heading[0]
+    x, y = (planned.drive_wheel[chosen] - origin).T
+    return Fleet(
+        tan_beta=contact.tan_beta,
+        derivatives=steering_derivatives(contact, follower),
+        falls=falls(lift, least),
+        car=car,
+        length=length,
+        wheel_radius=wheel_radius,
+        play=play,
+        stations=motor,
+        planned=Poses(planned.heading[chosen][None] - heading, (x + 1j * y)[None] * np.exp(-1j * heading)),
+    )
+
+
+def run_fleet(fleet: Fleet, deviations: Array, reach: tuple[float, float] | None = None) -> Poses:
+    """Run m cars at once.
+
+    The grid carries the trapezoidal rule for heading and position and cubic interpolation between its points, so
+    the poses err with the square of its step.
+
+    Args:
+        fleet: the nominal car.
+        deviations: shape (m, 14), columns as in `PARAMETERS`.
+        reach: least and greatest cam angle that any car meets, rad; from the deviations if left out. Cars run in
+            several parts get the same numbers if each part is given the reach of all.
+    """
+    column = dict(zip(PARAMETERS, deviations.T, strict=True))
+    play = np.maximum(fleet.play + column["play"], 0.0)
+    rate = fleet.length / TURN * (1 + column["wheel_radius"] / fleet.wheel_radius)
+    first, last = reach or cam_reach(fleet, deviations)
+    track = _Track.of(fleet, column, rate, first, last)
+
+    stretch = _stretches(fleet, play, column["cam_phase"], last)
+    turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
+    zero = np.zeros((len(play), 1))
+    heading = column["start_heading"][:, None] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
+    position = np.concatenate([zero, np.cumsum(np.exp(1j * heading[:, :-1]) * moved, axis=1)], axis=1)
+
+    motor = fleet.stations + column["cam_phase"][:, None]
+    at = np.sum(stretch.motor[:, None, :-1] <= motor[:, :, None], axis=2) - 1
+    rows = np.arange(len(play))[:, None]
+    turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[at])
+    position = position[rows, at] + np.exp(1j * heading[rows, at]) * moved
+    start = (column["start_x"] + 1j * column["start_y"])[:, None]
+    return Poses(heading[rows, at] + turned, start + rate[:, None] * position)
+
+
+def cam_reach(fleet: Fleet, deviations: Array) -> tuple[float, float]:
+    """Least and greatest cam angle that cars with these deviations meet, rad."""
+    phase, play = (deviations[:, list(PARAMETERS).index(name)] for name in ("cam_phase", "play"))
+    return float(phase.min()), float(fleet.stations[-1] + phase.max() + max(fleet.play + play.max(), 0.0))
+
+
+@dataclass(frozen=True)
+class _Stretches:
+    """A run cut where the cam jumps, stops or goes on, for m cars and s stretches.
+
+    `motor` has shape (m, s + 1); `cam`, the cam angle at the start of each, (m, s); `waits`, (s,), says where the
+    cam stands still.
+    """
+
+    motor: Array
+    cam: Array
+    waits: NDArray[np.bool_]
+
+
+def _stretches(fleet: Fleet, play: Array, phase: Array, last: float) -> _Stretches:
+    turns = TURN * np.arange(-1, np.ceil(last / TURN) + 1)
+    peak, valley = (fleet.falls[:, side] + turns[:, None] for side in (0, 1))
+    peak, valley = peak.ravel(), valley.ravel()
+    play = play[:, None]
+    arrive = np.maximum(peak, valley - play)
+    # In turn: ahead by B from the peak, waiting from the arrival, pushed from the valley.
+    motor = np.stack(np.broadcast_arrays(peak, arrive, valley), axis=2).reshape(len(play), -1)
+    motor = np.maximum(motor, phase[:, None])
+    # Stretches before the start shrink to nothing; the last, after the last valley, begins beyond every station.
+    motor = np.concatenate([phase[:, None], motor], axis=1)
+    motor = np.concatenate([motor, motor[:, -1:]], axis=1)
+    cam = motor[:, :-1].copy()
+    cam[:, 1::3] += play
+    cam[:, 2::3] = valley
+    waits = np.zeros(cam.shape[1], dtype=bool)
+    waits[2::3] = True
+    return _Stretches(motor, cam, waits)
+
+
+@dataclass(frozen=True)
+class _Track:
+    """Each car's track without play, by cam angle, in units of its travel per rad: shape (m, j) on an even grid."""
+
+    first: float
+    step: float
+    turning: Array
+    heading: Array
+    x: Array
+    y: Array
+
+    @classmethod
+    def of(cls, fleet: Fleet, column: dict[str, Array], rate: Array, first: float, last: float) -> "_Track":
+        count = len(fleet.tan_beta)
+        step = TURN / count
+        index = np.arange(int(np.floor(first / step)) - _MARGIN, int(np.ceil(last / step)) + _MARGIN + 1)
+        deviation = np.stack([column[name] for name in _STEERING], axis=1)
+        # Not `@`: a library's threads would compete with other processes for so small a product.
+        T = np.einsum("ci,ij->cj", deviation, fleet.derivatives[:, index % count])
+        T += fleet.tan_beta[index % count]
+        divisor = T * (fleet.car.drive_wheel_offset + column["drive_wheel_offset"])[:, None]
+        divisor += (fleet.car.wheelbase + column["wheelbase"])[:, None]
+        turning = np.divide(T, divisor, out=T)
+        turning *= -rate[:, None]
+        heading = _accumulated(turning, step)
+        return cls(
+            index[0] * step,
+            step,
+            turning,
+            heading,
+            _accumulated(np.cos(heading), step),
+            _accumulated(np.sin(heading), step),
+        )
+
+    def between(self, cam: Array, travel: Array, waits: NDArray[np.bool_]) -> tuple[Array, Complex]:
+        """Heading and displacement gained from cam angles over a motor travel, in the car's own frame at the start.
+
+        Where `waits` is set the cam stands, and the car runs on a circle.
+        """
+        heading, position, turning = self._at(cam)
+        later, there, _ = self._at(cam + np.where(waits, 0.0, travel))
+        arc = turning * travel
+        circle = travel * np.sinc(arc / TURN) * np.exp(0.5j * arc)
+        chord = (there - position) * np.exp(-1j * heading)
+        return np.where(waits, arc, later - heading), np.where(waits, circle, chord)
+
+    def _at(self, cam: Array) -> tuple[Array, Complex, Array]:
+        """Heading, position and turning at cam angles, shape (m, q), by cubic Hermite interpolation."""
+        # Stretches before the start or after the end have no length or no station; they may lie off the grid.
+        place = np.clip((cam - self.first) / self.step, 0.0, self.heading.shape[1] - 1.5)
+        left = np.floor(place).astype(int)
+        u = place - left
+        rows = np.arange(len(cam))[:, None]
+        ends = rows, left
+        others = rows, left + 1
+        h00, h01 = (1 + 2 * u) * (1 - u) ** 2, u**2 * (3 - 2 * u)
+        h10, h11 = self.step * u * (1 - u) ** 2, self.step * u**2 * (u - 1)
+        k0, k1, q0, q1 = self.heading[ends], self.heading[others], self.turning[ends], self.turning[others]
+        heading = h00 * k0 + h01 * k1 + h10 * q0 + h11 * q1
+        z0, z1 = self.x[ends] + 1j * self.y[ends], self.x[others] + 1j * self.y[others]
+        position = h00 * z0 + h01 * z1 + h10 * np.exp(1j * k0) + h11 * np.exp(1j * k1)
+        return heading, position, (1 - u) * q0 + u * q1
+
+
+def _accumulated(values: Array, step: float) -> Array:
+    """Cumulative trapezoidal integral along the last axis, 0 at the first point."""
+    total = np.cumsum(values, axis=1)
+    total -= 0.5 * values
+    total -= total[:, :1].copy()
+    total *= step
+    return total
