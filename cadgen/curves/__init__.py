@@ -3,6 +3,8 @@
 | module     | what it does                                                                |
 |------------|-----------------------------------------------------------------------------|
 | `closed`   | a closed curve of smooth pieces: sampling, polar radius, area, corners       |
+| `contour`  | a closed chain of lines and arcs; bores                                      |
+| `spacing`  | nodes at even errors, for the three approximations below                     |
 | `offset`   | the parallel curve on which a cutter's centre runs                           |
 | `biarc`    | lines and arcs within a stated tolerance (DXF, G-code)                       |
 | `spline`   | B-splines within a stated tolerance (STEP, DXF)                              |

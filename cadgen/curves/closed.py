@@ -38,6 +38,19 @@ class Piece(Protocol):
 
 
 @dataclass(frozen=True)
+class Span:
+    """A share of a smooth piece."""
+
+    piece: Piece
+    start: float
+    stop: float
+
+    def jet(self, t: Array) -> Jet:
+        """The piece's own."""
+        return self.piece.jet(t)
+
+
+@dataclass(frozen=True)
 class Outline:
     """A closed curve as points, dense enough that three neighbours in one piece lie on a parabola.
 
@@ -82,13 +95,26 @@ class ClosedCurve:
         Each piece has at least five points, so that a parabola fits inside even the shortest.
         """
         points, owner = [], []
-        for number, piece in enumerate(self.pieces):
+        for number, (piece, t) in enumerate(zip(self.pieces, self.parameters(step), strict=True)):
+            points.append(piece.jet(t).point)
+            owner.append(np.full(len(t), number))
+        return Outline(np.concatenate(points), np.concatenate(owner))
+
+    def parameters(self, step: float) -> tuple[Array, ...]:
+        """For each piece, the parameters of the points that `outline` takes."""
+        even = []
+        for piece in self.pieces:
             coarse = piece.jet(np.linspace(piece.start, piece.stop, 65)).point
             length = np.linalg.norm(np.diff(coarse, axis=0), axis=1).sum()
-            count = max(5, int(np.ceil(length / step)) + 1)
-            points.append(piece.jet(np.linspace(piece.start, piece.stop, count)).point)
-            owner.append(np.full(count, number))
-        return Outline(np.concatenate(points), np.concatenate(owner))
+            even.append(np.linspace(piece.start, piece.stop, max(5, int(np.ceil(length / step)) + 1)))
+        return tuple(even)
+
+    def begun_at(self, number: int, t: float) -> "ClosedCurve":
+        """The same curve, begun inside piece `number` at its parameter t."""
+        piece = self.pieces[number]
+        ends = (Span(piece, t, piece.stop), Span(piece, piece.start, t))
+        rest = (*self.pieces[number + 1 :], *self.pieces[:number])
+        return ClosedCurve(tuple(p for p in (ends[0], *rest, ends[1]) if p.stop > p.start))
 
     def area(self) -> float:
         """Enclosed area by Green's theorem, mm^2, Gauss quadrature on each piece (exact to rounding)."""
@@ -104,22 +130,24 @@ class ClosedCurve:
         return total
 
     def radius(self, angle: Array) -> Array:
-        """Polar radius at given polar angles, mm, by Newton's method on the piece that covers each angle."""
+        """Polar radius at given polar angles, shape (n,), mm."""
+        return np.asarray(np.linalg.norm(self.at_angle(angle)[0].point, axis=1))
+
+    def at_angle(self, angle: Array) -> tuple[Jet, NDArray[np.intp]]:
+        """The curve at given polar angles, by Newton's method, and the number of the piece that covers each.
+
+        The velocity is by the piece's own parameter.
+        """
+        angle = np.asarray(angle, dtype=float)
         starts = np.array([polar_angle(piece.jet(np.array([piece.start])).point)[0] for piece in self.pieces])
-        spans = np.diff(np.concatenate([starts, starts[:1]])) % _TURN
-        if len(self.pieces) == 1:
-            spans[:] = _TURN
-        behind = (np.asarray(angle)[:, None] - starts) % _TURN
         # An angle just before a start comes out near a full turn; it belongs to the piece before.
-        owner = np.argmin(behind, axis=1)
-        out = np.empty(len(owner))
-        for number, piece in enumerate(self.pieces):
-            mine = np.flatnonzero(owner == number)
-            if not mine.size:
-                continue
-            t = piece_at_angle(piece, np.asarray(angle)[mine])
-            out[mine] = np.linalg.norm(piece.jet(t).point, axis=1)
-        return out
+        owner = np.argmin((angle[:, None] - starts) % _TURN, axis=1)
+        jet = Jet(np.empty((len(angle), 2)), np.empty((len(angle), 2)), np.empty(len(angle)))
+        for number in np.unique(owner):
+            piece, mine = self.pieces[number], owner == number
+            for column, values in zip(jet, piece.jet(piece_at_angle(piece, angle[mine])), strict=True):
+                column[mine] = values
+        return jet, owner
 
     def corners(self, least: float = 1e-6) -> tuple[Corner, ...]:
         """Joints at which the direction turns by more than `least` rad."""
@@ -128,9 +156,7 @@ class ClosedCurve:
             before = self.pieces[number - 1]
             arriving = before.jet(np.array([before.stop])).velocity
             leaving = piece.jet(np.array([piece.start]))
-            turn = np.arctan2(
-                cross(arriving, leaving.velocity)[0], float(np.sum(arriving * leaving.velocity))
-            )
+            turn = np.arctan2(cross(arriving, leaving.velocity)[0], float(np.sum(arriving * leaving.velocity)))
             if abs(turn) > least:
                 found.append(Corner(leaving.point[0], float(turn), number))
         return tuple(found)
@@ -149,7 +175,7 @@ def piece_at_angle(piece: Piece, angle: Array) -> Array:
         rate = cross(jet.point, jet.velocity) / np.sum(jet.point**2, axis=1)
         miss = (polar_angle(jet.point) - want + np.pi) % _TURN - np.pi
         guess = np.clip(guess - miss / rate, piece.start, piece.stop)
-    return guess
+    return np.asarray(guess)
 
 
 def cross(a: Array, b: Array) -> Array:
@@ -165,4 +191,4 @@ def polar_angle(points: Array) -> Array:
 def left_normal(velocity: Array) -> Array:
     """Unit normal to the left of the direction of travel: into a counterclockwise curve."""
     turned = np.stack([-velocity[:, 1], velocity[:, 0]], axis=1)
-    return turned / np.linalg.norm(turned, axis=1, keepdims=True)
+    return np.asarray(turned / np.linalg.norm(turned, axis=1, keepdims=True))

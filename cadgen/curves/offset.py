@@ -1,0 +1,109 @@
+"""The parallel curve outside a closed curve: the path of a cutter's centre."""
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.curves.closed import ClosedCurve, Corner, Jet, Piece, left_normal, polar_angle
+from cadgen.errors import CheckError
+
+Array = NDArray[np.float64]
+
+_SAMPLES_PER_RADIAN = 600  # of a piece, in search of its tightest hollow
+
+
+@dataclass(frozen=True)
+class OffsetPiece:
+    """A smooth piece moved by `distance` mm to the right of its travel.
+
+    With unit normal n to the right and curvature k, p -> p + d n, p' -> (1 + d k) p', k -> k / (1 + d k).
+    """
+
+    piece: Piece
+    distance: float
+
+    @property
+    def start(self) -> float:
+        """First parameter."""
+        return self.piece.start
+
+    @property
+    def stop(self) -> float:
+        """Last parameter."""
+        return self.piece.stop
+
+    def jet(self, t: Array) -> Jet:
+        """Point, velocity by the piece's own parameter, and curvature."""
+        jet = self.piece.jet(t)
+        widened = 1 + self.distance * jet.curvature
+        return Jet(
+            jet.point - self.distance * left_normal(jet.velocity),
+            widened[:, None] * jet.velocity,
+            jet.curvature / widened,
+        )
+
+
+@dataclass(frozen=True)
+class CornerArc:
+    """A circular arc about a convex corner, run counterclockwise, by the polar angle about it."""
+
+    center: Array
+    radius: float
+    start: float
+    stop: float
+
+    def jet(self, t: Array) -> Jet:
+        """Point, velocity by the angle, and curvature."""
+        out = np.stack([np.cos(t), np.sin(t)], axis=1)
+        around = np.stack([-out[:, 1], out[:, 0]], axis=1)
+        return Jet(self.center + self.radius * out, self.radius * around, np.full(len(t), 1 / self.radius))
+
+
+def parallel(curve: ClosedCurve, distance: float) -> ClosedCurve:
+    """Return the curve that runs `distance` mm outside a counterclockwise curve, that is to its right.
+
+    Every piece is moved exactly, and an arc about each convex corner joins the pieces. Parts far apart that
+    come closer than 2 `distance` (a narrow valley) are not looked for here: `cadgen.cam.cutter` finds them.
+
+    Raises:
+        CheckError: a hollow corner, or a hollow whose radius of curvature is not greater than `distance`.
+    """
+    corners = {corner.after: corner for corner in curve.corners()}
+    pieces: list[Piece] = []
+    for number, piece in enumerate(curve.pieces):
+        if number in corners:
+            pieces.append(_round(corners[number], piece, distance))
+        _refuse_tight(piece, distance)
+        pieces.append(OffsetPiece(piece, distance))
+    return ClosedCurve(tuple(pieces))
+
+
+def _round(corner: Corner, after: Piece, distance: float) -> CornerArc:
+    if corner.turn < 0:
+        raise CheckError(
+            f"the curve has a hollow corner of {-degrees(corner.turn):.2f} degrees at "
+            f"{_place(corner.point)}; no round cutter reaches it: round the corner or "
+            f"choose another process"
+        )
+    normal = -left_normal(after.jet(np.array([after.start])).velocity)
+    stop = float(polar_angle(normal)[0])
+    return CornerArc(corner.point, distance, stop - corner.turn, stop)
+
+
+def _refuse_tight(piece: Piece, distance: float) -> None:
+    count = max(65, int(_SAMPLES_PER_RADIAN * (piece.stop - piece.start)))
+    jet = piece.jet(np.linspace(piece.start, piece.stop, count))
+    tightest = int(np.argmin(jet.curvature))
+    if 1 + distance * jet.curvature[tightest] <= 0:
+        radius = -1 / jet.curvature[tightest]
+        raise CheckError(
+            f"the curve is hollow with a radius of {radius:.3f} mm at {_place(jet.point[tightest])}, where a "
+            f"cutter of radius {distance:g} mm cuts into it: use one of less than {radius:.3f} mm"
+        )
+
+
+def _place(point: Array) -> str:
+    angle = degrees(float(polar_angle(point))) % 360
+    return f"polar angle {angle:.2f} degrees, ({point[0]:.3f}, {point[1]:.3f}) mm"

@@ -1,0 +1,39 @@
+"""A closed curve as a polygon within a stated chord tolerance."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.curves.closed import ClosedCurve, Piece, left_normal
+from cadgen.curves.spacing import even_nodes, inside_spans, turning
+
+Array = NDArray[np.float64]
+
+_SAMPLES = 8  # of a chord; the middle one meets the peak of an even bend
+_QUARTER = np.pi / 2
+
+
+def polygon(curve: ClosedCurve, chord_tolerance: float) -> Array:
+    """Return points on the curve whose chords stay within `chord_tolerance` mm of it on either side.
+
+    A chord of length h strays by curvature h^2 / 8, so the number of points grows as tolerance^(-1/2).
+    Corners of the curve are among the points.
+
+    Returns:
+        Points in order, counterclockwise, shape (n, 2), mm; the first is not repeated.
+    """
+    return np.concatenate([_piece_points(piece, chord_tolerance) for piece in curve.pieces])
+
+
+def _piece_points(piece: Piece, tolerance: float) -> Array:
+    """Points of one piece, without its last."""
+
+    def sagittas(nodes: Array) -> Array:
+        points = piece.jet(inside_spans(nodes, _SAMPLES)).point
+        chords = np.diff(points[::_SAMPLES], axis=0)
+        inside = points[:-1].reshape(-1, _SAMPLES, 2)
+        off = np.einsum("cpj,cj->cp", inside - inside[:, :1], left_normal(chords))
+        return np.asarray(np.abs(off).max(axis=1))
+
+    at_least = max(1, int(np.ceil(turning(piece) / _QUARTER)))
+    nodes = even_nodes(sagittas, (piece.start, piece.stop), tolerance, 2, at_least=at_least)
+    return piece.jet(nodes[:-1]).point

@@ -1,0 +1,90 @@
+"""Nodes along a smooth piece, spaced so that every span of an approximation has the same error."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.curves.closed import Piece, cross
+from cadgen.errors import DesignError
+
+Array = NDArray[np.float64]
+
+_FIRST_SPANS = 32
+_ROUNDS = 3  # each brings the shares nearer to even; the count settles within a few per cent
+_REPAIRS = 40  # rounds after that, for the last spans that miss the tolerance by a little
+_SEEN = 0.97  # share of a span's largest error that eight samples of each hump see at least
+_AIM = 0.95  # of what is allowed, so that not every second span misses it
+_MORE = 1.05  # times as many spans in each repair that moves all nodes
+_WIDEN = 0.25  # a span is widened to four times at most in a round: its error may be zero by chance
+
+
+def even_nodes(
+    errors: Callable[[Array], Array],
+    ends: tuple[float, float],
+    tolerance: float,
+    order: int,
+    *,
+    at_least: int = 1,
+    local: bool = True,
+) -> Array:
+    """Return about the fewest nodes between which no span's error exceeds the tolerance.
+
+    A span of error e wants to become (e / tolerance)^(1 / order) spans; laying these shares end to end and
+    cutting the sum evenly gives the next nodes (equidistribution: de Boor, A Practical Guide to Splines,
+    chapter XII).
+
+    Args:
+        errors: nodes, shape (n + 1,) -> largest error in each span, shape (n,), on eight samples of each hump
+            or more.
+        ends: first and last node.
+        tolerance: allowed error, in the unit of `errors`.
+        order: power of the span's width with which the error falls.
+        at_least: least number of spans.
+        local: whether a span's error is its own affair. If not, as in a spline, the widths of neighbours must
+            change gently, or the order is lost.
+
+    Raises:
+        DesignError: the tolerance is not reached, because it is finer than rounding.
+    """
+    nodes = np.linspace(*ends, max(_FIRST_SPANS, at_least) + 1)
+    allowed, more = _SEEN * tolerance, 1.0
+    for turn in range(_ROUNDS + _REPAIRS):
+        error = errors(nodes)
+        shares = more * np.maximum((error / (_AIM * allowed)) ** (1 / order), _WIDEN)
+        if not local:
+            shares = _gentle(shares, np.diff(nodes))
+        laid = np.concatenate([[0.0], np.cumsum(shares)])
+        count = max(at_least, int(np.ceil(laid[-1])))
+        kept, settled = error.max() <= allowed, turn >= _ROUNDS
+        if kept and (settled or count >= len(shares)):
+            return nodes
+        if settled and local:
+            wide = np.flatnonzero(error > allowed)
+            nodes = np.insert(nodes, wide + 1, (nodes[wide] + nodes[wide + 1]) / 2)
+        else:
+            more *= _MORE if settled else 1.0
+            nodes = np.interp(np.linspace(0, laid[-1], count + 1), laid, nodes)
+    raise DesignError(
+        f"the curve cannot be followed within {tolerance * 1e3:g} µm: raise the tolerances in the design's [export]"
+    )
+
+
+def inside_spans(nodes: Array, count: int) -> Array:
+    """Each span cut in `count`: parameters, shape (n * count + 1,), every `count`-th of them a node."""
+    shares = np.arange(count) / count
+    inner = nodes[:-1, None] + np.diff(nodes)[:, None] * shares
+    return np.append(inner.ravel(), nodes[-1])
+
+
+def turning(piece: Piece, samples: int = 65) -> float:
+    """Sum of the angles by which the piece's tangent turns to either side, rad."""
+    velocity = piece.jet(np.linspace(piece.start, piece.stop, samples)).velocity
+    before, after = velocity[:-1], velocity[1:]
+    return float(np.abs(np.arctan2(cross(before, after), np.sum(before * after, axis=1))).sum())
+
+
+def _gentle(shares: Array, widths: Array) -> Array:
+    """Shares whose density by the parameter is the average of three neighbours, weighted 1, 2, 1."""
+    density = np.pad(shares / widths, 1, mode="edge")
+    return np.asarray((density[:-2] + 2 * density[1:-1] + density[2:]) / 4 * widths)

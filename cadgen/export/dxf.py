@@ -1,0 +1,178 @@
+"""DXF (R2000, mm) for laser, wire EDM and CAD: the profile as arcs or as splines, the bore, the holes.
+
+`ezdxf` writes. The reader takes the file's tags itself: it must not share code with the writer, and the one
+other reader at hand, trimesh's, drops the layer of a polyline with arcs.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+
+import ezdxf
+import numpy as np
+from ezdxf.layouts import Modelspace
+from numpy.typing import NDArray
+from scipy.interpolate import BSpline
+
+from cadgen.curves.closed import Outline
+from cadgen.curves.contour import Contour, circle
+from cadgen.curves.spline import SplineArc
+from cadgen.errors import FileError
+
+Array = NDArray[np.float64]
+
+PROFILE, BORE, HOLES = "CAM_PROFILE", "BORE", "HOLES"
+_COLORS = {PROFILE: 7, BORE: 1, HOLES: 5}  # AutoCAD colour index: black or white, red, blue
+_MM = 4  # $INSUNITS
+_GAP_MM = 1e-9  # between the end of a spline and the begin of the next, which are written alike
+
+
+def write_dxf(path: Path, profile: Contour | Sequence[SplineArc], bore: Contour, holes: Sequence[Contour]) -> None:
+    """Write a drawing of the disc, each kind of contour on its own layer; equal input gives equal bytes.
+
+    Args:
+        path: the file to write.
+        profile: a chain of arcs, which becomes one closed LWPOLYLINE, or splines end to end, each a SPLINE.
+        bore: with its keyway or flat.
+        holes: the lightening holes.
+    """
+    with _fixed_dates():
+        drawing = ezdxf.new("R2000", units=_MM)
+        for name, color in _COLORS.items():
+            drawing.layers.add(name, color=color)
+        space = drawing.modelspace()
+        if isinstance(profile, Contour):
+            _add(space, profile, PROFILE)
+            points = profile.polygon(0.01)
+        else:
+            for arc in profile:
+                spline = space.add_spline(degree=arc.degree, dxfattribs={"layer": PROFILE})
+                spline.control_points = np.pad(arc.control_points, ((0, 0), (0, 1)))
+                spline.knots = arc.knots
+            points = np.concatenate([arc.control_points for arc in profile])
+        _add(space, bore, BORE)
+        for hole in holes:
+            _add(space, hole, HOLES)
+        space.reset_extents(*((*corner.tolist(), 0.0) for corner in (points.min(axis=0), points.max(axis=0))))
+        drawing.saveas(path)
+
+
+def _add(space: Modelspace, contour: Contour, layer: str) -> None:
+    attributes = {"layer": layer}
+    if contour.is_circle:
+        space.add_circle(contour.centers[0].tolist(), float(contour.radii[0]), dxfattribs=attributes)
+    else:
+        sides = np.column_stack([contour.vertices, contour.bulges])
+        space.add_lwpolyline(sides, format="xyb", close=True, dxfattribs=attributes)
+
+
+@contextmanager
+def _fixed_dates() -> Iterator[None]:
+    """Let ezdxf write the same dates and identifiers every time."""
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        yield
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What stands in a drawing.
+
+    Attributes:
+        profile: points of the CAM_PROFILE layer, one piece an arc or a spline.
+        bore: contours of the BORE layer.
+        holes: contours of the HOLES layer.
+    """
+
+    profile: Outline
+    bore: tuple[Contour, ...]
+    holes: tuple[Contour, ...]
+
+
+def read_dxf(path: Path, step: float = 0.05) -> Drawing:
+    """Read a drawing of lines, arcs, circles and splines.
+
+    Args:
+        path: the file.
+        step: distance between the points of the profile, mm.
+
+    Raises:
+        FileError: the file is damaged, not in mm, or its profile is missing or open.
+    """
+    contours: dict[str, list[Contour]] = {layer: [] for layer in _COLORS}
+    splines: list[BSpline] = []
+    try:
+        sections = _sections(path)
+        if _units(sections["HEADER"]) != _MM:
+            raise FileError(f"{path.name} is not in millimetres: write it again")
+        for kind, entity in _entities(sections["ENTITIES"]):
+            layer = entity[8][0]
+            points = np.array([entity[10], entity[20]], dtype=float).T
+            if kind == "SPLINE" and layer == PROFILE:
+                splines.append(BSpline(np.array(entity[40], dtype=float), points, int(entity[71][0])))
+            elif kind == "CIRCLE":
+                contours[layer].append(circle(points[0], float(entity[40][0])))
+            elif kind == "LWPOLYLINE" and int(entity[70][0]) & 1:
+                contours[layer].append(Contour(points, np.array(entity[42], dtype=float)))
+            else:
+                raise FileError(f"{path.name} has a {kind} on layer {layer}, open or unexpected: write it again")
+    except (KeyError, ValueError, IndexError) as error:
+        raise FileError(f"{path.name} is not a complete DXF file of a disc: write it again") from error
+    profile = contours[PROFILE]
+    if splines and not profile:
+        outline = _along(splines, step, path)
+    elif len(profile) == 1 and not splines:
+        outline = profile[0].outline(step)
+    else:
+        raise FileError(f"{path.name} must have one closed curve on layer {PROFILE}: write it again")
+    return Drawing(outline, tuple(contours[BORE]), tuple(contours[HOLES]))
+
+
+Tag = tuple[int, str]
+
+
+def _sections(path: Path) -> dict[str, list[Tag]]:
+    """Tags of each section by its name; a tag is a line with a code and a line with a value."""
+    lines = path.read_text(encoding="cp1252").splitlines()
+    tags = [(int(code), value.strip()) for code, value in zip(lines[::2], lines[1::2], strict=True)]
+    if tags[-1] != (0, "EOF"):
+        raise ValueError("cut short")
+    begins = [i for i, tag in enumerate(tags) if tag == (0, "SECTION")] + [len(tags)]
+    return {tags[begin + 1][1]: tags[begin + 2 : end] for begin, end in pairwise(begins)}
+
+
+def _units(header: list[Tag]) -> int:
+    return int(header[header.index((9, "$INSUNITS")) + 1][1])
+
+
+def _entities(tags: list[Tag]) -> Iterator[tuple[str, dict[int, list[str]]]]:
+    """Kind of each entity and its values by code; a vertex (10) whose bulge (42) is left out has bulge 0."""
+    begins = [i for i, (code, _) in enumerate(tags) if code == 0]
+    for begin, end in pairwise(begins):
+        entity: dict[int, list[str]] = {}
+        for code, value in tags[begin + 1 : end]:
+            if code == 42 and 42 in entity:
+                entity[42][-1] = value
+                continue
+            entity.setdefault(code, []).append(value)
+            if code == 10:
+                entity.setdefault(42, []).append("0")
+        yield tags[begin][1], entity
+
+
+def _along(splines: list[BSpline], step: float, path: Path) -> Outline:
+    """Points on splines end to end."""
+    ends = np.array([spline(spline.t[[0, -1]]) for spline in splines])
+    if np.abs(ends[:, 1] - np.roll(ends[:, 0], -1, axis=0)).max() > _GAP_MM:
+        raise FileError(f"{path.name} has a gap between two splines on layer {PROFILE}: write it again")
+    points = []
+    for spline in splines:
+        length = np.linalg.norm(np.diff(spline.c, axis=0), axis=1).sum()
+        points.append(spline(np.linspace(spline.t[0], spline.t[-1], max(5, int(length / step) + 2))))
+    owner = np.repeat(np.arange(len(points)), [len(part) for part in points])
+    return Outline(np.concatenate(points), owner)

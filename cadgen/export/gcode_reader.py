@@ -1,0 +1,223 @@
+"""An interpreter of milling programs, and the outline that the cutter leaves.
+
+It knows the words of RS274/NGC that a profile needs, refuses what a machine would refuse or regret, and
+shares nothing with the writer.
+"""
+
+import re
+from dataclasses import dataclass, field
+from math import atan2, hypot, nan, pi
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.curves.closed import Outline
+from cadgen.design.schema import Machining
+from cadgen.errors import FileError
+
+Array = NDArray[np.float64]
+
+_TURN = 2 * pi
+# Controllers compare an arc's radius at both ends; RS274/NGC allows 2 um, and most that came after it more.
+RADIUS_MISMATCH_MM = 5e-4
+_HALF_DIGIT_MM = 5e-5  # rounding of a coordinate with four decimals
+_SCALLOP_MM = 3e-5  # ridge left between the places of the cutter that stand for its path
+_RAYS = 7200  # polar angles at which the outline is read
+_COMMENT = re.compile(r"\([^()]*\)|;.*")
+_WORD = re.compile(r"([A-Z])([-+]?(?:\d+\.?\d*|\.\d+))")
+# Plane XY, mm, absolute, no radius compensation, mm/min, centres relative to the arc's start.
+_SETTINGS = {"G17", "G21", "G90", "G40", "G94", "G91.1"}
+_MOTIONS = {"G0", "G1", "G2", "G3"}
+_VALUES = set("XYZIJFS")
+
+
+@dataclass(frozen=True)
+class Move:
+    """One straight or circular move with its feed, in mm and mm/min; `sweep` is counterclockwise, rad."""
+
+    line: int
+    motion: str
+    start: Array
+    end: Array
+    centre: Array
+    sweep: float
+    feed: float
+
+    @property
+    def plunges(self) -> bool:
+        """Whether the move changes height."""
+        return bool(self.start[2] != self.end[2])
+
+    def places(self, step: float) -> Array:
+        """The cutter's places along the move in plan, no two further apart than `step` mm, shape (n, 2)."""
+        length = hypot(*(self.end - self.start)[:2])
+        if self.sweep:
+            length = abs(self.sweep) * hypot(*(self.start[:2] - self.centre))
+        share = np.linspace(0, 1, int(np.ceil(length / step)) + 1)
+        if not self.sweep:
+            return np.asarray(self.start[:2] + share[:, None] * (self.end - self.start)[:2])
+        x, y = self.start[:2] - self.centre
+        c, s = np.cos(share * self.sweep), np.sin(share * self.sweep)
+        return np.asarray(self.centre + np.stack([x * c - y * s, x * s + y * c], axis=1))
+
+
+@dataclass
+class _Machine:
+    """A controller's state while a program runs."""
+
+    settings: set[str] = field(default_factory=set)
+    motion: str = ""
+    spindle: bool = False
+    feed: float = 0.0
+    at: Array = field(default_factory=lambda: np.full(3, nan))
+    moves: list[Move] = field(default_factory=list)
+    ended: bool = False
+
+    def run(self, number: int, words: list[tuple[str, str]]) -> None:
+        """Obey one line."""
+        if self.ended:
+            raise _RefusedError("stands after the program's end")
+        values = {letter: float(text) for letter, text in words if letter in _VALUES}
+        codes = [f"{letter}{float(text):g}" for letter, text in words if letter not in _VALUES]
+        self.feed = values.get("F", self.feed)
+        for code in codes:
+            self._set(code, values)
+        if values.keys() & set("XYZIJ"):
+            self._move(number, values)
+
+    def _set(self, code: str, values: dict[str, float]) -> None:
+        if code in _MOTIONS:
+            self.motion = code
+        elif code in _SETTINGS:
+            self.settings.add(code)
+        elif code == "M3" and values.get("S", 0.0) > 0:
+            self.spindle = True
+        elif code in ("M5", "M30"):
+            if not self.at[2] > 0:
+                raise _RefusedError("stops with the cutter in the stock")
+            self.spindle, self.ended = False, code == "M30"
+        else:
+            raise _RefusedError(f"has {code}, which is not understood here")
+
+    def _move(self, number: int, values: dict[str, float]) -> None:
+        start = self.at
+        end = np.array([values.get(letter, old) for letter, old in zip("XYZ", start, strict=True)])
+        centre, sweep = start[:2], 0.0
+        sideways = bool({"X", "Y"} & values.keys())
+        if self.motion == "G0":
+            lowest = end[2] if not sideways else min(start[2], end[2])
+            if (sideways or not lowest >= start[2]) and not lowest > 0:
+                raise _RefusedError(f"moves at rapid speed through the stock, at Z {lowest:g}")
+        elif not (self.motion and self.settings == _SETTINGS and self.spindle and self.feed > 0):
+            raise _RefusedError(
+                f"cuts before {' '.join(sorted(_SETTINGS))}, M3 with a speed, G1-G3 and F are all given"
+            )
+        elif np.isnan(start).any():
+            raise _RefusedError("cuts before X, Y and Z are known")
+        elif sideways and start[2] != end[2]:
+            raise _RefusedError("cuts sideways and down at once, so no outline can be told from it")
+        if self.motion in ("G2", "G3"):
+            centre = start[:2] + np.array([values.get("I", 0.0), values.get("J", 0.0)])
+            sweep = _sweep(self.motion, start[:2] - centre, end[:2] - centre)
+        self.at = end
+        self.moves.append(Move(number, self.motion, start, end, centre, sweep, self.feed))
+
+
+class _RefusedError(Exception):
+    """What is wrong with a line."""
+
+
+def read_gcode(path: Path, machining: Machining, thickness: float) -> Outline:
+    """Run a milling program and return the outline of the part that it leaves, one piece.
+
+    At every polar angle the outline is where the ray from the origin first meets a place of the cutter, leads
+    and plunges included, so whatever cuts into the part shows.
+
+    Args:
+        path: the program.
+        machining: cutter and what it is allowed.
+        thickness: of the disc, mm.
+
+    Raises:
+        FileError: a word that is not understood, an arc whose ends disagree on its radius, a rapid move
+            through the stock, a pass too deep, passes that differ, a part not cut through or not all round.
+    """
+    machine = _Machine()
+    for number, line in enumerate(path.read_text(encoding="ascii", errors="replace").splitlines(), start=1):
+        text = _COMMENT.sub("", line).replace(" ", "").upper()
+        words = _WORD.findall(text)
+        try:
+            if "".join(letter + value for letter, value in words) != text:
+                raise _RefusedError(f'is not made of words: "{line[:60]}"')
+            machine.run(number, words)
+        except _RefusedError as refused:
+            raise FileError(f"{path.name}, line {number}, {refused}: do not run this program") from refused
+    if not machine.ended:
+        raise FileError(f"{path.name} has no M30 at its end: the file is cut short, write it again")
+    try:
+        return _left_over(_checked_cuts(machine.moves, machining, thickness), machining.cutter_diameter_mm / 2)
+    except _RefusedError as refused:
+        raise FileError(f"{path.name} {refused}: do not run this program") from refused
+
+
+def _sweep(motion: str, start: Array, end: Array) -> float:
+    """Angle of an arc about its centre; equal ends make a full circle."""
+    first, last = hypot(*start), hypot(*end)
+    if not abs(first - last) <= RADIUS_MISMATCH_MM:
+        raise _RefusedError(f"has an arc whose radius is {first:.4f} mm at its start and {last:.4f} mm at its end")
+    turned = atan2(end[1], end[0]) - atan2(start[1], start[0])
+    return (turned % _TURN or _TURN) if motion == "G3" else -(-turned % _TURN or _TURN)
+
+
+def _checked_cuts(moves: list[Move], machining: Machining, thickness: float) -> list[Move]:
+    """The cuts of one pass and every plunge, after checking that the passes are the same and reach through."""
+    cuts = [move for move in moves if move.motion != "G0"]
+    for move in cuts:
+        allowed = machining.plunge_feed_mm_per_min if move.plunges else machining.feed_mm_per_min
+        if move.feed > allowed:
+            raise _RefusedError(f"cuts at {move.feed:g} mm/min in line {move.line}; {allowed:g} is allowed there")
+    levels: dict[float, list[Move]] = {}
+    for move in cuts:
+        if not move.plunges:
+            levels.setdefault(float(move.end[2]), []).append(move)
+    floors = np.minimum.accumulate([0.0, *levels])
+    deepest_pass = float(-np.diff(floors, append=floors[-1]).min())
+    if deepest_pass > machining.step_down_mm + 2 * _HALF_DIGIT_MM:
+        raise _RefusedError(f"has a pass {deepest_pass:.4f} mm deep; {machining.step_down_mm:g} mm is allowed")
+    if floors[-1] > -thickness:
+        raise _RefusedError(f"ends at Z {floors[-1]:g}, which does not cut through {thickness:g} mm")
+    passes = [
+        np.array([[*move.start[:2], *move.end[:2], *move.centre, move.sweep] for move in level])
+        for level in levels.values()
+    ]
+    if any(not np.array_equal(passes[0], other) for other in passes[1:]):
+        raise _RefusedError("has passes that differ, so the disc's faces would too")
+    return next(iter(levels.values())) + [move for move in cuts if move.plunges]
+
+
+def _left_over(cuts: list[Move], radius: float) -> Outline:
+    """What stays of the stock inside the cutter's sweep, by rays from the origin."""
+    places = np.concatenate([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts])
+    distance = np.linalg.norm(places, axis=1)
+    if distance.min() <= radius:
+        raise _RefusedError("cuts away the centre of the part")
+    angle = np.arctan2(places[:, 1], places[:, 0])
+    # The turn is whole but for what the leads overlap; plunges come back to the begin of a lead.
+    if not np.unwrap(angle).min() - angle[0] < -0.9 * _TURN:
+        raise _RefusedError("does not run clockwise round the part, as climb milling does")
+    spacing = _TURN / _RAYS
+    reach = int(np.ceil(np.arcsin(radius / distance.min()) / spacing))
+    nearest = np.round(angle / spacing).astype(int)
+    rays = nearest[:, None] + np.arange(-reach, reach + 1)
+    off = rays * spacing - angle[:, None]
+    aside = distance[:, None] * np.sin(off)
+    met = np.abs(aside) < radius
+    depth = distance[:, None] * np.cos(off) - np.sqrt(np.where(met, radius**2 - aside**2, 0.0))
+    first = np.full(_RAYS, np.inf)
+    np.minimum.at(first, rays[met] % _RAYS, depth[met])
+    if np.isinf(first).any():
+        raise _RefusedError("does not cut the part free all round")
+    ray = spacing * np.arange(_RAYS + 1)
+    points = np.append(first, first[0])[:, None] * np.stack([np.cos(ray), np.sin(ray)], axis=1)
+    return Outline(points, np.zeros(len(points), dtype=np.intp))
