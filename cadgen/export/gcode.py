@@ -50,7 +50,9 @@ def cutter_path(curve: ClosedCurve, cutter_radius: float, limit: CutterLimit, to
     return arcs(path.begun_at(*_farthest(path)), tolerance).reversed()
 
 
-def write_gcode(path: Path, centre: Contour, machining: Machining, thickness: float, *, name: str) -> None:
+def write_gcode(
+    path: Path, centre: Contour, machining: Machining, thickness: float, *, name: str, hub_height: float = 0.0
+) -> None:
     """Write the program that mills a disc's outline from outside, in equal passes, by climb milling.
 
     With a spindle that turns clockwise, the path runs clockwise round the part and so keeps it on its right:
@@ -62,11 +64,12 @@ def write_gcode(path: Path, centre: Contour, machining: Machining, thickness: fl
         machining: cutter, speeds and heights.
         thickness: of the disc, mm.
         name: of the design, for the first comment.
+        hub_height: how far a hub stands above the disc's upper face, mm; rapid moves pass above it.
     """
     depth = thickness + machining.break_through_mm
     passes = ceil(depth / machining.step_down_mm - 1e-9)
     round_once = _round_once(centre, machining.lead_radius_mm, machining.feed_mm_per_min)
-    safe = _words(Z=machining.safe_height_mm)
+    safe = _words(Z=machining.safe_height_mm + hub_height)
     plain_name = re.sub(r"[^ -~]|[()]", "_", name)
     lines = [
         f"({plain_name}: outline of the cam, milled from outside)",

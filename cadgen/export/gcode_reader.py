@@ -24,6 +24,9 @@ RADIUS_MISMATCH_MM = 5e-4
 _HALF_DIGIT_MM = 5e-5  # rounding of a coordinate with four decimals
 _SCALLOP_MM = 3e-5  # ridge left between the places of the cutter that stand for its path
 _RAYS = 7200  # polar angles at which the outline is read
+_FINE_RAYS = 65  # within a gap between two of them that hides a corner
+_CORNER = 0.02  # rad; a hollow of 3 mm turns by as much between two rays on a cam of 70 mm
+_BLOCK = 512  # rays looked at together, so that the table of candidates stays in the processor's cache
 _COMMENT = re.compile(r"\([^()]*\)|;.*")
 _WORD = re.compile(r"([A-Z])([-+]?(?:\d+\.?\d*|\.\d+))")
 # Plane XY, mm, absolute, no radius compensation, mm/min, centres relative to the arc's start.
@@ -206,18 +209,55 @@ def _left_over(cuts: list[Move], radius: float) -> Outline:
     # The turn is whole but for what the leads overlap; plunges come back to the begin of a lead.
     if not np.unwrap(angle).min() - angle[0] < -0.9 * _TURN:
         raise _RefusedError("does not run clockwise round the part, as climb milling does")
+    order = np.argsort(angle)
+    angle, distance = angle[order], distance[order]
     spacing = _TURN / _RAYS
-    reach = int(np.ceil(np.arcsin(radius / distance.min()) / spacing))
-    nearest = np.round(angle / spacing).astype(int)
-    rays = nearest[:, None] + np.arange(-reach, reach + 1)
-    off = rays * spacing - angle[:, None]
-    aside = distance[:, None] * np.sin(off)
-    met = np.abs(aside) < radius
-    depth = distance[:, None] * np.cos(off) - np.sqrt(np.where(met, radius**2 - aside**2, 0.0))
-    first = np.full(_RAYS, np.inf)
-    np.minimum.at(first, rays[met] % _RAYS, depth[met])
-    if np.isinf(first).any():
+    ray = spacing * np.arange(_RAYS)
+    depth, normal = _depths(angle, distance, ray, radius)
+    # Where the outline turns between two rays stands a corner that both miss: the gap is looked into.
+    turn = (np.roll(normal, -1) - normal + pi) % _TURN - pi
+    gaps = np.flatnonzero(np.abs(turn) > _CORNER)
+    runs = []
+    for first, last in zip(np.append(0, gaps + 1), np.append(gaps, _RAYS), strict=True):
+        runs.append((spacing * np.arange(first, last + 1), np.append(depth, depth[0])[first : last + 1]))
+        if last < _RAYS:
+            fine = spacing * np.linspace(last, last + 1, _FINE_RAYS)
+            runs.append((fine, _depths(angle, distance, fine, radius)[0]))
+    angles, depths = (np.concatenate(parts) for parts in zip(*runs, strict=True))
+    owner = np.repeat(np.arange(len(runs)), [len(run[0]) for run in runs])
+    return Outline(depths[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1), owner)
+
+
+def _depths(angle: Array, distance: Array, ray: Array, radius: float) -> tuple[Array, Array]:
+    """Where rays first meet a cutter, and the direction of the cutter's centre from there.
+
+    Args:
+        angle: polar angles of the cutter's places, in order, shape (m,), rad.
+        distance: of the places from the origin, shape (m,), mm.
+        ray: polar angles, shape (n,), rad.
+        radius: of the cutter, mm.
+    """
+    reach = np.arcsin(radius / distance.min())
+    # Places before the first and after the last angle stand again a turn away.
+    angle = np.concatenate([angle - _TURN, angle, angle + _TURN])
+    distance = np.tile(distance, 3)
+    ray = (ray + pi) % _TURN - pi
+    first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
+    if (first == last).any():
         raise _RefusedError("does not cut the part free all round")
-    ray = spacing * np.arange(_RAYS + 1)
-    points = np.append(first, first[0])[:, None] * np.stack([np.cos(ray), np.sin(ray)], axis=1)
-    return Outline(points, np.zeros(len(points), dtype=np.intp))
+    depth, normal = np.empty(len(ray)), np.empty(len(ray))
+    for block in np.split(np.arange(len(ray)), range(_BLOCK, len(ray), _BLOCK)):
+        index = first[block, None] + np.arange((last - first)[block].max())
+        index = np.minimum(index, last[block, None] - 1)
+        off = angle[index] - ray[block, None]
+        aside = distance[index] * np.sin(off)
+        met = np.abs(aside) < radius
+        near = distance[index] * np.cos(off) - np.sqrt(np.where(met, radius**2 - aside**2, 0.0))
+        near = np.where(met, near, np.inf)
+        best = np.argmin(near, axis=1)
+        rows = np.arange(len(block))
+        depth[block] = near[rows, best]
+        normal[block] = ray[block] + np.arcsin(np.clip(aside[rows, best] / radius, -1.0, 1.0))
+    if np.isinf(depth).any():
+        raise _RefusedError("does not cut the part free all round")
+    return depth, normal

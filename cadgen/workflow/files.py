@@ -242,7 +242,9 @@ def _gcode(job: _Job) -> Iterator[_Result]:
     tolerance = plan.design.export.arc_tolerance_um * 1e-3
     centre = cutter_path(plan.curve, machining.cutter_diameter_mm / 2, job.cutter_limit, tolerance)
     name = f"{job.stem}.nc"
-    write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem)
+    hub = plan.blank.hub
+    above = hub.length if hub and hub.side == "outer" else 0.0
+    write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above)
     outline = read_gcode(job.staging / name, machining, job.thickness)
     facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
     yield _Result(name, job.lift_error_um(outline), GCODE_LIMIT_UM, facts)
