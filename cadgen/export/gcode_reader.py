@@ -212,7 +212,7 @@ def _left_over(cuts: list[Move], radius: float) -> Outline:
     order = np.argsort(angle)
     angle, distance = angle[order], distance[order]
     spacing = _TURN / _RAYS
-    ray = spacing * np.arange(_RAYS)
+    ray: Array = spacing * np.arange(_RAYS, dtype=np.float64)
     depth, normal = _depths(angle, distance, ray, radius)
     # Where the outline turns between two rays stands a corner that both miss: the gap is looked into.
     turn = (np.roll(normal, -1) - normal + pi) % _TURN - pi

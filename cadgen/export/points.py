@@ -2,6 +2,7 @@
 
 import csv
 from collections.abc import Iterable
+from math import ceil
 from pathlib import Path
 
 import numpy as np
@@ -16,11 +17,12 @@ from cadgen.errors import FileError
 Array = NDArray[np.float64]
 
 # A smooth spline through even points bulges beside a corner by up to a twelfth of the corner's angle times their
-# distance. Two closer points on either side, at these shares of the distance, bring that down about tenfold, and
-# stay far enough apart (7 um at 3600 points) for any CAD system.
-_BESIDE_CORNERS = np.array([1 / 16, 1 / 4])
+# distance, and beside a jump of curvature by a share of its size times their distance squared. Closer points on
+# either side, at these shares of the distance, bring that down, and stay far enough apart (2 um at 3600 points) for
+# every CAD system.
+_BESIDE_JOINTS = np.array([1 / 64, 1 / 16, 1 / 4])
+_SAME_CURVATURE = 1e-6  # mm^-1; a smaller jump moves no spline
 _TABLE = 2049  # samples of a piece from which its length is summed
-_STEP_MM = 0.02  # between the points of a spline that is read back
 _STRAIGHT = 1e-6  # mm^-1; a curvature below this (a radius of a kilometre) is written as a straight line
 _SAME_ANGLE = 1e-7  # rad; at a corner the contact rests, and rounding moves it by 1e-8
 
@@ -43,8 +45,8 @@ COLUMNS = (
 def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
     """Write a closed cloud: "x y z" in mm on each line, z = 0, no header, the first point again last.
 
-    The points are evenly spaced along each smooth piece; every corner is one of them, and two more stand
-    close by on either side of it.
+    The points are evenly spaced along each smooth piece. Where direction or curvature jumps between two pieces,
+    the joint is one of them, and three more stand close by on either side of it.
 
     Args:
         path: the file to write.
@@ -53,21 +55,25 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
     """
     tables = [_arc_length(curve, number) for number in range(len(curve.pieces))]
     even = sum(float(arc[-1]) for _, arc in tables) / count
-    cornered = {corner.after for corner in curve.corners()}
+    jumps = _jumps(curve)
     points = []
     for number, (piece, (t, arc)) in enumerate(zip(curve.pieces, tables, strict=True)):
         places, step = np.linspace(0.0, arc[-1], max(2, round(arc[-1] / even)) + 1, retstep=True)
-        if number in cornered:
-            places = np.append(places, step * _BESIDE_CORNERS)
-        if (number + 1) % len(curve.pieces) in cornered:
-            places = np.append(places, arc[-1] - step * _BESIDE_CORNERS)
+        if jumps[number]:
+            places = np.append(places, step * _BESIDE_JOINTS)
+        if jumps[(number + 1) % len(curve.pieces)]:
+            places = np.append(places, arc[-1] - step * _BESIDE_JOINTS)
         points.append(piece.jet(np.interp(np.sort(places)[:-1], arc, t)).point)
     closed = np.concatenate([*points, points[0][:1]])
     _write(path, (f"{x:.6f} {y:.6f} 0.000000" for x, y in (closed + 0.0).tolist()))
 
 
-def read_xyz(path: Path) -> Outline:
+def read_xyz(path: Path, step: float = 0.05) -> Outline:
     """Read a cloud as a CAD system does: a closed cubic spline through the points, by their chord lengths.
+
+    Args:
+        path: the file.
+        step: greatest distance between the points of the result, mm.
 
     Raises:
         FileError: the file is not a closed cloud of points in the plane z = 0.
@@ -84,8 +90,10 @@ def read_xyz(path: Path) -> Outline:
         raise FileError(f"{path.name} has two equal neighbours: write it again with fewer points")
     s = np.concatenate([[0.0], np.cumsum(chords)])
     spline = CubicSpline(s, points, bc_type="periodic")
-    dense = spline(np.linspace(0.0, s[-1], int(s[-1] / _STEP_MM) + 2))
-    return Outline(dense, np.zeros(len(dense), dtype=np.intp))
+    # From point to point, so that a corner among them is not passed over.
+    within = max(5, ceil(chords.max() / step) + 1)
+    dense = spline(s[:-1, None] + chords[:, None] * np.linspace(0.0, 1.0, within))
+    return Outline(dense.reshape(-1, 2), np.repeat(np.arange(len(chords)), within))
 
 
 def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Contact) -> None:
@@ -160,6 +168,16 @@ def contact_outline(table: dict[str, Array]) -> Outline:
     fresh = np.append(np.diff(np.maximum.accumulate(angle)) > _SAME_ANGLE, True)
     points = points[fresh]
     return Outline(points, np.arange(len(points)))
+
+
+def _jumps(curve: ClosedCurve) -> list[bool]:
+    """Whether direction or curvature jumps where each piece begins."""
+    corners = {corner.after for corner in curve.corners()}
+    ends = [piece.jet(np.array([piece.start, piece.stop])).curvature for piece in curve.pieces]
+    return [
+        number in corners or abs(first - ends[number - 1][1]) > _SAME_CURVATURE
+        for number, (first, _) in enumerate(ends)
+    ]
 
 
 def _arc_length(curve: ClosedCurve, number: int) -> tuple[Array, Array]:
