@@ -27,8 +27,9 @@ _TURN = 2 * np.pi
 # step on a rod of 2.5 mm, 0.02 um on one of 1.25 mm.
 CURVE_STEP = 0.03
 STATIONS = 3600  # one per 0.1 degree of cam angle
-# Where the exact envelope is not trimmed, the rod must not be lifted at all; this is ten times what rolling errs.
-PENETRATION_LIMIT_UM = 0.2
+# Where the exact envelope is not trimmed, the rod must neither be pushed out (the wanted place would cut into the
+# disc) nor fall short (there would be a gap); this is ten times what rolling errs.
+CONTACT_LIMIT_UM = 0.2
 # Closure is by construction; anything above rounding is a defect. Relative to the curve's own largest value.
 CLOSURE_LIMIT = 1e-9
 
@@ -214,22 +215,24 @@ def _undercut(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], limi
 def _contact(
     lift: LiftCurve, follower: Follower, contact: Contact, error: Array, trims: tuple[Trim, ...]
 ) -> list[Check]:
-    high = int(np.argmax(error))
-    checks = [
-        Check(
-            "rod pushed out",
-            float(error[high]) * 1e3,
-            "µm",
-            PENETRATION_LIMIT_UM,
-            "max",
-            _at(contact.cam_angle[high]),
-            "this profile is not the rod's envelope: use --profile actual",
-        )
-    ]
-    # Within a trimmed interval either face may carry; elsewhere it must be the one of eq. 15.
+    # Where the envelope is trimmed lift is lost, which has checks of its own, and either face may carry.
     trimmed = np.zeros(len(error), dtype=bool)
     for trim in trims:
         trimmed |= (contact.cam_angle - trim.before) % _TURN <= (trim.after - trim.before) % _TURN
+    checks = []
+    for name, beyond in (("rod pushed out", error), ("rod falls short", np.where(trimmed, 0.0, -error))):
+        worst = int(np.argmax(beyond))
+        checks.append(
+            Check(
+                name,
+                max(float(beyond[worst]) * 1e3, 0.0),
+                "µm",
+                CONTACT_LIMIT_UM,
+                "max",
+                _at(contact.cam_angle[worst]),
+                "this profile is not the rod's envelope: use --profile actual",
+            )
+        )
     due = follower.contact_face(lift.tan_beta(contact.cam_angle))
     wrong = (contact.face != due) & ~trimmed
     inner = float(np.mean(contact.face == follower.inner)) * 100

@@ -9,6 +9,7 @@ from cadgen.cam.blank import CamBlank, Hub
 from cadgen.cam.checks import CheckLimits, check_cam, lost_lift
 from cadgen.cam.contact import roll
 from cadgen.cam.cure import undercut_cures, worst_loss
+from cadgen.cam.envelope import actual_profile
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.cam.theoretical import published_profile, theoretical_profile
 
@@ -99,6 +100,14 @@ def test_the_published_profile_is_refused(carbon_free_car):
     checks = run(carbon_free_car, curve, trims=())
     assert "rod pushed out" in failed(checks)
     assert checks["rod pushed out"].value == pytest.approx(304, abs=5)
+
+
+def test_a_profile_cut_too_deep_lets_the_rod_fall_short(carbon_free_car):
+    thicker = replace(carbon_free_car.follower, radius=2.502)
+    too_deep = actual_profile(carbon_free_car.lift, thicker).curve
+    checks = run(carbon_free_car, too_deep)
+    assert "rod falls short" in failed(checks)
+    assert checks["rod falls short"].value == pytest.approx(2.0, rel=0.2)
 
 
 def test_the_theoretical_profile_with_the_rods_axis(carbon_free_car):
