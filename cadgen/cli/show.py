@@ -41,7 +41,7 @@ def checks(plan: "CamPlan") -> None:
         bound = "<=" if check.bound == "max" else ">="
         table.add_row(
             check.name,
-            f"{_number(check.value)} {check.unit}".strip(),
+            f"{_number(check.value)}{check.unit if check.unit == '°' else ' ' + check.unit}".rstrip(),
             f"{bound} {_number(check.limit)}",
             verdict,
             check.place,

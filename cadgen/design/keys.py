@@ -15,10 +15,10 @@ from cadgen.design.schema import DesignFile
 from cadgen.design.section import Section, listed
 
 # How the ends of key names read in a sentence.
-_UNITS = {"_mm_per_min": "mm/min", "_mm": "mm", "_um": "µm", "_deg": "degrees", "_rpm": "rev/min"}
+_UNITS = {"_mm_per_min": "mm/min", "_mm": "mm", "_um": "µm", "_deg": "degrees", "_rpm": "rev/min", "_percent": "%"}
 # What users may write at the end of a key instead.
 _UNIT_ENDING = re.compile(
-    r"_(?:mm|cm|dm|m|km|um|nm|in|inch|inches|thou|mil|deg|degree|degrees|rad|radians|rpm|hz)"
+    r"_(?:mm|cm|dm|m|km|um|nm|in|inch|inches|thou|mil|deg|degree|degrees|rad|radians|rpm|hz|percent)"
     r"(?:_per_(?:min|minute|s|sec|second|rev))?$",
     re.IGNORECASE,
 )

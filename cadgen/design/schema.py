@@ -14,6 +14,7 @@ from pydantic import Field, field_validator, model_validator
 
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.design.blank import Blank
+from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 
 # What may be part of a file's name on every system, and of STEP's product data.
@@ -200,6 +201,9 @@ class DesignFile(Section):
     machining: Machining = Machining()
     checks: Checks = Checks()
     export: Export = Export()
+    play: Play | None = None
+    tolerances: Tolerances = Tolerances()
+    optimize: Optimize = Optimize()
 
     @field_validator("name")
     @classmethod

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator, PPoly
 
+from cadgen.cam.contact import Contact
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.play import TURN
@@ -52,3 +53,16 @@ def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float) -> Li
     return LiftCurve(
         tan_beta=PPoly(taylor, breaks, extrapolate="periodic"), kinks=np.array([]), blend_start=blend_start
     )
+
+
+def rolled_lift(contact: Contact, *, blend_start: float) -> LiftCurve:
+    """Lift that a disc really gives: of the rod rolled on its outline.
+
+    Args:
+        contact: the rod on the outline, at increasing cam angles of one turn.
+        blend_start: cam angle from which the path no longer steers, rad.
+
+    Raises:
+        DesignError: as `sampled_lift`.
+    """
+    return sampled_lift(contact.cam_angle, contact.tan_beta, blend_start=blend_start)

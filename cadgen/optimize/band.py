@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize_scalar
+from scipy.optimize import brentq
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
@@ -22,10 +22,31 @@ from cadgen.steering.car import Car, track_curvature
 
 Array = NDArray[np.float64]
 
-_PLAYS = 5  # of the band at which the worst is looked for; it lies at an end unless the band is very wide
+BAND_PLAYS = 5  # of the band at which errors are reported; the worst lies at an end unless the band is very wide
 _STEPS = 720  # of a run while searching: the end errs by 1e-5 mm
 _TOLERANCE = 1e-6  # rad of play; it moves the worst error by less than a millimetre's hundredth
 _DIRECTIONS = 720  # in which the bound is taken; each alone is a bound
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlayBand:
+    """What is known of a train's return error, rad.
+
+    Attributes:
+        least: of the cars that may be built.
+        greatest: of them.
+        measured: on the car that the cam is for; None if it has not been.
+    """
+
+    least: float
+    greatest: float
+    measured: float | None = None
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Least and greatest; a measured value beyond them widens the band."""
+        known = [self.least, self.greatest, *([] if self.measured is None else [self.measured])]
+        return min(known), max(known)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,8 +91,8 @@ def best_for_band(
 ) -> BandResult:
     """The compensated profile whose worst position error at the end of the run, over a band of plays, is least.
 
-    For a single play the error falls, then grows, with the play the cam is cut for; so does the greatest of several
-    such errors, and a bounded search for its one minimum is safe.
+    For a single play the error falls, then grows, with the play the cam is cut for. So the error at the band's lower
+    end grows with it and that at the upper end falls, and where the two are equal the worse of them is least.
 
     Args:
         lift: the lift wanted.
@@ -84,20 +105,18 @@ def best_for_band(
         DesignError: the band is not one, or the profile cannot be made for it (see `compensated_lift`).
     """
     low, high = _checked(band)
-    plays = np.linspace(low, high, _PLAYS)
 
-    def at(made_for: float) -> BandResult:
+    def at(made_for: float, plays: Array) -> BandResult:
         return over_band(compensated_lift(lift, follower, made_for), lift, car, length, plays, made_for)
 
-    if high - low <= _TOLERANCE:
-        return at((low + high) / 2)
-    found = minimize_scalar(
-        lambda made_for: at(made_for).worst_distance,
-        bounds=(low, high),
-        method="bounded",
-        options={"xatol": _TOLERANCE},
-    )
-    return at(float(found.x))
+    def lower_end_worse(made_for: float) -> float:
+        ends = at(made_for, np.array([low, high])).distance
+        return float(ends[0] - ends[1])
+
+    made_for = (low + high) / 2
+    if high - low > _TOLERANCE and lower_end_worse(low) < 0 < lower_end_worse(high):
+        made_for = float(brentq(lower_end_worse, low, high, xtol=_TOLERANCE))
+    return at(made_for, np.linspace(low, high, BAND_PLAYS))
 
 
 def over_band(

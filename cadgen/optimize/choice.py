@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isnan
 
-from cadgen.errors import DesignError
+from cadgen.errors import CheckError
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,7 +47,7 @@ def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, least: s
         least: name of the figure that decides.
 
     Raises:
-        DesignError: nothing keeps the limits: names the one that binds on the candidate that comes nearest, and by
+        CheckError: nothing keeps the limits: names the one that binds on the candidate that comes nearest, and by
             how much.
     """
     broken = [[limit for limit in limits if not one.figures[limit.figure] <= limit.most] for one in candidates]
@@ -55,9 +55,9 @@ def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, least: s
     if not kept:
         nearest = min(candidates, key=lambda one: max(_excess(one, limit) for limit in limits))
         binding = max(limits, key=lambda limit: _excess(nearest, limit))
-        raise DesignError(
-            f"no profile keeps the design's limits: the nearest, {nearest.name}, {_beyond(nearest, binding)}: allow "
-            f"more there, or take a train with less backlash"
+        raise CheckError(
+            f"no profile keeps the design's limits: the nearest, {nearest.name}, {_beyond(nearest, binding)}: raise "
+            f"the limit in [optimize], or take a train with less backlash"
         )
     best = min(kept, key=lambda one: one.figures[least])
     reasons = []

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cadgen.errors import DesignError
+from cadgen.errors import CheckError, DesignError
 from cadgen.optimize.choice import Candidate, Limit, choose
 from cadgen.optimize.methods import PROFILES, compare, gain, profile_lift
 
@@ -76,7 +76,7 @@ def test_the_least_of_those_that_keep_the_limits_is_chosen():
 
 def test_names_the_limit_that_binds_and_by_how_much():
     with pytest.raises(
-        DesignError, match="the nearest, compensated, has a position error of 60 mm, 10 mm more than the 50"
+        CheckError, match="the nearest, compensated, has a position error of 60 mm, 10 mm more than the 50"
     ):
         choose(
             [candidate("smoothed", 10.0, 200.0), candidate("compensated", 60.0, 1.0), candidate("bad", np.nan, 0.0)],
@@ -86,5 +86,5 @@ def test_names_the_limit_that_binds_and_by_how_much():
 
 
 def test_a_figure_that_is_no_number_keeps_no_limit():
-    with pytest.raises(DesignError, match="the nearest, bad"):
+    with pytest.raises(CheckError, match="the nearest, bad"):
         choose([candidate("bad", float("nan"), 0.0)], LIMITS, least="position error")
