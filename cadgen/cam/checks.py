@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.cam.blank import CamBlank
-from cadgen.cam.contact import Contact, rest_on_point, roll
+from cadgen.cam.contact import Contact, roll, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
@@ -23,15 +23,13 @@ Array = NDArray[np.float64]
 
 _TURN = 2 * np.pi
 
-# The rod rolled on the exact curve errs by the parabola through three neighbours: under 0.005 um of lift at this
-# step on a rod of 2.5 mm, 0.02 um on one of 1.25 mm.
-CURVE_STEP = 0.03
 STATIONS = 3600  # one per 0.1 degree of cam angle
 # Where the exact envelope is not trimmed, the rod must neither be pushed out (the wanted place would cut into the
 # disc) nor fall short (there would be a gap); this is ten times what rolling errs.
 CONTACT_LIMIT_UM = 0.2
-# Closure is by construction; anything above rounding is a defect. Relative to the curve's own largest value.
-CLOSURE_LIMIT = 1e-9
+# Relative to the curve's own largest value; the second derivative carries rounding of some 1e-8 where nodes are
+# close together, and a jump above this would turn the outline by a microradian.
+CLOSURE_LIMIT = 1e-6
 
 
 @dataclass(frozen=True)
@@ -98,13 +96,21 @@ def cam_angles(lift: LiftCurve) -> Array:
     return np.unique(np.concatenate([even, lift.kinks]))
 
 
-def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...]) -> list[Loss]:
-    """Where the envelope is trimmed the rod rests on a corner: the greatest lift missing at each."""
+def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outline: Outline) -> list[Loss]:
+    """The greatest lift missing between the two cam angles of each trim, by rolling the rod there.
+
+    Args:
+        lift: the steering wanted.
+        follower: the rod.
+        trims: where the envelope was trimmed.
+        outline: of the trimmed envelope; a corner is one of its points, so the rod rests on it exactly.
+    """
     losses = []
     for trim in trims:
-        theta = trim.before + np.linspace(0.0, 1.0, 257) * ((trim.after - trim.before) % _TURN)
-        theta = np.concatenate([theta, lift.kinks[(lift.kinks - theta[0]) % _TURN < theta[-1] - theta[0]]])
-        missing = follower.lift(lift.tan_beta(theta)) - follower.lift(rest_on_point(trim.point, follower, theta))
+        width = (trim.after - trim.before) % _TURN
+        inside = lift.kinks[(lift.kinks - trim.before) % _TURN < width]
+        theta = np.concatenate([trim.before + np.linspace(0.0, 1.0, 65) * width, inside])
+        missing = follower.lift(lift.tan_beta(theta)) - roll(outline, follower, theta).lift
         worst = int(np.argmax(missing))
         losses.append(Loss(trim, float(missing[worst]), float(theta[worst] % _TURN)))
     return losses
@@ -129,13 +135,14 @@ def check_cam(
         limits: what is allowed.
     """
     theta = cam_angles(lift)
-    outline = curve.outline(CURVE_STEP)
-    contact = roll(outline, follower, theta)
+    contact, step = roll_curve(curve, follower, theta)
+    outline = curve.outline(step)
+    losses = lost_lift(lift, follower, trims, outline)
     wanted = follower.lift(lift.tan_beta(theta))
     return (
         *_pressure(lift, contact, limits),
-        *_curvature(lift, follower, curve, limits),
-        *_undercut(lift, follower, trims, limits),
+        *_curvature(lift, follower, curve, losses, limits),
+        *_undercut(lift, losses, limits),
         *_contact(lift, follower, contact, contact.lift - wanted, trims),
         _rod_reach(lift, follower, theta, limits),
         *_hub_clearance(lift, follower, theta, blank),
@@ -163,51 +170,59 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
                 float(np.degrees(limit)),
                 "max",
                 _at(contact.cam_angle[worst]),
-                f"raise cam.base_radius_mm, widen the turn there, or choose another checks.pressure_angle_limit "
-                f"(now {limits.pressure_angle.source})",
+                f"{_soften(lift, contact.cam_angle[worst])}, raise cam.base_radius_mm, or choose another "
+                f"checks.pressure_angle_limit (now {limits.pressure_angle.source})",
             )
         )
     return checks
 
 
-def _curvature(lift: LiftCurve, follower: Follower, curve: ClosedCurve, limits: CheckLimits) -> list[Check]:
+def _curvature(
+    lift: LiftCurve, follower: Follower, curve: ClosedCurve, losses: list[Loss], limits: CheckLimits
+) -> list[Check]:
     theoretical = theoretical_profile(lift, follower)
-    radius, place = _least_convex_radius(theoretical)
+    radius, point = _least_convex_radius(theoretical)
+    place = _polar(point)
     if lift.kinks.size:
         corners = [c for c in theoretical.corners(1e-4) if c.turn > 0 and _near(c.point, lift.kinks)]
         if corners:
             sharpest = max(corners, key=lambda c: c.turn)
-            radius, place = 0.0, f"{_polar(sharpest.point)}, corner {np.degrees(sharpest.turn):.1f}°"
+            radius, point = 0.0, sharpest.point
+            place = f"{_polar(point)}, corner {np.degrees(sharpest.turn):.1f}°"
+    # What is sharper than the rod is undercut; that is sized as lost lift, and bearable if the loss is.
+    lost = max((loss.lift for loss in losses if loss.trim.kind == "local"), default=0.0)
+    angle = float(np.arctan2(point[1], point[0])) % _TURN
     checks = [
         Check(
             "convex radius, theory",
             radius,
             "mm",
-            follower.radius,
+            follower.radius if lost > limits.lost_lift else 0.0,
             "min",
             place,
-            "a convex part sharper than the rod is undercut: lower follower.radius_mm, raise cam.base_radius_mm, "
-            "or smooth the path there",
+            f"a convex part sharper than the rod is undercut: {_soften(lift, angle)}, lower follower.radius_mm or "
+            "raise cam.base_radius_mm",
         )
     ]
-    radius, place = _least_convex_radius(curve)
+    radius, point = _least_convex_radius(curve)
     advice = "a sharp ridge wears: lower follower.radius_mm or raise cam.base_radius_mm"
-    checks.append(Check("convex radius, profile", radius, "mm", limits.min_convex_radius, "min", place, advice))
+    checks.append(Check("convex radius, profile", radius, "mm", limits.min_convex_radius, "min", _polar(point), advice))
     return checks
 
 
-def _undercut(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], limits: CheckLimits) -> list[Check]:
-    losses = lost_lift(lift, follower, trims)
+def _undercut(lift: LiftCurve, losses: list[Loss], limits: CheckLimits) -> list[Check]:
     checks = []
-    for name, kind, advice in (
-        ("lost lift, undercut", "local", "no profile gives this lift to this rod: see the cures below"),
-        ("lost lift, crossing", "global", "two flanks cut each other off: see the cures below"),
-        ("lost lift, face change", "face change", "make the disc thinner (cam.thickness_mm)"),
+    for name, kind, reason in (
+        ("lost lift, undercut", "local", "no profile gives this lift to this rod"),
+        ("lost lift, crossing", "global", "two flanks cut each other off"),
+        ("lost lift, face change", "face change", ""),
     ):
         mine = [loss for loss in losses if loss.trim.kind == kind]
         worst = max(mine, key=lambda loss: loss.lift, default=None)
         place = "none" if worst is None else f"{_at(worst.cam_angle)} ({len(mine)} in all)"
         value = 0.0 if worst is None else worst.lift * 1e3
+        softer = "" if worst is None else _soften(lift, worst.cam_angle)
+        advice = f"{reason}: {softer}" if reason else f"make the disc thinner (cam.thickness_mm) or {softer}"
         checks.append(Check(name, value, "µm", limits.lost_lift * 1e3, "max", place, advice))
     return checks
 
@@ -253,7 +268,7 @@ def _contact(
 def _rod_reach(lift: LiftCurve, follower: Follower, theta: Array, limits: CheckLimits) -> Check:
     """The rod must cross the whole rim: its end lies beyond the outer face at every steering angle."""
     T = lift.tan_beta(theta)
-    # The end's nearest corner lies r tan(beta) short of the axis's end, seen along the rod.
+    # Of the end's rim, the point nearest to the fork lies r sin(beta) nearer than its centre.
     beyond = limits.rod_length / np.sqrt(1 + T**2) - follower.radius * np.abs(T) / np.sqrt(1 + T**2)
     worst = int(np.argmin(beyond))
     return Check(
@@ -332,7 +347,8 @@ def _closure(lift: LiftCurve) -> list[Check]:
         for order in range(3):
             ends = np.polyder(coefficients[:, left], order), np.polyder(coefficients[:, right], order)
             jump = abs(float(np.polyval(ends[0], width)) - float(np.polyval(ends[1], 0.0)))
-            worst = max(worst, jump / float(np.max(np.abs(lift.tan_beta(dense, nu=order)))))
+            scale = float(np.max(np.abs(lift.tan_beta(dense, nu=order))))
+            worst = max(worst, jump / scale if scale > 0 else jump)
         checks.append(
             Check(
                 name,
@@ -347,19 +363,26 @@ def _closure(lift: LiftCurve) -> list[Check]:
     return checks
 
 
-def _least_convex_radius(curve: ClosedCurve) -> tuple[float, str]:
-    radius, place = np.inf, "no convex part"
+def _least_convex_radius(curve: ClosedCurve) -> tuple[float, Array]:
+    radius, point = np.inf, curve.pieces[0].jet(np.array([curve.pieces[0].start])).point[0]
     for piece in curve.pieces:
         jet = piece.jet(np.linspace(piece.start, piece.stop, STATIONS))
         worst = int(np.argmax(jet.curvature))
         if jet.curvature[worst] > 0 and 1 / jet.curvature[worst] < radius:
-            radius, place = float(1 / jet.curvature[worst]), _polar(jet.point[worst])
-    return radius, place
+            radius, point = float(1 / jet.curvature[worst]), jet.point[worst]
+    return radius, point
 
 
 def _near(point: Array, angles: Array) -> bool:
     off = (np.arctan2(point[1], point[0]) - angles + np.pi) % _TURN - np.pi
     return bool(np.any(np.abs(off) < 1e-6))
+
+
+def _soften(lift: LiftCurve, theta: float) -> str:
+    """What makes the lift milder at a cam angle."""
+    if theta >= lift.blend_start:
+        return "raise cam.blend_deg (the closing blend steers there)"
+    return "widen the turn there (path.waypoints_mm)"
 
 
 def _at(theta: float) -> str:

@@ -7,6 +7,7 @@ from math import exp, log
 from scipy.optimize import brentq
 
 from cadgen.cam.checks import lost_lift
+from cadgen.cam.contact import COARSEST_STEP
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
@@ -15,11 +16,12 @@ from cadgen.errors import DesignError
 # The change is found to this share of itself; a shop rounds further than that.
 _PRECISION = 0.01
 _LARGEST_FACTOR = 64.0  # a change beyond this is no cure
+_POINTS_PER_RADIUS = 20  # of the rod; the corners that it rests on are exact at any step
 _NOTHING = 1e-12  # mm; keeps the logarithm finite where nothing at all is lost
 
 
 @dataclass(frozen=True)
-class Cure:
+class Change:
     """One change that makes the loss acceptable.
 
     Attributes:
@@ -44,10 +46,13 @@ def worst_loss(lift: LiftCurve, follower: Follower) -> float:
         profile = actual_profile(lift, follower)
     except DesignError:
         return float("inf")
-    return max((loss.lift for loss in lost_lift(lift, follower, profile.trims)), default=0.0)
+    if not profile.trims:
+        return 0.0
+    outline = profile.curve.outline(min(COARSEST_STEP, follower.radius / _POINTS_PER_RADIUS))
+    return max(loss.lift for loss in lost_lift(lift, follower, profile.trims, outline))
 
 
-def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[Cure, ...]:
+def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[Change, ...]:
     """Try a thinner rod and a larger base circle, each alone, and return what cures, smallest change first.
 
     The loss falls with both (r / (cos(delta/2)) - r at a corner of angle delta, and delta falls as the base
@@ -62,10 +67,10 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
     cures = []
     factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, radius=thinner / f)), limit)
     if factor is not None:
-        cures.append(Cure("follower.radius_mm", thinner, thinner / factor))
+        cures.append(Change("follower.radius_mm", thinner, thinner / factor))
     factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, base_radius=larger * f)), limit)
     if factor is not None:
-        cures.append(Cure("cam.base_radius_mm", larger, larger * factor))
+        cures.append(Change("cam.base_radius_mm", larger, larger * factor))
     return tuple(sorted(cures, key=lambda cure: cure.factor))
 
 

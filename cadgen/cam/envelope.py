@@ -29,6 +29,7 @@ Array = NDArray[np.float64]
 _TURN = 2 * np.pi
 _SAMPLES = 3600  # of a turn: folds and crossings closer together than 0.1 degree count as one
 _NEWTON_STEPS = 20
+_MEET = 1e-6  # mm; branches that cross do so to rounding
 _CONVERGED = 1e-13  # rad; Newton's method has doubled its digits past rounding
 _JOINT = 1e-9  # rad; two branches that end and begin within this meet, they do not cross
 
@@ -147,7 +148,8 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     """Return the largest disc that no section of the rod cuts, in either face plane.
 
     Raises:
-        DesignError: the rod is too thick for the cam's smallest radius, so that no disc remains.
+        DesignError: the rod is too thick for the cam's smallest radius, so that no disc remains, or a flank
+            overhangs.
     """
     _refuse_thick_rod(lift, follower)
     branches = _branches(lift, follower)
@@ -183,6 +185,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
             leave, enter = before.stop, after.start
         else:
             leave, enter = _crossing(before, after, edges[cell])
+            _refuse_overhang(lift, before, after, leave, enter)
             trims.append(_trim(lift, before, after, leave, enter))
         stops[(place - 1) % len(changes)] = leave
         begins.append((owner[cell], enter))
@@ -240,6 +243,20 @@ def _crossing(before: Branch, after: Branch, near: float) -> tuple[float, float]
         if np.abs(step).max() < _CONVERGED:
             break
     return float(t[0]), float(t[1])
+
+
+def _refuse_overhang(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> None:
+    """Branches that do not meet leave a wall along the ray between them, which no rod can climb."""
+    points = [b.jet(np.array([t])).point[0] for b, t in ((before, leave), (after, enter))]
+    if np.abs(points[0] - points[1]).max() < _MEET:
+        return
+    theta = (after.theta if isinstance(after, RodArc) else enter) % _TURN
+    in_blend = theta >= lift.blend_start
+    softer = "raise cam.blend_deg (the closing blend steers there)" if in_blend else "widen the turn there"
+    raise DesignError(
+        f"the cam's flank at cam angle {np.degrees(theta):.1f} degrees would be steeper than radial, with a pressure "
+        f"angle beyond 90 degrees, so the rod cannot follow it: {softer} or raise cam.base_radius_mm"
+    )
 
 
 def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> Trim:

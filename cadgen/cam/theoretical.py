@@ -66,8 +66,8 @@ def theoretical_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
 def published_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
     """The profile by the formula of the paper's appendix.
 
-    It is not the envelope: the rod touches beside the ray, not on it, so it rides up to 0.27 mm too high on the
-    paper's car. It is offered for comparison.
+    It is not the envelope: the rod touches beside the ray, not on it, so it rides up to 0.30 mm too high on the
+    paper's car (0.27 mm at the inner face). It is offered for comparison.
     """
     return _polar_profile(lift, follower, rod_radius=follower.radius)
 

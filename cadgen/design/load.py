@@ -42,13 +42,26 @@ def load_design(source: str | Path | None = None, overrides: Sequence[str] = ())
     """
     file = _find(DEFAULT_DESIGN if source is None else source)
     values = _read(file)
+    return _checked(values, file.name, overrides)
+
+
+def with_overrides(design: Design, overrides: Sequence[str]) -> Design:
+    """Return a design with more overrides applied, checked as `load_design` does.
+
+    Raises:
+        DesignError: the result is no design.
+    """
+    return _checked(design.values(), design.source, overrides, design.overrides)
+
+
+def _checked(values: dict[str, Any], source: str, overrides: Sequence[str], earlier: tuple[str, ...] = ()) -> Design:
     applied = [(override(values, text), text) for text in overrides]
-    values.setdefault("name", re.sub(r"[^A-Za-z0-9._-]+", "_", file.stem).lstrip("._-")[:64] or "design")
+    values.setdefault("name", re.sub(r"[^A-Za-z0-9._-]+", "_", Path(source).stem).lstrip("._-")[:64] or "design")
     try:
         checked = DesignFile.model_validate(values)
     except ValidationError as error:
-        raise DesignError(_report(error, file.name, applied)) from None
-    return Design(**dict(checked), source=file.name, overrides=tuple(overrides))
+        raise DesignError(_report(error, source, applied)) from None
+    return Design(**dict(checked), source=source, overrides=(*earlier, *overrides))
 
 
 def _find(source: str | Path) -> Path:

@@ -6,7 +6,7 @@ shares nothing with the writer.
 
 import re
 from dataclasses import dataclass, field
-from math import atan2, hypot, nan, pi
+from math import atan2, ceil, hypot, nan, pi
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +23,6 @@ _TURN = 2 * pi
 RADIUS_MISMATCH_MM = 5e-4
 _HALF_DIGIT_MM = 5e-5  # rounding of a coordinate with four decimals
 _SCALLOP_MM = 3e-5  # ridge left between the places of the cutter that stand for its path
-_RAYS = 7200  # polar angles at which the outline is read
 _FINE_RAYS = 65  # within a gap between two of them that hides a corner
 _CORNER = 0.02  # rad; a hollow of 3 mm turns by as much between two rays on a cam of 70 mm
 _BLOCK = 512  # rays looked at together, so that the table of candidates stays in the processor's cache
@@ -131,7 +130,7 @@ class _RefusedError(Exception):
     """What is wrong with a line."""
 
 
-def read_gcode(path: Path, machining: Machining, thickness: float) -> Outline:
+def read_gcode(path: Path, machining: Machining, thickness: float, step: float = 0.06) -> Outline:
     """Run a milling program and return the outline of the part that it leaves, one piece.
 
     At every polar angle the outline is where the ray from the origin first meets a place of the cutter, leads
@@ -141,6 +140,7 @@ def read_gcode(path: Path, machining: Machining, thickness: float) -> Outline:
         path: the program.
         machining: cutter and what it is allowed.
         thickness: of the disc, mm.
+        step: distance between the points of the outline, mm.
 
     Raises:
         FileError: a word that is not understood, an arc whose ends disagree on its radius, a rapid move
@@ -159,7 +159,7 @@ def read_gcode(path: Path, machining: Machining, thickness: float) -> Outline:
     if not machine.ended:
         raise FileError(f"{path.name} has no M30 at its end: the file is cut short, write it again")
     try:
-        return _left_over(_checked_cuts(machine.moves, machining, thickness), machining.cutter_diameter_mm / 2)
+        return _left_over(_checked_cuts(machine.moves, machining, thickness), machining.cutter_diameter_mm / 2, step)
     except _RefusedError as refused:
         raise FileError(f"{path.name} {refused}: do not run this program") from refused
 
@@ -199,7 +199,7 @@ def _checked_cuts(moves: list[Move], machining: Machining, thickness: float) -> 
     return next(iter(levels.values())) + [move for move in cuts if move.plunges]
 
 
-def _left_over(cuts: list[Move], radius: float) -> Outline:
+def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
     """What stays of the stock inside the cutter's sweep, by rays from the origin."""
     places = np.concatenate([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts])
     distance = np.linalg.norm(places, axis=1)
@@ -211,16 +211,17 @@ def _left_over(cuts: list[Move], radius: float) -> Outline:
         raise _RefusedError("does not run clockwise round the part, as climb milling does")
     order = np.argsort(angle)
     angle, distance = angle[order], distance[order]
-    spacing = _TURN / _RAYS
-    ray: Array = spacing * np.arange(_RAYS, dtype=np.float64)
+    count = ceil(_TURN * (distance.max() - radius) / step)
+    spacing = _TURN / count
+    ray: Array = spacing * np.arange(count, dtype=np.float64)
     depth, normal = _depths(angle, distance, ray, radius)
     # Where the outline turns between two rays stands a corner that both miss: the gap is looked into.
     turn = (np.roll(normal, -1) - normal + pi) % _TURN - pi
     gaps = np.flatnonzero(np.abs(turn) > _CORNER)
     runs = []
-    for first, last in zip(np.append(0, gaps + 1), np.append(gaps, _RAYS), strict=True):
+    for first, last in zip(np.append(0, gaps + 1), np.append(gaps, count), strict=True):
         runs.append((spacing * np.arange(first, last + 1), np.append(depth, depth[0])[first : last + 1]))
-        if last < _RAYS:
+        if last < count:
             fine = spacing * np.linspace(last, last + 1, _FINE_RAYS)
             runs.append((fine, _depths(angle, distance, fine, radius)[0]))
     angles, depths = (np.concatenate(parts) for parts in zip(*runs, strict=True))

@@ -31,9 +31,6 @@ from cadgen.errors import FileError
 Array = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
-# A chord that strays by e along the normal shifts the lift by e / cos(pressure angle): with half the
-# tolerance for the rim, the lift keeps it up to a pressure angle of 60 degrees.
-_RIM_SHARE = 0.5
 _OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
 _STEP = 0.1  # mm between the profile's points when the walls are measured
 
@@ -70,21 +67,24 @@ class MeshContent:
     wall_area: float
 
 
-def cam_mesh(profile: ClosedCurve, blank: CamBlank, thickness: float, chord_tolerance: float) -> Mesh:
+def cam_mesh(
+    profile: ClosedCurve, blank: CamBlank, thickness: float, chord_tolerance: float, rim_share: float = 0.5
+) -> Mesh:
     """Return the disc with its bore, holes and hub; z = 0 is the inner face, z = thickness the outer one.
 
     Args:
         profile: of the rim, mm.
         blank: what else the disc has.
         thickness: of the disc, mm.
-        chord_tolerance: what bore, holes and hub may stray from the true shape, and the lift that the rim
-            gives from the true lift, mm.
+        chord_tolerance: what bore, holes and hub may stray from the true shape, mm.
+        rim_share: of that, what the rim may stray along its normal; the lift strays by as much over the cosine of
+            the pressure angle.
 
     Raises:
         DesignError: a hole cuts into another one, into the hub or through the profile.
     """
     blank.require_walls(profile.outline(_STEP))
-    rim = polygon(profile, _RIM_SHARE * chord_tolerance)
+    rim = polygon(profile, rim_share * chord_tolerance)
     holes = [contour.polygon(chord_tolerance) for contour in blank.holes()]
     bore = blank.bore()
     if blank.hub is None:

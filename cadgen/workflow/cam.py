@@ -1,27 +1,50 @@
 """From a design to a checked profile. No CAD kernel is needed for this."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import degrees, isfinite
+from math import ceil, degrees, floor, isfinite, log10
 from typing import Any
 
 import numpy as np
 
 from cadgen.cam.blank import CamBlank
 from cadgen.cam.checks import Check, check_cam
-from cadgen.cam.cure import Cure, undercut_cures, worst_loss
+from cadgen.cam.cure import undercut_cures
 from cadgen.cam.envelope import Trim, actual_profile
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.theoretical import published_profile, theoretical_profile
 from cadgen.curves.closed import ClosedCurve
-from cadgen.design import stages
+from cadgen.design import stages, variation
+from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
-from cadgen.errors import DesignError
+from cadgen.design.section import listed
+from cadgen.errors import CadgenError, DesignError
+from cadgen.optimize.judge import Judged
 from cadgen.path.track import Track
+from cadgen.workflow.play import PLAY_PROFILES, Against, against_play, lift_check, task_of
 
 Step = Callable[[str], None]
+
+
+# Lengthening the closing blend is tried by these factors, and limits are rounded up to a tenth of a micrometre.
+_BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
+
+
+@dataclass(frozen=True)
+class Cure:
+    """One change of the design after which no more lift is lost than allowed.
+
+    Attributes:
+        override: as for `--set`.
+        now: what the key says now.
+        failing: names of the checks that fail with the change.
+    """
+
+    override: str
+    now: str
+    failing: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -30,14 +53,15 @@ class CamPlan:
 
     Attributes:
         design: what it was planned from.
-        profile: `actual`, `theoretical` or `published`.
+        profile: `actual`, `theoretical`, `published` or one of `PLAY_PROFILES`.
         track: of the drive wheel.
-        lift: the steering wanted.
+        lift: the steering that the profile is cut for: the planned one, or what becomes that one with play.
         rod: the follower of the design.
         curve: the profile.
         trims: where the envelope was trimmed.
         blank: what the disc has besides its profile.
         checks: every figure with its verdict.
+        against: what the profile does about play, if that is what it is for.
     """
 
     design: Design
@@ -49,6 +73,7 @@ class CamPlan:
     trims: tuple[Trim, ...]
     blank: CamBlank
     checks: tuple[Check, ...]
+    against: Against | None = None
 
     @property
     def passed(self) -> bool:
@@ -61,29 +86,25 @@ class CamPlan:
         return replace(self.rod, radius=0.0) if self.profile == "theoretical" else self.rod
 
     @cached_property
-    def cures(self) -> tuple[Cure, ...]:
-        """Changes of one number that bring lost lift within its limit; empty if none is lost or none cures."""
-        lost = any(check.name.startswith("lost lift") and not check.passed for check in self.checks)
-        limit = self.design.checks.lost_lift_limit_um * 1e-3
-        return undercut_cures(self.lift, self.rod, limit) if lost else ()
+    def lost(self) -> tuple[Check, ...]:
+        """The checks by which too much lift is lost."""
+        return tuple(check for check in self.checks if check.name.startswith("lost lift") and not check.passed)
+
+    @cached_property
+    def cures(self) -> tuple["Cure", ...]:
+        """Changes of one key that bring lost lift within its limit, each proved by planning the cam again."""
+        return tuple(_cures(self)) if self.lost else ()
 
     def cure_sentences(self) -> list[str]:
-        """What would cure lost lift, smallest change first, in words."""
-        lost = [check for check in self.checks if check.name.startswith("lost lift") and not check.passed]
-        if not lost:
-            return []
+        """What would cure lost lift, in words."""
         lines = []
-        if self.design.path.spline == "cubic":
-            smooth = self.design.model_copy(update={"path": self.design.path.model_copy(update={"spline": "quintic"})})
-            loss = worst_loss(stages.lift(smooth), self.rod) * 1e3
-            verdict = "cures it" if loss <= lost[0].limit else "does not cure it"
-            lines.append(
-                f'path.spline = "quintic" {verdict}: {loss:.2f} µm lost, but the path between waypoints changes.'
-            )
         for cure in self.cures:
-            lines.append(f"{cure.parameter} = {cure.value:.3g} (now {cure.now:g}) cures it alone.")
-        worst = max(check.value for check in lost)
-        lines.append(f"To accept the loss, set checks.lost_lift_limit_um to {np.ceil(worst * 10) / 10:g} or more.")
+            change = f"--set {cure.override} (now {cure.now}) "
+            lines.append(
+                change + ("cures it." if not cure.failing else f"ends that, but fails {listed(cure.failing, 'and')}.")
+            )
+        if self.lost and not lines:
+            lines.append("No change of one key cures it: the path itself must become milder.")
         return lines
 
     def facts(self) -> dict[str, Any]:
@@ -110,7 +131,7 @@ class CamPlan:
                 }
                 for check in self.checks
             ],
-            "cures": [{"parameter": c.parameter, "now": c.now, "value": c.value} for c in self.cures],
+            "cures": [{"override": c.override, "now": c.now, "then_fails": list(c.failing)} for c in self.cures],
             "lift_extrema": [
                 {
                     "kind": kind,
@@ -127,27 +148,56 @@ class CamPlan:
                 "where": self.track.where(self.track.length * start / (2 * np.pi)),
             },
             "profile_area_mm2": self.curve.area(),
+            "play": None if self.against is None else self.against.facts(),
         }
 
 
-def plan_cam(design: Design, profile: str = "actual", step: Step = lambda text: None) -> CamPlan:
+def default_profile(design: Design) -> str:
+    """`optimized` for a design that says something of its play, else `actual`."""
+    return "optimized" if variation.play_bands(design) else "actual"
+
+
+def plan_cam(
+    design: Design, profile: str | None = None, step: Step = lambda text: None, *, all_trains: bool = False
+) -> CamPlan:
     """Compute the profile of a design and check it.
 
     Args:
         design: a loaded design.
-        profile: `actual` (the exact envelope), `theoretical` (the rod's axis) or `published` (the appendix's
-            formula).
+        profile: `actual` (the exact envelope), `theoretical` (the rod's axis), `published` (the appendix's
+            formula), or one of `PLAY_PROFILES`; `default_profile` if left out.
         step: told what is being done.
+        all_trains: against play, compare the methods on the trains that the design does not use, too.
 
     Raises:
-        DesignError: the path cannot be driven, the rod leaves no disc, or there is no such profile.
+        DesignError: the path cannot be driven, the rod leaves no disc, there is no such profile, or nothing is
+            known of the play that it is for, or that play does not fit the path.
+        CheckError: no profile keeps the limits of [optimize].
     """
+    profile = profile or default_profile(design)
     step("planning the path")
     track = stages.track(design)
     lift = stages.lift(design, track)
     rod = stages.follower(design)
+    blank = stages.blank(design)
+    limits = stages.check_limits(design)
     step(f"computing the {profile} profile")
     trims: tuple[Trim, ...] = ()
+    if profile in PLAY_PROFILES:
+        known: dict[str, tuple[Check, ...]] = {}
+
+        def check(one: Judged) -> tuple[Check, ...]:
+            if one.profile not in known:
+                found = check_cam(one.lift, rod, one.cut.curve, one.cut.trims, blank, limits)
+                known[one.profile] = (*found, lift_check(design, one))
+            return known[one.profile]
+
+        against = against_play(design, profile, task_of(design, track, lift, rod), check, all_trains=all_trains)
+        best = against.chosen
+        step("checking the profile")
+        return CamPlan(
+            design, profile, track, best.lift, rod, best.cut.curve, best.cut.trims, blank, check(best), against
+        )
     follower = rod
     match profile:
         case "actual":
@@ -158,11 +208,51 @@ def plan_cam(design: Design, profile: str = "actual", step: Step = lambda text: 
         case "published":
             curve = published_profile(lift, rod)
         case _:
-            raise DesignError(f'there is no profile "{profile}": choose actual, theoretical or published')
+            names = ", ".join(("actual", "theoretical", "published", *PLAY_PROFILES))
+            raise DesignError(f'there is no profile "{profile}": choose one of {names}')
     step("checking the profile")
-    blank = stages.blank(design)
-    checks = check_cam(lift, follower, curve, trims, blank, stages.check_limits(design))
+    checks = check_cam(lift, follower, curve, trims, blank, limits)
     return CamPlan(design, profile, track, lift, rod, curve, trims, blank, checks)
+
+
+def _cures(plan: CamPlan) -> Iterator[Cure]:
+    """Try one key at a time: the spline, the blend, the rod, the base circle, and at last the limit itself."""
+    design = plan.design
+    if design.path.spline == "cubic":
+        yield from _proved(plan, 'path.spline="quintic"', "cubic")
+    now = design.cam.blend_deg
+    in_blend = any(trim.after >= plan.lift.blend_start for trim in plan.trims)
+    for factor in _BLEND_FACTORS if in_blend else ():
+        if proved := _proved(plan, f"cam.blend_deg={now * factor:g}", f"{now:g}"):
+            yield from proved
+            break
+    for change in undercut_cures(plan.lift, plan.rod, design.checks.lost_lift_limit_um * 1e-3):
+        # Three digits, rounded to the safe side.
+        unit = 10.0 ** (floor(log10(change.value)) - 2)
+        safe = (ceil if change.value > change.now else floor)(change.value / unit) * unit
+        yield from _proved(plan, f"{change.parameter}={safe:.4g}", f"{change.now:g}")
+    allowed = ceil(max(check.value for check in plan.lost) * 10) / 10
+    yield from _proved(plan, f"checks.lost_lift_limit_um={allowed:g}", f"{design.checks.lost_lift_limit_um:g}")
+
+
+def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
+    """The change, if it is a design and no more lift than allowed is lost with it."""
+    try:
+        again = plan_cam(with_overrides(plan.design, [override]), plan.profile)
+    except CadgenError:
+        return []
+    return [] if again.lost else [Cure(override, now, tuple(c.name for c in again.checks if not c.passed))]
+
+
+def against_of(plan: CamPlan) -> Against:
+    """What a plan's profile does about play.
+
+    Raises:
+        DesignError: it is not for that.
+    """
+    if plan.against is None:
+        raise DesignError(f'the profile "{plan.profile}" does nothing about play: choose {listed(PLAY_PROFILES, "or")}')
+    return plan.against
 
 
 def _plain(value: float) -> float | None:

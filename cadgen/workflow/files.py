@@ -3,14 +3,15 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.cam.checks import CURVE_STEP, cam_angles
-from cadgen.cam.contact import roll
+from cadgen.cam.checks import cam_angles
+from cadgen.cam.contact import Contact, roll, roll_curve
 from cadgen.cam.cutter import CutterLimit, largest_cutter
 from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import Outline
@@ -18,6 +19,8 @@ from cadgen.curves.spline import splines
 from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_hash, versions, write_manifest
+from cadgen.motion.play import LEAST_SWING
+from cadgen.motion.sampled import rolled_lift
 from cadgen.workflow.cam import CamPlan, Step
 
 if TYPE_CHECKING:
@@ -34,8 +37,9 @@ GCODE_LIMIT_UM = 1.0
 SOLID_VOLUME_LIMIT = 1e-6
 # How far the cubic splines of the DXF may stray, mm: a tenth of what the lift is allowed.
 _DXF_SPLINE_TOLERANCE = 1e-4
-# Distance of the points on what is read back, mm; rolling errs by 0.005 um at this step.
-_READ_STEP = 0.05
+# Share of the chord tolerance that the rim's chords may take at a pressure angle of 0; and at least, at 87 degrees.
+_RIM_SHARE = 0.8
+_LEAST_RIM_SHARE = 0.04
 
 
 @dataclass(frozen=True)
@@ -49,6 +53,16 @@ class Written:
 
     part: str
     entry: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class _Result:
+    """A file that was written and read back."""
+
+    name: str
+    lift_error_um: float
+    lift_limit_um: float
+    facts: dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -75,9 +89,14 @@ class _Job:
         return cam_angles(self.plan.lift)
 
     @cached_property
-    def lift(self) -> Array:
-        """Lift of the exact curve, mm: what every file is compared with."""
-        return roll(self.plan.curve.outline(CURVE_STEP), self.plan.follower, self.cam_angle).lift
+    def rolled(self) -> tuple[Contact, float]:
+        """The rod on the exact curve, and the step of an outline that this takes, mm."""
+        return roll_curve(self.plan.curve, self.plan.follower, self.cam_angle)
+
+    @property
+    def step(self) -> float:
+        """Distance of the points on what is read back, mm."""
+        return self.rolled[1]
 
     @cached_property
     def part(self) -> "Part":
@@ -99,20 +118,21 @@ class _Job:
     def cutter_limit(self) -> CutterLimit:
         return largest_cutter(self.plan.curve)
 
-    def lift_error_um(self, outline: Outline) -> float:
-        """Largest difference of the lift that an outline gives, over the whole turn."""
-        rolled = roll(outline, self.plan.follower, self.cam_angle).lift
-        return float(np.abs(rolled - self.lift).max() * 1e3)
+    def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
+        """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play."""
+        rolled = roll(outline, self.plan.follower, self.cam_angle)
+        error = float(np.abs(rolled.lift - self.rolled[0].lift).max() * 1e3)
+        return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(rolled, lift_limit_um)})
 
-
-@dataclass(frozen=True)
-class _Result:
-    """A file that was written and read back."""
-
-    name: str
-    lift_error_um: float
-    lift_limit_um: float
-    facts: dict[str, Any]
+    def _end_of_run(self, rolled: Contact, lift_limit_um: float) -> dict[str, float]:
+        against = self.plan.against
+        if against is None:
+            return {}
+        # Rises and falls within what the file may err by are no events of the path.
+        least = max(LEAST_SWING, lift_limit_um * 1e-3 / self.plan.rod.inner)
+        lift = rolled_lift(rolled, blend_start=self.plan.lift.blend_start)
+        heading, distance = against.end_of(lift, least)
+        return {"end_heading_deg": degrees(heading), "end_position_mm": distance}
 
 
 def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None) -> Written:
@@ -172,24 +192,27 @@ def _step(job: _Job) -> Iterator[_Result]:
 
     name = f"{job.stem}.step"
     (job.staging / name).write_bytes(step_bytes(job.part))
-    content = read_step(job.staging / name, _READ_STEP)
+    content = read_step(job.staging / name, job.step)
     if not content.valid or content.bodies != 1 or content.name != job.stem or content.description != job.description:
         raise FileError(f"{name}, read back, is not one valid solid with its name: report this design")
     error = abs(content.volume / job.volume - 1)
     if not error <= SOLID_VOLUME_LIMIT:
         raise FileError(f"{name}, read back, misses the exact volume by {error:.1e}: report this design")
     facts = {"volume_mm3": content.volume, "volume_error_relative": error}
-    yield _Result(name, job.lift_error_um(content.rim), STEP_LIMIT_UM, facts)
+    yield job.result(name, content.rim, STEP_LIMIT_UM, facts)
 
 
 def _meshes(job: _Job) -> Iterator[_Result]:
     from cadgen.export.mesh import Mesh, cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
 
     chord = job.plan.design.export.mesh_chord_um * 1e-3
-    mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord)
+    # A chord that strays by e along the normal shifts the lift by e / cos(pressure angle).
+    steepest = float(np.cos(job.rolled[0].pressure_angle).min())
+    rim_share = max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
+    mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord, rim_share)
 
     def read(name: str, again: Mesh) -> _Result:
-        content = inspect(again, _READ_STEP)
+        content = inspect(again, job.step)
         if not content.watertight or content.bodies != 1:
             raise FileError(f"{name}, read back, is not one watertight body: report this design")
         error = abs(content.volume - job.volume)
@@ -201,7 +224,7 @@ def _meshes(job: _Job) -> Iterator[_Result]:
             "volume_mm3": content.volume,
             "volume_error_relative": error / job.volume,
         }
-        return _Result(name, job.lift_error_um(content.rim), chord * 1e3, facts)
+        return job.result(name, content.rim, chord * 1e3, facts)
 
     name = f"{job.stem}.stl"
     (job.staging / name).write_bytes(stl_bytes(mesh, job.stem))
@@ -227,10 +250,10 @@ def _dxf(job: _Job) -> Iterator[_Result]:
     ):
         name = f"{job.stem}_{suffix}.dxf"
         write_dxf(job.staging / name, profile, plan.blank.bore(), plan.blank.holes())
-        drawing = read_dxf(job.staging / name, _READ_STEP)
+        drawing = read_dxf(job.staging / name, job.step)
         if len(drawing.bore) != 1 or len(drawing.holes) != len(plan.blank.holes()):
             raise FileError(f"{name}, read back, has lost the bore or a hole: report this design")
-        yield _Result(name, job.lift_error_um(drawing.profile), DXF_LIMIT_UM, facts)
+        yield job.result(name, drawing.profile, DXF_LIMIT_UM, facts)
 
 
 def _gcode(job: _Job) -> Iterator[_Result]:
@@ -245,9 +268,9 @@ def _gcode(job: _Job) -> Iterator[_Result]:
     hub = plan.blank.hub
     above = hub.length if hub and hub.side == "outer" else 0.0
     write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above)
-    outline = read_gcode(job.staging / name, machining, job.thickness)
+    outline = read_gcode(job.staging / name, machining, job.thickness, job.step)
     facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
-    yield _Result(name, job.lift_error_um(outline), GCODE_LIMIT_UM, facts)
+    yield job.result(name, outline, GCODE_LIMIT_UM, facts)
 
 
 def _points(job: _Job) -> Iterator[_Result]:
@@ -257,12 +280,12 @@ def _points(job: _Job) -> Iterator[_Result]:
     count = plan.design.export.point_count
     name = f"{job.stem}.xyz"
     write_xyz(job.staging / name, plan.curve, count)
-    cloud = read_xyz(job.staging / name)
-    yield _Result(name, job.lift_error_um(cloud), POINTS_LIMIT_UM, {"points": count})
+    cloud = read_xyz(job.staging / name, job.step)
+    yield job.result(name, cloud, POINTS_LIMIT_UM, {"points": count})
 
     name = f"{job.stem}.csv"
     cam_angle = np.linspace(0.0, 2 * np.pi, count, endpoint=False)
-    contact = roll(plan.curve.outline(CURVE_STEP), plan.follower, cam_angle)
+    contact, _ = roll_curve(plan.curve, plan.follower, cam_angle)
     write_csv(job.staging / name, plan.curve, plan.follower, contact)
     table = read_csv(job.staging / name)
     # The table's points touch the rod at the table's angles, so rolling them there must give the table's lift.

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from cadgen.cam.blank import CamBlank, Hub
 from cadgen.cam.checks import CheckLimits, check_cam, lost_lift
-from cadgen.cam.contact import roll
 from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
@@ -48,6 +48,8 @@ def test_the_papers_car_passes(carbon_free_car):
 
 
 def test_the_appendix_car_is_undercut(appendix_car):
+    bearable = failed(run(appendix_car, limits=replace(LIMITS, cutter_radius=1.0, lost_lift=0.015)))
+    assert bearable == {"pressure angle, rise", "pressure angle, return"}
     checks = run(appendix_car, limits=replace(LIMITS, cutter_radius=1.0))
     assert failed(checks) == {
         "convex radius, theory",
@@ -117,16 +119,21 @@ def test_the_theoretical_profile_with_the_rods_axis(carbon_free_car):
 
 
 @pytest.mark.parametrize("name", ["carbon_free_car", "appendix_car"])
-def test_losses_are_what_rolling_shows(name, request):
-    """The loss comes from the corner the rod rests on; rolling the rod on the whole outline knows no corners."""
+def test_losses_are_those_of_the_corner_alone(name, request):
+    """In a trimmed interval the rod rests on the corner, a single point: a + w T - h sqrt(1 + T^2) = x there."""
     car = request.getfixturevalue(name)
-    losses = lost_lift(car.lift, car.follower, car.actual.trims)
-    outline = car.actual.curve.outline(0.01)
-    for loss in losses:
-        at = np.array([loss.cam_angle])
-        rolled = float((car.follower.lift(car.lift.tan_beta(at)) - roll(outline, car.follower, at).lift)[0])
-        print(f"{np.degrees(loss.cam_angle):7.2f}°: {loss.lift * 1e3:.4f} µm lost, rolled {rolled * 1e3:.4f} µm")
-        assert abs(loss.lift - rolled) < 1e-5
+    follower = car.follower
+    for loss in lost_lift(car.lift, follower, car.actual.trims, car.actual.curve.outline(0.02)):
+        off = np.arctan2(loss.trim.point[1], loss.trim.point[0]) - loss.cam_angle
+        x, y = np.linalg.norm(loss.trim.point) * np.array([np.cos(off), np.sin(off)])
+        h = np.sqrt(follower.radius**2 - y**2)
+        needed = [
+            brentq(lambda T, w=w, x=x, h=h: follower.base_radius + w * T - h * np.sqrt(1 + T**2) - x, -1, 1, xtol=1e-14)
+            for w in (follower.inner, follower.outer)
+        ]
+        alone = float(follower.lift(car.lift.tan_beta(loss.cam_angle)) - follower.lift(np.array(max(needed))))
+        print(f"{np.degrees(loss.cam_angle):7.2f}°: {loss.lift * 1e3:.4f} µm lost, by the corner {alone * 1e3:.4f} µm")
+        assert abs(loss.lift - alone) < 1e-6
 
 
 def test_cures_are_the_smallest_change_that_cures(appendix_car):

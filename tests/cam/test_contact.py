@@ -101,7 +101,11 @@ def test_undercut_corners_lose_the_closed_form(appendix_car):
     from cadgen.cam.checks import lost_lift
 
     lift, follower = appendix_car.lift, appendix_car.follower
-    losses = [loss for loss in lost_lift(lift, follower, appendix_car.actual.trims) if loss.trim.kind == "local"]
+    losses = [
+        loss
+        for loss in lost_lift(lift, follower, appendix_car.actual.trims, appendix_car.actual.curve.outline(0.02))
+        if loss.trim.kind == "local"
+    ]
     assert len(losses) == 6
     for loss in losses:
         kink = lift.kinks[np.argmin(np.abs(lift.kinks - loss.cam_angle))]

@@ -1,0 +1,52 @@
+"""Random designs, from waypoints to checks: a path that can be driven never fails a check by our own rounding."""
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from cadgen.design.load import load_design
+from cadgen.errors import DesignError
+from cadgen.workflow.cam import plan_cam
+
+BASE = load_design("carbon_free_car")
+OURS = ("rod pushed out", "rod falls short", "wrong face carries", "closure", "start of the blend")
+
+
+@st.composite
+def designs(draw):
+    """The paper's path with moved waypoints, either spline, and other mechanisms around it."""
+    shift = st.floats(-250.0, 250.0)
+    waypoints = [(x + draw(shift), y + draw(shift)) for x, y in BASE.path.waypoints_mm]
+    inner = draw(st.floats(12.0, 40.0))
+    return [
+        "path.waypoints_mm=" + str([list(point) for point in waypoints]),
+        f"path.spline={draw(st.sampled_from(['quintic', 'cubic']))}",
+        f"cam.base_radius_mm={draw(st.floats(45.0, 120.0))}",
+        "cam.mid_plane_mm=",
+        f"cam.inner_face_mm={inner}",
+        f"cam.thickness_mm={draw(st.floats(0.5, 8.0))}",
+        f"cam.blend_deg={draw(st.floats(2.0, 40.0))}",
+        f"follower.radius_mm={draw(st.floats(0.3, 5.0))}",
+        "blank.lightening=",
+    ]
+
+
+def planned(overrides):
+    """The plan, or what a design error says."""
+    try:
+        return plan_cam(load_design("carbon_free_car", overrides), "actual"), ""
+    except DesignError as error:
+        return None, str(error)
+
+
+@settings(max_examples=25, deadline=None)
+@given(designs())
+def test_only_what_is_wrong_with_the_design_fails(overrides):
+    plan, said = planned(overrides)
+    if plan is None:
+        # A moved waypoint may make a turn too tight, or a short blend a flank beyond radial: those say what to do.
+        assert any(cure in said for cure in ("wider turn", "steeper than radial", "follower.radius_mm"))
+        return
+    failed = {check.name: check.value for check in plan.checks if not check.passed}
+    assert not set(failed) & set(OURS), failed
+    assert np.isfinite([check.value for check in plan.checks if check.name.startswith("lost lift")]).all()
