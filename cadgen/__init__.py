@@ -10,9 +10,12 @@ The rooms, in walking order; each imports only those before it.
 | `steering` | curvature of the track <-> steering angle                                        |
 | `cam`      | lift, theoretical and actual profile, contact, checks                            |
 | `gears`    | tolerances, backlash, return error, order of stages, tooth form                  |
+| `motion`   | how the car runs when the gears have play                                       |
+| `optimize` | methods against play, the choice among them, many cars within the tolerances    |
 | `design`   | the design file: TOML -> frozen values -> the numeric rooms' own types           |
 | `solids`   | the only room that imports the CAD kernel                                        |
 | `export`   | one file per format, each with its read-back; manifest; publishing               |
+| `report`   | pictures, as PNG and SVG                                                        |
 | `workflow` | one job from design to verified files                                            |
 | `cli`      | the commands                                                                     |
 

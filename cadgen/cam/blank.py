@@ -79,6 +79,18 @@ class Hub:
         """What stands `height` mm above the hub's face, as z on a disc from z = 0 to z = thickness, mm."""
         return thickness + height if self.side == "outer" else -height
 
+    def screw_walls(self) -> tuple["Wall", ...]:
+        """Material along the hub's length on either side of its set screw, none without one."""
+        screw = self.set_screw
+        if screw is None:
+            return ()
+        place = self.diameter / 2 * np.array([np.cos(screw.angle), np.sin(screw.angle)])
+        below = screw.height - screw.diameter / 2
+        return (
+            Wall("set screw and disc", below, place),
+            Wall("set screw and the hub's end", self.length - screw.height - screw.diameter / 2, place),
+        )
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lightening:
@@ -160,7 +172,7 @@ class CamBlank:
         return (profile_area - sum(contour.area() for contour in self.inner_contours())) * thickness
 
     def walls(self, profile: Outline) -> tuple[Wall, ...]:
-        """Material between profile, bore, hub and lightening holes, at the thinnest place of each kind.
+        """Material between profile, bore, hub, set screw and lightening holes, at the thinnest place of each kind.
 
         Exact but for the profile's own points, whose spacing h errs by h^2 / 8 times its curvature.
 
@@ -174,6 +186,7 @@ class CamBlank:
             walls.append(_enclosed(core, name, hub.outline(_STEP), "hub"))
             core, name = hub, "hub"
             walls.append(_enclosed(core, name, profile, "profile"))
+            walls += self.hub.screw_walls()
         holes, ring = self.holes(), self.lightening
         if ring:
             rim = [_enclosed(hole, f"lightening hole {n}", profile, "profile") for n, hole in enumerate(holes, 1)]

@@ -4,12 +4,12 @@ Values here are for people: each carries its own unit (mm, degrees, micrometres)
 """
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.cam.blank import CamBlank
+from cadgen.cam.check import Check
 from cadgen.cam.contact import Contact, roll, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
@@ -30,34 +30,6 @@ CONTACT_LIMIT_UM = 0.2
 # Relative to the curve's own largest value; the second derivative carries rounding of some 1e-8 where nodes are
 # close together, and a jump above this would turn the outline by a microradian.
 CLOSURE_LIMIT = 1e-6
-
-
-@dataclass(frozen=True)
-class Check:
-    """One figure and its verdict.
-
-    Attributes:
-        name: what is checked.
-        value: the figure, in `unit`.
-        unit: of value and limit.
-        limit: the bound.
-        bound: `max` if the value must not exceed the limit, `min` if it must reach it.
-        place: where the figure occurs.
-        advice: what to change if it fails; empty if there is nothing to say.
-    """
-
-    name: str
-    value: float
-    unit: str
-    limit: float
-    bound: Literal["max", "min"]
-    place: str = ""
-    advice: str = ""
-
-    @property
-    def passed(self) -> bool:
-        """True when the value keeps its limit; a value that is not a number never does."""
-        return bool(self.value <= self.limit if self.bound == "max" else self.value >= self.limit)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,70 +3,120 @@
 Exit codes: 0 done, 1 a check failed, 2 usage or design, 3 file or kernel, 130 interrupted.
 """
 
+import io
 import json
 import os
-import signal
 import sys
 import traceback
+from contextlib import suppress
 from typing import NoReturn
 
 import click
 
 from cadgen import __version__
+from cadgen.cli import interrupt, output
 from cadgen.cli.cam import cam
 from cadgen.cli.check import check
-from cadgen.errors import CadgenError
+from cadgen.cli.gears import gears
+from cadgen.cli.optimize import optimize
+from cadgen.cli.simulate import simulate
+from cadgen.cli.tolerance import tolerance
+from cadgen.errors import CadgenError, DesignError
 
-INTERRUPTED = 130
-INTERNAL = 3
+USAGE, FILE = 2, 3
+_LAST_SECOND = 253402300799  # of the year 9999
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.group(
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    invoke_without_command=True,
+    subcommand_metavar="COMMAND [ARGS]...",
+)
 @click.version_option(__version__, prog_name="cadgen")
-def cli() -> None:
+@click.pass_context
+def cli(context: click.Context) -> None:
     """Steering cams and the gear trains that drive them, from a planned path to verified files.
 
     DESIGN is the name of a packaged design or a TOML file; without it the paper's car is used.
     """
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help(), err=True)
+        context.exit(USAGE)
 
 
 cli.add_command(cam)
 cli.add_command(check)
+cli.add_command(gears)
+cli.add_command(simulate)
+cli.add_command(optimize)
+cli.add_command(tolerance)
 
 
 def main() -> NoReturn:
     """Run a command and turn every failure into one sentence and an exit code."""
-    # An ordinary kill cleans up like Ctrl-C does.
-    signal.signal(signal.SIGTERM, _interrupt)
+    interrupt.install()
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # for terminals that know no µ
+    code: int | str | None
     try:
-        code = cli.main(standalone_mode=False) or 0
-    except click.exceptions.Abort:
-        code = _fail("interrupted: nothing was written", INTERRUPTED)
+        _require_epoch()
+        code = cli.main(prog_name="cadgen", standalone_mode=False)
+    except SystemExit as leave:
+        code = leave.code
     except click.ClickException as error:
         code = _fail(error.format_message(), error.exit_code)
     except CadgenError as error:
         code = _fail(str(error), error.exit_code)
-    except BrokenPipeError:
-        # The reader of our output has gone; say nothing more to it.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        code = 0
+    except OSError as error:
+        code = _unwritable(error, 0)
     except MemoryError:
-        code = _fail("out of memory: close other programs, or use coarser tolerances in [export]", INTERNAL)
+        code = _fail("out of memory: close other programs, or use coarser tolerances in [export]", FILE)
     except Exception as error:
         if os.environ.get("CADGEN_DEBUG"):
             traceback.print_exc()
         summary = f"{type(error).__name__}: {error}".replace("\n", " ")
-        code = _fail(f"a fault in cadgen, please report it with your design file ({summary})", INTERNAL)
-    sys.exit(code)
+        code = _fail(f"a fault in cadgen, please report it with your design file ({summary})", FILE)
+    sys.exit(_flushed(code))
+
+
+def _require_epoch() -> None:
+    """Refuse a damaged SOURCE_DATE_EPOCH, at which libraries would fail in ways of their own."""
+    text = os.environ.get("SOURCE_DATE_EPOCH")
+    if text is not None and not (text.isdecimal() and text.isascii() and int(text[:20]) <= _LAST_SECOND):
+        raise DesignError(
+            f'SOURCE_DATE_EPOCH is "{text[:40]}"; it must be seconds since 1970, a whole number of at most '
+            f"{_LAST_SECOND}: correct or unset this environment variable"
+        )
 
 
 def _fail(message: str, code: int) -> int:
     if "--json" in sys.argv:
         print(json.dumps({"error": message, "exit_code": code}))
     else:
-        click.echo(f"cadgen: {message}", err=True)
+        _tell(message)
     return code
 
 
-def _interrupt(number: int, frame: object) -> None:
-    raise KeyboardInterrupt
+def _tell(message: str) -> None:
+    with suppress(OSError):  # nobody listens
+        click.echo(f"cadgen: {message}", err=True)
+
+
+def _flushed(code: int | str | None) -> int | str | None:
+    """Hand over what is still to be printed, while it can still be told if that fails."""
+    try:
+        if sys.stdout:
+            sys.stdout.flush()
+    except OSError as error:
+        return _unwritable(error, code)
+    return code
+
+
+def _unwritable(error: OSError, code: int | str | None) -> int | str | None:
+    """Give up printing; a reader that has gone wants to hear no more."""
+    output.hush()
+    if isinstance(error, BrokenPipeError):
+        return code
+    _tell(f"{error.filename or 'the output'} cannot be written ({error.strerror}): make room, or choose another place")
+    return FILE

@@ -5,20 +5,17 @@ from pathlib import Path
 
 import click
 
-from cadgen.cli.options import design_options
+from cadgen.cli.options import design_options, out_option, profile_option
 
 
 @click.command()
 @design_options
-@click.option(
-    "--out",
-    type=click.Path(file_okay=False, path_type=Path),
-    default=Path("exports"),
-    show_default=True,
-    help="Folder for the files; it is made if need be.",
-)
+@profile_option
+@out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
 @click.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
-def cam(design: str | None, overrides: tuple[str, ...], profile: str, as_json: bool, out: Path, force: bool) -> None:
+def cam(
+    design: str | None, overrides: tuple[str, ...], profile: str | None, as_json: bool, out: Path, force: bool
+) -> None:
     """Make a cam: STEP, STL, 3MF, DXF, G-code and points, each read back and rolled against the rod.
 
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
@@ -36,6 +33,7 @@ def cam(design: str | None, overrides: tuple[str, ...], profile: str, as_json: b
         show.document(plan.facts() if written is None else written.entry)
     else:
         show.checks(plan)
+        show.against(plan)
         if written:
             show.files(written, out)
         else:

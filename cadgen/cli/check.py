@@ -4,12 +4,13 @@ import sys
 
 import click
 
-from cadgen.cli.options import design_options
+from cadgen.cli.options import design_options, profile_option
 
 
 @click.command()
 @design_options
-def check(design: str | None, overrides: tuple[str, ...], profile: str, as_json: bool) -> None:
+@profile_option
+def check(design: str | None, overrides: tuple[str, ...], profile: str | None, as_json: bool) -> None:
     """Check a cam without making any file.
 
     Exit code 1 if a check fails.
@@ -25,4 +26,5 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str, as_json:
         show.document(plan.facts())
     else:
         show.checks(plan)
+        show.against(plan)
     sys.exit(0 if plan.passed else 1)

@@ -1,24 +1,21 @@
 """Arguments and options that several commands share."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import click
 
-PROFILES = ("actual", "theoretical", "published")
+PLAY_PROFILES = ("optimized", "compensated", "smoothed", "smoothed+compensated")
+PROFILES = ("actual", *PLAY_PROFILES, "theoretical", "published")
+
+Command = Callable[..., Any]
 
 
-def design_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """DESIGN, --set, --profile and --json."""
+def design_options(command: Command) -> Command:
+    """DESIGN, --set and --json."""
     for decorate in (
         click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables."),
-        click.option(
-            "--profile",
-            type=click.Choice(PROFILES),
-            default="actual",
-            show_default=True,
-            help="actual: the exact envelope of the rod; theoretical: the rod's axis; published: the paper's formula.",
-        ),
         click.option(
             "--set",
             "overrides",
@@ -30,3 +27,40 @@ def design_options(command: Callable[..., Any]) -> Callable[..., Any]:
     ):
         command = decorate(command)
     return command
+
+
+def profile_option(command: Command) -> Command:
+    """--profile of a cam that is to be made or checked."""
+    return click.option(
+        "--profile",
+        type=click.Choice(PROFILES),
+        help="actual: the exact envelope of the rod; optimized: the best against the gears' play, of actual and the "
+        "next three; compensated: cut so that the play takes itself out; smoothed: the paper's; theoretical: the "
+        "rod's axis; published: the paper's formula.  [default: optimized, or actual if the design has neither "
+        "\\[train] nor \\[play]]",
+    )(command)
+
+
+def play_profile_option(*more: str, meaning: str) -> Callable[[Command], Command]:
+    """--profile of a cam that is to run with play: the four against it, and others."""
+    return click.option(
+        "--profile",
+        type=click.Choice((*PLAY_PROFILES, *more)),
+        default=PLAY_PROFILES[0],
+        show_default=True,
+        help=meaning,
+    )
+
+
+def out_option(**settings: Any) -> Callable[[Command], Command]:
+    """--out, with its default and help."""
+    return click.option("--out", type=_Folder(file_okay=False, path_type=Path), **settings)
+
+
+class _Folder(click.Path):
+    """A folder, which is not the current one just because a shell's variable was empty."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if value == "":
+            self.fail("it is empty: name a folder, or write . for this one", param, ctx)
+        return super().convert(value, param, ctx)

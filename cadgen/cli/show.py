@@ -1,7 +1,8 @@
 """What a command prints: progress on standard error, tables or one JSON document on standard output."""
 
 import json
-from collections.abc import Callable, Iterator
+import os
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,16 +10,35 @@ from typing import TYPE_CHECKING, Any
 import click
 from rich.console import Console
 from rich.table import Table
+from rich.text import Text
+
+from cadgen.cli.output import hush
 
 if TYPE_CHECKING:
+    from cadgen.cam.check import Check
     from cadgen.workflow.cam import CamPlan
     from cadgen.workflow.files import Written
+
+
+# Columns of a terminal below which a check's place stands under its name and not beside its figures.
+_NARROW = 72
+
+
+class Output(Console):
+    """Standard output or error, where brackets in names and sentences are only brackets."""
+
+    def __init__(self, *, stderr: bool = False) -> None:
+        super().__init__(stderr=stderr, markup=False, emoji=False, highlight=False)
+
+    def on_broken_pipe(self) -> None:
+        """Say nothing more, but let the command end with its own exit code."""
+        hush()
 
 
 @contextmanager
 def progress(enabled: bool) -> Iterator[Callable[[str], None]]:
     """Yield a function that shows what is being done now; silent unless standard error is a terminal."""
-    console = Console(stderr=True)
+    console = Output(stderr=True)
     if not enabled or not console.is_terminal:
         yield lambda text: None
         return
@@ -28,55 +48,93 @@ def progress(enabled: bool) -> Iterator[Callable[[str], None]]:
 
 def document(facts: dict[str, Any]) -> None:
     """Print one JSON document."""
-    click.echo(json.dumps(facts, indent=2, allow_nan=False))
+    try:
+        click.echo(json.dumps(facts, indent=2, allow_nan=False))
+    except BrokenPipeError:
+        hush()
 
 
 def checks(plan: "CamPlan") -> None:
-    """Print the checks as a table, then what to change for each that failed."""
-    table = _table(f"{plan.design.name}, {plan.profile} profile")
-    for column, justify in (("check", "left"), ("value", "right"), ("limit", "right"), ("", "left"), ("where", "left")):
-        table.add_column(column, justify=justify, overflow="fold")  # type: ignore[arg-type]
-    for check in plan.checks:
-        verdict = "[green]ok[/]" if check.passed else "[red]FAIL[/]"
+    """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
+    figures(f"{plan.design.name}, {plan.profile} profile", plan.checks)
+    for line in plan.cure_sentences():
+        Output().print(line)
+
+
+def figures(title: str, found: "Sequence[Check]") -> None:
+    """Print checks as a table, then what to change for each that failed."""
+    console = Output()
+    narrow = console.width < _NARROW
+    table = plain_table(title)
+    table.add_column("check", overflow="fold")
+    table.add_column("value", justify="right", no_wrap=True)
+    table.add_column("limit", justify="right", no_wrap=True)
+    table.add_column("", no_wrap=True)
+    if not narrow:
+        table.add_column("where", overflow="fold")
+    for check in found:
+        verdict = Text("ok", "green") if check.passed else Text("FAIL", "red")
         bound = "<=" if check.bound == "max" else ">="
         table.add_row(
-            check.name,
+            Text.assemble(check.name, (f"\n{check.place}", "dim")) if narrow else check.name,
             f"{_number(check.value)}{check.unit if check.unit == '°' else ' ' + check.unit}".rstrip(),
             f"{bound} {_number(check.limit)}",
             verdict,
-            check.place,
+            *([] if narrow else [check.place]),
         )
-    console = Console()
     console.print(table)
     # One advice may serve several checks.
     advice: dict[str, list[str]] = {}
-    for check in plan.checks:
+    for check in found:
         if not check.passed:
             advice.setdefault(check.advice, []).append(check.name)
     for text, names in advice.items():
-        console.print(f"[red]{' and '.join(names)}[/]: {text}.", highlight=False)
-    for line in plan.cure_sentences():
-        console.print(line, highlight=False)
+        console.print(Text.assemble((" and ".join(names), "red"), f": {text}."))
+
+
+def against(plan: "CamPlan") -> None:
+    """Print what the profile does about play, beside the actual one, and why it was chosen."""
+    if plan.against is not None:
+        from cadgen.cli.show_play import methods
+
+        methods(plan)
 
 
 def files(written: "Written", out: Path) -> None:
-    """Print each file with its size and its error at the follower's lift."""
-    table = _table(f"{out}{'' if str(out).endswith('/') else '/'}")
-    for column, justify in (("file", "left"), ("size", "right"), ("error at lift", "right"), ("limit", "right")):
-        table.add_column(column, justify=justify)  # type: ignore[arg-type]
-    for name, facts in written.entry["files"].items():
-        error, limit = facts.get("lift_error_um"), facts.get("lift_limit_um")
-        table.add_row(
-            name,
-            f"{facts['bytes'] / 1000:.0f} kB",
-            "" if error is None else f"{error:.3f} µm",
-            "" if limit is None else f"{limit:g} µm",
-        )
-    Console().print(table)
+    """Print each file with its size, its error at the follower's lift, and where it takes a car with play.
+
+    What their names have in common stands above the table, so that it fits a narrow terminal.
+    """
+    entries = written.entry["files"]
+    stem = written.part if all(name.startswith(written.part) for name in entries) else ""
+    table = plain_table("")
+    with_lift, with_play = (
+        any(key in facts for facts in entries.values()) for key in ("lift_error_um", "end_position_mm")
+    )
+    table.add_column("file", overflow="fold")
+    heads = ["size", *(["at lift", "limit"] if with_lift else []), *(["end of run"] if with_play else [])]
+    for column in heads:
+        table.add_column(column, justify="right")
+    for name, facts in entries.items():
+        error, limit, end = (facts.get(key) for key in ("lift_error_um", "lift_limit_um", "end_position_mm"))
+        cells = [f"{facts['bytes'] / 1000:.0f} kB"]
+        if with_lift:
+            cells += ["" if error is None else f"{error:.3f} µm", "" if limit is None else f"{limit:g} µm"]
+        if with_play:
+            cells.append("" if end is None else f"{end:.2f} mm")
+        table.add_row(name.removeprefix(stem), *cells)
+    console = Output()
+    console.print(f"\n{out / stem}{'' if stem else os.sep}", style="bold", overflow="fold")
+    console.print(table)
+    for label, reason in written.entry.get("omitted", {}).items():
+        console.print(Text.assemble((f"{label} left out", "yellow"), f": {reason}."))
 
 
-def _table(title: str) -> Table:
-    return Table(title=title, title_justify="left", title_style="bold", box=None, pad_edge=False, header_style="dim")
+def plain_table(title: str) -> Table:
+    """A table without rules, with a title above it."""
+    return Table(
+        title=title or None, title_justify="left", title_style="bold", box=None, pad_edge=False, header_style="dim"
+    )
 
 
 def _number(value: float) -> str:

@@ -10,6 +10,11 @@ Array = NDArray[np.float64]
 
 _TURN = 2 * np.pi
 _GAUSS_POINTS = 6
+_AREA_STEPS = 360  # per radian, to begin with
+# Within a piece third derivatives jump, so steps are halved where much happens in little angle: until one agrees with
+# its halves to this share of what a step sweeps on average.
+_AREA_TOLERANCE = 1e-8
+_AREA_HALVINGS = 20
 _TABLE = 257  # samples of a piece from which Newton's method starts
 _NEWTON_STEPS = 5  # from a start 1e-2 rad off, quadratic convergence reaches rounding in four
 
@@ -117,17 +122,8 @@ class ClosedCurve:
         return ClosedCurve(tuple(p for p in (ends[0], *rest, ends[1]) if p.stop > p.start))
 
     def area(self) -> float:
-        """Enclosed area by Green's theorem, mm^2, Gauss quadrature on each piece (exact to rounding)."""
-        nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
-        total = 0.0
-        for piece in self.pieces:
-            count = max(8, int(np.ceil((piece.stop - piece.start) * 360)))
-            edges = np.linspace(piece.start, piece.stop, count + 1)
-            half = np.diff(edges) / 2
-            t = (edges[:-1] + half)[:, None] + half[:, None] * nodes
-            jet = piece.jet(t.ravel())
-            total += 0.5 * float(np.sum((cross(jet.point, jet.velocity).reshape(t.shape) @ weights) * half))
-        return total
+        """Enclosed area by Green's theorem, mm^2: Gauss quadrature, halving the steps in which it does not agree."""
+        return sum(_swept(piece) for piece in self.pieces)
 
     def radius(self, angle: Array) -> Array:
         """Polar radius at given polar angles, shape (n,), mm."""
@@ -192,3 +188,29 @@ def left_normal(velocity: Array) -> Array:
     """Unit normal to the left of the direction of travel: into a counterclockwise curve."""
     turned = np.stack([-velocity[:, 1], velocity[:, 0]], axis=1)
     return np.asarray(turned / np.linalg.norm(turned, axis=1, keepdims=True))
+
+
+def _swept(piece: Piece) -> float:
+    """Area between a piece and the origin, mm^2."""
+    nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
+
+    def integral(edge: Array, width: Array) -> Array:
+        t = edge[:, None] + width[:, None] * (nodes + 1) / 2
+        jet = piece.jet(t.ravel())
+        return np.asarray(cross(jet.point, jet.velocity).reshape(t.shape) @ weights * width / 4)
+
+    count = max(8, int(np.ceil((piece.stop - piece.start) * _AREA_STEPS)))
+    edge = np.linspace(piece.start, piece.stop, count + 1)[:-1]
+    width = np.full(count, (piece.stop - piece.start) / count)
+    swept, total = integral(edge, width), 0.0
+    allowed = _AREA_TOLERANCE * abs(float(swept.mean()))
+    for _ in range(_AREA_HALVINGS):
+        halves = np.stack([edge, edge + width / 2], axis=1).ravel(), np.repeat(width / 2, 2)
+        finer = integral(*halves)
+        agreed = np.abs(finer.reshape(-1, 2).sum(axis=1) - swept) <= allowed
+        total += float(finer.reshape(-1, 2)[agreed].sum())
+        again = np.repeat(~agreed, 2)
+        edge, width, swept = halves[0][again], halves[1][again], finer[again]
+        if not edge.size:
+            break
+    return total + float(swept.sum())

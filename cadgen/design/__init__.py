@@ -5,11 +5,14 @@
 | `section`   | what all sections have in common                                         |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
+| `train`     | sections of the gear train                                               |
 | `schema`    | all other sections; ranges, defaults, how keys must fit each other       |
 | `keys`      | the schema as a list of keys, their units and ranges in words            |
 | `explain`   | what is wrong with a design, as sentences                                |
 | `override`  | `--set key=value`                                                        |
 | `load`      | name or file -> `Design`                                                 |
 | `stages`    | `Design` -> the numeric rooms' dataclasses, in mm and rad                |
+| `gears`     | `Design` -> the gear rooms' dataclasses                                  |
+| `variation` | `Design` -> return error of its train, tolerances of its dimensions       |
 | `reference` | the schema as a page of documentation                                    |
 """

@@ -56,6 +56,19 @@ def spoken(place: Place) -> str:
     return dotted(*(part + 1 if isinstance(part, int) else part for part in place))
 
 
+def depth_in_key(place: Place) -> int:
+    """How many lists deep a place lies within its key: `path.waypoints_mm.3.1` lies two deep."""
+    depth = 0
+    while depth < len(place) and isinstance(place[-1 - depth], int):
+        depth += 1
+    return depth
+
+
+def _of_item(place: Place) -> str:
+    numbers = [i for i, part in enumerate(place) if isinstance(part, int)]
+    return f" in {spoken(place[: numbers[-1] + 1])}" if numbers else ""
+
+
 def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any]) -> str:
     if kind == "value_error":
         return str(context["error"])
@@ -63,12 +76,15 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any]) -
         place = place[:-1]
     name, path = spoken(place), section(place)
     if path in tables():
+        heading = tables()[path].heading
         needs = listed([last(key.name) for key in tables()[path].keys if key.required], "and")
         if kind == "missing":
-            return f"the section [{name}] is missing: add it, with at least {needs}"
-        return f"{name} is {shown(value)}; it must be a section: write [{name}] and its keys below it"
+            return f"the section {heading} is missing{_of_item(place)}: add it, with at least {needs}"
+        if tables()[path].many and not isinstance(place[-1], int):
+            return f"{name} is {shown(value)}; it must be sections: write {heading} before the keys of each"
+        return f"{name} is {shown(value)}; it must be a section: write {heading} and its keys below it"
     key = keys()[path]
-    depth = sum(isinstance(part, int) for part in place)
+    depth = depth_in_key(place)
     wanted = f"{key.kinds[depth]} in {key.unit}" if key.unit else key.kinds[depth]
     if kind == "missing" and depth == 0:
         return f"{name} is missing: add it, {wanted} ({key.meaning})"

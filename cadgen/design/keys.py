@@ -54,11 +54,15 @@ class Key:
 
 @dataclass(frozen=True)
 class Table:
-    """A section with its keys and the names of the sections in it; `name` is dotted and empty at the top."""
+    """A section with its keys and the names of the sections in it; `name` is dotted and empty at the top.
+
+    Where `many` holds it is a list of such sections.
+    """
 
     name: str
     meaning: str
     required: bool
+    many: bool
     keys: tuple[Key, ...]
     subtables: tuple[str, ...]
 
@@ -67,11 +71,16 @@ class Table:
         """Everything that may stand in this section."""
         return [last(key.name) for key in self.keys] + list(self.subtables)
 
+    @property
+    def heading(self) -> str:
+        """As it stands in a file."""
+        return f"[[{self.name}]]" if self.many else f"[{self.name}]"
+
 
 @cache
 def tables() -> dict[str, Table]:
     """Every section by its dotted name, from the top down."""
-    return {table.name: table for table in _walk("", DesignFile, required=True)}
+    return {table.name: table for table in _walk("", DesignFile, required=True, many=False)}
 
 
 @cache
@@ -120,18 +129,18 @@ def _stem(name: str) -> str:
     return _UNIT_ENDING.sub("", name).lower()
 
 
-def _walk(name: str, section: type[Section], *, required: bool) -> Iterator[Table]:
+def _walk(name: str, section: type[Section], *, required: bool, many: bool) -> Iterator[Table]:
     own, below = [], []
     for part, info in section.model_fields.items():
         inner = _section_in(info.annotation)
         if inner:
-            below.append((part, inner, info.is_required()))
+            below.append((part, inner, info.is_required(), get_origin(info.annotation) is tuple))
         else:
             own.append(_key(dotted(name, part), info))
     meaning = " ".join((section.__doc__ or "").split())
-    yield Table(name, meaning, required, tuple(own), tuple(part for part, _, _ in below))
-    for part, inner, needed in below:
-        yield from _walk(dotted(name, part), inner, required=needed)
+    yield Table(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
+    for part, inner, needed, repeated in below:
+        yield from _walk(dotted(name, part), inner, required=needed, many=repeated)
 
 
 def _section_in(annotation: Any) -> type[Section] | None:

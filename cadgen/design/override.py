@@ -4,7 +4,7 @@ import tomllib
 from itertools import pairwise
 from typing import Any
 
-from cadgen.design.explain import Place, section, spoken, unknown_key
+from cadgen.design.explain import Place, depth_in_key, section, spoken, unknown_key
 from cadgen.design.keys import keys, shown, tables
 from cadgen.errors import DesignError
 
@@ -42,16 +42,16 @@ def _place(name: str) -> Place:
     """Find a dotted name in the schema; after a key of lists its numbers count items."""
     place: Place = ()
     for part in name.split("."):
-        key = keys().get(section(place))
-        if key is None:
+        key, table = keys().get(section(place)), tables().get(section(place))
+        if table and table.many and isinstance(place[-1], str):
+            if not (part.isdecimal() and len(part) <= _MOST_DIGITS):
+                raise DesignError(f"{spoken(place)} is a list: write the number of one of its items before {part}")
+            place = (*place, int(part) - 1)
+        elif key is None:
             place = (*place, part)
             if section(place) not in keys() and section(place) not in tables():
                 raise DesignError(unknown_key(place))
-        elif (
-            part.isdecimal()
-            and len(part) <= _MOST_DIGITS
-            and sum(isinstance(step, int) for step in place) < len(key.kinds) - 1
-        ):
+        elif part.isdecimal() and len(part) <= _MOST_DIGITS and depth_in_key(place) < len(key.kinds) - 1:
             place = (*place, int(part) - 1)
         else:
             items = ", or the number of one of its items" if len(key.kinds) > 1 else ""

@@ -48,6 +48,7 @@ The designs {names} come with the program and go by name; without any it takes
 | `--set blank.d_flat.across_mm=7` | adds a section, if it is not there |
 | `--set cam.mid_plane_mm=` | removes a key, so that its default holds |
 | `--set blank.keyway=` | removes a section |
+| `--set train.stages.2.centre_distance_mm=40.1` | sets a key in the second of several sections |
 
 ## Keys
 """
@@ -76,7 +77,7 @@ def page() -> str:
 
 def _section(table: Table) -> str:
     head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
-    title = f"### [{table.name}]\n\n{table.meaning}" if table.name else "### Before the first section"
+    title = f"### {table.heading}\n\n{table.meaning}" if table.name else "### Before the first section"
     optional = "" if table.required else " May be left out."
     return f"\n{title}{optional}\n\n{head}{''.join(_row(key) for key in table.keys)}"
 

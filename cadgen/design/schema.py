@@ -16,6 +16,7 @@ from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.design.blank import Blank
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
+from cadgen.design.train import Train
 
 # What may be part of a file's name on every system, and of STEP's product data.
 _FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
@@ -57,7 +58,7 @@ class Car(Section):
     )
     idle_wheel_offset_mm: float = Field(ge=0, le=1000, description="A2, fork axis to the right wheel, along the axle")
     max_steering_angle_deg: float = Field(
-        default=35.0, gt=0, le=80, description="what the fork can turn to either side"
+        default=35.0, ge=1, le=80, description="what the fork can turn to either side"
     )
 
 
@@ -73,9 +74,10 @@ class Cam(Section):
     )
     blend_deg: float = Field(
         default=12.0,
-        gt=0,
-        lt=360,
-        description="last part of the turn, which leads the lift back to its start",
+        ge=0.5,
+        le=180,
+        description="last part of the turn, which leads the lift back to its start; in less no rod can follow it, "
+        "and more would leave less than half a turn to the path",
     )
 
     @property
@@ -144,11 +146,11 @@ class Follower(Section):
 class Machining(Section):
     """How the outline is milled (G-code)."""
 
-    cutter_diameter_mm: float = Field(default=4.0, gt=0, le=100, description="of the end mill")
+    cutter_diameter_mm: float = Field(default=4.0, ge=0.2, le=100, description="of the end mill")
     feed_mm_per_min: float = Field(default=240.0, gt=0, le=100_000, description="along the outline")
     plunge_feed_mm_per_min: float = Field(default=60.0, gt=0, le=100_000, description="downwards")
     spindle_rpm: float = Field(default=8000.0, gt=0, le=200_000, description="speed of the spindle")
-    step_down_mm: float = Field(default=1.0, gt=0, le=100, description="greatest depth of one pass")
+    step_down_mm: float = Field(default=1.0, ge=0.05, le=100, description="greatest depth of one pass")
     safe_height_mm: float = Field(
         default=5.0, gt=0, le=500, description="above the disc, where the cutter may travel freely"
     )
@@ -180,9 +182,12 @@ class Export(Section):
 
     mesh_chord_um: float = Field(default=5.0, ge=0.1, le=1000, description="greatest chord error of STL and 3MF")
     arc_tolerance_um: float = Field(
-        default=0.2, ge=0.01, le=1000, description="greatest error of the arcs in DXF and G-code"
+        default=0.2,
+        ge=0.01,
+        le=0.5,
+        description="greatest error of the arcs in DXF and G-code, which may move the rod by no more than 1 µm",
     )
-    point_count: int = Field(default=3600, ge=36, le=1_000_000, description="points of the xyz and CSV clouds")
+    point_count: int = Field(default=3600, ge=360, le=36_000, description="points of the xyz and CSV clouds")
 
 
 class DesignFile(Section):
@@ -201,6 +206,7 @@ class DesignFile(Section):
     machining: Machining = Machining()
     checks: Checks = Checks()
     export: Export = Export()
+    train: Train | None = None
     play: Play | None = None
     tolerances: Tolerances = Tolerances()
     optimize: Optimize = Optimize()
@@ -233,6 +239,16 @@ class DesignFile(Section):
             raise ValueError(
                 f"follower.length_mm is {rod.length_mm:g}; it must be greater than the distance of the "
                 f"disc's outer face from the fork axis, {outer:g} mm"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _hub_ends_before_the_fork(self) -> "DesignFile":
+        (inner, _), hub = self.cam.faces_mm, self.blank.hub
+        if hub and hub.side == "inner" and hub.length_mm >= inner:
+            raise ValueError(
+                f"blank.hub.length_mm is {hub.length_mm:g}; on the inner side it must be less than the distance of "
+                f"the disc's inner face from the fork axis, {inner:g} mm: lower it, or put the hub on the outer side"
             )
         return self
 

@@ -6,6 +6,7 @@
 | `dxf`          | the outline as arcs or as splines, for laser, wire EDM and CAD                |
 | `gcode`        | the milling program; `gcode_reader` interprets it and finds what is left over |
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
+| `tracks`       | the three wheels' tracks as a table                                         |
 | `folder`       | files appear all together and complete, or not at all                         |
 | `manifest`     | `manifest.json`: hashes, versions, checks, measured errors                    |
 

@@ -21,6 +21,11 @@ DECIMALS = 4  # of a coordinate: what hobby controllers read and 0.05 um of roun
 # An arc that bulges less than the rounding is a line; so none is left whose rounded ends coincide, which a
 # controller would take for a full circle.
 _STRAIGHT = 10.0**-DECIMALS / 2
+# What the shop must know of profiles that are no part to use.
+NOTES = {
+    "theoretical": "NOT THE OUTLINE OF A PART TO USE: this is the curve of the rod's axis",
+    "published": "NOT THE OUTLINE OF A PART TO USE: this is the paper's formula, for comparison",
+}
 # The search for the farthest point: samples of a piece, then of two spans, in rounds down to about 1e-5 mm.
 _COARSE, _FINE, _ROUNDS = 1025, 33, 4
 
@@ -51,7 +56,14 @@ def cutter_path(curve: ClosedCurve, cutter_radius: float, limit: CutterLimit, to
 
 
 def write_gcode(
-    path: Path, centre: Contour, machining: Machining, thickness: float, *, name: str, hub_height: float = 0.0
+    path: Path,
+    centre: Contour,
+    machining: Machining,
+    thickness: float,
+    *,
+    name: str,
+    hub_height: float = 0.0,
+    note: str = "",
 ) -> None:
     """Write the program that mills a disc's outline from outside, in equal passes, by climb milling.
 
@@ -64,19 +76,24 @@ def write_gcode(
         machining: cutter, speeds and heights.
         thickness: of the disc, mm.
         name: of the design, for the first comment.
-        hub_height: how far a hub stands above the disc's upper face, mm; rapid moves pass above it.
+        hub_height: how far a hub stands above the disc's outer face, mm; rapid moves pass above it.
+        note: one more comment, for what the shop must know of this outline.
     """
     depth = thickness + machining.break_through_mm
     passes = ceil(depth / machining.step_down_mm - 1e-9)
     round_once = _round_once(centre, machining.lead_radius_mm, machining.feed_mm_per_min)
-    safe = _words(Z=machining.safe_height_mm + hub_height)
-    plain_name = re.sub(r"[^ -~]|[()]", "_", name)
+    height = machining.safe_height_mm + hub_height
+    safe = _words(Z=height)
+    above = f", its hub stands {hub_height:g} mm above that face" if hub_height else ""
     lines = [
-        f"({plain_name}: outline of the cam, milled from outside)",
+        f"({_plain(name)}: outline of the cam, milled from outside)",
+        *([f"({_plain(note)})"] if note else []),
         f"(cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine)",
         "(climb milling: spindle clockwise, clockwise round the part)",
-        "(zero: centre of the bore, top of the stock; cam angle 0 along +X, outer face up)",
-        f"(stock {thickness:g} mm; hold the part by its bore, the last pass of {passes} cuts it free)",
+        "(zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up)",
+        f"(disc {thickness:g} mm thick{above}; hold the part by its bore, the last pass of {passes} cuts it free)",
+        "(bore, keyway and holes are not in this program)",
+        f"(the first move lifts the cutter where it stands, to {height:g} mm: be above every clamp at that height)",
         "G21 G90 G17 G40 G94 G91.1",
         f"S{machining.spindle_rpm:g} M3",
         f"G0 {safe}",
@@ -132,6 +149,11 @@ def _farthest(curve: ClosedCurve) -> tuple[int, float]:
         top = int(np.argmax(np.linalg.norm(piece.jet(t).point, axis=1)))
         t = np.linspace(t[max(top - 1, 0)], t[min(top + 1, len(t) - 1)], _FINE)
     return number, float(t[_FINE // 2])
+
+
+def _plain(text: str) -> str:
+    """Text as it may stand in a comment."""
+    return re.sub(r"[^ -~]|[()]", "_", text)
 
 
 def _words(**values: float) -> str:

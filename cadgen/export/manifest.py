@@ -10,12 +10,27 @@ from cadgen import __version__
 
 NAME = "manifest.json"
 FORMAT = 1
-_LIBRARIES = ("build123d", "cadquery-ocp-novtk", "ezdxf", "lib3mf", "manifold3d", "numpy", "scipy", "trimesh")
+_LIBRARIES = (
+    "build123d",
+    "cadquery-ocp-novtk",
+    "ezdxf",
+    "lib3mf",
+    "manifold3d",
+    "matplotlib",
+    "numpy",
+    "scipy",
+    "trimesh",
+)
 
 
 def file_hash(file: Path) -> str:
     """SHA-256 of a file's bytes, hexadecimal."""
     return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
+def file_facts(file: Path) -> dict[str, Any]:
+    """Size and hash of a file, as entries have them."""
+    return {"bytes": file.stat().st_size, "sha256": file_hash(file)}
 
 
 def versions() -> dict[str, str]:
@@ -52,14 +67,27 @@ def write_manifest(staging: Path, out: Path, part: str, entry: dict[str, Any]) -
 
 
 def _earlier_parts(manifest: Path) -> dict[str, Any]:
-    """Entries of an earlier manifest; a file that is not ours, or is damaged, has none."""
+    """The sound entries of an earlier manifest; a file that is not ours, or is damaged, has none."""
     try:
         content = json.loads(manifest.read_text(encoding="utf-8"))
         parts = content["parts"] if content["format"] == FORMAT else {}
-        return {name: part for name, part in parts.items() if isinstance(part["files"], dict)}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return {name: part for name, part in parts.items() if _sound(part)}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return {}
 
 
+def _sound(part: Any) -> bool:
+    """Whether an entry has the facts of its files, and could be written again: JSON as read here may hold NaN."""
+    try:
+        json.dumps(part, allow_nan=False)
+    except ValueError:
+        return False
+    files = part.get("files") if isinstance(part, dict) else None
+    return isinstance(files, dict) and all(isinstance(facts, dict) for facts in files.values())
+
+
 def _unchanged(file: Path, facts: dict[str, Any]) -> bool:
-    return file.is_file() and file_hash(file) == facts.get("sha256")
+    try:
+        return file.is_file() and file_hash(file) == facts.get("sha256")
+    except (OSError, ValueError):  # it cannot be read, or no file can have that name
+        return False

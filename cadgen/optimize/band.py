@@ -6,6 +6,7 @@ least. `fixed_profile_bound` says how much of that is unavoidable.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -109,6 +110,7 @@ def best_for_band(
     def at(made_for: float, plays: Array) -> BandResult:
         return over_band(compensated_lift(lift, follower, made_for), lift, car, length, plays, made_for)
 
+    @cache
     def lower_end_worse(made_for: float) -> float:
         ends = at(made_for, np.array([low, high])).distance
         return float(ends[0] - ends[1])

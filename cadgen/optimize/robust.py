@@ -1,6 +1,6 @@
 """What the tolerances of a design do to its runs: Monte Carlo, yield within a gate, and what matters most."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
-from cadgen.optimize.fleet import PARAMETERS, Fleet, cam_reach, run_fleet
+from cadgen.optimize.fleet import PARAMETERS, Fleet, Poses, cam_reach, run_fleet
 
 Array = NDArray[np.float64]
 Sampler = Callable[[np.random.Generator, int], Array]
@@ -121,28 +121,47 @@ class Sensitivity:
         return float(np.hypot(self.along, self.across))
 
 
-def fleet_errors(fleet: Fleet, deviations: Array, *, processes: int = 1) -> FleetErrors:
+def fleet_errors(
+    fleet: Fleet, deviations: Array, *, processes: int = 1, done: Callable[[int], None] = lambda cars: None
+) -> FleetErrors:
     """Errors of cars with given deviations.
 
     Args:
         fleet: the nominal car.
         deviations: shape (m, 14), columns as in `PARAMETERS`.
         processes: how many run at once; the numbers do not depend on it.
+        done: told how many cars have run.
     """
     run = partial(run_fleet, fleet, reach=cam_reach(fleet, deviations))
     chunks = [deviations[start : start + CHUNK] for start in range(0, len(deviations), CHUNK)]
     if processes > 1:
         with ProcessPoolExecutor(processes) as pool:
-            parts = list(pool.map(run, chunks, chunksize=max(1, len(chunks) // (4 * processes))))
+            parts = _gathered(pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes))), done)
     else:
-        parts = [run(chunk) for chunk in chunks]
+        parts = _gathered(map(run, chunks), done)
     heading = np.concatenate([part.heading for part in parts])
     position = np.concatenate([part.position for part in parts])
     off = (position - fleet.planned.position) * np.exp(-1j * fleet.planned.heading)
     return FleetErrors(deviations=deviations, heading=heading - fleet.planned.heading, along=off.real, across=off.imag)
 
 
-def tolerance_run(fleet: Fleet, tolerances: Tolerances, samples: int, *, seed: int, processes: int = 1) -> FleetErrors:
+def _gathered(parts: Iterable[Poses], done: Callable[[int], None]) -> list[Poses]:
+    found: list[Poses] = []
+    for part in parts:
+        found.append(part)
+        done(CHUNK * len(found))
+    return found
+
+
+def tolerance_run(
+    fleet: Fleet,
+    tolerances: Tolerances,
+    samples: int,
+    *,
+    seed: int,
+    processes: int = 1,
+    done: Callable[[int], None] = lambda cars: None,
+) -> FleetErrors:
     """Run random cars within the tolerances.
 
     Every chunk of cars draws from its own child of the seed, so a seed gives the same cars whatever the number of
@@ -154,6 +173,7 @@ def tolerance_run(fleet: Fleet, tolerances: Tolerances, samples: int, *, seed: i
         samples: number of cars.
         seed: of the random numbers.
         processes: how many run at once.
+        done: told how many cars have run.
 
     Raises:
         DesignError: fewer than one sample.
@@ -166,7 +186,7 @@ def tolerance_run(fleet: Fleet, tolerances: Tolerances, samples: int, *, seed: i
         tolerances.draw(np.random.default_rng(child), int(size), fleet.play)
         for child, size in zip(children, sizes, strict=True)
     ]
-    return fleet_errors(fleet, np.concatenate(drawn), processes=processes)
+    return fleet_errors(fleet, np.concatenate(drawn), processes=processes, done=done)
 
 
 def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ...]:

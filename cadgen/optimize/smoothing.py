@@ -28,6 +28,7 @@ Array = NDArray[np.float64]
 PAPER_AIM = 0.2715  # share of the sum of deflection errors that the paper's smoothing takes off
 _END_SLOPE = 0.1  # nu, what is left of a slope near the extreme; at 0 it would be level there to fourth order
 _STEP = np.pi / 360  # half a degree: the compressed lift is no polynomial, and a quintic this wide errs by 1e-9
+_DEPTH_TOLERANCE = 1e-7  # of the depth; the sum then errs by no more
 _DEEPEST = 0.999  # at 1 the knee would reach straight ahead, where the contact changes face
 
 
@@ -87,7 +88,7 @@ def smooth_to(
             f"smoothing takes at most {100 * (short_of_aim(_DEEPEST) + aim):.1f} % off the deflection errors of this "
             f"lift, not {100 * aim:.2f} %: aim lower, or compensate"
         )
-    return smoothed_lift(lift, float(brentq(short_of_aim, 0.0, _DEEPEST, xtol=1e-10)))
+    return smoothed_lift(lift, float(brentq(short_of_aim, 0.0, _DEEPEST, xtol=_DEPTH_TOLERANCE)))
 
 
 def _compressed(jets: Array, knee: float, top: float) -> Array:

@@ -8,8 +8,10 @@ finds them itself.
 
 import io
 import os
+import re
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from itertools import pairwise
 from pathlib import Path
 
 from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
@@ -22,9 +24,12 @@ from OCP.StepBasic import StepBasic_Product
 from OCP.STEPCAFControl import STEPCAFControl_Controller, STEPCAFControl_Reader, STEPCAFControl_Writer
 from OCP.STEPControl import STEPControl_AsIs
 from OCP.StepData import StepData_StepModel
+from OCP.StepRepr import StepRepr_NextAssemblyUsageOccurrence
 from OCP.TCollection import TCollection_ExtendedString, TCollection_HAsciiString
 from OCP.TDataStd import TDataStd_Name
+from OCP.TDF import TDF_Label
 from OCP.TDocStd import TDocStd_Document
+from OCP.TopoDS import TopoDS_Shape
 from OCP.XCAFDoc import XCAFDoc_ColorGen, XCAFDoc_ColorSurf, XCAFDoc_DocumentTool
 from OCP.XSControl import XSControl_WorkSession
 
@@ -36,6 +41,10 @@ from cadgen.solids.step_text import read_rim
 # Written into every file so that equal designs give equal bytes; the environment's SOURCE_DATE_EPOCH (seconds
 # since 1970, as reproducible-builds.org defines it) replaces it.
 EPOCH = int(datetime(2000, 1, 1, tzinfo=UTC).timestamp())
+
+_COLOUR = re.compile(rb"#\d+ = MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION\(")
+_COLOURED = re.compile(rb"STYLED_ITEM\('color',\(#\d+\),#(\d+)\)")
+_REFERENCE = re.compile(rb"#(\d+)")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -68,16 +77,42 @@ def step_bytes(part: Part) -> bytes:
         FileError: the kernel refused, the name or the description is not ASCII, or SOURCE_DATE_EPOCH is not a
             number of seconds.
     """
+    document = new_document()
+    add_part(document, part)
+    return document_bytes(document, part.name, part.description)
+
+
+def new_document() -> TDocStd_Document:
+    """An empty document of the kernel, in mm."""
+    document = TDocStd_Document(TCollection_ExtendedString("XCAF"))
+    XCAFDoc_DocumentTool.SetLengthUnit_s(document, 1e-3)  # metres: millimetres
+    return document
+
+
+def add_part(document: TDocStd_Document, part: Part) -> TDF_Label:
+    """Put a part with its name and colour into a document, and return its label.
+
+    Raises:
+        FileError: the name or the description is not ASCII.
+    """
     if not (part.name + part.description).isascii():
         raise FileError(
             f"{part.name!r} and {part.description!r} must be ASCII in a STEP file: the CAD kernel garbles other letters"
         )
-    _silence()
-    document = _document()
     tool = XCAFDoc_DocumentTool
     label = tool.ShapeTool_s(document.Main()).AddShape(part.solid, False)
     TDataStd_Name.Set_s(label, TCollection_ExtendedString(part.name))
     tool.ColorTool_s(document.Main()).SetColor(label, Quantity_Color(*part.colour, Quantity_TOC_sRGB), XCAFDoc_ColorGen)
+    return label
+
+
+def document_bytes(document: TDocStd_Document, name: str, description: str) -> bytes:
+    """Return a document as a STEP file; all its products get the description, its header also the name.
+
+    Raises:
+        FileError: the kernel refused, or SOURCE_DATE_EPOCH is not a number of seconds.
+    """
+    _silence()
     # The kernel's settings are global, and no other call here depends on them.
     STEPCAFControl_Controller.Init_s()
     Interface_Static.SetCVal_s("write.step.schema", "AP214IS")
@@ -89,13 +124,45 @@ def step_bytes(part: Part) -> bytes:
     writer.SetColorMode(True)
     done = writer.Transfer(document, STEPControl_AsIs)
     model = writer.Writer().Model()
-    for product in _products(model):
-        product.SetDescription(_text(part.description))
-    _write_header(model, part)
+    uses = 0
+    for number in range(1, model.NbEntities() + 1):
+        entity = model.Entity(number)
+        if isinstance(entity, StepBasic_Product):
+            entity.SetDescription(_text(description))
+        elif isinstance(entity, StepRepr_NextAssemblyUsageOccurrence):
+            # The kernel goes on counting from the assembly it wrote before.
+            entity.SetId(_text(str(uses := uses + 1)))
+    _write_header(model, name, description)
     stream = io.BytesIO()
     if not done or writer.WriteStream(stream) != IFSelect_RetDone:
-        raise FileError(f"the CAD kernel cannot write {part.name!r} as STEP: check the solid")
-    return stream.getvalue()
+        raise FileError(f"the CAD kernel cannot write {name!r} as STEP: check the solid")
+    return _with_sorted_colours(stream.getvalue())
+
+
+def read_document(path: Path) -> tuple[TDocStd_Document, list[StepBasic_Product]]:
+    """Read a file through the kernel: the document, and the products that the file names.
+
+    Raises:
+        FileError: the kernel cannot read the file.
+    """
+    _silence()
+    document = new_document()
+    reader = STEPCAFControl_Reader()
+    reader.SetNameMode(True)
+    reader.SetColorMode(True)
+    if reader.ReadFile(str(path)) != IFSelect_RetDone or not reader.Transfer(document):
+        raise FileError(f"the CAD kernel cannot read {path.name}: the file is damaged, export it again")
+    return document, _products(reader.Reader().StepModel())
+
+
+def colour_of(document: TDocStd_Document, shape: TopoDS_Shape) -> tuple[float, float, float] | None:
+    """Red, green and blue in sRGB that a document gives a shape; None if it gives none."""
+    colour = Quantity_Color()
+    colours = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
+    if not any(colours.GetColor(shape, kind, colour) for kind in (XCAFDoc_ColorGen, XCAFDoc_ColorSurf)):
+        return None
+    red, green, blue = colour.Values(Quantity_TOC_sRGB)
+    return red, green, blue
 
 
 def read_step(path: Path, step: float) -> StepContent:
@@ -108,27 +175,15 @@ def read_step(path: Path, step: float) -> StepContent:
     Raises:
         FileError: the file cannot be read, or is not one of ours.
     """
-    _silence()
     rim = read_rim(path, step)
-    document = _document()
-    reader = STEPCAFControl_Reader()
-    reader.SetNameMode(True)
-    reader.SetColorMode(True)
-    if reader.ReadFile(str(path)) != IFSelect_RetDone or not reader.Transfer(document):
-        raise FileError(f"the CAD kernel cannot read {path.name}: the file is damaged, export it again")
-    tool = XCAFDoc_DocumentTool
-    shapes = tool.ShapeTool_s(document.Main())
+    document, products = read_document(path)
+    shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     labels = Sequence_TDF_Label()
     shapes.GetFreeShapes(labels)
-    products = _products(reader.Reader().StepModel())
     if labels.Length() != 1 or len(products) != 1:
         raise FileError(f"{path.name} holds {labels.Length()} shapes and {len(products)} products, not one of each")
     shape = shapes.GetShape_s(labels.First())
     bodies = solids(shape)
-    colour = Quantity_Color()
-    colours = tool.ColorTool_s(document.Main())
-    kinds = (XCAFDoc_ColorGen, XCAFDoc_ColorSurf)
-    coloured = any(colours.GetColor(body, kind, colour) for body in bodies[:1] for kind in kinds)
     return StepContent(
         rim=rim,
         valid=is_valid(shape),
@@ -136,30 +191,46 @@ def read_step(path: Path, step: float) -> StepContent:
         volume=volume(shape),
         name=products[0].Name().ToCString(),
         description=products[0].Description().ToCString(),
-        colour=tuple(colour.Values(Quantity_TOC_sRGB)) if coloured else None,
+        colour=colour_of(document, bodies[0]) if bodies else None,
     )
 
 
-def _write_header(model: StepData_StepModel, part: Part) -> None:
+def _with_sorted_colours(data: bytes) -> bytes:
+    """The file with its colours in the order of what they colour; the kernel gives them in that of its addresses.
+
+    Each colour is a run of entities to itself at the file's end, if no two parts share one.
+    """
+    starts = [found.start() for found in _COLOUR.finditer(data)]
+    if len(starts) < 2:
+        return data
+    end = data.index(b"ENDSEC;", starts[-1])
+    runs = [b"".join(data[one:two].split(b"\n")) for one, two in pairwise([*starts, end])]
+    number = first = int(_REFERENCE.search(runs[0])[1])  # type: ignore[index]
+    written = []
+    for run in sorted(runs, key=lambda run: int(_COLOURED.search(run)[1])):  # type: ignore[index]
+        old = int(_REFERENCE.search(run)[1])  # type: ignore[index]
+        moved = _REFERENCE.sub(
+            lambda found, by=number - old: b"#%d" % (int(found[1]) + (by if int(found[1]) >= first else 0)), run
+        )
+        written.append(moved.replace(b";#", b";\n#") + b"\n")
+        number += run.count(b";")
+    return data[: starts[0]] + b"".join(written) + data[end:]
+
+
+def _write_header(model: StepData_StepModel, name: str, description: str) -> None:
     seconds = os.environ.get("SOURCE_DATE_EPOCH", str(EPOCH))
     try:
         stamp = datetime.fromtimestamp(int(seconds), UTC)
     except (ValueError, OverflowError, OSError) as error:
         raise FileError(f"SOURCE_DATE_EPOCH is {seconds!r}; it must be a number of seconds since 1970") from error
     header = APIHeaderSection_MakeHeader(model)
-    header.SetName(_text(part.name))
-    header.SetDescriptionValue(1, _text(part.description))
+    header.SetName(_text(name))
+    header.SetDescriptionValue(1, _text(description))
     header.SetTimeStamp(_text(stamp.strftime("%Y-%m-%dT%H:%M:%S")))
     header.SetAuthorValue(1, _text(""))
     header.SetOrganizationValue(1, _text(""))
     header.SetOriginatingSystem(_text("cadgen"))
     header.SetAuthorisation(_text(""))
-
-
-def _document() -> TDocStd_Document:
-    document = TDocStd_Document(TCollection_ExtendedString("XCAF"))
-    XCAFDoc_DocumentTool.SetLengthUnit_s(document, 1e-3)  # metres: millimetres
-    return document
 
 
 def _products(model: StepData_StepModel) -> list[StepBasic_Product]:

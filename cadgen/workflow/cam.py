@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from cadgen.cam.blank import CamBlank
-from cadgen.cam.checks import Check, check_cam
+from cadgen.cam.check import Check
+from cadgen.cam.checks import check_cam
 from cadgen.cam.cure import undercut_cures
 from cadgen.cam.envelope import Trim, actual_profile
 from cadgen.cam.follower import Follower
@@ -158,7 +159,12 @@ def default_profile(design: Design) -> str:
 
 
 def plan_cam(
-    design: Design, profile: str | None = None, step: Step = lambda text: None, *, all_trains: bool = False
+    design: Design,
+    profile: str | None = None,
+    step: Step = lambda text: None,
+    *,
+    all_trains: bool = False,
+    with_play: bool = False,
 ) -> CamPlan:
     """Compute the profile of a design and check it.
 
@@ -168,6 +174,7 @@ def plan_cam(
             formula), or one of `PLAY_PROFILES`; `default_profile` if left out.
         step: told what is being done.
         all_trains: against play, compare the methods on the trains that the design does not use, too.
+        with_play: look at what play does to the actual profile, too.
 
     Raises:
         DesignError: the path cannot be driven, the rod leaves no disc, there is no such profile, or nothing is
@@ -183,7 +190,7 @@ def plan_cam(
     limits = stages.check_limits(design)
     step(f"computing the {profile} profile")
     trims: tuple[Trim, ...] = ()
-    if profile in PLAY_PROFILES:
+    if profile in PLAY_PROFILES or (with_play and profile == "actual"):
         known: dict[str, tuple[Check, ...]] = {}
 
         def check(one: Judged) -> tuple[Check, ...]:
@@ -238,7 +245,9 @@ def _cures(plan: CamPlan) -> Iterator[Cure]:
 def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
     """The change, if it is a design and no more lift than allowed is lost with it."""
     try:
-        again = plan_cam(with_overrides(plan.design, [override]), plan.profile)
+        # Against play, the method that was chosen, without comparing all of them again.
+        profile = plan.against.chosen.profile if plan.against else plan.profile
+        again = plan_cam(with_overrides(plan.design, [override]), profile)
     except CadgenError:
         return []
     return [] if again.lost else [Cure(override, now, tuple(c.name for c in again.checks if not c.passed))]

@@ -257,7 +257,7 @@ def _dxf(job: _Job) -> Iterator[_Result]:
 
 
 def _gcode(job: _Job) -> Iterator[_Result]:
-    from cadgen.export.gcode import cutter_path, write_gcode
+    from cadgen.export.gcode import NOTES, cutter_path, write_gcode
     from cadgen.export.gcode_reader import read_gcode
 
     plan = job.plan
@@ -267,7 +267,8 @@ def _gcode(job: _Job) -> Iterator[_Result]:
     name = f"{job.stem}.nc"
     hub = plan.blank.hub
     above = hub.length if hub and hub.side == "outer" else 0.0
-    write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above)
+    note = NOTES.get(plan.profile, "")
+    write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above, note=note)
     outline = read_gcode(job.staging / name, machining, job.thickness, job.step)
     facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
     yield job.result(name, outline, GCODE_LIMIT_UM, facts)

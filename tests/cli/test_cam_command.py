@@ -42,10 +42,10 @@ def test_the_same_design_gives_the_same_bytes(cadgen, tmp_path):
 
 
 def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
-    result = cadgen("cam", "appendix_car", "--out", "out", code=1)
+    result = cadgen("cam", "appendix_car", "--profile", "actual", "--out", "out", code=1)
     assert "nothing was exported" in result.stderr
     assert not (tmp_path / "out").exists()
-    result = cadgen("cam", "appendix_car", "--out", "out", "--force", "--json", code=0)
+    result = cadgen("cam", "appendix_car", "--profile", "actual", "--out", "out", "--force", "--json", code=0)
     part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["appendix_car_actual"]
     assert json.loads(result.stdout) == part
     assert part["passed"] is False
@@ -55,7 +55,9 @@ def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
 
 
 def test_a_cutter_too_large_leaves_out_only_the_program(cadgen, tmp_path):
-    cadgen("cam", "--set", "machining.cutter_diameter_mm=20", "--out", "out", "--force", code=0)
+    too_large = ("--set", "machining.cutter_diameter_mm=20")
+    result = cadgen("cam", "--profile", "actual", *too_large, "--out", "out", "--force", code=0)
+    assert "G-code left out: machining.cutter_diameter_mm is 20" in result.stdout
     part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["carbon_free_car_actual"]
     assert "choose a smaller cutter" in part["omitted"]["G-code"]
     assert "carbon_free_car_actual.nc" not in contents(tmp_path / "out")
@@ -72,11 +74,11 @@ def test_the_other_profiles(cadgen, tmp_path, profile):
 
 def test_parts_share_a_manifest_and_edited_files_drop_out(cadgen, tmp_path):
     cadgen("cam", "--profile", "theoretical", "--out", "out", code=0)
-    cadgen("cam", "--out", "out", code=0)
+    cadgen("cam", "--profile", "actual", "--out", "out", code=0)
     manifest = tmp_path / "out/manifest.json"
     assert set(json.loads(manifest.read_text())["parts"]) == {"carbon_free_car_theoretical", "carbon_free_car_actual"}
     (tmp_path / "out/carbon_free_car_theoretical.nc").write_text("edited by hand")
-    cadgen("cam", "--out", "out", code=0)
+    cadgen("cam", "--profile", "actual", "--out", "out", code=0)
     assert set(json.loads(manifest.read_text())["parts"]) == {"carbon_free_car_actual"}
 
 
@@ -110,13 +112,13 @@ def test_a_full_disk_leaves_the_folder_as_it_was(cadgen, tmp_path, limit):
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 
-    message = one_sentence(cadgen("cam", "--out", "out", code=3, preexec_fn=small_files))
+    message = one_sentence(cadgen("cam", "--profile", "actual", "--out", "out", code=3, preexec_fn=small_files))
     assert "nothing was written" in message
     assert contents(out) == {"carbon_free_car_actual.step"}
     assert (out / "carbon_free_car_actual.step").read_text() == "an earlier part"
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_an_interrupted_run_leaves_nothing(tmp_path, number):
     """The signal comes when STEP, STL and 3MF stand in the staging folder and DXF is about to be written."""
     script = (

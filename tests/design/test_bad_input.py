@@ -39,8 +39,13 @@ VALUES = [
     ("cam.colour", "red", ["cam.colour is not a key", "[cam] takes base_radius_mm", "blend_deg"]),
     ("cams.x", 3, ["cams is not a key", "did you mean cam?", "a design takes name, path", "export"]),
     ("cam.keyway", {"width_mm": 3}, ["cam.keyway is not a key", "did you mean blank.keyway?"]),
-    ("cam.blend_deg", 0, ["cam.blend_deg is 0", "greater than 0 and less than 360"]),
-    ("cam.blend_deg", 360, ["cam.blend_deg is 360", "greater than 0 and less than 360"]),
+    ("cam.blend_deg", 0, ["cam.blend_deg is 0", "at least 0.5 and at most 180"]),
+    ("cam.blend_deg", 359.999999, ["cam.blend_deg is 359.999999", "at least 0.5 and at most 180"]),
+    ("car.max_steering_angle_deg", 0.5, ["is 0.5", "at least 1 and at most 80"]),
+    ("machining.cutter_diameter_mm", 0.001, ["is 0.001", "at least 0.2"]),
+    ("machining.step_down_mm", 0.001, ["is 0.001", "at least 0.05"]),
+    ("export.arc_tolerance_um", 0.6, ["is 0.6", "at most 0.5"]),
+    ("export.point_count", 1_000_000, ["is 1000000", "at most 36000"]),
     ("path.spline", "akima", ['path.spline is "akima"', '"quintic" or "cubic"']),
     ("path.waypoints_mm", 3, ["path.waypoints_mm is 3", "a list of pairs [x, y] in mm"]),
     ("path.waypoints_mm", [[0, 0], [900, 0], [1800, 300]], ["path.waypoints_mm has 3 items", "at least 4"]),
@@ -55,7 +60,7 @@ VALUES = [
     ("path.waypoints_mm", [[0, 0], [9, 1e7], [1, 2], [2, 3]], ["waypoints_mm.2.2 is 10000000.0", "at least -1000000"]),
     ("checks.pressure_angle_limit", "norton", ["norton_translating", "norton_oscillating", "chinese_texts"]),
     ("export.point_count", 3600.0, ["export.point_count is 3600.0", "a whole number"]),
-    ("export.point_count", 10, ["export.point_count is 10", "at least 36"]),
+    ("export.point_count", 10, ["export.point_count is 10", "at least 360"]),
     ("machining.feed_mm_per_min", 0, ["machining.feed_mm_per_min is 0", "greater than 0", "mm/min"]),
     ("name", "../cam", ['name is "../cam"', "letters", "digits"]),
     ("name", 3, ["name is 3", "text"]),
@@ -115,6 +120,15 @@ def test_a_disc_that_reaches_the_fork_axis(minimal: Tables, written: Write) -> N
     message = refusal(written(minimal))
     assert "faces at 0 and 4 mm from the fork axis" in message
     assert "mid_plane_mm = 2 and thickness_mm = 4" in message
+
+
+def test_a_hub_that_reaches_the_fork_axis(minimal: Tables, written: Write) -> None:
+    """The inner face is 23.5 mm from the fork axis."""
+    minimal["blank"] = {"hub": {"diameter_mm": 20, "length_mm": 23.5, "side": "inner"}}
+    message = refusal(written(minimal))
+    assert "blank.hub.length_mm is 23.5; on the inner side it must be less than" in message
+    minimal["blank"]["hub"]["side"] = "outer"
+    load_design(written(minimal))
 
 
 @pytest.mark.parametrize(

@@ -72,12 +72,12 @@ def designs(draw: st.DrawFn) -> Tables:
         ),
         "blank": blanks(),
         "machining": st.fixed_dictionaries(
-            {}, optional={"cutter_diameter_mm": numbers(0.1, 20), "break_through_mm": numbers(0, 5)}
+            {}, optional={"cutter_diameter_mm": numbers(0.2, 20), "break_through_mm": numbers(0, 5)}
         ),
         "checks": st.fixed_dictionaries(
             {}, optional={"pressure_angle_limit": st.sampled_from(["norton_translating", "chinese_texts"])}
         ),
-        "export": st.fixed_dictionaries({}, optional={"point_count": st.integers(36, 10_000)}),
+        "export": st.fixed_dictionaries({}, optional={"point_count": st.integers(360, 36_000)}),
     }
     path = st.fixed_dictionaries(
         {"waypoints_mm": st.lists(point, min_size=4, max_size=12)},

@@ -10,7 +10,7 @@ from cadgen.cam.cutter import largest_cutter
 from cadgen.curves.contour import circle
 from cadgen.design.schema import Machining
 from cadgen.errors import CheckError, FileError
-from cadgen.export.gcode import cutter_path, write_gcode
+from cadgen.export.gcode import NOTES, cutter_path, write_gcode
 from cadgen.export.gcode_reader import read_gcode
 from tests.curves.shapes import limacon
 
@@ -59,6 +59,19 @@ def test_rapid_moves_pass_above_a_hub(tmp_path):
     write_gcode(tmp_path / "hub.nc", centre, MACHINING, THICKNESS, name="hub", hub_height=8.0)
     heights = [float(z) for z in re.findall(r"G0 Z([\d.]+)", (tmp_path / "hub.nc").read_text())]
     assert set(heights) == {13.0}
+    head = (tmp_path / "hub.nc").read_text().partition("G21")[0]
+    assert "zero: centre of the bore, outer face of the disc" in head
+    assert "its hub stands 8 mm above that face" in head
+    assert "to 13 mm" in head
+
+
+@pytest.mark.parametrize("profile", ["theoretical", "published"])
+def test_an_outline_that_is_no_part_says_so_at_the_top(tmp_path, profile):
+    curve = circle((4.0, 3.0), 30.0).curve()
+    centre = cutter_path(curve, 2.0, largest_cutter(curve), 2e-4)
+    write_gcode(tmp_path / "disc.nc", centre, MACHINING, THICKNESS, name="disc", note=NOTES[profile])
+    assert (tmp_path / "disc.nc").read_text().splitlines()[1].startswith("(NOT THE OUTLINE OF A PART TO USE: ")
+    read_gcode(tmp_path / "disc.nc", MACHINING, THICKNESS)
 
 
 def test_the_part_of_a_circle_is_the_circle(disc):
@@ -77,11 +90,14 @@ def test_the_program_says_what_the_shop_must_know(disc):
         "climb",
         "clockwise",
         "centre of the bore",
-        "top of the stock",
+        "outer face of the disc",
+        "disc 3 mm thick;",
+        "bore, keyway and holes are not in this program",
+        "lifts the cutter where it stands, to 5 mm",
         "+X",
     ):
         assert fact in head
-    assert lines[5:8] == ["G21 G90 G17 G40 G94 G91.1", "S8000 M3", "G0 Z5.0000"]
+    assert lines[7:10] == ["G21 G90 G17 G40 G94 G91.1", "S8000 M3", "G0 Z5.0000"]
     assert lines[-3:] == ["G0 Z5.0000", "M5", "M30"]
     depths = [float(z) for z in re.findall(r"G1 Z(-[\d.]+) F60", text)]
     assert depths == pytest.approx([-0.825, -1.65, -2.475, -3.3])

@@ -212,7 +212,7 @@ def test_walls_against_closed_forms():
     blank = CamBlank(
         bore_diameter=8.0,
         key=Keyway(width=3.0, depth=1.5, angle=pi / 2),
-        hub=Hub(diameter=20.0, length=5.0),
+        hub=Hub(diameter=20.0, length=5.0, set_screw=SetScrew(diameter=2.5, height=2.25, angle=pi / 2)),
         lightening=Lightening(count=2, hole_diameter=10.0, circle_diameter=50.0, start_angle=pi),
     )
     walls = {wall.between: wall for wall in blank.walls(circle((5.0, 0.0), 40.0).outline(0.01))}
@@ -220,12 +220,15 @@ def test_walls_against_closed_forms():
         "bore and profile": 31.0,
         "hub and profile": 25.0,
         "bore and hub": 10 - np.hypot(5.5, 1.5),
+        "set screw and disc": 1.0,
+        "set screw and the hub's end": 1.5,
         "lightening hole 1 and profile": 5.0,
         "lightening hole 1 and hub": 10.0,
         "two lightening holes": 40.0,
     }
     assert {name: wall.thickness for name, wall in walls.items()} == pytest.approx(expected, abs=1e-4)
     assert walls["lightening hole 1 and profile"].place == pytest.approx([-35.0, 0.0], abs=0.02)
+    assert walls["set screw and disc"].place == pytest.approx([0.0, 10.0])
     corner = np.array([1.5, 5.5])  # of the keyway's floor, on either side
     assert np.abs(walls["bore and hub"].place) == pytest.approx(10 * corner / np.hypot(*corner), abs=0.05)
 

@@ -1,0 +1,48 @@
+"""What a signal does: the unfinished run is cleared away, one sentence is said, and the process ends.
+
+No exception is raised for it, since many a library swallows one or takes it for a fault of its own.
+"""
+
+import json
+import os
+import signal
+import sys
+from contextlib import suppress
+from functools import partial
+from types import FrameType
+
+from cadgen.export.folder import abandon
+
+INTERRUPTED = 130
+_MESSAGE = "interrupted: nothing was written"
+_SHOW_CURSOR = "\r\x1b[K\x1b[?25h"  # and wipe the line: progress may be on show
+
+
+def install() -> None:
+    """Handle what ends a process, but for what the caller has chosen to ignore, as `nohup` does."""
+    handler = partial(_interrupted, os.getpid())
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, handler)
+
+
+def _interrupted(main: int, number: int, frame: FrameType | None) -> None:
+    if os.getpid() == main:
+        if not abandon():
+            return
+        # They would wait for work for ever.
+        for child in getattr(sys.modules.get("multiprocessing"), "active_children", list)():
+            child.kill()
+        # Not through `sys.stdout` or `sys.stderr`, which may be amid writing.
+        if "--json" in sys.argv:
+            _say(1, json.dumps({"error": _MESSAGE, "exit_code": INTERRUPTED}))
+        else:
+            plain = os.environ.get("TERM", "dumb") == "dumb" or not os.isatty(2)
+            _say(2, f"{'' if plain else _SHOW_CURSOR}cadgen: {_MESSAGE}")
+    os._exit(INTERRUPTED)
+
+
+def _say(stream: int, text: str) -> None:
+    with suppress(OSError):  # nobody listens
+        os.write(stream, f"{text}\n".encode())

@@ -1,0 +1,35 @@
+"""`cadgen optimize`: what the methods against play do, alone and combined."""
+
+from pathlib import Path
+
+import click
+
+from cadgen.cli.options import design_options, out_option
+
+
+@click.command()
+@design_options
+@out_option(help="Folder for pictures of events and tracks; without it no file is written.")
+def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Path | None) -> None:
+    """Compare the methods against play, alone and combined, and choose the best that keeps every limit.
+
+    Each profile is judged as it would be cut: rolled on its outline, with play, over the band of return errors.
+    """
+    from cadgen.cli import show, show_play
+    from cadgen.design.load import load_design
+    from cadgen.workflow.cam import plan_cam
+
+    loaded = load_design(design, overrides)
+    written = None
+    with show.progress(not as_json) as step:
+        plan = plan_cam(loaded, "optimized", step, all_trains=True)
+        if out is not None:
+            from cadgen.workflow.simulate import write_comparison
+
+            written = write_comparison(plan, out, step)
+    if as_json:
+        show.document(plan.facts() if written is None else written.entry)
+        return
+    show_play.methods(plan)
+    if written is not None and out is not None:
+        show.files(written, out)

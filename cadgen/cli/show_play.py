@@ -1,0 +1,130 @@
+"""Tables of the commands on play."""
+
+from math import degrees
+from typing import TYPE_CHECKING
+
+from cadgen.cli.show import Output, plain_table
+
+if TYPE_CHECKING:
+    from cadgen.workflow.cam import CamPlan
+    from cadgen.workflow.simulate import Simulation
+    from cadgen.workflow.tolerance import ToleranceRun
+
+
+def methods(plan: "CamPlan") -> None:
+    """Print every method compared, the bound, and the reasons."""
+    from cadgen.workflow.cam import against_of
+    from cadgen.workflow.play import PAPER_PERCENT
+
+    against = against_of(plan)
+    low, high = against.band.ends
+    console = Output()
+    table = plain_table(
+        f"\nreturn error {degrees(low):.3f} to {degrees(high):.3f}°; cut for {degrees(against.chosen.play):.3f}°; "
+        "errors at the end of the run, with that play and the worst over the band"
+    )
+    table.add_column("profile")
+    for head in ("heading", "position", "off", "heading", "position", "off"):
+        table.add_column(head, justify="right")
+    several = len({one.train for one in against.judged}) > 1
+    train = ""
+    for one in against.judged:
+        if several and one.train != train:
+            train = one.train
+            table.add_row(f"{train}, {degrees(one.play):.3f}°", style="dim")
+        first = one is against.before
+        table.add_row(
+            one.profile.replace("smoothed+", "smoothed, "),
+            f"{degrees(one.error.end_heading):.3f}°",
+            f"{one.error.end_distance:.1f} mm",
+            "" if first else f"{100 * against.gain(one)[1]:.1f} %",
+            f"{degrees(one.band.worst_heading):.2f}°",
+            f"{one.band.worst_distance:.0f} mm",
+            "" if first else f"{100 * against.worst_gain(one.band.worst_distance):.1f} %",
+            style="bold" if one is against.chosen else None,
+        )
+    worst = against.bound
+    table.add_row(
+        "no profile betters",
+        *("", "", ""),
+        f"{degrees(worst.heading):.2f}°",
+        f"{worst.distance:.0f} mm",
+        f"{100 * against.worst_gain(worst.distance):.1f} %",
+        style="dim",
+    )
+    console.print(table)
+    before = against.before.deflection_sum
+    sums = [
+        f"{one.profile} {one.train} {degrees(one.deflection_sum):.3f}° "
+        f"({100 * (1 - one.deflection_sum / before):.2f} % off)"
+        for one in against.judged
+        if one is not against.before and one.profile in ("actual", "smoothed")
+    ]
+    line = f"Sum of deflection errors (eq. 28, 30) at the greatest play: actual {degrees(before):.3f}°"
+    paper = f"The paper's two methods together take {PAPER_PERCENT} % off."
+    for text in (*against.reasons, "; ".join([line, *sums]) + f". {paper}"):
+        console.print(text)
+
+
+def runs(simulation: "Simulation") -> None:
+    """Print the events and where the runs end."""
+    console = Output()
+    table = plain_table(
+        f"{simulation.plan.design.name}, return error {degrees(simulation.play):.3f}°: events of the actual profile"
+    )
+    for column in ("event", "cam angle", "lift", "deflection"):
+        table.add_column(column, justify="left" if column == "event" else "right")
+    total = 0.0
+    for event in simulation.events:
+        total += event.deflection
+        table.add_row(
+            event.kind, f"{degrees(event.cam_angle):.2f}°", f"{event.lift:.3f} mm", f"{degrees(event.deflection):.4f}°"
+        )
+    table.add_row("sum", "", "", f"{degrees(total):.4f}°", style="bold")
+    console.print(table)
+    table = plain_table("\nend of the run")
+    for column in ("profile", "heading", "position", "greatest on the run"):
+        table.add_column(column, justify="left" if column == "profile" else "right")
+    chosen = simulation.against.chosen
+    for name, error in (
+        ("actual", simulation.before_error),
+        (f"{chosen.profile}, cut for {degrees(chosen.play):.3f}°", simulation.after_error),
+    ):
+        table.add_row(
+            name,
+            f"{degrees(error.end_heading):.4f}°",
+            f"{error.end_distance:.2f} mm",
+            f"{error.distance.max():.2f} mm",
+        )
+    console.print(table)
+
+
+def fleet(run: "ToleranceRun") -> None:
+    """Print where the cars end, how many pass, and what matters most."""
+    console = Output()
+    facts = run.facts()
+    console.print(
+        f"{facts['design']}, {facts['profile']} profile: {facts['samples']} cars, seed {facts['seed']}, "
+        f"{facts['law']} law",
+        style="bold",
+    )
+    for label, key, unit in (("position", "end_position_mm", " mm"), ("heading", "end_heading_deg", "°")):
+        values = ", ".join(f"{name} {value:.3g}{unit}" for name, value in facts[key].items())
+        console.print(f"{label} error at the end: {values}")
+    console.print(
+        f"{100 * facts['yield']:.2f} % pass all {facts['gates']} gates of {facts['gate_width_mm']:g} mm",
+    )
+    table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
+    for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
+        table.add_column(column, justify="left" if column == "tolerance" else "right")
+    for one in facts["sensitivities"]:
+        unit = "°" if one["unit"] == "deg" else " mm"
+        table.add_row(
+            one["tolerance"].replace("_", " "),
+            f"{one['half_width']:.3g}{unit}",
+            f"{one['step']:.3g}{unit}",
+            f"{one['position_mm_per_step']:.3f} mm",
+            f"{one['heading_deg_per_step']:.4f}°",
+            f"{100 * one['share_of_variance']:.1f} %",
+        )
+    console.print(table)

@@ -1,0 +1,39 @@
+"""`cadgen simulate`: the runs with play, before and after."""
+
+from pathlib import Path
+
+import click
+
+from cadgen.cli.options import design_options, out_option, play_profile_option
+
+
+@click.command()
+@design_options
+@play_profile_option(meaning="Profile that is compared with the actual one.")
+@click.option(
+    "--play-deg",
+    type=click.FloatRange(0, 180, max_open=True),
+    help="Return error of the runs, at the camshaft.  [default: that which the profile is cut for]",
+)
+@out_option(default=Path("exports"), show_default=True, help="Folder for tracks and pictures; it is made if need be.")
+def simulate(
+    design: str | None, overrides: tuple[str, ...], profile: str, play_deg: float | None, as_json: bool, out: Path
+) -> None:
+    """Run the car with play in its gears, on the actual profile and on one against play.
+
+    Writes the tracks of the three wheels as CSV, and pictures of lift, tracks and errors as PNG and SVG.
+    """
+    from cadgen.cli import show, show_play
+    from cadgen.design.load import load_design
+    from cadgen.workflow.simulate import simulate as run
+    from cadgen.workflow.simulate import write_simulation
+
+    loaded = load_design(design, overrides)
+    with show.progress(not as_json) as step:
+        simulation = run(loaded, profile, play_deg, step)
+        written = write_simulation(simulation, out, step)
+    if as_json:
+        show.document(written.entry)
+    else:
+        show_play.runs(simulation)
+        show.files(written, out)

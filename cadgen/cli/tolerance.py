@@ -1,0 +1,53 @@
+"""`cadgen tolerance`: many cars within the design's tolerances."""
+
+import os
+from pathlib import Path
+
+import click
+
+from cadgen.cli.options import design_options, out_option, play_profile_option
+
+
+@click.command()
+@design_options
+@play_profile_option("actual", meaning="Profile that all cars have.")
+@click.option(
+    "--samples", type=click.IntRange(1, 10_000_000), default=10_000, show_default=True, help="Number of cars."
+)
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the random numbers.")
+@click.option(
+    "--processes",
+    type=click.IntRange(1, 256),
+    default=lambda: min(2, os.cpu_count() or 1),
+    help="How many run at once; the numbers do not depend on it.  [default: 2]",
+)
+@out_option(help="Folder for a picture; without it no file is written.")
+def tolerance(
+    design: str | None,
+    overrides: tuple[str, ...],
+    profile: str,
+    samples: int,
+    seed: int,
+    processes: int,
+    as_json: bool,
+    out: Path | None,
+) -> None:
+    """Run random cars within the tolerances of [tolerances] and [train].
+
+    Reports where they end, how many pass all gates, and which tolerance matters most. A seed gives the same numbers
+    on any number of processes.
+    """
+    from cadgen.cli import show, show_play
+    from cadgen.design.load import load_design
+    from cadgen.workflow.tolerance import run_tolerance, write_tolerance
+
+    loaded = load_design(design, overrides)
+    with show.progress(not as_json) as step:
+        run = run_tolerance(loaded, profile, samples, seed, processes, step)
+        written = None if out is None else write_tolerance(run, out, step)
+    if as_json:
+        show.document(run.facts() if written is None else written.entry)
+        return
+    show_play.fleet(run)
+    if written is not None and out is not None:
+        show.files(written, out)

@@ -1,0 +1,85 @@
+"""The sections on play: how much there is, how far cars differ, and what is asked of the profile against it."""
+
+from typing import Literal
+
+from pydantic import Field, model_validator
+
+from cadgen.design.section import Section
+
+
+class Play(Section):
+    """The return error of the gears, at the camshaft. Left out, it is the band that the tolerances of [train] leave."""
+
+    least_deg: float | None = Field(default=None, ge=0, lt=180, description="least return error")
+    greatest_deg: float | None = Field(default=None, ge=0, lt=180, description="greatest return error")
+    measured_deg: float | None = Field(
+        default=None,
+        ge=0,
+        lt=180,
+        description="return error measured on the car; the profile is cut for it, and not for the whole band",
+    )
+
+    @model_validator(mode="after")
+    def _a_band_has_two_ends(self) -> "Play":
+        least, greatest = self.least_deg, self.greatest_deg
+        if (least is None) != (greatest is None):
+            raise ValueError("play has only one of least_deg and greatest_deg: give both or neither")
+        if least is None and self.measured_deg is None:
+            raise ValueError("play is empty: give measured_deg, or least_deg and greatest_deg, or remove [play]")
+        if least is not None and greatest is not None and least > greatest:
+            raise ValueError(f"play.least_deg is {least:g}, more than greatest_deg, {greatest:g}: exchange them")
+        return self
+
+
+class Tolerances(Section):
+    """How far cars of this design differ from it: half of each tolerance zone. What is 0 does not vary."""
+
+    law: Literal["normal", "uniform"] = Field(
+        default="normal",
+        description="within the zones: normal, with its 3 sigma at the limits and clipped there, or uniform",
+    )
+    base_radius_mm: float = Field(default=0.0, ge=0, le=10, description="a, camshaft to fork axis, after adjustment")
+    inner_face_mm: float = Field(default=0.0, ge=0, le=10, description="place of the disc's inner face")
+    outer_face_mm: float = Field(default=0.0, ge=0, le=10, description="place of the disc's outer face")
+    rod_radius_mm: float = Field(default=0.0, ge=0, le=10, description="r_t, of the rod")
+    profile_offset_mm: float = Field(
+        default=0.0, ge=0, le=10, description="profile cut too large or too small all round, along its normal"
+    )
+    steering_zero_deg: float = Field(default=0.0, ge=0, le=10, description="front wheel against the rod")
+    wheelbase_mm: float = Field(default=0.0, ge=0, le=10, description="L")
+    drive_wheel_offset_mm: float = Field(default=0.0, ge=0, le=10, description="A1")
+    wheel_radius_mm: float = Field(default=0.0, ge=0, le=10, description="R_h, of the drive wheel; needs [train]")
+    cam_phase_deg: float = Field(default=0.0, ge=0, le=10, description="cam on its shaft against the start of the run")
+    start_x_mm: float = Field(default=0.0, ge=0, le=100, description="place at the start, along the planned heading")
+    start_y_mm: float = Field(default=0.0, ge=0, le=100, description="place at the start, across it")
+    start_heading_deg: float = Field(default=0.0, ge=0, le=45, description="heading at the start")
+    gate_width_mm: float = Field(
+        default=400.0,
+        gt=0,
+        le=100_000,
+        description="of the gates at the waypoints, which the drive wheel passes within half of it to either side",
+    )
+
+
+class Optimize(Section):
+    """What the profile against play must keep. A limit that is left out allows anything."""
+
+    order: Literal["as-given", "reordered"] = Field(
+        default="as-given",
+        description="of the stages of [train] in the car: as they stand there, or the order of least return error",
+    )
+    smoothing_percent: float = Field(
+        default=27.15, gt=0, lt=100, description="what smoothing takes off its own sum of deflection errors"
+    )
+    max_end_position_mm: float | None = Field(
+        default=None, gt=0, le=1e6, description="position error at the end of the run, the worst over the band of play"
+    )
+    max_end_heading_deg: float | None = Field(
+        default=None, gt=0, le=3600, description="heading error at the end of the run, the worst over the band of play"
+    )
+    max_run_position_mm: float | None = Field(
+        default=None, gt=0, le=1e6, description="position error anywhere on the run, at the play it is cut for"
+    )
+    max_lift_error_um: float | None = Field(
+        default=None, gt=0, le=1e6, description="lift that the rod gets with play against the lift wanted, at that play"
+    )

@@ -1,0 +1,140 @@
+"""The section of the gear train: its stages from the drive to the camshaft, and what their gears are made of.
+
+What a gear or a stage does not say, the train says for all of them.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import Field, Strict
+
+from cadgen.design.section import Section
+
+Lengths = Annotated[tuple[float, ...], Strict(False)]
+
+
+class GearKeys(Section):
+    """One gear of a stage. Tolerances given here stand in for those of the standards."""
+
+    teeth: int = Field(ge=4, le=1000, description="z")
+    profile_shift: float = Field(default=0.0, ge=-2, le=2, description="x, in modules")
+    module_mm: float | None = Field(default=None, gt=0, le=10, description="m_n; left out, that of the train")
+    pressure_angle_deg: float | None = Field(
+        default=None, ge=10, le=35, description="alpha_n; left out, that of the train"
+    )
+    width_mm: float | None = Field(default=None, gt=0, le=500, description="b; left out, that of the train")
+    grade: int | None = Field(default=None, ge=3, le=12, description="tolerance grade; left out, that of the train")
+    f_pt_um: float | None = Field(default=None, ge=0, le=1e4, description="single pitch deviation")
+    F_beta_um: float | None = Field(default=None, ge=0, le=1e4, description="total helix deviation")
+    F_r_um: float | None = Field(default=None, ge=0, le=1e4, description="radial runout")
+    b_r_um: float | None = Field(default=None, ge=0, le=1e4, description="radial feed when cutting the teeth")
+    F_i_radial_um: float | None = Field(
+        default=None, ge=0, le=1e4, description="F_i'', total radial composite deviation"
+    )
+
+
+class Stage(Section):
+    """One stage, the first one next to the drive. One table [[train.stages]] for each."""
+
+    centre_distance_mm: float = Field(gt=0, le=2000, description="a")
+    bearing_span_mm: float | None = Field(default=None, gt=0, le=5000, description="l; left out, that of the train")
+    f_a_um: float | None = Field(
+        default=None, ge=0, le=1e4, description="deviation of the centre distance; left out, the standard's"
+    )
+    direction_deg: float | None = Field(
+        default=None,
+        ge=-360,
+        le=360,
+        description="of the line from the driver's axis to the driven gear's; left out, one is found that clears",
+    )
+    driver: GearKeys
+    driven: GearKeys
+
+
+class GearKeyway(Section):
+    """A keyway in the bore, under a tooth of the larger gear."""
+
+    width_mm: float = Field(gt=0, le=100, description="b")
+    depth_mm: float = Field(gt=0, le=50, description="t2: bore and keyway span the bore's diameter and this")
+
+
+class GearHub(Section):
+    """A round hub on the outer face of a gear. Between the two gears of an intermediate shaft it is their collar."""
+
+    diameter_mm: float = Field(gt=0, le=1000, description="outer")
+    length_mm: float = Field(default=0.0, ge=0, le=200, description="how far it stands out of the face")
+    set_screw_mm: float = Field(
+        default=0.0, ge=0, le=50, description="diameter of a radial hole through it; 0 for none"
+    )
+
+
+class GearWeb(Section):
+    """A thinner disc between hub and rim."""
+
+    thickness_mm: float = Field(gt=0, le=500, description="of the disc")
+    rim_mm: float = Field(gt=0, le=500, description="thickness of the rim under the teeth's root")
+
+
+class GearLightening(Section):
+    """A ring of equal round holes midway between rim and hub."""
+
+    holes: int = Field(ge=1, le=360, description="how many")
+    hole_diameter_mm: float = Field(gt=0, le=500, description="of each hole")
+
+
+class Blank(Section):
+    """What the gear of a shaft has besides its teeth; on an intermediate shaft, the driven gear of its two."""
+
+    bore_diameter_mm: float = Field(default=0.0, ge=0, le=500, description="of the hole for the shaft; 0 for none")
+    keyway: GearKeyway | None = None
+    hub: GearHub | None = None
+    web: GearWeb | None = None
+    lightening: GearLightening | None = None
+
+
+class Search(Section):
+    """Within what limits `--order search` looks for trains. What is left out spans the sizes of the given stages."""
+
+    stages: int | None = Field(default=None, ge=1, le=6, description="how many stages; left out, as many as given")
+    teeth_min: int | None = Field(default=None, ge=4, le=1000, description="fewest teeth of a gear")
+    teeth_max: int | None = Field(default=None, ge=4, le=1000, description="most teeth of a gear")
+    modules_mm: Lengths | None = Field(default=None, min_length=1, description="modules to choose from")
+    widths_mm: Lengths | None = Field(default=None, min_length=1, description="face widths to choose from")
+    centre_distance_min_mm: float | None = Field(default=None, gt=0, le=2000, description="least centre distance")
+    centre_distance_max_mm: float | None = Field(default=None, gt=0, le=2000, description="greatest centre distance")
+    stage_ratio_min: float | None = Field(default=None, gt=0, le=1000, description="least ratio of a stage")
+    stage_ratio_max: float | None = Field(default=None, gt=0, le=1000, description="greatest ratio of a stage")
+    ratio_tolerance: float = Field(default=0.0, ge=0, lt=1, description="relative error allowed for the total ratio")
+    keep: int = Field(default=10, ge=1, le=1000, description="how many trains are reported")
+
+
+class Train(Section):
+    """The gear train that drives the camshaft, of spur gears. `cadgen gears` needs it."""
+
+    module_mm: float = Field(gt=0, le=10, description="m_n")
+    pressure_angle_deg: float = Field(default=20.0, ge=10, le=35, description="alpha_n")
+    width_mm: float = Field(gt=0, le=500, description="b, face width")
+    bearing_span_mm: float = Field(gt=0, le=5000, description="l, between the bearings of a shaft")
+    grade: int = Field(default=7, ge=3, le=12, description="tolerance grade of ISO 1328")
+    thinning: Literal["least", "middle", "greatest"] = Field(
+        default="middle", description="teeth are made to E_sns, to the middle between both limits, or to E_sni"
+    )
+    E_sn_um: float | None = Field(
+        default=None, ge=-1e4, le=1e4, description="tooth thickness deviation of all gears instead; 0 for none"
+    )
+    addendum_factor: float = Field(default=1.0, gt=0, le=3, description="h_aP*, in modules")
+    dedendum_factor: float = Field(default=1.25, gt=0, le=3, description="h_fP*, of the basic rack, in modules")
+    rack_tip_radius_factor: float = Field(
+        default=0.38, gt=0, le=1, description="rho_fP*, of the basic rack, in modules"
+    )
+    tip_chamfer_mm: float = Field(default=0.0, ge=0, le=10, description="leg of the chamfer at the tips; 0 for none")
+    pin_diameter_mm: float | None = Field(
+        default=None, gt=0, le=50, description="D_M, of the pins for inspection; left out, one to suit each gear"
+    )
+    clearance_mm: float = Field(
+        default=0.3, gt=0, le=100, description="least gap between bodies on different shafts, teeth in mesh apart"
+    )
+    stages: Annotated[tuple[Stage, ...], Strict(False)] = Field(min_length=1, description="at least one")
+    drive: Blank = Blank()
+    intermediate: Blank = Blank()
+    output: Blank = Blank()
+    search: Search = Search()

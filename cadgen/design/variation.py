@@ -1,0 +1,98 @@
+"""How much cars of a design vary: the return error of their gears and the tolerances of their dimensions."""
+
+from dataclasses import replace
+from math import inf, radians
+from typing import Literal
+
+import numpy as np
+
+from cadgen.design import gears
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError
+from cadgen.gears.backlash import TrainPlay
+from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.search import arrange
+from cadgen.motion.drive import wheel_radius as drive_wheel_radius
+from cadgen.optimize.band import PlayBand
+from cadgen.optimize.fleet import PARAMETERS
+from cadgen.optimize.robust import Sampler, Tolerances
+
+ORDERS: tuple[Literal["as-given", "reordered"], ...] = ("as-given", "reordered")
+
+
+def play_bands(design: Design) -> dict[str, PlayBand]:
+    """What is known of the return error at the camshaft, by order of the train.
+
+    [play] says it of the car as built, and stands for what the tolerances of [train] leave. Empty if the design has
+    neither.
+
+    Raises:
+        DesignError: as `train_plays`.
+    """
+    bands = {
+        order: PlayBand(least=train.return_error_min, greatest=train.return_error_max)
+        for order, train in train_plays(design).items()
+    }
+    given, own = design.play, design.optimize.order
+    if given is None:
+        return bands
+    measured = None if given.measured_deg is None else radians(given.measured_deg)
+    if given.least_deg is not None and given.greatest_deg is not None:
+        return {own: PlayBand(least=radians(given.least_deg), greatest=radians(given.greatest_deg), measured=measured)}
+    if own in bands:
+        return {**bands, own: replace(bands[own], measured=measured)}
+    return {} if measured is None else {own: PlayBand(least=measured, greatest=measured, measured=measured)}
+
+
+def half_widths(design: Design) -> dict[str, float]:
+    """Half of each tolerance zone by the names of `optimize.fleet.PARAMETERS`, mm or rad; what is 0 is left out."""
+    given = design.tolerances
+    found = {}
+    for name, unit in PARAMETERS.items():
+        if name != "play":
+            half = getattr(given, f"{name}_mm") if unit == "mm" else radians(getattr(given, f"{name}_deg"))
+            if half > 0:
+                found[name] = half
+    return found
+
+
+def tolerances(design: Design) -> Tolerances:
+    """How cars of this design may differ; a measured return error does not."""
+    law, given = design.tolerances.law, design.play
+    sample: Sampler | None = None
+    if given is None and design.train is not None:
+        sample = train_plays(design)[design.optimize.order].return_error_distribution(law).sample
+    elif given and given.measured_deg is None:
+        band = play_bands(design)[design.optimize.order]
+        sample = ZoneSum(("play",), np.array([band.least]), np.array([band.greatest]), law).sample
+    return Tolerances(half_widths=half_widths(design), law=law, play=sample)
+
+
+def wheel_radius(design: Design, length: float) -> float:
+    """Radius of the drive wheel by eq. 20, mm: the train's ratio gives it. Without a train, infinite.
+
+    Raises:
+        DesignError: the radius has a tolerance but no value.
+    """
+    if design.train is not None:
+        return drive_wheel_radius(length, float(gears.train(design).ratio))
+    if design.tolerances.wheel_radius_mm > 0:
+        raise DesignError(
+            "tolerances.wheel_radius_mm needs the radius itself, which follows from the ratio of [train]: add [train], "
+            "or remove tolerances.wheel_radius_mm"
+        )
+    return inf
+
+
+def train_plays(design: Design) -> dict[str, TrainPlay]:
+    """The play of the train in the order of the design file and in the order of least return error.
+
+    Empty if the design has no [train].
+
+    Raises:
+        DesignError: gears that cannot be, or that the standards do not cover.
+    """
+    if design.train is None:
+        return {}
+    given = gears.train(design)
+    return {order: arrange(given, order)[0] for order in ORDERS}

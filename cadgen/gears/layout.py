@@ -1,0 +1,307 @@
+"""Where the parts of a train go: parts on shafts, shafts that keep clear of each other, teeth in phase.
+
+All axes are parallel to z. The wheel of a stage and the pinion of the next one are one part on one shaft, the
+stages are stacked along z, and every pair meshes in a plane of its own. The drive's pinion lies with its hub
+below the stack, the output's wheel with its hub above.
+
+Seen along z a stage's line of centres has a direction. Given ones are kept; for the others the train is folded
+as tightly as it goes without one body coming closer than the clearance to another on a neighbouring or any
+other shaft. Shafts run through the whole stack, from bearing to bearing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain, pairwise, product
+from math import asin, degrees, pi, radians
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.errors import DesignError
+from cadgen.gears.backlash import TrainPlay
+from cadgen.gears.blank import GearBlank, cluster_body, gear_body
+from cadgen.gears.body import Body
+from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import GearPair, Train
+
+Thinning = Literal["least", "middle", "greatest"]
+# Share of the way from E_sns to E_sni.
+THINNING_SHARES: dict[Thinning, float] = {"least": 0.0, "middle": 0.5, "greatest": 1.0}
+# Gauss-Legendre nodes of a set screw's hole, to either side of the keyway's edge: its integrand is analytic there.
+_SCREW_NODES = 40
+# Directions tried are this far apart, in rad: finer ones move a shaft by less than 5 % of the centre distance.
+DIRECTION_STEP = radians(5.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Blanks:
+    """What the gears have besides their teeth: on the drive's shaft, the shafts between, and the output's."""
+
+    drive: GearBlank
+    intermediate: GearBlank
+    output: GearBlank
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrainPart:
+    """One part at its place: its own frame turned by `angle` about z (rad) and set at `axis`, `height` (mm).
+
+    `gears` are one or two forms by rising height in the part's own frame, each with a tooth on the x axis, and
+    `stages` the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about x.
+    """
+
+    name: str
+    shaft: int
+    gears: tuple[GearForm, ...]
+    stages: tuple[int, ...]
+    blank: GearBlank
+    body: Body
+    axis: complex
+    angle: float
+    height: float
+    flipped: bool
+
+    @property
+    def starts(self) -> tuple[float, ...]:
+        """Heights in the part's own frame at which its gears begin, in mm."""
+        return (0.0, self.body.slabs[-1].end - self.gears[-1].width)[: len(self.gears)]
+
+    @property
+    def volume(self) -> float:
+        """Exact volume in mm³: that of the prisms, less the set screw's hole through the hub's wall.
+
+        Across the hole, at the distance y from its axis, its chord is 2 √(ρ² − y²) long, and the wall reaches
+        from the bore or the keyway's floor to the hub's circle.
+        """
+        hub, bore, key = self.blank.hub, self.blank.bore_diameter / 2, self.blank.keyway
+        if hub is None or not hub.set_screw_diameter:
+            return self.body.prismatic_volume
+        outside, hole = hub.diameter / 2, hub.set_screw_diameter / 2
+
+        # y = ρ sin t makes the integrand smooth on either side of the keyway's edge.
+        edge = asin(min(key.width / 2 / hole, 1.0)) if key else 0.0
+        nodes, weights = np.polynomial.legendre.leggauss(_SCREW_NODES)
+        removed = 0.0
+        for start, end in ((0.0, edge), (edge, pi / 2)):
+            t = start + (end - start) * (nodes + 1) / 2
+            y = hole * np.sin(t)
+            inside = bore + key.depth if key and end == edge else np.sqrt(np.maximum(bore**2 - y**2, 0.0))
+            chords = 4 * (hole * np.cos(t)) ** 2 * (np.sqrt(outside**2 - y**2) - inside)
+            removed += (end - start) / 2 * float(weights @ chords)
+        return self.body.prismatic_volume - removed
+
+    @property
+    def transform(self) -> NDArray[np.float64]:
+        """From the part's frame to the train's, shape (3, 4): turning and shift."""
+        c, s, f = np.cos(self.angle), np.sin(self.angle), -1.0 if self.flipped else 1.0
+        return np.array([[c, -s * f, 0.0, self.axis.real], [s, c * f, 0.0, self.axis.imag], [0.0, 0.0, f, self.height]])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrainLayout:
+    """A train whose teeth are thinned as they will be cut, and its parts, one per shaft from drive to output.
+
+    `directions` are those of the stages' lines of centres, in rad.
+    """
+
+    train: Train
+    parts: tuple[TrainPart, ...]
+    directions: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Disc:
+    """A body of revolution about its shaft, of stage `stage` if it is a gear: what must keep clear."""
+
+    name: str
+    stage: int | None
+    radius: float
+    low: float
+    high: float
+
+
+def thinned(play: TrainPlay, thinning: Thinning | float) -> Train:
+    """The train with every tooth thinned: within its limits E_sns to E_sni, or by a given E_sn in mm."""
+    stages = []
+    for pair, found in zip(play.train.stages, play.stages, strict=True):
+        deviations = []
+        for gear in (found.driver, found.driven):
+            if isinstance(thinning, str):
+                deviations.append(gear.E_sns - THINNING_SHARES[thinning] * gear.T_sn)
+            else:
+                deviations.append(thinning)
+        stages.append(with_deviations(pair, *deviations))
+    return Train(tuple(stages))
+
+
+def with_deviations(pair: GearPair, driver: float, driven: float) -> GearPair:
+    """The pair with teeth cut to E_sn = `driver` and `driven`, in mm."""
+    one, two = (
+        replace(gear, form=replace(gear.form, tooth_thickness_deviation=deviation))
+        for gear, deviation in ((pair.driver, driver), (pair.driven, driven))
+    )
+    return replace(pair, driver=one, driven=two)
+
+
+def meshing_angle(pair: GearPair, driver_angle: float, direction: float) -> float:
+    """Angle of the driven gear whose teeth stand midway between those of the driver at `driver_angle`, in rad.
+
+    Both angles are those of a tooth's middle, and `direction` that from the driver's axis to the driven gear's.
+    The phases of both in pitches, counted from the line of centres, add up to half a pitch.
+    """
+    one, two = pair.driver.form.teeth, pair.driven.form.teeth
+    phase = one * (driver_angle - direction)
+    return (direction + pi + (pi - phase) / two) % (2 * pi)
+
+
+def lay_out(
+    train: Train, blanks: Blanks, directions: Sequence[float | None] | None = None, clearance: float = 0.3
+) -> TrainLayout:
+    """Parts of a train at their places, the drive's axis at the origin.
+
+    `directions` in rad hold one entry per stage, None for any; `clearance` in mm. Raises `DesignError` for a
+    gear or blank that cannot be made, and where bodies on different shafts collide however they are laid out.
+    """
+    wanted = tuple(directions or (None,) * len(train.stages))
+    parts = _stacked(train, blanks)
+    discs = [_discs(part, train, parts) for part in parts]
+    for pair, one, two in zip(train.stages, discs, discs[1:], strict=False):
+        # Neighbours are as far apart in every direction: what collides there needs no search.
+        if collision := _between(one, two, pair.centre_distance, clearance):
+            raise DesignError(collision)
+    found = next(_clear_ways(train, wanted, discs, clearance), None)
+    if found is None:
+        # In a row, where shafts are furthest apart, for the sake of the message.
+        row = tuple(0.0 if direction is None else direction for direction in wanted)
+        raise DesignError(_collision(_axes(train, row), discs, clearance) or _no_way(clearance))
+    placed = []
+    angle = 0.0
+    for number, (part, axis) in enumerate(zip(parts, _axes(train, found), strict=True)):
+        if number:
+            angle = meshing_angle(train.stages[number - 1], angle, found[number - 1])
+        placed.append(replace(part, axis=axis, angle=angle))
+    return TrainLayout(train=train, parts=tuple(placed), directions=found)
+
+
+def _stacked(train: Train, blanks: Blanks) -> list[TrainPart]:
+    """The parts, all on one axis, at their heights."""
+    stages = train.stages
+    first, last = stages[0].driver.form, stages[-1].driven.form
+    plane = stages[0].driven.form.width / 2
+
+    def part(
+        name: str, shaft: int, gears: tuple[GearForm, ...], blank: GearBlank, body: Body, height: float
+    ) -> TrainPart:
+        numbers = (shaft - 1, shaft) if len(gears) == 2 else (max(shaft - 1, 1),)
+        return TrainPart(
+            name=name,
+            shaft=shaft,
+            gears=gears,
+            stages=numbers,
+            blank=blank,
+            body=body,
+            axis=0j,
+            angle=0.0,
+            height=height,
+            flipped=shaft == 1,
+        )
+
+    drive = gear_body(first, blanks.drive)
+    parts = [part("1_pinion", 1, (first,), blanks.drive, drive, plane + first.width / 2)]
+    for shaft, (before, after) in enumerate(pairwise(stages), 2):
+        lower, upper = before.driven.form, after.driver.form
+        body = cluster_body(lower, upper, blanks.intermediate)
+        start = plane - lower.width / 2
+        parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blanks.intermediate, body, start))
+        plane = start + body.slabs[-1].end - upper.width / 2
+    shaft = len(stages) + 1
+    output = gear_body(last, blanks.output)
+    parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks.output, output, plane - last.width / 2))
+    return parts
+
+
+def _discs(part: TrainPart, train: Train, parts: Sequence[TrainPart]) -> list[_Disc]:
+    """The bodies of revolution on a part's shaft, at the train's heights."""
+
+    def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> _Disc:
+        ends = sorted(part.height + (-z if part.flipped else z) for z in (low, high))
+        return _Disc(f"{name} on shaft {part.shaft}", stage, diameter / 2, *ends)
+
+    bottom, top = part.gears[0], part.gears[-1]
+    found = [placed(f"the gear of {bottom.teeth} teeth", part.stages[0], bottom.tip_diameter, 0.0, bottom.width)]
+    end = part.body.slabs[-1].end
+    if len(part.gears) == 2:
+        found.append(placed(f"the gear of {top.teeth} teeth", part.stages[1], top.tip_diameter, end - top.width, end))
+    if hub := part.blank.hub:
+        found.append(placed("the hub", None, hub.diameter, bottom.width, bottom.width + hub.length))
+    if part.blank.bore_diameter:
+        spans = [train.stages[j].bearing_span for j in {max(part.shaft - 2, 0), min(part.shaft, len(train.stages)) - 1}]
+        middle = (parts[0].height + parts[-1].height) / 2
+        half = max(spans) / 2
+        found.append(
+            _Disc(f"shaft {part.shaft} itself", None, part.blank.bore_diameter / 2, middle - half, middle + half)
+        )
+    return found
+
+
+def _axes(train: Train, directions: Sequence[float]) -> list[complex]:
+    steps = [pair.centre_distance * np.exp(1j * angle) for pair, angle in zip(train.stages, directions, strict=False)]
+    return [complex(axis) for axis in np.cumsum([0j, *steps])]
+
+
+def _clear_ways(
+    train: Train,
+    wanted: tuple[float | None, ...],
+    discs: Sequence[Sequence[_Disc]],
+    clearance: float,
+    chosen: tuple[float, ...] = (),
+) -> Iterator[tuple[float, ...]]:
+    """Directions without collision that begin with `chosen`, the tightest fold of each stage first."""
+    if _collision(_axes(train, chosen), discs, clearance):
+        return
+    if len(chosen) == len(wanted):
+        yield chosen
+        return
+    given = wanted[len(chosen)]
+    if given is not None:
+        tried: Sequence[float] = [given]
+    else:
+        tried = [0.0] if not chosen else [chosen[-1] + turn for turn in _TURNS]
+    for direction in tried:
+        yield from _clear_ways(train, wanted, discs, clearance, (*chosen, direction))
+
+
+# From all the way back to straight on, to either side.
+_TURNS = list(chain.from_iterable((turn, -turn) for turn in np.arange(pi, -1e-9, -DIRECTION_STEP).tolist()))
+
+
+def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], clearance: float) -> str:
+    """The first collision of the newest shaft that has one, in words; empty if there is none."""
+    pairs = ((a, b) for b in range(len(axes) - 1, 0, -1) for a in range(b - 1, -1, -1))
+    said = (_between(discs[a], discs[b], abs(axes[b] - axes[a]), clearance) for a, b in pairs)
+    return next(filter(None, said), "")
+
+
+def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clearance: float) -> str:
+    """The first collision of the bodies on two shafts whose axes are `apart`, in words; empty if there is none."""
+    for one, two in product(first, second):
+        in_mesh = one.stage is not None and one.stage == two.stage
+        gap = max(apart - one.radius - two.radius, max(one.low, two.low) - min(one.high, two.high))
+        if not in_mesh and gap < clearance:
+            cure = "a longer collar" if one.stage and two.stage else "smaller bores or hubs"
+            return (
+                f"{one.name} and {two.name} collide: at axes {apart:.4g} mm apart the gap between them is {gap:.4g} mm,"
+                f" less than the clearance of {clearance:g} mm; give {cure}, another order of the stages, or other"
+                " directions"
+            )
+    return ""
+
+
+def _no_way(clearance: float) -> str:
+    return (
+        f"the shafts cannot be laid out with {clearance:g} mm between them in steps of"
+        f" {degrees(DIRECTION_STEP):g}°; give the stages' directions, or a smaller clearance"
+    )

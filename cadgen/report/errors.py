@@ -1,0 +1,108 @@
+"""Deflection errors by event (the paper's figures 12, 13, 15 to 17); ends of the runs of many cars."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import degrees
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.motion.errors import Event, deflection_sum
+from cadgen.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, SKY, VERMILLION, figure, save, zero_line
+
+Array = NDArray[np.float64]
+
+_COLORS = (VERMILLION, ORANGE, SKY, GREEN, BLUE)
+_HATCHES = ("", "///", "...", "\\\\\\", "xxx")
+_SHARES = (0.5, 0.9, 0.99)
+_BINS = 60
+_MOST_BARS, _LEAST_SHARE = 10, 5e-4
+
+
+def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path, name: str) -> list[str]:
+    """Draw each event's deflection error and their sum, one bar for each method; return the files' names.
+
+    Args:
+        title: of the picture.
+        methods: name -> events; all with the same events in the same order.
+        folder: where to.
+        name: of the files, without ending.
+    """
+    first = next(iter(methods.values()))
+    labels = [f"{event.kind}\n{degrees(event.cam_angle):.1f}°" for event in first]
+    width = 0.8 / len(methods)
+    with figure(8.5, 4.2) as picture:
+        axes, total = picture.subplots(1, 2, width_ratios=(len(first), 1.4))
+        for number, (method, events) in enumerate(methods.items()):
+            style = {"color": _COLORS[number], "hatch": _HATCHES[number], "edgecolor": "white", "linewidth": 0.0}
+            place = (number - (len(methods) - 1) / 2) * width
+            heights = [degrees(event.deflection) for event in events]
+            axes.bar(np.arange(len(events)) + place, heights, width, label=method, **style)
+            bar = total.bar([place], [degrees(deflection_sum(tuple(events)))], width, **style)
+            total.bar_label(bar, fmt="%.2f", fontsize=7, padding=2)
+        for one in (axes, total):
+            zero_line(one)
+            one.grid(axis="x", visible=False)
+        axes.set_xticks(range(len(labels)), labels)
+        axes.set(title=title, ylabel="deflection error (°)", xlabel="event and its cam angle")
+        axes.legend(loc="best", fontsize=8)
+        total.set_xticks([0], ["sum"])
+        total.margins(y=0.12)
+        return save(picture, folder, name)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FleetPicture:
+    """What the picture of many cars shows.
+
+    Attributes:
+        title: of the picture.
+        along: position error at the end along the planned heading, shape (m,), mm.
+        across: to the left of it, shape (m,), mm.
+        gate_width: mm.
+        passed: share that passes every gate, 0 to 1.
+        shares: parameter -> share of the variance, greatest first.
+    """
+
+    title: str
+    along: Array
+    across: Array
+    gate_width: float
+    passed: float
+    shares: Mapping[str, float]
+
+
+def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
+    """Draw the distribution of end errors and what causes it; return the files' names."""
+    distance = np.hypot(content.along, content.across)
+    with figure(11.0, 3.9) as picture:
+        picture.suptitle(f"{content.title}; {100 * content.passed:.1f} % pass every gate", x=0.01, ha="left")
+        left, middle, right = picture.subplots(1, 3, width_ratios=(1.25, 1.0, 1.1))
+        left.hist(distance, bins=_BINS, color=SKY)
+        for share, style in zip(_SHARES, ("-", "--", ":"), strict=True):
+            value = float(np.quantile(distance, share))
+            left.axvline(value, color=BEFORE, linestyle=style, label=f"{100 * share:g} % within {value:.0f} mm")
+        left.set(title="Position error at the end", xlabel="mm", ylabel="cars", xlim=(0, float(distance.max())))
+        left.legend(loc="upper right", fontsize=8, frameon=True, framealpha=1.0, edgecolor="none")
+
+        shown = slice(None, 4000)  # enough to see the shape, and a small file
+        middle.plot(
+            content.across[shown], content.along[shown], ".", markersize=1.5, color=AFTER, alpha=0.35, rasterized=True
+        )
+        for edge in (-0.5, 0.5):
+            middle.axvline(edge * content.gate_width, color=GREY, linestyle="--", linewidth=1)
+        zero_line(middle)
+        middle.set(
+            title="Where cars end (dashed: gate)", xlabel="to the left (mm)", ylabel="ahead (mm)", aspect="equal"
+        )
+        middle.set_adjustable("datalim")
+
+        names = [one for one, share in content.shares.items() if share >= _LEAST_SHARE][:_MOST_BARS][::-1]
+        values = [100 * content.shares[one] for one in names]
+        bars = right.barh([one.replace("_", " ") for one in names], values, color=BLUE)
+        right.bar_label(bars, fmt="%.1f", fontsize=8, padding=2)
+        right.grid(axis="y", visible=False)
+        right.margins(x=0.15)
+        right.set(title="Share of the variance", xlabel="%")
+        return save(picture, folder, name)

@@ -1,0 +1,104 @@
+"""Lift before and after, and what becomes of it with play (the paper's figures 14 and 16a)."""
+
+from dataclasses import dataclass
+from math import degrees
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.motion.play import follow
+from cadgen.report.style import AFTER, BEFORE, GREY, WANTED, figure, save, zero_line
+
+Array = NDArray[np.float64]
+
+_POINTS = 7200
+_AROUND = 3.5  # times the play, shown to either side of an event
+
+
+@dataclass(frozen=True, kw_only=True)
+class LiftPicture:
+    """What the picture shows.
+
+    Attributes:
+        title: of the picture.
+        follower: for the lift in mm.
+        wanted: lift by motor position.
+        before: lift of the actual profile, by cam angle.
+        after: of the profile that is compared with it.
+        after_name: its name.
+        play: return error, rad.
+        peak: cam angle of the event shown close, rad; None if there is none.
+        valley: the same of a valley.
+    """
+
+    title: str
+    follower: Follower
+    wanted: LiftCurve
+    before: LiftCurve
+    after: LiftCurve
+    after_name: str
+    play: float
+    peak: float | None
+    valley: float | None
+
+
+def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
+    """Draw the lift over the turn, close by a peak and a valley, and its error; return the files' names."""
+    motor = np.linspace(0.0, content.wanted.blend_start, _POINTS)
+    events = (("Peak: the cam jumps", content.peak), ("Valley: the cam waits", content.valley))
+    close = [(title, angle) for title, angle in events if angle is not None]
+    with figure(8.0, 9.0) as picture:
+        grid = picture.add_gridspec(3, 2, height_ratios=(1.2, 1.2, 1.0))
+        picture.suptitle(f"{content.title}: lift, return error {degrees(content.play):.3f}°", x=0.02, ha="left")
+
+        axes = picture.add_subplot(grid[0, :])
+        turn = np.linspace(0.0, 2 * np.pi, _POINTS)
+        axes.plot(np.degrees(turn), _lift(content, content.before.tan_beta(turn)), color=BEFORE, label="actual profile")
+        after = _lift(content, content.after.tan_beta(turn))
+        axes.plot(np.degrees(turn), after, color=AFTER, linestyle=(0, (5, 2)), label=f"{content.after_name} profile")
+        axes.axvspan(degrees(content.wanted.blend_start), 360, color="#eeeeee", zorder=0)
+        axes.text(
+            354, 0.97, "blend", rotation=90, ha="center", va="top", color=GREY, transform=axes.get_xaxis_transform()
+        )
+        axes.set(title="What the profiles are cut for", xlabel="cam angle (°)", ylabel="lift (mm)", xlim=(0, 360))
+        axes.set_xticks(range(0, 361, 30))
+        axes.legend(loc="best")
+
+        for column, (title, angle) in enumerate(close):
+            axes = picture.add_subplot(grid[1, column])
+            near = angle + np.linspace(-_AROUND, _AROUND, 801) * content.play
+            x = np.degrees(near)
+            axes.plot(x, _lift(content, content.wanted.tan_beta(near)), color=WANTED, linewidth=3.5, alpha=0.25)
+            axes.plot(x, _with_play(content, content.before, near), color=BEFORE)
+            axes.plot(x, _with_play(content, content.after, near), color=AFTER, linestyle=(0, (5, 2)))
+            axes.set(title=f"{title} ({degrees(angle) % 360:.1f}°)", xlabel="motor, as cam angle (°)")
+            axes.set_ylabel("lift with play (mm)")
+            if column == 0:
+                axes.legend(["wanted", "actual", content.after_name], loc="best")
+
+        axes = picture.add_subplot(grid[2, :])
+        wanted = _lift(content, content.wanted.tan_beta(motor))
+        for lift, color, style, label in (
+            (content.before, BEFORE, "-", "actual profile"),
+            (content.after, AFTER, (0, (5, 2)), f"{content.after_name} profile"),
+        ):
+            off = _with_play(content, lift, motor) - wanted
+            worst = float(np.abs(off).max())
+            axes.plot(np.degrees(motor), off, color=color, linestyle=style, label=f"{label}: up to {worst:.3f} mm")
+        zero_line(axes)
+        axes.set(title="Lift with play, less the lift wanted", xlabel="motor, as cam angle (°)", ylabel="error (mm)")
+        axes.set_xlim(0, 360)
+        axes.set_xticks(range(0, 361, 30))
+        axes.legend(loc="best")
+        return save(picture, folder, name)
+
+
+def _lift(content: LiftPicture, tan_beta: Array) -> Array:
+    return np.asarray(content.follower.lift(tan_beta))
+
+
+def _with_play(content: LiftPicture, lift: LiftCurve, motor: Array) -> Array:
+    return _lift(content, follow(lift, content.play).tan_beta(motor))

@@ -1,0 +1,144 @@
+"""The wheels on the field (the paper's figures 6, 10 and 18 to 20), and the errors along the run."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.motion.drive import Run
+from cadgen.motion.errors import RunError
+from cadgen.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, WANTED, figure, save, zero_line
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
+
+_MARGIN = 300.0  # mm around what is shown
+_PANEL = 4.0  # inches
+_COLUMNS = 4
+_SHOWN = slice(None, None, 6)  # of a run's 3601 positions; the curves are smooth, and the files smaller
+_WHEELS = (
+    ("drive_wheel", "drive wheel", BLUE, "-"),
+    ("front_wheel", "front wheel", ORANGE, (0, (6, 1.5))),
+    ("idle_wheel", "right wheel", GREEN, (0, (1.5, 1))),
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Field:
+    """The field, mm: corner and size, obstacles' centres with shape (n, 2) and their radius. No size, no edge."""
+
+    corner: tuple[float, float] = (0.0, 0.0)
+    size: tuple[float, float] | None = None
+    obstacles: Array
+    obstacle_radius: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class TrackPanel:
+    """One picture of the field: a run, and where it ends for other plays (drive wheel's ends, shape (k, 2))."""
+
+    title: str
+    run: Run
+    ends: Array | None = None
+
+
+def draw_tracks(panels: Sequence[TrackPanel], planned: Run, field: Field, folder: Path, name: str) -> list[str]:
+    """Draw the three wheels' tracks of several runs over the planned one; return the files' names."""
+    shown = np.concatenate(
+        [np.concatenate([getattr(panel.run, wheel) for wheel, *_ in _WHEELS]) for panel in panels]
+        + [panel.ends for panel in panels if panel.ends is not None]
+        + [field.obstacles]
+        + ([] if field.size is None else [np.array([field.corner, np.add(field.corner, field.size)])])
+    )
+    low, high = shown.min(axis=0) - _MARGIN, shown.max(axis=0) + _MARGIN
+    columns = min(_COLUMNS, len(panels))
+    rows = -(-len(panels) // columns)
+    tall = float(np.clip(_PANEL * (high[1] - low[1]) / (high[0] - low[0]), 2.0, 6.0))
+    with figure(_PANEL * columns, (tall + 0.4) * rows + 0.5) as picture:
+        grid = picture.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+        for unused in grid.ravel()[len(panels) :]:
+            unused.set_axis_off()
+        for axes, panel in zip(grid.ravel(), panels, strict=False):
+            _field(axes, field)
+            axes.plot(
+                *(planned.drive_wheel.T / 1000), color=GREY, linewidth=3.5, alpha=0.35, label="planned, drive wheel"
+            )
+            for wheel, label, color, style in _WHEELS:
+                axes.plot(
+                    *(getattr(panel.run, wheel).T / 1000), color=color, linestyle=style, linewidth=1.1, label=label
+                )
+            axes.plot(*(planned.drive_wheel[0] / 1000), marker="o", markersize=4, color=WANTED)
+            axes.plot(*(planned.drive_wheel[-1] / 1000), marker="s", markersize=6, color=WANTED, fillstyle="none")
+            if panel.ends is not None:
+                axes.plot(*(panel.ends.T / 1000), "x-", color=BEFORE, markersize=5, label="ends over the band of play")
+            axes.set(title=panel.title, aspect="equal")
+            axes.set_xlim(low[0] / 1000, high[0] / 1000)
+            axes.set_ylim(low[1] / 1000, high[1] / 1000)
+        for axes in grid[:, 0]:
+            axes.set_ylabel("y (m)")
+        for axes in grid[-1]:
+            axes.set_xlabel("x (m)")
+        handles, labels = grid.ravel()[len(panels) - 1].get_legend_handles_labels()
+        picture.legend(handles, labels, loc="outside lower center", ncols=5)
+        return save(picture, folder, name)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ErrorLine:
+    """One profile's errors along the run: at the play shown, and at the ends of the band."""
+
+    label: str
+    at_play: RunError
+    at_ends: tuple[RunError, RunError]
+
+
+def draw_run_errors(title: str, lines: Sequence[ErrorLine], length: float, folder: Path, name: str) -> list[str]:
+    """Draw heading and position error along the run, the band shaded; return the files' names.
+
+    Args:
+        title: of the picture.
+        lines: at most two: before and after.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        folder: where to.
+        name: of the files, without ending.
+    """
+    with figure(8.0, 6.0) as picture:
+        picture.suptitle(title, x=0.02, ha="left")
+        upper, lower = picture.subplots(2, 1, sharex=True)
+        for line, color, style in zip(lines, (BEFORE, AFTER), ("-", (0, (5, 2))), strict=False):
+            travel = line.at_play.motor[_SHOWN] * length / (2 * np.pi) / 1000
+            for axes, values, edges in (
+                (upper, np.degrees(line.at_play.heading), [np.degrees(one.heading) for one in line.at_ends]),
+                (lower, line.at_play.distance, [one.distance for one in line.at_ends]),
+            ):
+                values, *edges = (part[_SHOWN] for part in (values, *edges))
+                axes.fill_between(
+                    travel,
+                    np.min([values, *edges], axis=0),
+                    np.max([values, *edges], axis=0),
+                    color=color,
+                    alpha=0.18,
+                    linewidth=0,
+                )
+                axes.plot(travel, values, color=color, linestyle=style, label=line.label)
+        zero_line(upper)
+        upper.set(ylabel="heading error (°)")
+        lower.set(ylabel="position error (mm)", xlabel="travel of the drive wheel (m); shaded: the band of play")
+        upper.set_xlim(0, travel[-1])
+        upper.legend(loc="upper left")
+        return save(picture, folder, name)
+
+
+def _field(axes: "Axes", field: Field) -> None:
+    from matplotlib.patches import Circle, Rectangle
+
+    if field.size is not None:
+        corner, (width, height) = np.array(field.corner) / 1000, np.array(field.size) / 1000
+        axes.add_patch(Rectangle((corner[0], corner[1]), width, height, fill=False, edgecolor=GREY, linewidth=0.8))
+    for x, y in field.obstacles / 1000:
+        axes.add_patch(Circle((x, y), field.obstacle_radius / 1000, facecolor="#4d4d4d", edgecolor="none", zorder=3))

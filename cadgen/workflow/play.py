@@ -1,0 +1,242 @@
+"""From a design with play to the profile that is best against it, with the reasons."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import degrees, inf
+from typing import Any
+
+import numpy as np
+
+from cadgen.cam.check import Check
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.design import stages, variation
+from cadgen.design.schema import Design
+from cadgen.errors import CheckError, DesignError
+from cadgen.motion.drive import start_pose
+from cadgen.motion.errors import run_error
+from cadgen.motion.play import LEAST_SWING
+from cadgen.optimize.band import Bound, PlayBand
+from cadgen.optimize.choice import Candidate, Limit, choose
+from cadgen.optimize.judge import Judged, Task, bound, judge
+from cadgen.optimize.methods import PROFILES
+from cadgen.path.track import Track
+
+# What `--profile` may say about play: one method by name, or the best of all.
+PLAY_PROFILES = (*PROFILES[1:], "optimized")
+PAPER_PERCENT = 45.31  # what the paper's two methods together take off its sum of deflection errors
+_ALWAYS, _SMOOTHED = ("actual", "compensated"), ("smoothed", "smoothed+compensated")
+_DECIDES = "worst end position error"
+
+Checker = Callable[[Judged], Sequence[Check]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Against:
+    """A profile against play, beside the plain one.
+
+    Attributes:
+        task: what is wanted.
+        band: return error of the design's train.
+        before: the actual profile with the train as given.
+        chosen: the profile to be cut.
+        judged: all that were compared, `before` and `chosen` among them.
+        reasons: a sentence on each, if there was a choice.
+        bound: what no fixed profile betters over the band.
+    """
+
+    task: Task
+    band: PlayBand
+    before: Judged
+    chosen: Judged
+    judged: tuple[Judged, ...]
+    reasons: tuple[str, ...]
+    bound: Bound
+
+    def gain(self, one: Judged) -> tuple[float, float]:
+        """Shares of heading and position error at the end, at the play it is cut for, that a profile takes off."""
+        return (
+            1 - abs(one.error.end_heading / self.before.error.end_heading),
+            1 - one.error.end_distance / self.before.error.end_distance,
+        )
+
+    def worst_gain(self, distance: float) -> float:
+        """Share of the actual profile's worst end position over the band that is off at a given one, mm."""
+        return 1 - distance / self.before.band.worst_distance
+
+    def end_of(self, lift: LiftCurve, least: float = LEAST_SWING) -> tuple[float, float]:
+        """Heading (rad) and position error (mm) at the end with the play it is cut for, of what a file gives."""
+        error = run_error(self.task.run(lift, self.chosen.play, least=least), self.task.planned())
+        return error.end_heading, error.end_distance
+
+    def facts(self) -> dict[str, Any]:
+        """Figures for the manifest and for machines."""
+        low, high = self.band.ends
+        return {
+            "return_error_deg": {
+                "least": degrees(low),
+                "greatest": degrees(high),
+                "measured": None if self.band.measured is None else degrees(self.band.measured),
+                "cut_for": degrees(self.chosen.play),
+            },
+            "before": _figures(self, self.before),
+            "after": _figures(self, self.chosen),
+            "compared": [_figures(self, one) for one in self.judged],
+            "reasons": list(self.reasons),
+            "bound": {
+                "worst_end_heading_deg": degrees(self.bound.heading),
+                "worst_end_position_mm": self.bound.distance,
+                "worst_position_percent_off": 100 * self.worst_gain(self.bound.distance),
+            },
+            "paper_percent_off": PAPER_PERCENT,
+        }
+
+
+def _figures(against: Against, one: Judged) -> dict[str, Any]:
+    heading, distance = against.gain(one)
+    return {
+        "profile": one.profile,
+        "train": one.train,
+        "deflection_sum_deg": degrees(one.deflection_sum),
+        "end_heading_deg": degrees(one.error.end_heading),
+        "end_position_mm": one.error.end_distance,
+        "heading_percent_off": 100 * heading,
+        "position_percent_off": 100 * distance,
+        "worst_end_heading_deg": degrees(one.band.worst_heading),
+        "worst_end_position_mm": one.band.worst_distance,
+        "worst_position_percent_off": 100 * against.worst_gain(one.band.worst_distance),
+        "greatest_position_on_run_mm": float(one.error.distance.max()),
+        "lift_error_um": one.worst_lift_error * 1e3,
+    }
+
+
+def task_of(design: Design, track: Track, lift: LiftCurve, rod: Follower) -> Task:
+    """What the methods against play work on."""
+    aim = design.optimize.smoothing_percent / 100
+    return Task(lift=lift, follower=rod, car=stages.car(design), length=track.length, aim=aim, start=start_pose(track))
+
+
+def known_trains(design: Design) -> dict[str, PlayBand]:
+    """The return errors of the design's train as given and, if its gears are known, reordered.
+
+    Raises:
+        DesignError: the design says nothing about play.
+    """
+    bands = variation.play_bands(design)
+    if not bands:
+        raise DesignError(
+            "the design says nothing of the gears' play, which this needs: add [train] with the gears, or [play] with "
+            "measured_deg or least_deg and greatest_deg; --profile actual makes the cam without"
+        )
+    return bands
+
+
+def against_play(design: Design, profile: str, task: Task, check: Checker, *, all_trains: bool = False) -> Against:
+    """One method, or with `optimized` the best of all that keep the design's limits and the cam's checks.
+
+    If none passes the checks, `optimized` is what it would be without them, for its own checks to tell.
+
+    Args:
+        design: a loaded design.
+        profile: `actual` or one of `PLAY_PROFILES`.
+        task: what is wanted.
+        check: the checks of a profile.
+        all_trains: compare the methods on the trains that the design does not use, too.
+
+    Raises:
+        DesignError: no play is known, or it does not fit the path.
+        CheckError: no profile keeps the limits of [optimize].
+    """
+    bands = known_trains(design)
+    own = design.optimize.order
+    first = next(iter(bands))
+    found: dict[str, tuple[Judged, ...]] = {}
+    reasons: list[str] = []
+    for name, band in bands.items():
+        if name == own or all_trains:
+            found[name] = _judged(task, profile, name, band, reasons)
+        elif name == first:
+            found[name] = judge(task, name, band, PROFILES[:1])
+    chosen = found[own][-1]
+    if profile == "optimized":
+        chosen, choice = _best(found[own], limits(design), check)
+        reasons += choice
+    judged = tuple(one for several in found.values() for one in several)
+    return Against(
+        task=task,
+        band=bands[own],
+        before=found[first][0],
+        chosen=chosen,
+        judged=judged,
+        reasons=tuple(reasons),
+        bound=bound(task, bands[own]),
+    )
+
+
+def _judged(task: Task, profile: str, train: str, band: PlayBand, reasons: list[str]) -> tuple[Judged, ...]:
+    """The actual profile and one other, or with `optimized` all that can be made; tells why another cannot."""
+    if profile != "optimized":
+        return judge(task, train, band, tuple(dict.fromkeys((PROFILES[0], profile))))
+    judged = judge(task, train, band, _ALWAYS)
+    try:
+        return (*judged, *judge(task, train, band, _SMOOTHED, play=judged[0].play))
+    except DesignError as error:
+        reasons.append(f"smoothed refused: {error}")
+        return judged
+
+
+def limits(design: Design) -> tuple[Limit, ...]:
+    """What [optimize] allows."""
+    given = design.optimize
+    found = (
+        (_DECIDES, given.max_end_position_mm, "mm"),
+        ("worst end heading error", given.max_end_heading_deg, "degrees"),
+        ("position error on the run", given.max_run_position_mm, "mm"),
+        ("lift error with play", given.max_lift_error_um, "µm"),
+    )
+    return tuple(Limit(figure=name, most=most, unit=unit) for name, most, unit in found if most is not None)
+
+
+def lift_check(design: Design, one: Judged) -> Check:
+    """The lift that the rod gets with play against the lift wanted, as a check of the cam."""
+    most = design.optimize.max_lift_error_um
+    where = float(one.run.motor[np.argmax(np.abs(one.lift_error))])
+    return Check(
+        "lift error with play",
+        one.worst_lift_error * 1e3,
+        "µm",
+        inf if most is None else most,
+        "max",
+        f"motor {degrees(where):.2f}° (play {degrees(one.play):.3f}°)",
+        "the profile leaves the planned path: use --profile compensated, or raise optimize.max_lift_error_um",
+    )
+
+
+def _best(judged: Sequence[Judged], allowed: Sequence[Limit], check: Checker) -> tuple[Judged, tuple[str, ...]]:
+    """The best that also passes its checks; profiles are checked in order of merit, for checks take time."""
+    remaining = {one.profile: one for one in judged}
+    candidates = {one.profile: Candidate(name=one.profile, figures=_limited(one)) for one in judged}
+    refused: list[str] = []
+    first = choose(list(candidates.values()), allowed, least=_DECIDES).best.name
+    while remaining:
+        try:
+            choice = choose([candidates[name] for name in remaining], allowed, least=_DECIDES)
+        except CheckError as error:  # those left were never allowed
+            refused.append(str(error))
+            break
+        best = remaining.pop(choice.best.name)
+        failed = [one.name for one in check(best) if not one.passed]
+        if not failed:
+            return best, (*refused, *choice.reasons)
+        refused.append(f"{best.profile} refused: it fails {', '.join(failed)}")
+    return next(one for one in judged if one.profile == first), tuple(refused)
+
+
+def _limited(one: Judged) -> dict[str, float]:
+    """The figures that limits are for, and the one that decides."""
+    return {
+        _DECIDES: one.band.worst_distance,
+        "worst end heading error": degrees(one.band.worst_heading),
+        "position error on the run": float(one.error.distance.max()),
+        "lift error with play": one.worst_lift_error * 1e3,
+    }

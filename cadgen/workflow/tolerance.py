@@ -1,0 +1,190 @@
+"""Many cars within the design's tolerances: how they end, how many pass the gates, and what matters most."""
+
+from dataclasses import dataclass
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from cadgen import __version__
+from cadgen.cam.contact import roll
+from cadgen.design import variation
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError
+from cadgen.export.folder import publishing
+from cadgen.export.manifest import file_facts, versions, write_manifest
+from cadgen.motion.drive import STEPS
+from cadgen.motion.play import TURN
+from cadgen.optimize.fleet import PARAMETERS, Fleet, make_fleet
+from cadgen.optimize.robust import FleetErrors, Sensitivity, sensitivities, tolerance_run
+from cadgen.report.errors import FleetPicture, draw_fleet
+from cadgen.workflow.cam import CamPlan, Step, against_of, plan_cam
+from cadgen.workflow.files import Written
+
+_OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
+QUANTILES = (0.5, 0.9, 0.95, 0.99)
+
+
+@dataclass(frozen=True)
+class ToleranceRun:
+    """A design's random cars.
+
+    Attributes:
+        plan: of the profile that all cars have.
+        seed: of the random numbers.
+        errors: of the cars.
+        sensitivities: to each tolerance, greatest share first.
+    """
+
+    plan: CamPlan
+    seed: int
+    errors: FleetErrors
+    sensitivities: tuple[Sensitivity, ...]
+
+    @property
+    def passed(self) -> float:
+        """Share of the cars that pass every gate."""
+        return self.errors.yield_within(self.plan.design.tolerances.gate_width_mm)
+
+    def facts(self) -> dict[str, Any]:
+        """Figures for the manifest and for machines; the processes that ran make no difference."""
+        design, errors = self.plan.design, self.errors
+        heading = np.degrees(np.abs(errors.heading[:, -1]))
+        return {
+            "design": design.name,
+            "source": design.source,
+            "overrides": list(design.overrides),
+            "design_sha256": design.content_hash,
+            "cadgen": __version__,
+            "profile": self.plan.profile,
+            "samples": len(errors.end_distance),
+            "seed": self.seed,
+            "law": design.tolerances.law,
+            "gate_width_mm": design.tolerances.gate_width_mm,
+            "gates": errors.across.shape[1],
+            "yield": self.passed,
+            "end_position_mm": {
+                "mean": float(errors.end_distance.mean()),
+                **{
+                    f"{100 * q:g} %": float(v)
+                    for q, v in zip(QUANTILES, errors.quantiles(np.array(QUANTILES)), strict=True)
+                },
+                "greatest": float(errors.end_distance.max()),
+            },
+            "end_heading_deg": {
+                "mean of size": float(heading.mean()),
+                **{f"{100 * q:g} %": float(np.quantile(heading, q)) for q in QUANTILES},
+            },
+            "sensitivities": [
+                {
+                    "tolerance": one.name,
+                    "half_width": _user(one.name, self._half_width(one.name)),
+                    "unit": _unit(one.name),
+                    "step": _user(one.name, one.step),
+                    "position_mm_per_step": one.distance,
+                    "heading_deg_per_step": degrees(one.heading),
+                    "share_of_variance": one.share,
+                }
+                for one in self.sensitivities
+            ],
+        }
+
+    def _half_width(self, name: str) -> float:
+        if name != "play":
+            return variation.half_widths(self.plan.design)[name]
+        low, high = against_of(self.plan).band.ends
+        return (high - low) / 2
+
+
+def run_tolerance(
+    design: Design,
+    profile: str,
+    samples: int,
+    seed: int,
+    processes: int,
+    step: Step = lambda text: None,
+) -> ToleranceRun:
+    """Run random cars of a design.
+
+    Args:
+        design: a loaded design.
+        profile: that all cars have: `actual` or one of `PLAY_PROFILES`.
+        samples: number of cars.
+        seed: of the random numbers.
+        processes: how many run at once; the numbers do not depend on it.
+        step: told what is being done.
+
+    Raises:
+        DesignError: as `plan_cam`, or nothing varies.
+        CheckError: no profile keeps the limits of [optimize].
+    """
+    plan = plan_cam(design, profile, step, with_play=True)
+    tolerances = variation.tolerances(design)
+    fleet = _fleet(plan)
+    step("finding sensitivities")
+    found = sensitivities(fleet, tolerances)
+    if not found:
+        raise DesignError("no dimension of the design varies: give [tolerances] half widths above 0, or a band of play")
+
+    def done(cars: int) -> None:
+        step(f"run {min(cars, samples)} of {samples} cars")
+
+    errors = tolerance_run(fleet, tolerances, samples, seed=seed, processes=processes, done=done)
+    return ToleranceRun(plan, seed, errors, found)
+
+
+def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None) -> Written:
+    """Draw the distribution and the sensitivities, and publish the pictures together.
+
+    Raises:
+        FileError: a file cannot be written.
+    """
+    design = run.plan.design
+    stem = f"{design.name}_tolerance"
+    step("drawing")
+    with publishing(out) as staging:
+        picture = FleetPicture(
+            title=f"{design.name}, {run.plan.profile} profile, {len(run.errors.end_distance)} cars",
+            along=run.errors.along[:, -1],
+            across=run.errors.across[:, -1],
+            gate_width=design.tolerances.gate_width_mm,
+            passed=run.passed,
+            shares={one.name: one.share for one in run.sensitivities},
+        )
+        names = draw_fleet(picture, staging, stem)
+        entry = {**run.facts(), "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
+        write_manifest(staging, out, stem, entry)
+    return Written(stem, entry)
+
+
+def _fleet(plan: CamPlan) -> Fleet:
+    against = against_of(plan)
+    task, grid = against.task, np.linspace(0.0, TURN, STEPS, endpoint=False)
+    return make_fleet(
+        roll(plan.curve.outline(_OUTLINE_STEP), task.follower, grid),
+        task.follower,
+        task.car,
+        task.length,
+        plan.lift,
+        task.planned(),
+        wheel_radius=variation.wheel_radius(plan.design, task.length),
+        play=against.chosen.play,
+        stations=_gates(plan),
+    )
+
+
+def _gates(plan: CamPlan) -> list[int]:
+    """Steps of the run at which the car passes the waypoints after the first, and its end."""
+    stop = plan.lift.blend_start
+    motor = plan.track.waypoint_arc[1:] / plan.track.length * TURN
+    steps = np.unique(np.rint(motor[motor < stop] / stop * STEPS).astype(int))
+    return [*steps[(steps > 0) & (steps < STEPS)].tolist(), STEPS]
+
+
+def _unit(name: str) -> str:
+    return "mm" if PARAMETERS[name] == "mm" else "deg"
+
+
+def _user(name: str, value: float) -> float:
+    return value if PARAMETERS[name] == "mm" else degrees(value)

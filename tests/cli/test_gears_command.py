@@ -1,0 +1,112 @@
+"""`cadgen gears` as a user meets it: files that hold what they claim, or no files at all."""
+
+import csv
+import hashlib
+import json
+
+import pytest
+
+from tests.cli.conftest import one_sentence
+
+PARTS = ("1_pinion", "2_cluster", "3_cluster", "4_wheel")
+
+
+def contents(folder):
+    return {file.name for file in folder.iterdir()}
+
+
+def expected(order):
+    stem = f"carbon_free_car_{order}"
+    parts = {f"{stem}_{part}.{kind}" for part in PARTS for kind in ("step", "stl")}
+    return parts | {f"{stem}_train.step", f"{stem}_parts.csv", "manifest.json"}
+
+
+def test_all_files_are_made_proved_and_recorded(cadgen, tmp_path):
+    result = cadgen("gears", "--order", "reordered", "--out", "out", code=0)
+    print(result.stdout)
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    for figure in ("0.724°", "0.962°", "-24.74 %", "b_r = 52 µm", "43 µm"):
+        assert figure in result.stdout
+    assert contents(tmp_path / "out") == expected("reordered")
+    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["carbon_free_car_reordered_train"]
+    assert part["passed"] is True
+    for name, facts in part["files"].items():
+        data = (tmp_path / "out" / name).read_bytes()
+        assert hashlib.sha256(data).hexdigest() == facts["sha256"]
+        if "flank_error_um" in facts:
+            assert facts["flank_error_um"] <= 0.001
+            assert facts["root_error_um"] <= 0.01
+    train = part["files"]["carbon_free_car_reordered_train.step"]
+    assert max(map(abs, train["play_error_um"])) <= 0.5
+    assert abs(train["return_error_error_um"]) <= 0.5
+    assert train["volume_error_relative"] <= 1e-6
+    assert part["files"]["carbon_free_car_reordered_4_wheel.step"]["bytes"] <= 2_200_000
+    rows = list(csv.DictReader((tmp_path / "out/carbon_free_car_reordered_parts.csv").open()))
+    assert [row["teeth"] for row in rows] == ["40", "120", "40", "120", "30", "150"]
+    assert all(float(row["span_min_mm"]) < float(row["span_max_mm"]) for row in rows)
+
+
+def test_the_same_design_gives_the_same_bytes(cadgen, tmp_path):
+    small = [part for z in (1, 2) for part in ("--set", f"train.stages.{z}.driver.teeth=40")]
+    small += ["--set", "train.stages.3="]
+    for number, (driven, apart) in enumerate(((60, 25), (80, 30)), 1):
+        small += ["--set", f"train.stages.{number}.driven.teeth={driven}"]
+        small += ["--set", f"train.stages.{number}.centre_distance_mm={apart}"]
+    for section in ("intermediate", "output"):
+        small += ["--set", f"train.{section}.lightening=", "--set", f"train.{section}.web="]
+    for folder in ("a", "b"):
+        cadgen("gears", *small, "--out", folder, code=0)
+    assert len(contents(tmp_path / "a")) == 9
+    for name in contents(tmp_path / "a"):
+        assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes(), name
+
+
+BAD = {
+    "modules": (["train.stages.1.driver.module_mm=0.6"], 2, "joins the modules 0.6 and 0.5 mm"),
+    "pressure angles": (["train.stages.2.driven.pressure_angle_deg=25"], 2, "joins the pressure angles 20° and 25°"),
+    "few teeth": (["train.stages.1.driver.teeth=3"], 2, "train.stages.1.driver.teeth is 3; it must be at least 4"),
+    "pointed": (["train.stages.1.driver.profile_shift=1.2", "train.stages.1.centre_distance_mm=45.6"], 2, "pointed"),
+    "axes too close": (["train.stages.1.centre_distance_mm=44.9"], 2, "jams at the centre distance 44.9 mm"),
+    "axes too far": (["train.stages.1.centre_distance_mm=47"], 2, "does not meet at the centre distance 47 mm"),
+    "rack tip": (["train.rack_tip_radius_factor=0.6"], 2, "too large for the rack's tip"),
+    "grade": (["train.grade=13"], 2, "train.grade is 13; it must be at least 3 and at most 12"),
+    "keyway": (["train.output.keyway.depth_mm=25"], 2, "has a keyway that reaches to"),
+    "collision": (["train.intermediate.bore_diameter_mm=5"], 2, "collide"),
+    "no collar": (["train.intermediate.hub.length_mm=0.1"], 2, "collide"),
+    "no train": (["train="], 2, "has no gear train: add a section [train]"),
+    "uncovered": (["train.module_mm=0.2"], 2, "in stage 1,"),
+    "no such ratio": (["train.search.teeth_min=100", "train.search.teeth_max=110"], 2, "no train of 3 stages"),
+    "jam": (["train.E_sn_um=30"], 1, "overlap midway between their flanks"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_what_cannot_be_made_is_one_sentence_and_no_file(cadgen, tmp_path, name):
+    settings, code, words = BAD[name]
+    order = "search" if name == "no such ratio" else "as-given"
+    sets = [part for text in settings for part in ("--set", text)]
+    message = one_sentence(cadgen("gears", "--order", order, *sets, "--out", "out", code=code))
+    print(message)
+    assert words in message
+    assert contents(tmp_path) == set()
+
+
+# Roots that leave the tips 0.1 modules.
+SHALLOW = [
+    part
+    for text in ("train.dedendum_factor=1.1", "train.rack_tip_radius_factor=0.2", "train.E_sn_um=-1")
+    for part in ("--set", text)
+]
+
+
+def test_a_failed_check_exports_nothing(cadgen, tmp_path):
+    result = cadgen("gears", *SHALLOW, "--out", "out", code=1)
+    assert "nothing was exported" in result.stderr
+    assert "FAIL" in result.stdout
+    assert contents(tmp_path) == set()
+
+
+def test_a_failed_check_is_told_to_machines(cadgen):
+    facts = json.loads(cadgen("gears", *SHALLOW, "--json", code=1).stdout)
+    assert facts["passed"] is False
+    assert [check["name"] for check in facts["checks"] if not check["passed"]] == ["root clearance"]

@@ -1,0 +1,126 @@
+"""What is printed, wherever it goes: full disks, closed pipes, old terminals, narrow ones."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from cadgen.cam.check import Check
+from cadgen.cli import show
+from cadgen.workflow.files import Written
+from tests.cli.conftest import one_sentence
+
+COMMAND = [sys.executable, "-c", "from cadgen.cli import main; main()"]
+LONG = "long_name_" * 6 + "four"
+
+
+def run(folder, arguments, **kwargs):
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)} | kwargs.pop("env", {})
+    return subprocess.run([*COMMAND, *arguments], cwd=folder, text=True, env=environment, **kwargs)
+
+
+def test_no_command_prints_the_help_alone(cadgen):
+    result = cadgen(code=2)
+    assert result.stdout == ""
+    assert result.stderr.startswith("Usage: cadgen [OPTIONS] COMMAND")
+    assert "check" in result.stderr
+
+
+def test_an_empty_folder_name_is_no_folder(cadgen, tmp_path):
+    assert "it is empty: name a folder" in one_sentence(cadgen("cam", "--out", "", code=2))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_name_too_long_for_a_folder(cadgen, tmp_path):
+    message = one_sentence(cadgen("cam", "--profile", "actual", "--out", "x" * 300, code=3))
+    assert message.endswith("the path is too long: choose a shorter --out")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("epoch", ["x", "", "-1", "1e9", "9" * 30])
+def test_a_damaged_source_date_epoch(cadgen, monkeypatch, epoch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
+    message = one_sentence(cadgen("check", code=2))
+    assert f'SOURCE_DATE_EPOCH is "{epoch}"; it must be seconds since 1970' in message
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full device")
+@pytest.mark.parametrize("more", [[], ["--json"]])
+def test_a_full_disk_behind_standard_output(tmp_path, more):
+    with open("/dev/full", "w") as full:
+        result = run(tmp_path, ["check", "--profile", "actual", *more], stdout=full, stderr=subprocess.PIPE)
+    assert result.returncode == 3
+    assert one_sentence(result).startswith("cadgen: the output cannot be written (No space left on device)")
+
+
+@pytest.mark.parametrize("more", [[], ["--json"]])
+def test_a_reader_that_has_gone_does_not_change_the_verdict(tmp_path, more):
+    read, write = os.pipe()
+    os.close(read)
+    failing = ["check", "--profile", "actual", "--set", "checks.min_wall_mm=50", *more]
+    result = run(tmp_path, failing, stdout=write, stderr=subprocess.PIPE)
+    os.close(write)
+    assert (result.returncode, result.stderr) == (1, "")
+
+
+def test_a_terminal_that_knows_only_ascii(tmp_path):
+    plain = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"}
+    result = run(tmp_path, ["check", "--profile", "actual"], env=plain, capture_output=True)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "cam angle 112.30?" in result.stdout
+
+
+def files_table(capsys, monkeypatch, columns, omitted=()):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    entries = {
+        f"{LONG}_actual{end}": {"bytes": 41_700, "lift_error_um": 0.3, "lift_limit_um": 1.0}
+        for end in (".step", "_arcs.dxf", "_spline.dxf")
+    }
+    entry = {"files": entries, "omitted": dict(omitted)}
+    show.files(Written(f"{LONG}_actual", entry), Path("exports"))
+    return capsys.readouterr().out
+
+
+@pytest.mark.parametrize("columns", [40, 80, 200])
+def test_files_with_long_names_can_be_told_apart(capsys, monkeypatch, columns):
+    printed = files_table(capsys, monkeypatch, columns)
+    assert max(map(len, printed.splitlines())) <= columns
+    title, _, table = printed.partition("file ")
+    assert "".join(title.split()) == f"exports/{LONG}_actual"
+    assert [line.split()[0] for line in table.splitlines()[1:]] == [".step", "_arcs.dxf", "_spline.dxf"]
+
+
+def test_what_is_left_out_is_said_with_its_reason(capsys, monkeypatch):
+    reason = "the cutter is too large: choose a smaller one [machining]"
+    printed = files_table(capsys, monkeypatch, 80, [("G-code", reason)])
+    assert "".join(printed.split()).endswith("".join(f"G-code left out: {reason}.".split()))
+
+
+@pytest.mark.parametrize("columns", [40, 80, 200])
+def test_numbers_are_never_folded(capsys, monkeypatch, columns):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    check = Check("rod pushed out", 0.000456, "µm", 0.2, "max", "cam angle 126.40°", "")
+    plan = SimpleNamespace(design=SimpleNamespace(name="car"), profile="actual", checks=(check,), cure_sentences=list)
+    show.checks(plan)
+    printed = capsys.readouterr().out
+    assert max(map(len, printed.splitlines())) <= columns
+    assert "0.000456 µm" in printed
+    assert "<= 0.2" in printed
+
+
+def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    check = Check("wall [red]", 1.0, "mm", 2.0, "min", "hole :smile: [blank]", "move it (the design's [blank])")
+    plan = SimpleNamespace(
+        design=SimpleNamespace(name="car[1]"),
+        profile="actual",
+        checks=(check,),
+        cure_sentences=lambda: ["[x] cures it"],
+    )
+    show.checks(plan)
+    printed = capsys.readouterr().out
+    for text in ("car[1], actual", "hole :smile: [blank]", "wall [red]: move it (the design's [blank]).", "[x] cures"):
+        assert text in printed

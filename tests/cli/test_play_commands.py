@@ -1,0 +1,119 @@
+"""`cadgen simulate`, `optimize` and `tolerance` as a user meets them."""
+
+import json
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+from cadgen.export.tracks import read_tracks
+from tests.cli.conftest import one_sentence
+from tests.cli.test_commands import SQUARE_TURN
+
+PLAY = "\n[play]\nmeasured_deg = 0.7\n"
+STRAIGHT = SQUARE_TURN.replace("[2000, 300]", "[2000, 0]") + PLAY
+
+
+def test_simulate_writes_tracks_and_pictures_that_are_what_they_claim(cadgen, tmp_path):
+    result = cadgen("simulate", "--play-deg", "0.962", "--out", "a", code=0)
+    print(result.stdout)
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    for figure in ("12.33", "1333.", "3.09", "3.681", "1.482", "-0.034", "4.287", "0.159"):
+        assert figure in result.stdout
+    part = json.loads((tmp_path / "a/manifest.json").read_text())["parts"]["carbon_free_car_simulation"]
+    assert {file.name for file in (tmp_path / "a").iterdir()} == {*part["files"], "manifest.json"}
+    tracks = read_tracks(tmp_path / "a/carbon_free_car_simulation_tracks.csv")
+    off = [tracks[f"before_drive_{axis}_mm"][-1] - tracks[f"planned_drive_{axis}_mm"][-1] for axis in "xy"]
+    assert np.hypot(*off) == pytest.approx(part["before"]["end_position_mm"], abs=1e-3)
+    across = (
+        tracks["after_front_x_mm"] - tracks["after_idle_x_mm"],
+        tracks["after_front_y_mm"] - tracks["after_idle_y_mm"],
+    )
+    np.testing.assert_allclose(np.hypot(*across), np.hypot(167.0, 201.0), atol=1e-3)
+    for name in part["files"]:
+        if name.endswith(".svg"):
+            ET.parse(tmp_path / "a" / name)
+
+
+def test_optimize_compares_alone_and_combined_and_writes_nothing(cadgen, tmp_path):
+    result = cadgen("optimize", code=0)
+    print(result.stdout)
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    words = " ".join(result.stdout.split())
+    for text in (
+        "as-given",
+        "reordered",
+        "smoothed, compensated",
+        "compensated chosen",
+        "no profile betters",
+        "45.31 %",
+    ):
+        assert text in words
+    assert "raise the limit" not in words
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_optimize_draws_on_request(cadgen, tmp_path):
+    part = json.loads(cadgen("optimize", "--set", "optimize.order=reordered", "--json", "--out", "p", code=0).stdout)
+    assert part["play"]["after"]["train"] == "reordered"
+    assert part["play"]["before"]["train"] == "as-given"
+    assert len(part["play"]["compared"]) == 8
+    assert part["play"]["return_error_deg"]["greatest"] == pytest.approx(0.724, abs=5e-4)
+    assert set(part["files"]) == {
+        f"carbon_free_car_methods_{what}" for what in ("events.png", "events.svg", "tracks.png", "tracks.svg")
+    }
+    assert json.loads((tmp_path / "p/manifest.json").read_text())["parts"] == {"carbon_free_car_methods": part}
+
+
+def test_a_seed_gives_the_same_cars_on_any_number_of_processes(cadgen):
+    arguments = ("tolerance", "--samples", "450", "--seed", "7", "--json")
+    one, two = (json.loads(cadgen(*arguments, "--processes", n, code=0).stdout) for n in ("1", "2"))
+    assert one == two
+    assert one["seed"] == 7
+    assert sum(item["share_of_variance"] for item in one["sensitivities"]) == pytest.approx(1.0)
+    assert {item["tolerance"] for item in one["sensitivities"]} >= {"play", "wheel_radius", "start_heading"}
+
+
+def test_tolerance_fits_the_terminal_and_draws_on_request(cadgen, tmp_path):
+    result = cadgen("tolerance", "--samples", "300", "--out", "p", code=0)
+    print(result.stdout)
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    assert "% pass all 11 gates of 200 mm" in result.stdout
+    files = {file.name for file in (tmp_path / "p").iterdir()}
+    assert files == {"carbon_free_car_tolerance.png", "carbon_free_car_tolerance.svg", "manifest.json"}
+
+
+@pytest.mark.parametrize(
+    ("command", "design", "overrides", "code", "words"),
+    [
+        ("cam", "carbon_free_car", ["play.measured_deg=27"], 2, "the valley at 240.6 degrees and the peak at 266.5"),
+        ("simulate", "straight.toml", [], 2, "no peak and no valley"),
+        ("cam", "straight.toml", [], 2, "no peak and no valley"),
+        ("tolerance", "plain.toml", [], 2, "says nothing of the gears' play"),
+        ("simulate", "carbon_free_car", ["optimize.max_end_heading_deg=1"], 1, "1.895 degrees more than the 1 allowed"),
+        ("tolerance", "plain.toml", ["play.measured_deg=0.5"], 2, "no dimension of the design varies"),
+        (
+            "tolerance",
+            "plain.toml",
+            ["play.measured_deg=0.5", "tolerances.wheel_radius_mm=0.1"],
+            2,
+            "needs the radius itself",
+        ),
+        ("cam", "plain.toml --profile smoothed", ["play.measured_deg=0.5"], 2, "aim lower, or compensate"),
+        ("optimize", "carbon_free_car", ["play.least_deg=1", "play.greatest_deg=0.5"], 2, "exchange them"),
+    ],
+)
+def test_bad_input_says_so_in_one_sentence_and_writes_nothing(
+    cadgen, tmp_path, command, design, overrides, code, words
+):
+    (tmp_path / "straight.toml").write_text(STRAIGHT)
+    (tmp_path / "plain.toml").write_text(SQUARE_TURN)
+    arguments = [part for text in overrides for part in ("--set", text)]
+    assert words in one_sentence(cadgen(command, *design.split(), *arguments, "--out", "out", code=code))
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_design_without_play_still_makes_the_actual_profile(cadgen, tmp_path):
+    (tmp_path / "plain.toml").write_text(SQUARE_TURN)
+    assert "plain, actual profile" in cadgen("check", "plain.toml", code=0).stdout
+    assert "add [train] with the gears" in one_sentence(cadgen("check", "plain.toml", "--profile", "optimized", code=2))
