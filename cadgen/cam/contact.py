@@ -125,9 +125,11 @@ class _Ring:
         slack = 1e-9  # rad; rounding at the two equal points of a joint
         turns = angle[-1] - angle[0]
         if not (np.diff(angle) > -slack).all() or abs(turns - _TURN) > 1e-3:
+            place = np.degrees(angle[int(np.argmin(np.diff(angle)))]) % 360
             raise DesignError(
-                "the outline is not a closed curve run once round the camshaft with no overhang: "
-                "check the file, or the profile's undercut"
+                f"the outline is not a closed curve run once round the camshaft: it overhangs near polar angle "
+                f"{place:.1f} degrees, where the rod cannot follow it; raise cam.base_radius_mm, widen the turn "
+                f"there, or raise cam.blend_deg if the closing blend steers there"
             )
         radius = np.linalg.norm(outline.points, axis=1)
         reach = np.arcsin(min(1.0, follower.radius / radius.min())) if follower.radius > 0 else 0.0

@@ -11,6 +11,8 @@ The deflection at an event falls because the car steers less around it; so it le
 play. That is the method's cost, and `compare` in `cadgen.optimize.methods` reports it.
 """
 
+from functools import cache
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
@@ -79,6 +81,7 @@ def smooth_to(
     """
     plain = deflection_sum(deflections(lift, follower, car, length, play))
 
+    @cache
     def short_of_aim(depth: float) -> float:
         smoothed = deflection_sum(deflections(smoothed_lift(lift, depth), follower, car, length, play))
         return 1 - smoothed / plain - aim

@@ -87,6 +87,11 @@ class CamPlan:
         return replace(self.rod, radius=0.0) if self.profile == "theoretical" else self.rod
 
     @cached_property
+    def area(self) -> float:
+        """Of the profile, mm^2."""
+        return self.curve.area()
+
+    @cached_property
     def lost(self) -> tuple[Check, ...]:
         """The checks by which too much lift is lost."""
         return tuple(check for check in self.checks if check.name.startswith("lost lift") and not check.passed)
@@ -148,7 +153,7 @@ class CamPlan:
                 "from_track_mm": self.track.length * start / (2 * np.pi),
                 "where": self.track.where(self.track.length * start / (2 * np.pi)),
             },
-            "profile_area_mm2": self.curve.area(),
+            "profile_area_mm2": self.area,
             "play": None if self.against is None else self.against.facts(),
         }
 

@@ -111,7 +111,7 @@ class _Job:
         from cadgen.solids.kernel import volume
 
         if self.plan.blank.hub is None:
-            return self.plan.blank.disc_volume(self.plan.curve.area(), self.thickness)
+            return self.plan.blank.disc_volume(self.plan.area, self.thickness)
         return volume(self.part.solid)
 
     @cached_property

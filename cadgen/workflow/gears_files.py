@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
-import signal
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Executor, ProcessPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass
-from multiprocessing import get_all_start_methods, get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -90,11 +86,8 @@ def _step_files(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
     description = f"gear train, {plan.order}, design {plan.design.content_hash[:12]}"
     parts = train_parts(plan.layout, stem, description)
     (staging / name).write_bytes(assembly_bytes(parts, plan.layout, f"{stem}_train", description))
-    with _beside() as beside:
-        # Half of the whole work is the kernel's reading; meanwhile the parts are written.
-        reading = beside.submit(read_assembly, staging / name)
-        contents, results = _part_files(plan, staging, parts, name)
-        whole = _assembly(plan, name, reading.result(), parts)
+    whole = _assembly(plan, name, read_assembly(staging / name), parts)
+    contents, results = _part_files(plan, staging, parts, name)
     yield name, {**whole, **_in_mesh(plan, name, [content.sections for content in contents])}
     yield from results
 
@@ -120,15 +113,6 @@ def _part_files(
         contents.append(content)
         results.append((file.name, {"flank_error_um": flank, "root_error_um": root}))
     return contents, results
-
-
-@contextmanager
-def _beside() -> Iterator[Executor]:
-    """A second process, which shares this one's libraries where the system can fork."""
-    way = "fork" if "fork" in get_all_start_methods() else None
-    # An interruption is this process's to handle.
-    with ProcessPoolExecutor(1, get_context(way), signal.signal, (signal.SIGINT, signal.SIG_IGN)) as executor:
-        yield executor
 
 
 def _assembly(plan: GearsPlan, file: str, found: Sequence[AssembledPart], parts: Sequence[Part]) -> dict[str, Any]:

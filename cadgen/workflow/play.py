@@ -222,7 +222,7 @@ def _best(judged: Sequence[Judged], allowed: Sequence[Limit], check: Checker) ->
         try:
             choice = choose([candidates[name] for name in remaining], allowed, least=_DECIDES)
         except CheckError as error:  # those left were never allowed
-            refused.append(str(error))
+            refused.append(f"of the others, {error}")
             break
         best = remaining.pop(choice.best.name)
         failed = [one.name for one in check(best) if not one.passed]

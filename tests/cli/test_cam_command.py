@@ -51,7 +51,8 @@ def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     assert part["passed"] is False
     failed = {check["name"] for check in part["checks"] if not check["passed"]}
     assert failed == {"lost lift, undercut", "convex radius, theory"}
-    assert {cure["parameter"] for cure in part["cures"]} == {"follower.radius_mm", "cam.base_radius_mm"}
+    cures = {cure["override"].partition("=")[0] for cure in part["cures"]}
+    assert cures == {"path.spline", "follower.radius_mm", "cam.base_radius_mm", "checks.lost_lift_limit_um"}
 
 
 def test_a_cutter_too_large_leaves_out_only_the_program(cadgen, tmp_path):

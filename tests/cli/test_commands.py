@@ -69,12 +69,12 @@ def test_json_errors_are_json(cadgen):
 
 
 def test_check_says_what_failed_and_how_to_cure_it(cadgen):
-    result = cadgen("check", "appendix_car", code=1)
+    result = cadgen("check", "appendix_car", "--profile", "actual", code=1)
     assert "FAIL" in result.stdout
     assert "lost lift, undercut" in result.stdout
     assert "14.7" in result.stdout
-    assert "follower.radius_mm = " in result.stdout
-    assert 'path.spline = "quintic" cures it' in result.stdout
+    assert "--set follower.radius_mm=" in result.stdout
+    assert '--set path.spline="quintic" (now cubic) cures it' in result.stdout
     assert max(map(len, result.stdout.splitlines())) <= 80
 
 

@@ -70,8 +70,8 @@ def test_build123d_sees_the_same_assembly(layout, parts, assembly):
     for child, placed in zip(read.children, layout.parts, strict=True):
         assert child.volume == pytest.approx(placed.volume, rel=1e-5)
         box = child.bounding_box()
-        assert box.center().X == pytest.approx(placed.axis.real, abs=0.05)
-        assert box.center().Y == pytest.approx(placed.axis.imag, abs=0.05)
+        assert pytest.approx(placed.axis.real, abs=0.05) == box.center().X
+        assert pytest.approx(placed.axis.imag, abs=0.05) == box.center().Y
 
 
 def test_the_parts_teeth_are_the_exact_ones_and_their_solids_the_assembly_s(layout, assembly, files):

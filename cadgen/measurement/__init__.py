@@ -1,0 +1,20 @@
+"""From measured data to the effect that the model lacks.
+
+| module       | what it does                                                                                  |
+|--------------|-----------------------------------------------------------------------------------------------|
+| `record`     | measured data as read: rows, runs, remarks                                                      |
+| `load`       | CSV files -> records; what cannot be is refused                                                 |
+| `effects`    | the catalogue: one small object for each effect, and the anonymous shapes that compete          |
+| `models`     | exact forward models: effects -> what the instrument should have read                           |
+| `noise`      | what does not repeat between runs                                                               |
+| `evidence`   | likelihood of a residual with noise, datum and form error accounted for                         |
+| `hypothesis` | a subset of effects, fitted exactly and scored                                                  |
+| `search`     | all small subsets, linearised; the best are fitted                                              |
+| `verdict`    | what the rivals and what is left allow to be claimed                                            |
+| `diagnose`   | the way through all of these for one record, and the test on runs left out                      |
+| `leave_out`  | subsets by their path error on runs left out, where errors accumulate                           |
+| `steered`    | the verdict that follows from it                                                                |
+| `zones`      | the return error implied by mean turns over smooth, jump and reverse zones                      |
+| `together`   | one effect in several kinds of data                                                             |
+| `nominal`    | the design that data are measured against; the entry: `calibrate`                               |
+"""

@@ -1,0 +1,125 @@
+"""Effects of the train between motor and camshaft, and of the encoders at its ends.
+
+Stages: `ratio` and `mesh` (angle that the gears ask of the camshaft), `play` (what the camshaft makes of it). `at` are
+the `Turns`.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cadgen.measurement.effects.base import Array, Effect, Parameter
+from cadgen.measurement.record import Rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class Turns(Rows):
+    """What is known of each reading.
+
+    Attributes:
+        turned: angle of the motor divided by the nominal ratio, shape (n,), rad.
+        torque: that the cam asks of its shaft, relative to its greatest, shape (n,).
+    """
+
+    turned: Array
+    torque: Array
+
+
+@dataclass(frozen=True)
+class Play:
+    """What stands between the last gear and the camshaft: width of the play, rad."""
+
+    width: float = 0.0
+
+
+def _deg(name: str, limit: float, lower: float | None = None) -> Parameter:
+    return Parameter(name=name, unit="deg", lower=-limit if lower is None else lower, upper=limit, step=limit / 200)
+
+
+def _play(play: Play, p: Array, at: Turns) -> Play:
+    return replace(play, width=float(p[0]))
+
+
+def _rate(angle: Array, p: Array, at: Turns) -> Array:
+    return np.asarray(angle * (1 + p[0]))
+
+
+def _wind_up(angle: Array, p: Array, at: Turns) -> Array:
+    return np.asarray(angle - p[0] * at.torque)
+
+
+def _periodic(order: float) -> Callable[[Array, Array, Turns], Array]:
+    def act(angle: Array, p: Array, at: Turns) -> Array:
+        return np.asarray(angle + p[0] * np.cos(order * at.turned) + p[1] * np.sin(order * at.turned))
+
+    return act
+
+
+RETURN_ERROR = Effect(
+    name="return error",
+    stage="play",
+    parameters=(_deg("return_error_deg", 5.0, 0.0),),
+    act=_play,
+    twins=("wind-up under friction", "lag at one speed"),
+    confused_with="lag of an encoder, twist of the shafts under friction",
+    separated_by="measure at two speeds and with a weight on the rod: lag follows the speed, twist the torque",
+)
+RATE = Effect(
+    name="rate",
+    stage="ratio",
+    parameters=(Parameter(name="rate_percent", unit="%", lower=-20.0, upper=20.0, step=0.05),),
+    act=_rate,
+    twins=("wrong gear ratio", "scale of an encoder"),
+    confused_with="a gear with one tooth more or less, an encoder with another count",
+    separated_by="count the teeth; turn the motor by hand once past a mark and read its encoder",
+)
+WIND_UP = Effect(
+    name="wind-up",
+    stage="mesh",
+    parameters=(_deg("wind_up_deg", 5.0),),
+    act=_wind_up,
+    confused_with="runout of the camshaft",
+    separated_by="lift the rod off the cam and measure again",
+)
+
+
+def runout(shaft: str, order: float) -> Effect:
+    """A gear (or encoder disc) off centre on a shaft that turns `order` times for one turn of the cam."""
+    return Effect(
+        name=f"runout of {shaft}",
+        stage="mesh",
+        parameters=(_deg("runout_cos_deg", 5.0), _deg("runout_sin_deg", 5.0)),
+        act=_periodic(order),
+        twins=(f"eccentric encoder on {shaft}",),
+        confused_with="an eccentric encoder on the same shaft",
+        separated_by="put a dial on the gear's rim, or turn the encoder on its shaft and measure again",
+    )
+
+
+def tooth_mesh(stage: int, order: float) -> Effect:
+    """Once for each tooth of a stage: pitch and profile errors that all teeth share."""
+    return Effect(
+        name=f"tooth mesh of stage {stage}",
+        stage="mesh",
+        parameters=(_deg("mesh_cos_deg", 2.0), _deg("mesh_sin_deg", 2.0)),
+        act=_periodic(order),
+        confused_with="a count error of the encoder at the same order",
+        separated_by="shift the wheel by half a tooth on its shaft and measure again",
+    )
+
+
+def transmission_effects(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int) -> tuple[Effect, ...]:
+    """The catalogue for a train.
+
+    Args:
+        ratios: of each stage, from the motor to the camshaft.
+        teeth: of each stage's driven wheel; empty if unknown.
+        highest: order that the data resolve.
+    """
+    orders = [float(np.prod(ratios[k:])) for k in range(len(ratios) + 1)]
+    names = ["the motor shaft", *(f"shaft {k}" for k in range(1, len(ratios))), "the camshaft"]
+    effects = [RETURN_ERROR, RATE, WIND_UP]
+    effects += [runout(n, o) for n, o in zip(names, orders, strict=True) if o <= highest]
+    meshes = [(k + 1, z * orders[k + 1]) for k, z in enumerate(teeth)]
+    return tuple(effects + [tooth_mesh(stage, order) for stage, order in meshes if order <= highest])

@@ -1,0 +1,135 @@
+"""How well a set of columns explains a residual, with the form error and the noise taken into account.
+
+The measured residual is y = X p + D d + F b + e: effects, datum freedoms, form error and noise. The form error has a
+variance spectrum by order k,
+    S_k = s^2 c / (1 + (k / k0)^2)^q,   sum of S_k = s^2,
+whose size s is held to the stated floor, and whose knee k0 and steepness q are unknown: every hypothesis may choose
+among the spectra of a grid. With F and D integrated out (D with a flat prior),
+    -2 log L = r' C^-1 r + log det C,   C = noise + F S F',
+all from the products of columns by Woodbury's identity, so a whole catalogue costs one Cholesky factor of the size
+of F for each spectrum (Rasmussen and Williams, Gaussian Processes for Machine Learning, sec. 2.7 and A.3).
+"""
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from scipy.linalg import cho_factor, cho_solve, solve_triangular
+
+from cadgen.measurement.effects.base import Array
+from cadgen.measurement.models.base import Model, per_run
+from cadgen.measurement.noise import Noise
+
+KNEES = (3.0, 6.0, 12.0, 25.0)
+STEEPNESS = (1.0, 3.0)
+# A disc made to the stated floor may be a little worse, and one draw of few orders strays from its mean.
+WITHIN_FLOOR = (0.8, 1.2)
+BEYOND_FLOOR = (2.5, 6.0, 15.0, 40.0)
+FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to what the data say of it
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """One member of the grid: size as a multiple of the floor, knee and steepness."""
+
+    size: float
+    knee: float
+    steepness: float
+
+    @property
+    def within(self) -> bool:
+        """True if the form error keeps the stated floor."""
+        return self.size <= max(WITHIN_FLOOR)
+
+    def variance(self, order: Array, floor: float) -> Array:
+        """S_k at each column's order."""
+        shape = 1.0 / (1.0 + (order / self.knee) ** 2) ** self.steepness
+        once = shape.sum() / 2  # every order has a cosine and a sine
+        return np.asarray((self.size * floor) ** 2 * shape / once)
+
+
+GRID = tuple(
+    Spectrum(size, knee, steepness) for size, knee, steepness in product(WITHIN_FLOOR + BEYOND_FLOOR, KNEES, STEEPNESS)
+)
+
+
+class Evidence:
+    """The noise and form error of one model, factored once."""
+
+    def __init__(self, model: Model, noise: Noise, grid: tuple[Spectrum, ...] = GRID) -> None:
+        self.grid, self._noise, self._run = grid, noise, model.rows.run
+        self.within = np.array([s.within for s in grid])
+        parts, flat = [model.form], model.form.shape[1]
+        known = np.empty(0)
+        if noise.slip > 0:
+            # Each run's own setting of the divider, and through it the mean of all: known no better than this.
+            own = per_run(self._run) * model.slip[:, None]
+            parts.append(own)
+            known = np.full(own.shape[1], noise.slip**2)
+        parts.append(model.offsets)
+        free = np.zeros(model.offsets.shape[1])
+        self.basis = self.whiten(np.hstack(parts))
+        gram = self.basis.T @ self.basis
+        self._gram = gram
+        self._flat_precision = FLAT * np.diag(gram)
+        self._roots: dict[int, Array] = {}
+        self.prior, self._factors, constants = [], [], []
+        for spectrum in grid:
+            variance = np.maximum(spectrum.variance(model.order, model.floor), 1e-300)
+            precision = np.concatenate([1 / variance, 1 / known if known.size else known, free])
+            factor = cho_factor(gram + np.diag(precision), lower=True)
+            constants.append(2 * np.sum(np.log(np.diag(factor[0]))) + np.sum(np.log(variance)))
+            self._factors.append(factor)
+            self.prior.append(precision)
+        self.constant = np.array(constants)
+        self._flat = flat
+
+    def whiten(self, columns: Array) -> Array:
+        """Divide by the noise and take out its correlation between neighbours of a run (first-order)."""
+        z = columns / (self._noise.sigma if columns.ndim == 1 else self._noise.sigma[:, None])
+        rho = self._noise.correlation
+        if rho == 0:
+            return z
+        out = z.copy()
+        follows = np.flatnonzero(self._run[1:] == self._run[:-1]) + 1
+        out[follows] = (z[follows] - rho * z[follows - 1]) / np.sqrt(1 - rho**2)
+        return out
+
+    def halves(self, columns: Array) -> Array:
+        """H with W'W - H'H the products of whitened columns once form error and datum are taken out.
+
+        One for each spectrum that keeps the floor, shape (g, q, m).
+        """
+        mixed = self.basis.T @ columns
+        return np.stack(
+            [
+                solve_triangular(self._factors[number][0], mixed, lower=True, check_finite=False)
+                for number in np.flatnonzero(self.within)
+            ]
+        )
+
+    def misfit(self, residual: Array) -> Array:
+        """-2 log L of a whitened residual for every spectrum."""
+        mixed = self.basis.T @ residual
+        taken = np.array([mixed @ cho_solve(f, mixed, check_finite=False) for f in self._factors])
+        return np.asarray(residual @ residual - taken + self.constant)
+
+    def standardise(self, columns: Array, spectrum: int) -> Array:
+        """Multiply by C^-1/2, so that a sum of squares is r' C^-1 r: what least squares needs.
+
+        With A = F sqrt(S) whitened and A'A = V s^2 V', C^-1/2 = 1 + A V ((1 + s^2)^-1/2 - 1) / s^2 V'A'.
+        """
+        z = self.whiten(columns)
+        if spectrum not in self._roots:
+            scale = 1 / np.sqrt(np.maximum(self.prior[spectrum], self._flat_precision))
+            values, vectors = np.linalg.eigh(self._gram * scale * scale[:, None])
+            square = np.maximum(values, 1e-9)
+            bend = (1 / np.sqrt(1 + square) - 1) / square
+            turned = vectors * scale[:, None]
+            self._roots[spectrum] = (turned * bend) @ turned.T
+        return np.asarray(z + self.basis @ (self._roots[spectrum] @ (self.basis.T @ z)))
+
+    def form_error(self, residual: Array, spectrum: int) -> Array:
+        """Most likely coefficients of the form error given a whitened residual, shape (q,)."""
+        mixed = self.basis.T @ residual
+        return np.asarray(cho_solve(self._factors[spectrum], mixed, check_finite=False))[: self._flat]

@@ -1,0 +1,189 @@
+"""A subset of the catalogue, fitted exactly and scored."""
+
+from dataclasses import dataclass, replace
+from math import comb, log
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from cadgen.measurement.effects.base import Active, Array, Effect
+from cadgen.measurement.evidence import Evidence, Spectrum
+from cadgen.measurement.models.base import Model, slopes
+
+# Gauss-Newton from the linear estimate settles in two or three steps; more means the subset does not fit.
+_MOST_STEPS = 12
+# A fitted value this close to a bound, relative to the range, stands on it.
+_AT_BOUND = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hypothesis:
+    """Effects with their most likely values.
+
+    Attributes:
+        effects: the subset, in the order of the catalogue.
+        active: datum and effects with values, as the model takes them.
+        covariance: of all values in order, datum first.
+        misfit: -2 log L for every spectrum of the form error.
+        penalty: for the number of parameters and the size of the catalogue searched.
+        within, beyond: spectrum of least misfit that keeps the stated floor, and that exceeds it.
+        at_bound: names of parameters that stand on a physical bound.
+        spectrum: of the form error that is told with it.
+    """
+
+    effects: tuple[Effect, ...]
+    active: Active
+    covariance: Array
+    misfit: Array
+    penalty: float
+    within: int
+    beyond: int
+    at_bound: tuple[str, ...]
+    spectrum: Spectrum
+
+    @property
+    def score(self) -> float:
+        """Extended information criterion with the form error held to its floor; less is better."""
+        return float(self.misfit[self.within]) + self.penalty
+
+    @property
+    def loose_score(self) -> float:
+        """The same with a form error of any size: how well the effects do beside an unknown smooth shape."""
+        return float(self.misfit[self.beyond]) + self.penalty
+
+    @property
+    def key(self) -> frozenset[str]:
+        """What makes it another subset than the next."""
+        return frozenset(effect.key for effect in self.effects)
+
+    @property
+    def parameters(self) -> int:
+        """How many numbers it fits beside the datum."""
+        return sum(len(effect.parameters) for effect in self.effects)
+
+    @property
+    def reach(self) -> frozenset[str]:
+        """Its key and that of every effect it becomes for some values: subsets within it are nested in it."""
+        return self.key | {effect.includes for effect in self.effects if effect.includes}
+
+    @property
+    def claims(self) -> frozenset[str]:
+        """Names of the effects that are not anonymous shapes."""
+        return frozenset(effect.name for effect in self.effects if not effect.shape)
+
+    def at(self, evidence: Evidence, *, loose: bool) -> "Hypothesis":
+        """The same with the spectrum that keeps the floor, or with the one that exceeds it."""
+        return replace(self, spectrum=evidence.grid[self.beyond if loose else self.within])
+
+    def datum(self) -> list[tuple[Effect, Array, Array]]:
+        """The datum freedoms in the same form as `values`."""
+        return self._entries(claimed=False)
+
+    def values(self) -> list[tuple[Effect, Array, Array]]:
+        """Each effect with its values and standard deviations, internal units."""
+        return self._entries(claimed=True)
+
+    def _entries(self, *, claimed: bool) -> list[tuple[Effect, Array, Array]]:
+        sigma = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))
+        out, at = [], 0
+        for effect, value in self.active:
+            out.append((effect, value, sigma[at : at + len(value)]))
+            at += len(value)
+        return [entry for entry in out if (entry[0] in self.effects) == claimed]
+
+
+@dataclass(frozen=True)
+class Search:
+    """How many entries were searched, for the penalty.
+
+    Attributes:
+        rows: measured numbers.
+        core: entries that combine freely.
+        numerous: entries of which at most a few enter: named ones, and anonymous shapes.
+    """
+
+    rows: int
+    core: int
+    numerous: int
+    shapes: int
+
+    def penalty(self, effects: tuple[Effect, ...], parameters: int) -> float:
+        """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(subsets)."""
+        free = sum(not e.numerous for e in effects)
+        named = sum(e.numerous and not e.shape for e in effects)
+        anonymous = sum(e.shape for e in effects)
+        subsets = log(comb(self.core, min(free, self.core))) + named * log(max(self.numerous, 1))
+        return parameters * log(self.rows) + 2 * (subsets + anonymous * log(max(self.shapes, 1)))
+
+
+def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Active, search: Search) -> Hypothesis:
+    """Fit a subset and the datum exactly, with the form error as a random effect.
+
+    Args:
+        model: forward model with its data.
+        evidence: its noise and form error.
+        effects: the subset.
+        start: values to begin from; effects without one begin at their own start.
+        search: for the penalty.
+    """
+    chosen = (*model.datum, *effects)
+    begin = {effect.key: values for effect, values in start}
+    bounds = np.concatenate([e.bounds for e in chosen], axis=1) if chosen else np.empty((2, 0))
+    lower, upper = bounds
+    x = np.concatenate([begin.get(e.key, e.start) for e in chosen]) if chosen else np.empty(0)
+    steps = np.concatenate([e.steps for e in chosen]) if chosen else np.empty(0)
+    cuts = np.cumsum([len(e.parameters) for e in chosen])[:-1]
+
+    def active(values: Array) -> Active:
+        return list(zip(chosen, np.split(values, cuts), strict=True)) if chosen else []
+
+    def white(values: Array, spectrum: int) -> Array:
+        return evidence.standardise(model.residual(active(values)), spectrum)
+
+    def tangents(values: Array, spectrum: int) -> Array:
+        return -evidence.standardise(slopes(model, chosen, active(values)), spectrum)
+
+    residual = evidence.whiten(model.residual(active(x)))
+    misfit = evidence.misfit(residual)
+    spectrum = _least(misfit, evidence.within)
+    covariance = np.empty((0, 0))
+    if len(x):
+        # The best spectrum may change as the fit improves: once more if it does.
+        for _ in range(3):
+            inside = np.clip(x, lower + _AT_BOUND * (upper - lower), upper - _AT_BOUND * (upper - lower))
+            solution = least_squares(
+                white,
+                inside,
+                jac=tangents,
+                args=(spectrum,),
+                bounds=(lower, upper),
+                x_scale=steps,
+                ftol=1e-7,
+                max_nfev=_MOST_STEPS,
+            )
+            x = solution.x
+            misfit = evidence.misfit(evidence.whiten(model.residual(active(x))))
+            jacobian = np.asarray(solution.jac)
+            covariance = np.linalg.pinv(jacobian.T @ jacobian)
+            before, spectrum = spectrum, _least(misfit, evidence.within)
+            if spectrum == before:
+                break
+    near = 1e-3 * (upper - lower)
+    names = [p.name for e in chosen for p in e.parameters]
+    parameters = sum(len(e.parameters) for e in effects)
+    return Hypothesis(
+        effects=effects,
+        active=active(x),
+        covariance=covariance,
+        misfit=misfit,
+        penalty=search.penalty(effects, parameters),
+        within=spectrum,
+        beyond=_least(misfit, ~evidence.within),
+        spectrum=evidence.grid[spectrum],
+        at_bound=tuple(n for n, v, a, b, w in zip(names, x, lower, upper, near, strict=True) if v < a + w or v > b - w),
+    )
+
+
+def _least(misfit: Array, among: NDArray[np.bool_]) -> int:
+    return int(np.argmin(np.where(among, misfit, np.inf)))

@@ -1,0 +1,169 @@
+"""Choose a subset by how well it predicts runs it was not fitted to: for tracks whose errors accumulate.
+
+Where every small error of the floor and the wheels adds up along the path, residuals are not draws of a noise: the
+runs are. Each subset of up to three effects is fitted to all runs but one, for every run, and judged by the path
+error of the run left out, its start pose registered. The smallest subset within one standard error (over runs, paired)
+or a few per cent of the best is told; others as small and as good are its rivals (Breiman and others 1984, sec. 3.4.3).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from cadgen.errors import DesignError
+from cadgen.measurement.effects.base import Active, Array, Effect
+from cadgen.measurement.models.base import Model, slopes
+from cadgen.measurement.record import Record
+
+LARGEST_SUBSET = 3
+LEAST_RUNS = 4
+# A smaller subset must predict at least this many standard errors worse to be given up.
+STANDARD_ERRORS = 1.0
+# Path errors within this share of each other are the same, however steadily they differ: models err by more.
+SAME = 0.05
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A subset and its path error on runs left out.
+
+    Attributes:
+        effects: the subset.
+        values: fitted to all runs, internal units.
+        sigma: by the jackknife over runs.
+        held_out: path error rms of each run when left out, shape (runs,), mm.
+        fitted: the same when all runs are fitted.
+    """
+
+    effects: tuple[Effect, ...]
+    values: Array
+    sigma: Array
+    held_out: Array
+    fitted: Array
+
+    @property
+    def error(self) -> float:
+        """Mean over runs, mm."""
+        return float(self.held_out.mean())
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """What predicting runs left out says.
+
+    Attributes:
+        before: path error rms of each run of the bare design, registered, mm.
+        chosen: the smallest subset among the best.
+        rivals: others of that size within the same error, best first.
+        trials: all subsets, best first.
+    """
+
+    before: Array
+    chosen: Trial
+    rivals: tuple[Trial, ...]
+    trials: tuple[Trial, ...]
+
+
+def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
+    """Compare all subsets of a model's catalogue.
+
+    Args:
+        record: with its runs.
+        build: makes the forward model of some of the runs; called once for each run.
+
+    Raises:
+        DesignError: too few runs to leave one out.
+    """
+    if record.runs < LEAST_RUNS:
+        raise DesignError(
+            f"{record.source}: {record.runs} runs are too few to judge on runs left out; give at least {LEAST_RUNS}"
+        )
+    runs = [_Run.of(build(record.only(np.array([k])))) for k in range(record.runs)]
+    catalogue = runs[0].model.catalogue
+    before = np.array([run.error([]) for run in runs])
+    trials = [_trial(runs, subset) for size in range(1, LARGEST_SUBSET + 1) for subset in combinations(catalogue, size)]
+    trials.append(Trial((), np.empty(0), np.empty(0), before, before))
+    trials.sort(key=lambda t: t.error)
+    best = trials[0]
+    close = [t for t in trials if _excess(t, best) <= STANDARD_ERRORS or t.error <= best.error * (1 + SAME)]
+    least = min(len(t.values) for t in close)
+    smallest = [t for t in close if len(t.values) == least]
+    return LeftOut(before, smallest[0], tuple(smallest[1:]), tuple(trials))
+
+
+def _excess(trial: Trial, best: Trial) -> float:
+    """How much worse than the best, in standard errors of the paired difference over runs."""
+    difference = trial.held_out - best.held_out
+    error = float(difference.std(ddof=1)) / np.sqrt(len(difference))
+    return float(difference.mean()) / error if error > 0 else 0.0
+
+
+@dataclass(frozen=True)
+class _Run:
+    """One run: its model, and a basis of its start pose's columns."""
+
+    model: Model
+    pose: Array
+
+    @classmethod
+    def of(cls, model: Model) -> "_Run":
+        return cls(model, np.linalg.qr(model.offsets)[0])
+
+    def registered(self, columns: Array) -> Array:
+        """Columns less the start pose."""
+        return np.asarray(columns - self.pose @ (self.pose.T @ columns))
+
+    def residual(self, active: Active) -> Array:
+        return self.registered(self.model.residual(active))
+
+    def tangents(self, effects: tuple[Effect, ...], active: Active) -> Array:
+        return -self.registered(slopes(self.model, effects, active))
+
+    def error(self, active: Active) -> float:
+        """RMS distance from the path; x and y are one row each."""
+        return float(np.sqrt(2 * np.mean(self.residual(active) ** 2)))
+
+
+def _trial(runs: list[_Run], effects: tuple[Effect, ...]) -> Trial:
+    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
+    bounds = np.concatenate([e.bounds for e in effects], axis=1)
+
+    def active(values: Array) -> Active:
+        return list(zip(effects, np.split(values, cuts), strict=True))
+
+    def off(values: Array) -> Array:
+        return np.concatenate([run.residual(active(values)) for run in runs])
+
+    def tangents(values: Array) -> Array:
+        return np.concatenate([run.tangents(effects, active(values)) for run in runs])
+
+    x = least_squares(
+        off,
+        np.concatenate([e.start for e in effects]),
+        jac=tangents,
+        bounds=(bounds[0], bounds[1]),
+        x_scale=np.concatenate([e.steps for e in effects]),
+        ftol=1e-6,
+        max_nfev=20,
+    ).x
+    # One Gauss-Newton step from the fit to all runs gives the fit to all but one; the run left out is then driven
+    # exactly with it.
+    jacobians = [run.tangents(effects, active(x)) for run in runs]
+    grams = [j.T @ j for j in jacobians]
+    pulls = [j.T @ run.residual(active(x)) for j, run in zip(jacobians, runs, strict=True)]
+    whole = np.sum(grams, axis=0)
+    left = [
+        np.clip(x + np.linalg.lstsq(whole - gram, pull, rcond=1e-10)[0], *bounds)
+        for gram, pull in zip(grams, pulls, strict=True)
+    ]
+    spread = np.array(left) - np.mean(left, axis=0)
+    return Trial(
+        effects=effects,
+        values=x,
+        sigma=np.sqrt((len(runs) - 1) / len(runs) * np.sum(spread**2, axis=0)),
+        held_out=np.array([run.error(active(values)) for run, values in zip(runs, left, strict=True)]),
+        fitted=np.array([run.error(active(x)) for run in runs]),
+    )

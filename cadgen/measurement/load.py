@@ -1,0 +1,214 @@
+"""Read measured data: CSV files whose header names quantity and unit, comment lines that tell design and instrument."""
+
+import csv
+import hashlib
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.errors import FileError
+from cadgen.measurement.record import Kind, Record
+
+# Columns of each kind beside `run`, and the range that each value can have.
+COLUMNS: dict[Kind, tuple[str, ...]] = {
+    "lift": ("direction", "cam_angle_deg", "lift_mm"),
+    "profile": ("x_mm", "y_mm"),
+    "transmission": ("motor_angle_deg", "cam_angle_deg"),
+    "track": ("cam_angle_deg", "x_mm", "y_mm"),
+    "steered track": ("t_s", "distance_mm", "steering_deg", "x_mm", "y_mm", "heading_deg"),
+    "zones": ("cam_angle_deg", "std_deg", "n"),
+}
+LIMITS = {
+    "lift": {"cam_angle_deg": (-1.0, 361.0), "lift_mm": (-100.0, 100.0)},
+    "profile": {"x_mm": (-1e3, 1e3), "y_mm": (-1e3, 1e3)},
+    "transmission": {"motor_angle_deg": (-1e6, 1e6), "cam_angle_deg": (-800.0, 800.0)},
+    "track": {"cam_angle_deg": (-1.0, 361.0), "x_mm": (-1e6, 1e6), "y_mm": (-1e6, 1e6)},
+    "steered track": {"steering_deg": (-180.0, 180.0)},
+    "zones": {"cam_angle_deg": (0.0, 720.0), "std_deg": (0.0, 90.0), "n": (2.0, 1e9)},
+}
+# A mistaken unit (rad for deg, um for mm, m for mm) makes every value of a column smaller than this.
+LEAST_SPAN = {"cam_angle_deg": 10.0, "motor_angle_deg": 90.0, "distance_mm": 50.0}
+LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
+
+
+@dataclass(frozen=True)
+class Instrument:
+    """What a file says of the instrument, in the file's unit: noise, or nan if it is silent."""
+
+    noise: float
+    unit: str
+
+
+def load(path: Path) -> Record:
+    """Read one file; its kind follows from its columns.
+
+    Raises:
+        FileError: no such file, no or a mixed header, columns that are missing, a value that is not a number or
+            cannot be in its unit, angles that go round twice, or too few rows.
+    """
+    name = path.name
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise FileError(f"{path}: cannot be read as text ({error}); give a CSV file") from error
+    remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
+    body = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
+    if not body:
+        raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
+    header = [cell.strip() for cell in body[0][1].split(",")]
+    kind = _kind(header, name)
+    rows = list(csv.reader(line for _, line in body[1:]))
+    numbers = [n for n, _ in body[1:]]
+    for n, row in zip(numbers, rows, strict=True):
+        if len(row) != len(header):
+            raise FileError(f"{name}, line {n}: {len(row)} cells under {len(header)} columns; correct the line")
+    table = {column: [row[k].strip() for row in rows] for k, column in enumerate(header)}
+    columns: dict[str, np.ndarray[tuple[int], np.dtype[np.generic]]] = {}
+    for column in COLUMNS[kind]:
+        cells = table[column]
+        if column == "direction":
+            bad = [k for k, cell in enumerate(cells) if cell not in ("forward", "reverse")]
+            if bad:
+                raise FileError(
+                    f"{name}, line {numbers[bad[0]]}: direction is {cells[bad[0]]!r}; write forward or reverse"
+                )
+            columns[column] = np.array(cells)
+        else:
+            columns[column] = _numbers(cells, column, numbers, name, LIMITS[kind].get(column, (-np.inf, np.inf)))
+    if kind == "zones":
+        columns["zone"] = np.array(table["zone"])
+        return Record(kind=kind, columns=columns, run=np.zeros(len(rows), dtype=np.intp), remarks=remarks, source=name)
+    run = np.unique(np.array(table["run"]), return_inverse=True)
+    first = np.unique(run[1], return_index=True)[1]
+    order = np.argsort(np.argsort(first))
+    record = Record(kind=kind, columns=columns, run=order[run[1]].astype(np.intp), remarks=remarks, source=name)
+    _check(record)
+    return record
+
+
+def instrument(record: Record) -> Instrument:
+    """Noise that the comment lines state."""
+    for remark in record.remarks:
+        found = re.search(r"noise\s+([0-9.]+)\s*(um|mm|deg)\b", remark)
+        if found:
+            return Instrument(float(found[1]), found[2])
+    return Instrument(float("nan"), "")
+
+
+def printed(record: Record) -> bool:
+    """True if a comment line says that the part was printed, not machined."""
+    return any(re.search(r"\bprinted\b", remark) for remark in record.remarks)
+
+
+def digest(path: Path) -> str:
+    """SHA-256 of the file, to be kept with what was learnt from it."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def join(records: Sequence[Record]) -> Record:
+    """Several records of one kind as one, their runs numbered on.
+
+    Raises:
+        FileError: nothing to join, or records of different kinds.
+    """
+    if not records:
+        raise FileError("no measured file was given; name at least one")
+    kinds = {record.kind for record in records}
+    if len(kinds) > 1:
+        raise FileError(f"{', '.join(r.source for r in records)}: kinds {sorted(kinds)} cannot be joined as one")
+    if len(records) == 1:
+        return records[0]
+    before = np.cumsum([0, *(record.runs for record in records)])
+    return Record(
+        kind=records[0].kind,
+        columns={c: np.concatenate([r.columns[c] for r in records]) for c in records[0].columns},
+        run=np.concatenate([r.run + n for r, n in zip(records, before, strict=False)]),
+        remarks=tuple(remark for record in records for remark in record.remarks),
+        source=" + ".join(record.source for record in records),
+    )
+
+
+def _kind(header: list[str], name: str) -> Kind:
+    """The most demanding kind whose columns are all there; columns of two kinds are a mixture."""
+    if len(set(header)) < len(header):
+        twice = next(c for c in header if header.count(c) > 1)
+        raise FileError(f"{name}: column {twice} stands twice; keep one")
+    lead = {"zones": "zone"}
+    exact: list[Kind] = [k for k, c in COLUMNS.items() if set(header) == {lead.get(k, "run"), *c}]
+    if exact:
+        return exact[0]
+    near = max(COLUMNS, key=lambda k: (len(set(COLUMNS[k]) & set(header)), -len(COLUMNS[k])))
+    wanted = [lead.get(near, "run"), *COLUMNS[near]]
+    missing = [c for c in wanted if c not in header]
+    extra = [c for c in header if c not in wanted]
+    raise FileError(
+        f"{name}: the columns {', '.join(header)} are no kind of measured data; nearest is {near}, which "
+        + "; ".join(
+            [f"lacks {', '.join(missing)}"] * bool(missing) + [f"does not have {', '.join(extra)}"] * bool(extra)
+        )
+    )
+
+
+def _numbers(
+    cells: list[str], column: str, lines: list[int], name: str, limits: tuple[float, float]
+) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    values = np.empty(len(cells))
+    for k, cell in enumerate(cells):
+        try:
+            values[k] = float(cell)
+        except ValueError:
+            values[k] = np.nan
+        if not np.isfinite(values[k]):
+            raise FileError(f"{name}, line {lines[k]}: {column} is {cell!r}; every value must be a finite number")
+    low, high = limits
+    bad = np.flatnonzero((values < low) | (values > high))
+    if bad.size:
+        raise FileError(
+            f"{name}, line {lines[bad[0]]}: {column} is {values[bad[0]]:g}, outside {low:g} to {high:g}; "
+            "check the unit in the header"
+        )
+    return values
+
+
+def _check(record: Record) -> None:
+    for run in range(record.runs):
+        mine = record.run == run
+        if mine.sum() < LEAST_ROWS:
+            raise FileError(
+                f"{record.source}: run {run + 1} has {mine.sum()} rows; give at least {LEAST_ROWS} in each run"
+            )
+        for column, least in LEAST_SPAN.items():
+            if column in record.columns and np.ptp(record[column][mine]) < least:
+                raise FileError(
+                    f"{record.source}: {column} of run {run + 1} spans only {np.ptp(record[column][mine]):g}; "
+                    f"check its unit, or measure at least {least:g}"
+                )
+    if record.kind == "lift":
+        key = np.stack([record.run, record.columns["direction"] == "forward", record["cam_angle_deg"] % 360.0])
+        whole = record["cam_angle_deg"] % 360.0 == 0  # 0 and 360 may both be there
+        _refuse_twice(record, key[:, ~whole], "cam_angle_deg")
+    if record.kind == "track":
+        _refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg")
+    if record.kind == "profile":
+        turned = np.arctan2(record["y_mm"], record["x_mm"])
+        for run in range(record.runs):
+            steps = np.diff(turned[record.run == run])
+            swept = float(np.sum((steps + np.pi) % (2 * np.pi) - np.pi))
+            if abs(swept) > 2 * np.pi + 0.5:
+                raise FileError(
+                    f"{record.source}: run {run + 1} goes round {abs(swept) / (2 * np.pi):.1f} times; "
+                    "number each turn as its own run"
+                )
+
+
+def _refuse_twice(record: Record, key: np.ndarray[tuple[int, int], np.dtype[np.generic]], column: str) -> None:
+    unique, count = np.unique(key, axis=1, return_counts=True)
+    if (count > 1).any():
+        where = unique[-1, int(np.argmax(count))]
+        raise FileError(
+            f"{record.source}: {column} {float(where):g} stands twice in one run, so the angle goes round more than "
+            "once; number each turn as its own run"
+        )

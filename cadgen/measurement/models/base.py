@@ -1,0 +1,112 @@
+"""What every forward model offers to the search."""
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.measurement.effects.base import Active, Array, Effect
+from cadgen.measurement.record import Rows
+
+
+class Model(Protocol):
+    """A forward model with its data."""
+
+    @property
+    def kind(self) -> str:
+        """Of data."""
+
+    @property
+    def unit(self) -> str:
+        """Key of `UNITS` in which residuals are told."""
+
+    @property
+    def rows(self) -> Rows:
+        """Where each number belongs."""
+
+    @property
+    def catalogue(self) -> tuple[Effect, ...]:
+        """The effects that can show, numerous ones included."""
+
+    @property
+    def shapes(self) -> tuple[Effect, ...]:
+        """The anonymous forms that compete with the catalogue and act on the reading alone."""
+
+    @property
+    def datum(self) -> tuple[Effect, ...]:
+        """Effects that are always fitted and never claimed."""
+
+    @property
+    def offsets(self) -> Array:
+        """Linear datum freedoms as columns, shape (n, d)."""
+
+    @property
+    def form(self) -> Array:
+        """Response to each harmonic of the form error, for one unit of amplitude, shape (n, q)."""
+
+    @property
+    def order(self) -> Array:
+        """Order of each column of `form`, shape (q,)."""
+
+    @property
+    def floor(self) -> float:
+        """Stated form error, rms, in the unit of amplitude of `form`."""
+
+    @property
+    def slip(self) -> Array:
+        """Response to an error of the abscissa that a whole run shares, shape (n,); empty if none can be."""
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected with some effects active, shape (n,), internal units."""
+
+
+def fourier(angle: Array, last: int) -> tuple[Array, Array]:
+    """Cosines and sines of orders 1 to `last`, shape (n, 2 last), and the order of each column."""
+    orders = np.arange(1, last + 1)
+    waves = angle[:, None] * orders
+    return np.hstack([np.cos(waves), np.sin(waves)]), np.tile(orders, 2).astype(float)
+
+
+def highest_order(angle: Array, run: NDArray[np.intp]) -> int:
+    """The highest order that the spacing of the points resolves (Nyquist), with a fifth in hand."""
+    widest = 0.0
+    for number in range(int(run.max()) + 1):
+        mine = np.unique(np.round(angle[run == number] % (2 * np.pi), 9))
+        widest = max(widest, float(np.median(np.diff(mine)))) if len(mine) > 1 else np.pi
+    return max(1, int(0.8 * np.pi / widest))
+
+
+def per_run(run: NDArray[np.intp]) -> Array:
+    """One column for each run: its own zero, shape (n, runs)."""
+    return np.asarray((run[:, None] == np.arange(run.max() + 1)).astype(float))
+
+
+def elapsed(run: NDArray[np.intp]) -> Array:
+    """Place of each row within its run, -1/2 to 1/2."""
+    out = np.empty(len(run))
+    for number in range(int(run.max()) + 1):
+        mine = np.flatnonzero(run == number)
+        out[mine] = np.linspace(-0.5, 0.5, len(mine)) if len(mine) > 1 else 0.0
+    return out
+
+
+def slopes(model: Model, effects: tuple[Effect, ...], active: Active) -> Array:
+    """How the expected value answers each parameter of some effects, shape (n, sum of parameters).
+
+    Central differences over each parameter's own step; one-sided where a bound is in the way. An effect that is
+    active is varied about its value, any other about its start.
+    """
+    values = {effect.key: v for effect, v in active}
+    columns = []
+    for effect in effects:
+        others = [(e, v) for e, v in active if e.key != effect.key]
+        middle = values.get(effect.key, effect.start)
+        lower, upper = effect.bounds
+        for k, step in enumerate(effect.steps):
+            ends = []
+            for sign in (-1.0, 1.0):
+                moved = np.array(middle, dtype=float)
+                moved[k] = np.clip(moved[k] + sign * step, lower[k], upper[k])
+                ends.append((moved[k], model.residual([*others, (effect, moved)])))
+            columns.append((ends[0][1] - ends[1][1]) / (ends[1][0] - ends[0][0]))
+    return np.stack(columns, axis=1) if columns else np.empty((len(model.rows.run), 0))

@@ -1,0 +1,131 @@
+"""The lift that a dial reads: the rod rolled on the changed disc."""
+
+from collections.abc import Sequence
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from cadgen.cam.contact import roll
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.curves.closed import ClosedCurve, Outline, left_normal
+from cadgen.measurement.effects.base import Active, Array, Effect, through
+from cadgen.measurement.effects.disc import Disc
+from cadgen.measurement.effects.lift import Readings, Setting, lift_effects
+from cadgen.measurement.effects.shapes import shapes
+from cadgen.measurement.models.base import elapsed, fourier, per_run
+from cadgen.measurement.record import Record
+
+_TURN = 2 * np.pi
+OUTLINE_STEP = 0.06  # mm; the rod rolled on it errs by under 0.01 um
+GRID = 720  # stations of the roll; only the change against the nominal cam is interpolated between them
+FORM_ORDERS = 90
+SHAPE_ORDERS = range(1, 61)
+
+
+def nominal_disc(curve: ClosedCurve, step: float = OUTLINE_STEP) -> Disc:
+    """The outline as points with normals, joints twice."""
+    outline = curve.outline(step)
+    normals = []
+    for number, piece in enumerate(curve.pieces):
+        t = np.linspace(piece.start, piece.stop, int(np.sum(outline.piece == number)))
+        normals.append(-left_normal(piece.jet(t).velocity))
+    normal = np.concatenate(normals)
+    # The two points of a joint get one normal, so that a moved outline stays closed there.
+    joint = np.flatnonzero(np.linalg.norm(np.diff(outline.points, axis=0, append=outline.points[:1]), axis=1) < 1e-9)
+    after = (joint + 1) % len(normal)
+    shared = normal[joint] + normal[after]
+    normal[joint] = normal[after] = shared / np.linalg.norm(shared, axis=1)[:, None]
+    radius, angle = np.linalg.norm(outline.points, axis=1), outline.angle
+    grid = angle[0] + np.linspace(0, _TURN, 1440, endpoint=False)
+    around = np.interp(grid, angle, radius)
+    # A nose is the greatest radius within ten degrees either way.
+    greatest = np.max([np.roll(around, k) for k in range(-40, 41)], axis=0)
+    top = np.flatnonzero((around == greatest) & (around > around.min() + 1e-3))
+    before, at, after = (around[(top + k) % len(around)] for k in (-1, 0, 1))
+    vertex = (before - after) / (2 * (before - 2 * at + after))  # of the parabola through the three
+    noses = np.sort((grid[top] + vertex * (grid[1] - grid[0])) % _TURN)
+    return Disc(outline.points, normal, angle, noses, outline.piece)
+
+
+class LiftModel:
+    """Lift by cam angle, run and direction: reading = w_in tan(beta), the dial at the inner face's nominal place."""
+
+    kind = "lift"
+    unit = "um"
+
+    def __init__(self, record: Record, lift: LiftCurve, follower: Follower, disc: Disc, *, floor: float) -> None:
+        self._lift, self._follower = lift, follower
+        self._disc = disc
+        self._reading = record["lift_mm"]
+        angle = np.radians(record["cam_angle_deg"])
+        forward = record.columns["direction"] == "forward"
+        key = np.round(record["cam_angle_deg"], 6) + 1000.0 * forward
+        slope = np.asarray(lift.tan_beta(angle, nu=1))
+        self.rows = Readings(
+            run=record.run,
+            place=angle,
+            elapsed=elapsed(record.run),
+            cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
+            direction=np.where(forward, 1.0, -1.0),
+            slope=np.sign(slope),
+            steering=np.asarray(lift.tan_beta(angle)),
+        )
+        self.catalogue = lift_effects(len(self._disc.noses))
+        self.datum: tuple[Effect, ...] = ()
+        self.offsets = per_run(record.run)
+        self.form, self.order = fourier(angle, FORM_ORDERS)
+        self.floor = floor
+        self.slip = follower.inner * slope
+        self._grid = np.linspace(0.0, _TURN, GRID, endpoint=False)
+        self._known: dict[bytes, CubicSpline] = {}
+        self._rolled = self._roll(Outline(disc.points, disc.piece), Setting(follower))
+
+    @cached_property
+    def shapes(self) -> tuple[Effect, ...]:
+        """Harmonics, bumps and steps of the reading."""
+        return shapes(self.rows, self.unit, SHAPE_ORDERS)
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected reading, mm."""
+        angle = through("angle", self.rows.place, active, self.rows)
+        steering = self._lift.tan_beta(angle)
+        moved = [(e, v) for e, v in active if e.stage in ("disc", "follower")]
+        if moved:
+            steering = steering + self._change(moved)(angle)
+        reading = through("reading", self._follower.inner * steering, active, self.rows)
+        return self._reading - reading
+
+    def _change(self, active: Sequence[tuple[Effect, Array]]) -> CubicSpline:
+        """Change of tan(beta) by cam angle; remembered, since most differences leave disc and rod alone."""
+        key = b"".join(effect.key.encode() + np.asarray(values).tobytes() for effect, values in active)
+        if key not in self._known:
+            disc = through("disc", self._disc, active, self.rows)
+            setting = through("follower", Setting(self._follower), active, self.rows)
+            change = self._roll(Outline(disc.points, disc.piece), setting) - self._rolled
+            closed = np.append(change, change[0])
+            self._known = {
+                **dict(list(self._known.items())[-32:]),
+                key: CubicSpline(np.append(self._grid, _TURN), closed, bc_type="periodic"),
+            }
+        return self._known[key]
+
+    def _roll(self, outline: Outline, setting: Setting) -> Array:
+        a, b = setting.wobble
+        if a == 0 and b == 0:
+            return roll(outline, setting.follower, self._grid).tan_beta
+        # A wobbling disc offers its faces at w + a cos + b sin: three rolls, and a parabola through them.
+        size = float(np.hypot(a, b))
+        at = [roll(outline, _shifted(setting.follower, k * size), self._grid).tan_beta for k in (-1.0, 0.0, 1.0)]
+        x = (a * np.cos(self._grid) + b * np.sin(self._grid)) / size
+        return at[1] + x * (at[2] - at[0]) / 2 + x**2 * (at[2] - 2 * at[1] + at[0]) / 2
+
+
+def _shifted(follower: Follower, by: float) -> Follower:
+    return Follower(
+        base_radius=follower.base_radius,
+        inner=follower.inner + by,
+        outer=follower.outer + by,
+        radius=follower.radius,
+    )

@@ -1,0 +1,80 @@
+"""The outline that a coordinate measuring machine sees: distances of points from the changed disc."""
+
+from functools import cached_property
+
+import numpy as np
+
+from cadgen.measurement.effects.base import Active, Array, Effect, Parameter, through
+from cadgen.measurement.effects.disc import NOSE_WIDTHS_DEG, PROFILE_EFFECTS, Disc, undulation, worn_nose
+from cadgen.measurement.effects.shapes import shapes
+from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run
+from cadgen.measurement.record import Record, Rows
+
+_TURN = 2 * np.pi
+FORM_ORDERS = 90
+UNDULATIONS = 120
+
+
+def _clock(angle: Array, p: Array, at: Rows) -> Array:
+    return np.asarray(angle - p[0])
+
+
+CLOCKING = Effect(
+    name="clocking",
+    stage="clock",
+    parameters=(Parameter(name="clocking_deg", unit="deg", lower=-10.0, upper=10.0, step=0.02),),
+    act=_clock,
+)
+
+
+class ProfileModel:
+    """Distance of each point from the outline along the normal, outwards positive; clocking is a datum."""
+
+    kind = "profile"
+    unit = "um"
+
+    def __init__(self, record: Record, disc: Disc, *, floor: float) -> None:
+        points = np.stack([record["x_mm"], record["y_mm"]], axis=1)
+        self._radius = np.linalg.norm(points, axis=1)
+        self._disc = disc
+        # Rising polar angle over a little more than a turn, each joint once, for interpolation.
+        self._forward = np.concatenate([[True], np.diff(self._disc.angle) > 0])
+        radial = np.stack([np.cos(self._disc.angle), np.sin(self._disc.angle)], axis=1)
+        self._slant = np.sum(self._disc.normal * radial, axis=1)
+        place = np.arctan2(points[:, 1], points[:, 0]) % _TURN
+        self.rows = Rows(
+            run=record.run, place=place, elapsed=elapsed(record.run), cell=np.full(len(place), -1, dtype=np.intp)
+        )
+        last = highest_order(place, record.run)
+        self.catalogue = (
+            *PROFILE_EFFECTS,
+            *(worn_nose(k, width) for k in range(len(self._disc.noses)) for width in NOSE_WIDTHS_DEG),
+            *(undulation(order) for order in range(2, min(UNDULATIONS, last) + 1)),
+        )
+        self.datum: tuple[Effect, ...] = (CLOCKING,)
+        self.offsets = per_run(record.run)[:, :0]
+        # A mean error is form error too: half of what the first order has in its two columns.
+        waves, order = fourier(place, min(FORM_ORDERS, last))
+        self.form, self.order = np.column_stack([np.ones(len(place)), waves]), np.append(0.0, order)
+        self.floor = floor
+        self.slip = np.empty(0)
+
+    @cached_property
+    def shapes(self) -> tuple[Effect, ...]:
+        """Bumps and steps; harmonics are in the catalogue."""
+        return shapes(self.rows, self.unit, range(0))
+
+    def residual(self, active: Active) -> Array:
+        """Distance outside the expected outline, mm."""
+        disc = through("disc", self._disc, active, self.rows)
+        angle = through("clock", self.rows.place, active, self.rows)
+        offset = through("reading", np.zeros(len(angle)), active, self.rows)
+        points = disc.points[self._forward]
+        where = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
+        slant = self._slant[self._forward]
+        # One point beyond the turn closes the table; chords fall short of the curve by under 0.01 um.
+        where = np.append(where, where[0] + _TURN)
+        radius = np.linalg.norm(points, axis=1)
+        at = where[0] + (angle - where[0]) % _TURN
+        distance = self._radius - np.interp(at, where, np.append(radius, radius[0]))
+        return np.asarray(distance * np.interp(at, where, np.append(slant, slant[0])) - offset)

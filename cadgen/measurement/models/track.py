@@ -1,0 +1,122 @@
+"""The track of the drive wheel: motor position -> cam angle behind the play -> steering -> heading -> place."""
+
+import numpy as np
+
+from cadgen.cam.lift import LiftCurve
+from cadgen.measurement.effects.base import Active, Array, Effect, through
+from cadgen.measurement.effects.track import Drive, track_effects
+from cadgen.measurement.models.base import elapsed, fourier
+from cadgen.measurement.record import Record, Rows
+from cadgen.motion.play import Following, falls
+from cadgen.path.track import Track
+from cadgen.steering.car import Car
+
+_TURN = 2 * np.pi
+# Even steps of the turn. The midpoint rule errs by under 0.05 mm at the end of the paper's path.
+STEPS = 2880
+FORM_ORDERS = 25
+BLEND_MARGIN = np.radians(4.0)  # the cam may lead the motor by phase and play
+
+
+class TrackModel:
+    """Where the drive wheel is at each motor position; each run's start pose is a datum.
+
+    Rows hold first the x and then the y of a run. The form error of the cam is one of the lift, `floor` mm rms, and
+    shows in the track as a twice integrated steering error.
+    """
+
+    kind = "track"
+    unit = "mm"
+
+    def __init__(
+        self, record: Record, lift: LiftCurve, car: Car, track: Track, inner_face: float, *, floor: float
+    ) -> None:
+        self._lift, self._car, self._length = lift, car, track.length
+        self._falls = falls(lift)
+        self._grid = np.linspace(0.0, _TURN, STEPS + 1)
+        self._middle = (self._grid[1:] + self._grid[:-1]) / 2
+        x, y = track.position(0.0)
+        self._start = complex(x, y)
+        self._heading = float(track.heading(np.array([0.0]))[0])
+        # The closing blend steers no path and is made as each maker likes: it is not judged.
+        record = record.where(np.radians(record["cam_angle_deg"]) < lift.blend_start - BLEND_MARGIN)
+        motor = np.radians(record["cam_angle_deg"])
+        xy = np.stack([record["x_mm"], record["y_mm"]])
+        order = np.concatenate(
+            [np.flatnonzero(record.run == k)[None, :].repeat(2, 0).ravel() for k in range(record.runs)]
+        )
+        axis = np.concatenate([np.repeat([0, 1], int(np.sum(record.run == k))) for k in range(record.runs)])
+        self._motor, self._axis = motor[order], axis
+        self._measured = xy[axis, order]
+        run = record.run[order]
+        key = np.round(record["cam_angle_deg"][order], 6) + 1000.0 * axis
+        self.rows = Rows(
+            run=run,
+            place=self._motor,
+            elapsed=elapsed(run),
+            cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
+        )
+        self.catalogue = track_effects()
+        self.shapes: tuple[Effect, ...] = ()
+        self.datum: tuple[Effect, ...] = ()
+        self.floor = floor / inner_face
+        self.slip = np.empty(0)
+        self.offsets = self._pose(run, record.runs)
+        self.form, self.order = self._form_response(record)
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected coordinates, mm."""
+        place = self._run(active)
+        part = np.where(self._axis == 0, place.real, place.imag)
+        return np.asarray(self._measured - part)
+
+    def _run(self, active: Active) -> Array:
+        nominal = Drive(self._car.wheelbase, self._car.drive_wheel_offset, self._length)
+        drive = through("drive", nominal, active, self.rows)
+        angle = through("cam", self._middle, active, self.rows)
+        angle = Following(self._lift, drive.play, self._falls).cam_angle(angle)
+        steering = through("steering", self._lift.tan_beta(angle), active, self._middle)
+        curvature = -steering / (drive.wheelbase + drive.drive_wheel_offset * steering)
+        travel = drive.length * np.diff(self._grid) / _TURN * (1 - drive.slip * np.abs(steering))
+        turn = curvature * travel
+        heading = self._heading + np.cumsum(turn) - turn / 2
+        place = self._start + np.concatenate([[0], np.cumsum(travel * np.exp(1j * heading))])
+        at = np.interp(self._motor, self._grid, np.arange(STEPS + 1))
+        low = np.minimum(at.astype(np.intp), STEPS - 1)
+        return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
+
+    def _pose(self, run: Array, runs: int) -> Array:
+        """Columns for the start of each run: x, y and heading about its first point, along the measured track."""
+        columns = []
+        for k in range(runs):
+            mine = run == k
+            across = {}
+            for axis in (0, 1):
+                values = self._measured[mine & (self._axis == axis)]
+                across[axis] = values - values[0]
+            for axis in (0, 1):
+                columns.append((mine & (self._axis == axis)).astype(float))
+            turned = np.zeros(len(run))
+            turned[mine & (self._axis == 0)] = -across[1]
+            turned[mine & (self._axis == 1)] = across[0]
+            columns.append(turned)
+        return np.stack(columns, axis=1)
+
+    def _form_response(self, record: Record) -> tuple[Array, Array]:
+        """How the places answer a steering error of each order, about the measured track."""
+        angle = np.unique(self._motor)
+        mean = np.zeros((2, len(angle)))
+        for axis in (0, 1):
+            mine = self._axis == axis
+            which = np.searchsorted(angle, self._motor[mine])
+            mean[axis] = np.bincount(which, self._measured[mine]) / np.bincount(which)
+        ahead = np.diff(mean[0] + 1j * mean[1])
+        middle = (angle[1:] + angle[:-1]) / 2
+        T = self._lift.tan_beta(middle)
+        gain = -self._car.wheelbase / (self._car.wheelbase + self._car.drive_wheel_offset * T) ** 2
+        waves, order = fourier(middle, FORM_ORDERS)
+        turn = waves * (gain * np.abs(ahead))[:, None]
+        heading = np.cumsum(turn, axis=0) - turn / 2
+        place = np.vstack([np.zeros(waves.shape[1]), np.cumsum(heading * (1j * ahead)[:, None], axis=0)])
+        at = place[np.searchsorted(angle, self._motor)]
+        return np.where((self._axis == 0)[:, None], at.real, at.imag), order

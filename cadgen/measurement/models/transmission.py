@@ -1,0 +1,94 @@
+"""The camshaft behind the train: motor angle -> gears -> play -> camshaft."""
+
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.lift import LiftCurve
+from cadgen.measurement.effects.base import Active, Array, Effect, through
+from cadgen.measurement.effects.shapes import shapes
+from cadgen.measurement.effects.transmission import Play, Turns, transmission_effects
+from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run
+from cadgen.measurement.record import Record
+
+_TURN = 2 * np.pi
+FORM_ORDERS = 30
+SHAPE_ORDERS = 60
+# Where in the play a run begins is set by chance: its first degrees of cam angle take it up and are not used.
+TAKE_UP_DEG = 5.0
+
+
+class TransmissionModel:
+    """Cam angle by motor angle, forward and back, the inclinometer's zero free in each run."""
+
+    kind = "transmission"
+    unit = "deg"
+
+    def __init__(
+        self,
+        record: Record,
+        lift: LiftCurve,
+        ratios: tuple[float, ...],
+        *,
+        teeth: tuple[int, ...] = (),
+        floor: float,
+    ) -> None:
+        turned = np.radians(record["motor_angle_deg"]) / float(np.prod(ratios))
+        first = np.array([turned[record.run == k][0] for k in range(record.runs)])[record.run]
+        self._all = turned
+        self._run_all = record.run
+        # A run that comes back passes its start again: what matters is whether it has been away.
+        away = np.zeros(len(turned), dtype=bool)
+        for number in range(record.runs):
+            mine = record.run == number
+            travel = np.abs(turned[mine] - first[mine])
+            away[mine] = np.maximum.accumulate(travel) >= np.radians(TAKE_UP_DEG)
+        self._used = away
+        self._reading = np.radians(record["cam_angle_deg"])[away]
+        run, turned = record.run[away], turned[away]
+        back = np.concatenate([[False], (np.diff(turned) < 0) & (run[1:] == run[:-1])])
+        key = np.round(np.degrees(turned), 4) + 1e4 * back
+        slope = np.asarray(lift.tan_beta(self._all % _TURN, nu=1))
+        self.rows = Turns(
+            run=run,
+            place=turned,
+            elapsed=elapsed(run),
+            cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
+            turned=self._all,
+            torque=slope / np.abs(slope).max(),
+        )
+        highest = highest_order(turned[~back], run[~back])
+        self.catalogue = transmission_effects(ratios, teeth, highest)
+        self._shape_orders = range(1, min(SHAPE_ORDERS, highest) + 1)
+        self.datum: tuple[Effect, ...] = ()
+        self.offsets = per_run(run)
+        self.form, self.order = fourier(turned, min(FORM_ORDERS, highest))
+        self.floor = floor
+        self.slip = np.empty(0)
+
+    @cached_property
+    def shapes(self) -> tuple[Effect, ...]:
+        """Harmonics, bumps and steps of the reading."""
+        return shapes(self.rows, self.unit, self._shape_orders)
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected cam angle, rad."""
+        asked = through("ratio", self._all, active, self.rows)
+        asked = through("mesh", asked, active, self.rows)
+        play = through("play", Play(), active, self.rows)
+        angle = follow(asked, self._run_all, play.width) if play.width > 0 else asked
+        return np.asarray(self._reading - through("reading", angle[self._used], active, self.rows))
+
+
+def follow(asked: Array, run: NDArray[np.intp], width: float) -> Array:
+    """The play operator: the camshaft stays where it is until a flank of the gap takes it along.
+
+    y_i = clip(y_(i-1), u_i - width/2, u_i + width/2), from the middle of the gap at the start of each run.
+    """
+    out, half, before, y = [], width / 2, -1, 0.0
+    for u, number in zip(asked.tolist(), run.tolist(), strict=True):
+        y = u if number != before else min(max(y, u - half), u + half)
+        before = number
+        out.append(y)
+    return np.array(out)

@@ -1,0 +1,69 @@
+"""Measured data as it was read: one table of one kind, with its runs."""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Kind = Literal["lift", "profile", "transmission", "track", "steered track", "zones"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Record:
+    """One file.
+
+    Attributes:
+        kind: by its columns.
+        columns: name with unit, as in the file -> values, shape (n,); text columns as strings.
+        run: number of the run of each row, shape (n,), from 0 in order of appearance.
+        remarks: the comment lines, without their mark.
+        source: file name, for messages.
+    """
+
+    kind: Kind
+    columns: dict[str, NDArray[np.generic]]
+    run: NDArray[np.intp]
+    remarks: tuple[str, ...]
+    source: str
+
+    @property
+    def runs(self) -> int:
+        """How many runs there are."""
+        return int(self.run.max()) + 1
+
+    def __getitem__(self, column: str) -> Array:
+        return self.columns[column].astype(float)
+
+    def only(self, runs: NDArray[np.intp]) -> "Record":
+        """The rows of some runs, numbered anew."""
+        part = self.where(np.isin(self.run, runs))
+        return replace(part, run=np.unique(part.run, return_inverse=True)[1].astype(np.intp))
+
+    def where(self, keep: NDArray[np.bool_]) -> "Record":
+        """Some of the rows, runs numbered as before."""
+        columns = {name: values[keep] for name, values in self.columns.items()}
+        return replace(self, columns=columns, run=self.run[keep])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rows:
+    """Where each measured number belongs; arrays of shape (n,), in the order measured within each run.
+
+    Attributes:
+        run: number of the run, from 0.
+        place: angle round the cam, rad.
+        elapsed: place within the run, -1/2 to 1/2.
+        cell: rows of different runs with one number were taken under the same conditions; -1 if none repeats.
+    """
+
+    run: NDArray[np.intp]
+    place: Array
+    elapsed: Array
+    cell: NDArray[np.intp]
+
+    @property
+    def runs(self) -> int:
+        """How many runs there are."""
+        return int(self.run.max()) + 1

@@ -1,0 +1,292 @@
+"""Compare every small subset of the catalogue by its linearised misfit, and hand the best to the exact fit.
+
+Subsets of up to three freely combining effects are all tried. The numerous ones (orders of waviness, places of bumps
+and steps) are tried beside the best of these, one at a time; one that wins joins the free ones in the next round.
+After each round the catalogue is linearised anew about the best exact fit, until that no longer changes.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.errors import DesignError
+from cadgen.measurement.effects.base import Active, Array, Effect
+from cadgen.measurement.evidence import Evidence
+from cadgen.measurement.hypothesis import Hypothesis, Search, fit
+from cadgen.measurement.models.base import Model, slopes
+
+Index = NDArray[np.intp]
+
+LARGEST_SUBSET = 3
+# Subsets that get an exact fit in each round, and that the numerous effects are tried beside.
+REFINED = 5
+NAMED = 2
+BASES = 20
+ROUNDS = 4
+# Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
+COLLINEAR = 0.9995
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Linearised responses of candidate effects: `spans[i]` are the columns of `effects[i]`."""
+
+    effects: tuple[Effect, ...]
+    spans: tuple[slice, ...]
+    values: Array
+
+
+@dataclass(frozen=True)
+class Rated:
+    """A subset with its linearised score and estimate, internal units; columns of the free ones first."""
+
+    score: float
+    effects: tuple[Effect, ...]
+    estimate: Array
+    columns: Index
+
+
+class Numerous:
+    """The many effects that enter one at a time: whitened once, with their products among their own columns."""
+
+    def __init__(self, evidence: Evidence, columns: Columns) -> None:
+        self.effects, self.spans = columns.effects, columns.spans
+        self.white = evidence.whiten(columns.values)
+        self.halves = evidence.halves(self.white)
+        self.widths = np.array([s.stop - s.start for s in self.spans], dtype=np.intp)
+
+    def index(self, width: int) -> tuple[Index, Index]:
+        """Which effects have so many columns, and the columns, shape (k, width)."""
+        which = np.flatnonzero(self.widths == width)
+        first = np.array([self.spans[i].start for i in which], dtype=np.intp)
+        return which, first[:, None] + np.arange(width)
+
+
+@dataclass(frozen=True)
+class Round:
+    """Products of the free columns, the datum and the residual for every spectrum that keeps the floor.
+
+    Attributes:
+        free: the freely combining effects.
+        products: shape (g, f, f); after the effects' columns come the datum's, and last the residual.
+        cross: products of these with the numerous columns, shape (g, f, m).
+        constant: log det C, shape (g,).
+        always: columns of the datum, in every subset.
+    """
+
+    free: Columns
+    products: Array
+    cross: Array
+    constant: Array
+    always: Index
+
+
+def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
+    """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
+    core = tuple(e for e in model.catalogue if not e.numerous)
+    named = tuple(e for e in model.catalogue if e.numerous)
+    anonymous = len(model.shapes) + sum(e.shape for e in named)
+    search = Search(len(model.rows.run), len(core), sum(not e.shape for e in named), anonymous)
+    none = fit(model, evidence, (), [], search)
+    fitted = {none.key: none}
+    best = none
+    # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
+    many = Numerous(evidence, _joined(_tangents(model, named, none), _shape_columns(model, model.shapes)))
+    for _ in range(ROUNDS):
+        for effects, start in _promising(model, evidence, best, core, many, search):
+            key = frozenset(e.key for e in effects)
+            if key not in fitted:
+                try:
+                    fitted[key] = fit(model, evidence, effects, start, search)
+                except DesignError:
+                    # On its way the fit met a disc that no rod can follow: no such part was measured.
+                    continue
+        leader = min(fitted.values(), key=lambda h: h.score)
+        if leader is best:
+            break
+        best = leader
+    return sorted(fitted.values(), key=lambda h: h.score)
+
+
+def _promising(
+    model: Model,
+    evidence: Evidence,
+    best: Hypothesis,
+    core: tuple[Effect, ...],
+    many: Numerous,
+    search: Search,
+) -> list[tuple[tuple[Effect, ...], Active]]:
+    """The subsets of least linearised score about the best one so far, with estimates to begin from."""
+    # Numerous effects that have entered combine freely from now on.
+    core = core + tuple(e for e in best.effects if e.numerous)
+    free = _tangents(model, core, best)
+    datum = slopes(model, model.datum, best.active)
+    # What the residual would be without the active effects follows from their own tangents.
+    known = [_value_in(best, e)[: s.stop - s.start] for e, s in zip(free.effects, free.spans, strict=True)]
+    bare = model.residual(best.active) + (free.values @ np.concatenate(known) if known else 0.0)
+    white = evidence.whiten(np.column_stack([free.values, datum, bare]))
+    halves = evidence.halves(white)
+    width = free.values.shape[1]
+    this = Round(
+        free,
+        white.T @ white - np.swapaxes(halves, 1, 2) @ halves,
+        white.T @ many.white - np.swapaxes(halves, 1, 2) @ many.halves,
+        evidence.constant[evidence.within],
+        np.arange(width, width + datum.shape[1]),
+    )
+    rated = sorted(_rate_free(this, search), key=lambda r: r.score)
+    bases = [r for r in rated if len(r.effects) < LARGEST_SUBSET][:BASES]
+    rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
+    rated.sort(key=lambda r: r.score)
+    # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
+    named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
+    datum_start = [(e, v) for e, v in best.active if e in model.datum]
+    chosen = rated[:REFINED] + named[:NAMED]
+    return [(r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen]
+
+
+def _rate_free(this: Round, search: Search) -> Iterator[Rated]:
+    """Every subset of the freely combining effects."""
+    free = this.free
+    bundles: dict[int, list[tuple[int, ...]]] = {0: [()]}
+    for size in range(1, LARGEST_SUBSET + 1):
+        for subset in combinations(range(len(free.effects)), size):
+            if _compatible([free.effects[i] for i in subset]):
+                width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
+                bundles.setdefault(width, []).append(subset)
+    for width, subsets in bundles.items():
+        columns = np.array(
+            [np.concatenate([_range(free.spans[i]) for i in subset] or [_range(slice(0, 0))]) for subset in subsets]
+        )
+        index = np.hstack([columns, np.broadcast_to(this.always, (len(subsets), len(this.always)))])
+        gram = this.products[:, index[:, :, None], index[:, None, :]]
+        score, estimate, sound = _solve(gram, this.products[:, index, -1], this.constant + this.products[:, -1, -1])
+        for row, subset in enumerate(subsets):
+            effects = tuple(free.effects[i] for i in subset)
+            values = _completed(effects, estimate[row], [free.spans[i] for i in subset])
+            if sound[row] and _possible(effects, values):
+                yield Rated(float(score[row]) + search.penalty(effects, width), effects, values, columns[row])
+
+
+def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
+    """A subset with each of the numerous effects in turn, by the Schur complement; the best few of each width."""
+    held = np.concatenate([base.columns, this.always])
+    inner = this.products[:, held[:, None], held]
+    right = np.concatenate([this.cross[:, held], this.products[:, held, -1:]], axis=2)
+    solved = np.linalg.solve(inner, right) if len(held) else right
+    # Products of numerous columns with the residual, and its square, once the base is taken out.
+    left = np.swapaxes(right, 1, 2)
+    target = this.cross[:, -1] - np.einsum("gkm,gk->gm", this.cross[:, held], solved[:, :, -1])
+    square = this.products[:, -1, -1] - np.einsum("gk,gk->g", right[:, :, -1], solved[:, :, -1])
+    for width in np.unique(many.widths):
+        which, columns = many.index(int(width))
+        a, b = columns[:, :, None], columns[:, None, :]
+        own = np.einsum("nki,nkj->kij", many.white[:, columns], many.white[:, columns])
+        own = own - np.einsum("gqki,gqkj->gkij", many.halves[:, :, columns], many.halves[:, :, columns])
+        taken = own - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
+        score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, own)
+        for row in np.argsort(np.where(sound, score, np.inf))[:3]:
+            effects = (*base.effects, many.effects[which[row]])
+            tail = effects[-1].start.copy()
+            tail[:width] = estimate[row]
+            values = np.concatenate([base.estimate, tail])
+            if sound[row] and _compatible(list(effects)) and _possible(effects, values):
+                penalty = search.penalty(effects, sum(len(e.parameters) for e in effects))
+                yield Rated(float(score[row]) + penalty, effects, values, base.columns)
+
+
+def _solve(
+    gram: Array, right: Array, base: Array, scale: Array | None = None
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Least misfit over spectra, estimate there, and whether the columns can be told apart; one row a subset.
+
+    Columns are measured against `scale` (their products before others were taken out).
+    """
+    if not gram.shape[-1]:
+        return np.full(gram.shape[1], base.min()), np.empty((gram.shape[1], 0)), np.ones(gram.shape[1], dtype=bool)
+    diagonal = np.einsum("gsii->gsi", gram if scale is None else scale)
+    size = np.sqrt(np.maximum(diagonal, 1e-300))
+    cosine = gram / size[..., :, None] / size[..., None, :]
+    scaled = (right / size)[..., None]
+    estimate = np.linalg.solve(cosine + 1e-10 * np.eye(gram.shape[-1]), scaled)
+    misfit = base[:, None] - np.sum(estimate * scaled, axis=(2, 3))
+    least = np.argmin(misfit, axis=0)
+    rows = np.arange(gram.shape[1])
+    smallest = np.linalg.eigvalsh(cosine[least, rows])[:, 0]
+    return misfit[least, rows], (estimate[..., 0] / size)[least, rows], smallest > 1 - COLLINEAR
+
+
+def _tangents(model: Model, effects: tuple[Effect, ...], best: Hypothesis) -> Columns:
+    values = slopes(model, effects, best.active)
+    ends = np.cumsum([0, *(len(e.parameters) for e in effects)])
+    # A second parameter that does nothing yet (a width at no depth) has no column of its own.
+    alive = np.linalg.norm(values, axis=0) > 0
+    kept = np.concatenate([[0], np.cumsum(alive)])
+    spans = tuple(slice(int(kept[a]), int(kept[b])) for a, b in pairwise(ends))
+    useful = [i for i, s in enumerate(spans) if s.stop > s.start]
+    return Columns(tuple(effects[i] for i in useful), tuple(spans[i] for i in useful), values[:, alive])
+
+
+def _shape_columns(model: Model, shapes: tuple[Effect, ...]) -> Columns:
+    """Shapes act on the reading alone and in proportion to their size, so their columns are read off."""
+    nothing = np.zeros(len(model.rows.run))
+    columns: list[Array] = []
+    spans = []
+    for shape in shapes:
+        first = len(columns)
+        for k, step in enumerate(shape.steps):
+            values = shape.start.copy()
+            values[k] += step
+            column = shape.act(nothing, values, model.rows) / step
+            if np.any(column):
+                columns.append(column)
+        spans.append(slice(first, len(columns)))
+    return Columns(shapes, tuple(spans), np.stack(columns, axis=1) if columns else nothing[:, None][:, :0])
+
+
+def _joined(one: Columns, two: Columns) -> Columns:
+    shift = one.values.shape[1]
+    moved = tuple(slice(s.start + shift, s.stop + shift) for s in two.spans)
+    return Columns(one.effects + two.effects, one.spans + moved, np.hstack([one.values, two.values]))
+
+
+def _range(span: slice) -> Index:
+    return np.arange(span.start, span.stop)
+
+
+def _compatible(effects: list[Effect]) -> bool:
+    """At most one of each family."""
+    families = [e.family for e in effects if e.family]
+    return len(set(families)) == len(families)
+
+
+def _completed(effects: tuple[Effect, ...], estimate: Array, spans: list[slice]) -> Array:
+    """Estimates of the columns, with starts for the parameters that have none."""
+    parts, at = [], 0
+    for effect, span in zip(effects, spans, strict=True):
+        values, width = effect.start.copy(), span.stop - span.start
+        values[:width] = estimate[at : at + width]
+        parts.append(values)
+        at += width
+    return np.concatenate(parts) if parts else np.empty(0)
+
+
+def _cut(effects: tuple[Effect, ...], values: Array) -> list[tuple[Effect, Array]]:
+    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
+    return list(zip(effects, np.split(values, cuts), strict=True)) if effects else []
+
+
+def _value_in(best: Hypothesis, effect: Effect) -> Array:
+    return next((values for active, values in best.active if active is effect), np.zeros(len(effect.parameters)))
+
+
+def _possible(effects: tuple[Effect, ...], values: Array) -> bool:
+    """A linear estimate may overshoot a bound by a difference step; more is physically impossible."""
+    for effect, part in _cut(effects, values):
+        lower, upper = effect.bounds
+        if np.any(part < lower - effect.steps) or np.any(part > upper + effect.steps):
+            return False
+    return True

@@ -1,0 +1,101 @@
+"""Verdict on tracks with logged steering, by runs left out."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from cadgen.measurement.diagnose import Candidate, Diagnosis, Finding, Residual, Value
+from cadgen.measurement.effects.base import Active, Array
+from cadgen.measurement.leave_out import LeftOut, Trial, leave_runs_out
+from cadgen.measurement.models.base import Model
+from cadgen.measurement.record import Record
+from cadgen.measurement.verdict import Judgement, Verdict
+
+# Effects must take away this share of the path error on runs left out to be named.
+LEAST_GAIN = 0.1
+
+
+def diagnose_steered(record: Record, build: Callable[[Record], Model]) -> Diagnosis:
+    """Trace the path error of logged runs to effects.
+
+    Raises:
+        DesignError: too few runs.
+    """
+    model = build(record)
+    left_out = leave_runs_out(record, build)
+    chosen = left_out.chosen
+    values = np.split(chosen.values, np.cumsum([len(e.parameters) for e in chosen.effects])[:-1])
+    sigmas = np.split(chosen.sigma, np.cumsum([len(e.parameters) for e in chosen.effects])[:-1])
+    findings = tuple(
+        Finding(
+            effect.name,
+            tuple(
+                Value(p.name, float(v / p.scale), float(s / p.scale), p.unit)
+                for p, v, s in zip(effect.parameters, value, sigma, strict=True)
+            ),
+            effect.twins,
+            (),
+        )
+        for effect, value, sigma in zip(chosen.effects, values, sigmas, strict=False)
+    )
+    active = list(zip(chosen.effects, values, strict=False))
+    return Diagnosis(
+        source=record.source,
+        kind=model.kind,
+        unit=model.unit,
+        judgement=_judgement(left_out),
+        findings=findings,
+        datum=(),
+        candidates=tuple(Candidate(tuple(e.name for e in t.effects), t.error, t.error) for t in left_out.trials),
+        residual=Residual(
+            before=float(left_out.before.mean()),
+            after=float(chosen.fitted.mean()),
+            held_out=chosen.error,
+            held_out_repeating=float("nan"),
+            noise=float("nan"),
+        ),
+        correlation=float("nan"),
+        place=model.rows.place,
+        run=model.rows.run.astype(float),
+        before=_registered(model, []),
+        after=_registered(model, active),
+    )
+
+
+def _registered(model: Model, active: Active) -> Array:
+    """The residual less the start pose of each run."""
+    residual = model.residual(active)
+    return np.asarray(residual - model.offsets @ np.linalg.lstsq(model.offsets, residual, rcond=None)[0])
+
+
+def _judgement(left_out: LeftOut) -> Judgement:
+    chosen, rivals = left_out.chosen, left_out.rivals
+    gained = 1 - chosen.error / float(left_out.before.mean())
+    names = tuple(e.name for e in chosen.effects)
+    common = set(names).intersection(*({e.name for e in t.effects} for t in rivals))
+    verdict: Verdict
+    if not names or gained < LEAST_GAIN:
+        verdict, common, sentence = "none", set(), "No effect lowers the path error on runs left out."
+    elif rivals:
+        verdict = "ambiguous"
+        sentence = f"Consistent with {_told(chosen)}; or {'; or '.join(_told(t) for t in rivals)}."
+    else:
+        verdict = "traced" if len(names) == 1 else "combination"
+        sentence = (
+            f"Traced to {_told(chosen)}: the path error on runs left out falls from "
+            f"{left_out.before.mean():.0f} to {chosen.error:.0f} mm."
+        )
+    told = [chosen, *rivals] if verdict != "none" else []
+    separate = {e.name: e.separated_by for t in told for e in t.effects}
+    return Judgement(
+        verdict=verdict,
+        sentence=sentence,
+        claimed=tuple(sorted(common)),
+        reported=tuple(sorted({e.name for t in told for e in t.effects})),
+        rivals=tuple(tuple(e.name for e in t.effects) for t in rivals),
+        separate=tuple(f"{name}: {how}" for name, how in separate.items()),
+    )
+
+
+def _told(trial: Trial) -> str:
+    return " and ".join(e.name for e in trial.effects)

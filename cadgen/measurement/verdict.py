@@ -1,0 +1,271 @@
+"""The verdict: what the rivals and what remains allow to be claimed, in one sentence."""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from scipy.stats import f as f_distribution
+
+from cadgen.measurement.effects.base import UNITS, Array
+from cadgen.measurement.evidence import Evidence
+from cadgen.measurement.hypothesis import Hypothesis
+from cadgen.measurement.models.base import Model, fourier, per_run
+from cadgen.measurement.noise import Noise
+
+Verdict = Literal[
+    "none",
+    "traced",
+    "combination",
+    "ambiguous",
+    "partial",
+    "untraced shape",
+    "unexplained",
+    "runs disagree",
+]
+
+# A claim must beat the design without it by this much of the criterion (odds of e^3 to 1 after the penalty).
+CLAIM = 6.0
+# Subsets within this much of the best one are its rivals.
+RIVAL = 5.0
+# A form error beyond the floor has two numbers more (size and knee) that nothing in the catalogue explains.
+LOOSE = 16.0
+# An effect beside an unknown shape must be this much more likely than the shape alone.
+BESIDE_UNKNOWN = 40.0
+# Runs disagree if the chi-square of their smooth differences has this chance or less.
+DISAGREE = 1e-6
+SMOOTH_ORDERS = 6
+# An effect that changes the residual by less than this share of the stated form error is part of it.
+LEAST_OF_FLOOR = 0.5
+# RMS over the noise that thousands of rows of noise do not reach.
+LEFT_OVER = 1.3
+# Beside an unknown shape, effects are named only if they account for this share of the square of the residual.
+MOST = 0.8
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judgement:
+    """The verdict and its reasons.
+
+    Attributes:
+        verdict: its class.
+        sentence: in words.
+        claimed: names that every likely subset holds.
+        reported: names in any likely subset.
+        rivals: likely subsets other than the best, best first.
+        separate: for each claimed or rival effect, the measurement that would decide.
+        limits: what cannot be judged with this data.
+    """
+
+    verdict: Verdict
+    sentence: str
+    claimed: tuple[str, ...]
+    reported: tuple[str, ...]
+    rivals: tuple[tuple[str, ...], ...]
+    separate: tuple[str, ...]
+    limits: tuple[str, ...] = ()
+
+
+def judge(model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
+    """Weigh the fitted subsets against each other and against what they leave; and the subset that is told."""
+    found = [h for h in found if not _below_floor(model, noise, h)]
+    tight = found[0]
+    loose = min(found, key=lambda h: h.loose_score)
+    if tight.score <= loose.loose_score + LOOSE:
+        judgement, best = _within_floor(model, evidence, noise, found)
+    else:
+        judgement, best = _beyond_floor(model, evidence, noise, loose, found)
+    left = _left_over(model, evidence, noise, best)
+    if judgement.verdict in ("untraced shape", "partial", "none") and left > LEFT_OVER:
+        sentence = (
+            f"What remains is {left:.1f} times the noise and neither an effect of the catalogue nor a shape that "
+            "repeats: check that the design belongs to this file, and the file's units."
+        )
+        return replace(judgement, verdict="unexplained", sentence=sentence, claimed=()), best
+    if judgement.verdict != "none" and _runs_disagree(model, noise, best):
+        sentence = "The runs differ from each other by more than the noise within them: nothing is claimed."
+        return replace(judgement, verdict="runs disagree", sentence=sentence, claimed=()), best
+    if noise.runs == 1:
+        limit = "one run only: noise cannot be told from what repeats, so no name is certain; repeat the measurement"
+        told = f"One run only: consistent with {_names(best)}, but noise cannot be told from what repeats."
+        if judgement.verdict != "none":
+            judgement = replace(judgement, verdict="ambiguous", sentence=told)
+        return replace(judgement, claimed=(), limits=(limit,)), best
+    return judgement, best
+
+
+def _within_floor(
+    model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis]
+) -> tuple[Judgement, Hypothesis]:
+    none = next(h for h in found if not h.effects)
+    best = found[0]
+    likely = [h for h in found if h.score < best.score + RIVAL]
+    # A name of the catalogue comes before an anonymous shape that does no better ...
+    named = [h for h in likely if h.effects and not any(e.shape for e in h.effects)]
+    best = named[0] if named and best.effects else best
+    # ... and the smallest subset nested in the best and as likely before the best: what more that holds is not needed.
+    nested = [h for h in found if h.key <= best.reach and h.score < best.score + RIVAL]
+    best = min(nested, key=lambda h: (len(h.key), h.parameters, h.score))
+    if best.score > none.score - CLAIM:
+        best = none
+    rivals = [h for h in likely if not best.key <= h.reach]
+    common = best.claims.intersection(*(h.claims for h in rivals)) if rivals else best.claims
+    reported = best.claims.union(*(h.claims for h in rivals)) if best.effects else frozenset[str]()
+    anonymous = any(e.shape for e in best.effects)
+    verdict: Verdict
+    if not best.effects:
+        verdict, rivals = ("runs disagree" if _runs_disagree(model, noise, best) else "none"), []
+    elif anonymous and not best.claims:
+        verdict = "untraced shape"
+    elif anonymous:
+        verdict = "partial"
+        if _explained(model, noise, found, best) < MOST:
+            common = frozenset()
+    elif rivals and reported != common:
+        verdict = "ambiguous"
+    else:
+        verdict = "traced" if len(best.effects) == 1 else "combination"
+    judgement = Judgement(
+        verdict=verdict,
+        sentence=_sentence(model, verdict, best, rivals),
+        claimed=tuple(sorted(common)),
+        reported=tuple(sorted(reported)),
+        rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
+        separate=_separate([best, *rivals]),
+    )
+    return judgement, best.at(evidence, loose=False)
+
+
+def _below_floor(model: Model, noise: Noise, h: Hypothesis) -> bool:
+    """Does an effect of the subset change the registered residual by less than a share of the stated form error?"""
+    whole = model.residual(h.active)
+    for effect in h.effects:
+        change = whole - model.residual([(e, v) for e, v in h.active if e is not effect])
+        if np.sqrt(np.mean(registered(model, noise, change) ** 2)) < LEAST_OF_FLOOR * model.floor:
+            return True
+    return False
+
+
+def registered(model: Model, noise: Noise, residual: Array) -> Array:
+    """The residual less the linear datum freedoms."""
+    weight = 1 / noise.sigma
+    free = model.offsets
+    if not free.shape[1]:
+        return residual
+    fit = np.linalg.lstsq(free * weight[:, None], residual * weight, rcond=None)[0]
+    return np.asarray(residual - free @ fit)
+
+
+def _explained(model: Model, noise: Noise, found: list[Hypothesis], best: Hypothesis) -> float:
+    """Share of the registered residual's square that the named effects take away."""
+    none = next(h for h in found if not h.effects)
+    named = [(e, v) for e, v in best.active if not e.shape]
+    before, after = (registered(model, noise, model.residual(a)) for a in (none.active, named))
+    return 1.0 - float(np.sum(after**2) / np.sum(before**2))
+
+
+def _beyond_floor(
+    model: Model, evidence: Evidence, noise: Noise, loose: Hypothesis, found: list[Hypothesis]
+) -> tuple[Judgement, Hypothesis]:
+    """No subset leaves a residual within the floor: an unknown shape is there, alone or beside effects."""
+    alone = min((h for h in found if not h.claims), key=lambda h: h.loose_score)
+    best = loose if loose.claims and loose.loose_score < alone.loose_score - BESIDE_UNKNOWN else alone
+    if best.claims and _explained(model, noise, found, best) < MOST:
+        best = alone
+    verdict: Verdict = "partial" if best.claims else "untraced shape"
+    told = best.at(evidence, loose=True)
+    place, size = _largest(model, evidence, told)
+    words = (
+        f"what remains is no effect of the catalogue: a smooth shape beyond the stated form error, largest "
+        f"({size / UNITS[model.unit]:+.3g} {model.unit}) at {np.degrees(place):.0f} deg"
+    )
+    if best.claims:
+        words = f"partly consistent with {_names(best)}; {words}"
+    judgement = Judgement(
+        verdict=verdict,
+        sentence=words[0].upper() + words[1:] + ".",
+        claimed=tuple(sorted(best.claims)),
+        reported=tuple(sorted(best.claims)),
+        rivals=(),
+        separate=_separate([best]),
+    )
+    return judgement, told
+
+
+def _left_over(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> float:
+    """RMS of the whitened residual less its most likely form error: 1 if only noise is left."""
+    residual = model.residual(best.active)
+    form = evidence.form_error(evidence.whiten(residual), evidence.grid.index(best.spectrum))
+    left = registered(model, noise, residual - model.form @ form)
+    return float(np.sqrt(np.mean((left / noise.sigma) ** 2)))
+
+
+def _largest(model: Model, evidence: Evidence, best: Hypothesis) -> tuple[float, float]:
+    """Place and size of the greatest value of the form error."""
+    form = evidence.form_error(evidence.whiten(model.residual(best.active)), evidence.grid.index(best.spectrum))
+    values = model.form @ form
+    values = values - values.mean()
+    worst = int(np.argmax(np.abs(values)))
+    return float(model.rows.place[worst]), float(values[worst])
+
+
+def _runs_disagree(model: Model, noise: Noise, best: Hypothesis) -> bool:
+    """Do the runs differ smoothly, by more than the noise between neighbours allows?"""
+    rows = model.rows
+    if rows.runs < 2:
+        return False
+    residual = model.residual(best.active)
+    smooth, _ = fourier(rows.place, SMOOTH_ORDERS)
+    contrasts = [smooth * (rows.run == run)[:, None] for run in range(1, rows.runs)]
+    # A divider set differently for each run is index error, and counted as noise.
+    own = [per_run(rows.run) * model.slip[:, None]] if model.slip.size else []
+    base = np.hstack([model.offsets, model.form, *own])
+    both = np.hstack([base, *contrasts])
+    squares, ranks = [], []
+    for columns in (base, both):
+        fit, _, rank, _ = np.linalg.lstsq(columns / noise.sigma[:, None], residual / noise.sigma, rcond=1e-9)
+        squares.append(float(np.sum(((residual - columns @ fit) / noise.sigma) ** 2)))
+        ranks.append(int(rank))
+    extra, left = ranks[1] - ranks[0], len(residual) - ranks[1]
+    ratio = (squares[0] - squares[1]) / extra / (squares[1] / left)
+    inflation = (1 + noise.correlation) / (1 - noise.correlation)
+    return bool(f_distribution.sf(ratio / inflation, extra, left) < DISAGREE)
+
+
+def _sentence(model: Model, verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis]) -> str:
+    if verdict == "none":
+        return "No effect beyond noise and the stated form error."
+    if verdict == "runs disagree":
+        return "The runs differ from each other by more than the noise within them: nothing is claimed."
+    told = _names(best)
+    if verdict in ("traced", "combination"):
+        told = f"Traced to {told}{' together' if verdict == 'combination' else ''}"
+        twins = [f"{e.name} from {' or '.join(e.twins)}" for e in best.effects if e.twins]
+        return f"{told}; this data cannot tell {' nor '.join(twins)}." if twins else f"{told}."
+    if verdict == "untraced shape":
+        return f"A shape that no effect of the catalogue makes: {told} ({_numbers(best)})."
+    if verdict == "partial":
+        named = [e for e in best.effects if not e.shape]
+        rest = [e for e in best.effects if e.shape]
+        return (
+            f"Partly traced to {' and '.join(e.name for e in named)}; beside it, {' and '.join(e.name for e in rest)}."
+        )
+    others = "; or ".join(_names(h) for h in rivals)
+    return f"Consistent with {told}; or {others}: this data cannot tell."
+
+
+def _names(h: Hypothesis) -> str:
+    return " and ".join(e.name for e in h.effects) or "no effect"
+
+
+def _numbers(h: Hypothesis) -> str:
+    """Every parameter of every shape, in the unit its name ends in."""
+    return ", ".join(
+        f"{p.name} {v / p.scale:.4g}"
+        for effect, values, _ in h.values()
+        for p, v in zip(effect.parameters, values, strict=True)
+    )
+
+
+def _separate(hypotheses: list[Hypothesis]) -> tuple[str, ...]:
+    said = {e.name: e.separated_by for h in hypotheses for e in h.effects if e.separated_by}
+    return tuple(f"{name}: {how}" for name, how in said.items())

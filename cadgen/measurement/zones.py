@@ -1,0 +1,121 @@
+"""Mean turns of the cam over zones with no event, with a jump and with a wait: the return error they imply.
+
+Started and stopped alike, a run over a smooth zone turns the cam by m, over a jump by m + B, over a wait ("reverse")
+by m - B. Least squares of three means with their standard errors gives B and m; the third number is left to test it.
+"""
+
+from dataclasses import dataclass
+from math import sqrt
+
+import numpy as np
+from scipy.stats import norm
+
+from cadgen.errors import FileError
+from cadgen.measurement.effects.base import Array
+from cadgen.measurement.record import Record
+
+# Turns of the cam per return error in each zone.
+EVENTS = {"smooth": 0.0, "jump": 1.0, "reverse": -1.0}
+CONFIDENCE = 0.95
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """A tabled return error against the measured one: how many standard errors apart, and is it inside."""
+
+    tabled_deg: float
+    apart: float
+    inside: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Zones:
+    """What the zones say; degrees.
+
+    Attributes:
+        return_error_deg, sigma_deg: B and its standard error.
+        interval_deg: at `CONFIDENCE`.
+        smooth_deg: the turn without an event.
+        misfit: of the number left over, in standard errors.
+        compared: tabled values against B.
+    """
+
+    return_error_deg: float
+    sigma_deg: float
+    interval_deg: tuple[float, float]
+    smooth_deg: float
+    smooth_sigma_deg: float
+    misfit: float
+    compared: tuple[Compared, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Shortfall:
+    """What each single cause would have to be if it alone explained the smooth zone's turn.
+
+    Attributes:
+        expected_deg: motor speed times time over ratio.
+        missing_deg: expected less measured.
+        speed_rpm: mean motor speed.
+        ratio: of the train.
+        lost_time_s: at full speed.
+        rival_ratio: another ratio that was named, the turn it gives, and how many standard errors that is off.
+    """
+
+    expected_deg: float
+    missing_deg: float
+    speed_rpm: float
+    ratio: float
+    lost_time_s: float
+    rival_ratio: tuple[float, float, float]
+
+
+def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
+    """Estimate B from zone means.
+
+    Args:
+        record: of kind `zones`.
+        tabled_deg: values to compare it with.
+
+    Raises:
+        FileError: a zone that is unknown or missing.
+    """
+    names = [str(zone) for zone in record.columns["zone"]]
+    if sorted(names) != sorted(EVENTS):
+        raise FileError(f"{record.source}: zones {', '.join(names)}; give {', '.join(EVENTS)}, once each")
+    mean, error = record["cam_angle_deg"], record["std_deg"] / np.sqrt(record["n"])
+    design = np.stack([np.ones(len(names)), np.array([EVENTS[name] for name in names])], axis=1)
+    covariance = np.linalg.inv(design.T @ (design / error[:, None] ** 2))
+    smooth, B = covariance @ (design.T @ (mean / error**2))
+    sigma = sqrt(covariance[1, 1])
+    reach = float(norm.ppf((1 + CONFIDENCE) / 2)) * sigma
+    compared = tuple(Compared(t, float((B - t) / sigma), bool(abs(B - t) <= reach)) for t in tabled_deg)
+    left = np.array([1.0 if n == "smooth" else -0.5 for n in names])
+    return Zones(
+        return_error_deg=float(B),
+        sigma_deg=sigma,
+        interval_deg=(float(B - reach), float(B + reach)),
+        smooth_deg=float(smooth),
+        smooth_sigma_deg=sqrt(covariance[0, 0]),
+        misfit=float(left @ mean / _norm(left * error)),
+        compared=compared,
+    )
+
+
+def shortfall(zones: Zones, *, rpm: float, seconds: float, ratio: float, rival_ratio: float) -> Shortfall:
+    """Weigh the causes for a turn that is not the expected one; one mean cannot choose between them."""
+    expected = rpm / 60 * seconds * 360 / ratio
+    share = zones.smooth_deg / expected
+    other = expected * ratio / rival_ratio
+    return Shortfall(
+        expected_deg=expected,
+        missing_deg=expected - zones.smooth_deg,
+        speed_rpm=rpm * share,
+        ratio=ratio / share,
+        lost_time_s=seconds * (1 - share),
+        rival_ratio=(rival_ratio, other, (zones.smooth_deg - other) / zones.smooth_sigma_deg),
+    )
+
+
+def _norm(values: Array) -> float:
+    return float(np.sqrt(np.sum(values**2)))

@@ -1,0 +1,30 @@
+"""The synthetic generator and the design that it is measured against, built once."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+from cadgen.measurement.nominal import Nominal
+from tests.measurement import study
+from tests.measurement.synthetic import Car
+
+
+@pytest.fixture(scope="session")
+def synthetic_car(carbon_free_car: object) -> Car:
+    """The generator's view of the paper's car."""
+    return Car(carbon_free_car)
+
+
+@pytest.fixture(scope="session")
+def nominal(synthetic_car: Car) -> Nominal:
+    """The design of the paper's car."""
+    return study.nominal(synthetic_car)
+
+
+@pytest.fixture(scope="session")
+def measured() -> Path:
+    """Where the measured files lie."""
+    return Path(__file__).parents[1] / "data" / "measured"

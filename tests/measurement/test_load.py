@@ -1,0 +1,97 @@
+"""Reading measured files: kinds by their columns, and a clear error for each way to get it wrong."""
+
+import numpy as np
+import pytest
+
+from cadgen.errors import FileError
+from cadgen.measurement.load import digest, instrument, join, load, printed
+
+LIFT = "run,direction,cam_angle_deg,lift_mm\n" + "".join(f"1,forward,{k}.0,{0.01 * k:.3f}\n" for k in range(30))
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "runs"),
+    [
+        ("lift_a.csv", "lift", 3),
+        ("profile_b.csv", "profile", 3),
+        ("transmission_c.csv", "transmission", 3),
+        ("track_a.csv", "track", 4),
+        ("circles.csv", "steered track", 8),
+        ("paper_section5.csv", "zones", 1),
+    ],
+)
+def test_kind_follows_from_the_columns(name, kind, runs, measured):
+    record = load(measured / name)
+    assert (record.kind, record.runs) == (kind, runs)
+
+
+def test_remarks_tell_noise_and_print(measured):
+    record = load(measured / "profile_b.csv")
+    assert instrument(record).noise == 2.0
+    assert instrument(record).unit == "um"
+    assert printed(record)
+    assert not printed(load(measured / "profile_a.csv"))
+    assert np.isnan(instrument(load(measured / "circles.csv")).noise)
+
+
+def test_digest_is_that_of_sha256sum(tmp_path):
+    path = tmp_path / "x.csv"
+    path.write_bytes(b"abc")
+    assert digest(path) == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
+
+
+def test_files_of_one_kind_join_with_their_runs_numbered_on(measured):
+    one, two = load(measured / "circles.csv"), load(measured / "squares.csv")
+    both = join([one, two])
+    assert both.runs == 14
+    assert len(both.run) == len(one.run) + len(two.run)
+    with pytest.raises(FileError, match="cannot be joined"):
+        join([one, load(measured / "lift_a.csv")])
+    with pytest.raises(FileError, match="no measured file"):
+        join([])
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "no table"),
+        ("# only a remark\n", "no table"),
+        (LIFT.replace("direction,", ""), "nearest is lift, which lacks direction"),
+        (LIFT.replace("lift_mm", "lift_mm,x_mm"), "nearest is lift, which does not have x_mm"),
+        (LIFT.replace("lift_mm", "lift_um"), "lacks lift_mm; does not have lift_um"),
+        (LIFT.replace("run,", "run,run,", 1), "column run stands twice"),
+        (LIFT.replace("0.050", "nan"), "line 7: lift_mm is 'nan'"),
+        (LIFT.replace("0.050", "five"), "line 7: lift_mm is 'five'"),
+        (LIFT.replace("0.050", "5000"), "line 7: lift_mm is 5000, outside"),
+        (LIFT.replace("1,forward,5.0,0.050", "1,forward,5.0"), "line 7: 3 cells under 4 columns"),
+        (LIFT.replace("1,forward,5.0,", "1,up,5.0,"), "line 7: direction is 'up'"),
+        (LIFT + "1,forward,5.0,0.050\n", "5 stands twice in one run"),
+        (LIFT.replace("1,forward,29.0,0.290\n", "2,forward,29.0,0.290\n"), "run 2 has 1 rows"),
+        (
+            "run,direction,cam_angle_deg,lift_mm\n" + "".join(f"1,forward,{0.1 * k:.2f},0.01\n" for k in range(30)),
+            "spans only",
+        ),
+    ],
+)
+def test_bad_files_are_refused(text, message, tmp_path):
+    path = tmp_path / "bad.csv"
+    path.write_text(text)
+    with pytest.raises(FileError, match=message):
+        load(path)
+
+
+def test_a_missing_file_and_a_binary_one_are_refused(tmp_path):
+    with pytest.raises(FileError, match="cannot be read"):
+        load(tmp_path / "absent.csv")
+    (tmp_path / "binary.csv").write_bytes(b"\xff\xfe\x00\x81")
+    with pytest.raises(FileError, match="cannot be read"):
+        load(tmp_path / "binary.csv")
+
+
+def test_a_profile_that_goes_round_twice_is_refused(tmp_path):
+    turned = np.linspace(0, 4 * np.pi, 200)
+    rows = "".join(f"1,{60 * np.cos(t):.3f},{60 * np.sin(t):.3f}\n" for t in turned)
+    path = tmp_path / "twice.csv"
+    path.write_text("run,x_mm,y_mm\n" + rows)
+    with pytest.raises(FileError, match=r"goes round 2.0 times"):
+        load(path)

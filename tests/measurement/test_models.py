@@ -1,0 +1,101 @@
+"""Every effect's place in the forward models against the independent generator, without noise and form error."""
+
+import numpy as np
+import pytest
+
+from cadgen.measurement.effects.base import Effect
+from cadgen.measurement.models.base import Model, slopes
+from tests.measurement import synthetic as syn
+from tests.measurement import synthetic_drive as drive
+from tests.measurement.study import PRINTED, _wave, same
+
+# What the generator's own steps leave: rod on points 0.025 mm apart, readings rounded to 1 um, and friction that turns
+# one reading sooner or later at a peak.
+LIFT_UM = 1.0
+PROFILE_UM = 0.25
+TRAIN_DEG = 0.006  # readings rounded to 0.01 degrees
+TRACK_MM = 0.6  # the car's arcs and the gap's walk go in steps of 0.05 degrees
+
+
+def _effect(model: Model, name: str, values: np.ndarray) -> tuple[Effect, np.ndarray]:
+    """The entry of a name that fits best (which nose), with values in its printed units."""
+    entries = [e for e in model.catalogue if same(name, e.name)]
+    tried = [(e, np.array([p.scale for p in e.parameters]) * values) for e in entries]
+    return min(tried, key=lambda t: float(np.std(model.residual([(t[0], t[1])]))))
+
+
+def _left(model: Model, active: list[tuple[Effect, np.ndarray]]) -> float:
+    """RMS once the datum, linear and not, is fitted."""
+    residual = model.residual([*((e, e.start) for e in model.datum), *active])
+    columns = model.offsets
+    if model.datum:
+        columns = np.hstack([columns, slopes(model, model.datum, [*((e, e.start) for e in model.datum), *active])])
+    if columns.shape[1]:
+        residual = residual - columns @ np.linalg.lstsq(columns, residual, rcond=None)[0]
+    return float(np.sqrt(np.mean(residual**2)))
+
+
+@pytest.mark.parametrize("name", sorted(syn.LIFT_TRUTHS))
+def test_lift(name, synthetic_car, nominal):
+    rng = np.random.default_rng(7)
+    make, low, high = syn.LIFT_TRUTHS[name]
+    change = make(synthetic_car, rng)(np.sqrt(low * high))
+    bench = syn.bench_with(np.zeros(1), change)
+    model = nominal.model(syn.lift_record(synthetic_car, bench, rng, noise_um=0.0, index_deg=0.0, runs=1))
+    active = [_effect(model, name, np.array(PRINTED[name](change)))]
+    assert _left(model, []) * 1e3 > 2 * LIFT_UM
+    assert _left(model, active) * 1e3 < LIFT_UM
+
+
+@pytest.mark.parametrize("name", sorted(syn.PROFILE_TRUTHS))
+def test_profile(name, synthetic_car, nominal):
+    rng = np.random.default_rng(11)
+    make, low, high = syn.PROFILE_TRUTHS[name]
+    change = make(synthetic_car, rng)(np.sqrt(low * high))
+    bench = syn.bench_with(np.zeros(1), change)
+    record = syn.profile_record(synthetic_car, bench, rng, noise_um=0.0, runs=1, clock_deg=0.0)
+    model = nominal.model(record)
+    active = [_effect(model, name, np.array(PRINTED[name](change)))]
+    assert _left(model, []) * 1e3 > 2 * PROFILE_UM
+    assert _left(model, active) * 1e3 < PROFILE_UM
+
+
+@pytest.mark.parametrize("name", sorted(drive.TRAINS))
+def test_transmission(name, synthetic_car, nominal):
+    rng = np.random.default_rng(13)
+    change = drive.TRAINS[name](rng)
+    record = drive.transmission_record(synthetic_car, drive.changed(drive.Train(), change), rng, noise_deg=0.0, runs=1)
+    model = nominal.model(record)
+    values = _wave(change["waves"][0], 1 / syn.DEG) if "waves" in change else PRINTED[name](change)
+    active = [_effect(model, name, np.array(values))]
+    assert np.degrees(_left(model, [])) > 3 * TRAIN_DEG
+    assert np.degrees(_left(model, active)) < TRAIN_DEG
+
+
+@pytest.mark.parametrize("name", sorted(drive.CARS))
+def test_track(name, synthetic_car, nominal):
+    rng = np.random.default_rng(17)
+    change = drive.CARS[name](rng)
+    record = drive.track_record(synthetic_car, drive.changed(drive.Wheels(), change), rng, noise_mm=0.0, runs=1)
+    model = nominal.model(record)
+    active = [_effect(model, name, np.array(PRINTED[name](change)))]
+    assert _left(model, []) > 3 * TRACK_MM
+    assert _left(model, active) < TRACK_MM
+
+
+def test_every_effect_tells_how_to_separate_it(synthetic_car, nominal):
+    rng = np.random.default_rng(1)
+    records = [
+        syn.lift_record(synthetic_car, syn.Bench(), rng, noise_um=1.0),
+        syn.profile_record(synthetic_car, syn.Bench(), rng, noise_um=1.0),
+        drive.transmission_record(synthetic_car, drive.Train(), rng, noise_deg=0.01),
+        drive.track_record(synthetic_car, drive.Wheels(), rng, noise_mm=1.0),
+    ]
+    for record in records:
+        catalogue = nominal.model(record).catalogue
+        assert len({e.key for e in catalogue}) == len(catalogue)
+        for effect in catalogue:
+            lower, upper = effect.bounds
+            assert effect.separated_by
+            assert np.all(lower <= effect.start), effect.key
+            assert np.all(effect.start <= upper), effect.key

@@ -1,0 +1,96 @@
+"""Noise and evidence against brute force: dense covariance matrices and drawn noise of known kind."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from cadgen.measurement.evidence import Evidence, Spectrum
+from cadgen.measurement.models.base import fourier, highest_order, per_run
+from cadgen.measurement.noise import Noise, estimate_noise
+from cadgen.measurement.record import Rows
+
+
+def _model(angles: int = 60, runs: int = 3, *, slip: bool = False, floor: float = 2.0) -> SimpleNamespace:
+    angle = np.tile(np.arange(angles) * 2 * np.pi / angles, runs)
+    run = np.repeat(np.arange(runs), angles)
+    form, order = fourier(angle, 5)
+    rows = Rows(run=run, place=angle, elapsed=np.zeros(len(run)), cell=np.tile(np.arange(angles), runs))
+    return SimpleNamespace(
+        rows=rows,
+        offsets=per_run(run),
+        form=form,
+        order=order,
+        floor=floor,
+        slip=np.sin(2 * angle) * 50 if slip else np.empty(0),
+    )
+
+
+def test_misfit_is_that_of_the_dense_covariance():
+    model, rng = _model(), np.random.default_rng(2)
+    sigma = rng.uniform(1, 3, len(model.rows.run))
+    grid = (Spectrum(1.0, 2.0, 1.0), Spectrum(3.0, 4.0, 3.0))
+    evidence = Evidence(model, Noise(sigma, 0.0, 0.0, 3), grid)
+    residual = rng.normal(0, 4, len(sigma))
+    dense = []
+    for spectrum in grid:
+        variance = spectrum.variance(model.order, model.floor)
+        C = np.diag(sigma**2) + (model.form * variance) @ model.form.T
+        inverse, D = np.linalg.inv(C), model.offsets
+        inside = D.T @ inverse @ D
+        projected = inverse - inverse @ D @ np.linalg.solve(inside, D.T @ inverse)
+        determinant = np.linalg.slogdet(C)[1] + np.linalg.slogdet(inside)[1]
+        dense.append(residual @ projected @ residual + determinant)
+    ours = evidence.misfit(evidence.whiten(residual))
+    assert ours[1] - ours[0] == pytest.approx(dense[1] - dense[0], rel=1e-9)
+
+
+def test_standardised_squares_are_the_misfit_without_its_determinant():
+    model, rng = _model(), np.random.default_rng(3)
+    evidence = Evidence(model, Noise(np.full(180, 1.5), 0.3, 0.0, 3), (Spectrum(1.0, 3.0, 1.0),))
+    a, b = rng.normal(0, 2, (2, 180))
+    misfit = [float(evidence.misfit(evidence.whiten(v))[0]) for v in (a, b)]
+    squares = [float(np.sum(evidence.standardise(v, 0) ** 2)) for v in (a, b)]
+    # The flat prior of the offsets stands in as a very wide one.
+    assert squares[1] - squares[0] == pytest.approx(misfit[1] - misfit[0], rel=1e-4)
+
+
+def test_spectrum_sums_to_the_square_of_its_size():
+    _, order = fourier(np.zeros(1), 90)
+    total = Spectrum(1.2, 6.0, 1.0).variance(order, 2.0).sum() / 2
+    assert total == pytest.approx((1.2 * 2.0) ** 2)
+
+
+@pytest.mark.parametrize("correlation", [0.0, 0.5])
+def test_noise_with_its_correlation_is_found_under_what_repeats(correlation):
+    model, rng = _model(angles=400), np.random.default_rng(5)
+    noise = rng.normal(0, 1, (3, 400))
+    for k in range(1, 400):
+        noise[:, k] = correlation * noise[:, k - 1] + np.sqrt(1 - correlation**2) * noise[:, k]
+    repeats = 30 * np.sin(7 * model.rows.place)
+    zero = np.array([5.0, -3.0, 1.0])[model.rows.run]
+    found = estimate_noise(model, 4.0 * noise.ravel() + repeats + zero)
+    assert found.rms == pytest.approx(4.0, rel=0.06)
+    assert found.correlation == pytest.approx(correlation, abs=0.07)
+
+
+def test_scatter_of_the_abscissa_makes_steep_places_noisier():
+    model, rng = _model(angles=400, slip=True), np.random.default_rng(6)
+    scatter = model.slip * rng.normal(0, 0.1, 1200) + rng.normal(0, 1.0, 1200)
+    found = estimate_noise(model, scatter)
+    steep, flat = np.abs(model.slip) > 49, np.abs(model.slip) < 5
+    assert found.sigma[steep].mean() == pytest.approx(np.hypot(5.0, 1.0), rel=0.1)
+    assert found.sigma[flat].mean() == pytest.approx(1.0, rel=0.15)
+
+
+def test_a_run_set_differently_is_slip_and_not_noise():
+    model, rng = _model(angles=400, slip=True), np.random.default_rng(8)
+    own = np.array([-0.4, 0.0, 0.4])[model.rows.run]
+    found = estimate_noise(model, model.slip * own + rng.normal(0, 1.0, 1200))
+    assert found.rms == pytest.approx(1.0, rel=0.06)
+    assert found.slip == pytest.approx(0.4, rel=0.25)
+
+
+def test_orders_stop_short_of_nyquist():
+    angle = np.arange(36) * np.pi / 18
+    assert highest_order(angle, np.zeros(36, dtype=int)) == 14  # 0.8 of 18
