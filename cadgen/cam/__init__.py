@@ -10,6 +10,7 @@
 | `blank`       | bore, keyway or flat, holes and hub, and the walls they leave                   |
 | `limits`      | textbook limits of the pressure angle, by name                                  |
 | `cutter`      | which cutter reaches every concave part                                         |
+| `check`       | one figure with its limit and verdict                                           |
 | `checks`      | every figure with its limit, place and verdict                                  |
 | `cure`        | the smallest single change that brings lost lift within its limit               |
 """

@@ -10,4 +10,10 @@
 | `backlash`     | tolerances -> play of a stage (eq. 1-13) -> return error of a train (eq. 25-26) |
 | `chains`       | branch and bound: the cheapest chains of pairs that give a ratio                |
 | `search`       | all orders of the stages; all tooth numbers that give the ratio                 |
+| `blank`, `body` | bore, keyway, hub, web, holes -> a gear's body, as a stack of prisms           |
+| `bezier`       | tooth curves as Bézier curves, for solids and files                             |
+| `gear_mesh`    | a body as a closed mesh                                                         |
+| `inspection`   | span and size over pins, with their limits                                      |
+| `layout`       | a train's parts at their places, clear of each other and in phase               |
+| `mesh_check`   | play, contact ratio and clearances measured on sections, without formulas       |
 """

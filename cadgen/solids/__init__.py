@@ -5,8 +5,10 @@
 | `kernel`    | edges, wires, prisms, validity and volume on the kernel             |
 | `cam`       | the disc with bore, holes and hub                                   |
 | `gear`      | gears                                                               |
+| `train`     | the parts of a gear train, and their assembly                       |
 | `step`      | STEP: reproducible bytes, and what the kernel reads from them       |
 | `step_text` | the rim read from a STEP file's text, without the kernel            |
+| `gear_text` | a gear's tooth curves and solid read from a STEP file's text        |
 
-Importing this package loads nothing; all modules but `step_text` load the kernel when they are imported.
+Importing this package loads nothing; all modules but the two of text load the kernel when they are imported.
 """

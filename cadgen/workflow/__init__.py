@@ -4,4 +4,6 @@
 |---------|----------------------------------------------------------------------|
 | `cam`   | design -> lift, profile and checks; cures for what fails             |
 | `files` | a checked cam -> every file, read back, rolled, published, on record |
+| `gears` | design -> play, order, layout and measured mesh of the gear train    |
+| `gears_files` | a checked train -> every file, read back, measured, on record  |
 """

@@ -30,7 +30,8 @@ def test_reordered_puts_the_highest_ratio_last():
 def test_search_finds_a_train_of_the_same_ratio_with_less_return_error():
     plan = plan_gears(load_design(None, ["train.search.keep=3"]), "search")
     assert plan.play.train.ratio == 45
-    assert plan.play.return_error_max < 0.7 * plan.given.return_error_max + 1e-9 or plan.play.return_error_max < 0.0127
+    # Better than the best order of the given stages, 24.74 % less.
+    assert plan.play.return_error_max < 0.7 * plan.given.return_error_max
     assert len(plan.ranked) == 3
     assert plan.passed
 
