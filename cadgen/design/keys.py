@@ -171,6 +171,9 @@ def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
     if get_origin(annotation) is Annotated:
         kinds, limits = _kinds(arguments[0])
         return kinds, [*limits, *arguments[1:]]
+    given = [arm for arm in arguments if arm is not type(None)]
+    if type(None) in arguments and len(given) == 1:  # a key that may be left out
+        return _kinds(given[0])
     if get_origin(annotation) is tuple:
         kinds, limits = _kinds(arguments[0])
         return (f"a list of {_PLURALS[kinds[0]]}" if arguments[1] is ... else _PAIR, *kinds), limits

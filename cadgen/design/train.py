@@ -5,11 +5,12 @@ What a gear or a stage does not say, the train says for all of them.
 
 from typing import Annotated, Literal
 
+from annotated_types import Gt, Le
 from pydantic import Field, Strict
 
 from cadgen.design.section import Section
 
-Lengths = Annotated[tuple[float, ...], Strict(False)]
+Lengths = Annotated[tuple[Annotated[float, Gt(0), Le(500)], ...], Strict(False)]
 
 
 class GearKeys(Section):

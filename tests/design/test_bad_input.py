@@ -246,6 +246,7 @@ texts = st.text(max_size=20) | st.sampled_from(["", "nan", "[]", "{}", "[[]]", "
 @given(st.lists(st.builds("{}{}={}".format, names, st.sampled_from(["", ".1", ".1.2", ".x"]), texts), max_size=3))
 @example(["cam=[]", "cam.blend_deg=3"])
 @example(["name="])
+@example(["train.search.modules_mm=[[]]"])
 @example(["path.waypoints_mm={}", "path.waypoints_mm.1=3"])
 def test_no_override_escapes_with_another_error(overrides: list[str]) -> None:
     """Some fit, most do not; whatever is not a DesignError fails the test, and so does a flood of lines."""
