@@ -95,6 +95,8 @@ def check_cam(
     trims: tuple[Trim, ...],
     blank: CamBlank,
     limits: CheckLimits,
+    *,
+    cut: ClosedCurve | None = None,
 ) -> tuple[Check, ...]:
     """All checks of a cam.
 
@@ -105,6 +107,7 @@ def check_cam(
         trims: where the envelope was trimmed; empty for profiles that are not an envelope.
         blank: what the disc has besides its profile.
         limits: what is allowed.
+        cut: what the cutter follows, if that is another curve, which becomes the profile in its making.
     """
     theta = cam_angles(lift)
     contact, step = roll_curve(curve, follower, theta)
@@ -118,7 +121,7 @@ def check_cam(
         *_contact(lift, follower, contact, contact.lift - wanted, trims),
         _rod_reach(lift, follower, theta, limits),
         *_hub_clearance(lift, follower, theta, blank),
-        _cutter(curve, limits),
+        _cutter(cut or curve, limits),
         _wall(blank, outline, limits),
         *_closure(lift),
     )

@@ -15,6 +15,7 @@ import click
 
 from cadgen import __version__
 from cadgen.cli import interrupt, output
+from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam
 from cadgen.cli.check import check
 from cadgen.cli.gears import gears
@@ -50,6 +51,7 @@ cli.add_command(gears)
 cli.add_command(simulate)
 cli.add_command(optimize)
 cli.add_command(tolerance)
+cli.add_command(calibrate)
 
 
 def main() -> NoReturn:

@@ -93,11 +93,16 @@ def figures(title: str, found: "Sequence[Check]") -> None:
 
 
 def against(plan: "CamPlan") -> None:
-    """Print what the profile does about play, beside the actual one, and why it was chosen."""
+    """Print what the profile does about play, beside the one before, and why it was chosen."""
     if plan.against is not None:
         from cadgen.cli.show_play import methods
 
         methods(plan)
+    else:
+        from cadgen.workflow.as_built import as_built_sentences
+
+        for text in as_built_sentences(plan.design, plan.lift.blend_start):
+            Output().print(text)
 
 
 def files(written: "Written", out: Path) -> None:

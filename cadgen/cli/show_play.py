@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 def methods(plan: "CamPlan") -> None:
     """Print every method compared, the bound, and the reasons."""
+    from cadgen.workflow.as_built import as_built_sentences
     from cadgen.workflow.cam import against_of
     from cadgen.workflow.play import PAPER_PERCENT
 
@@ -34,7 +35,7 @@ def methods(plan: "CamPlan") -> None:
             table.add_row(f"{train}, {degrees(one.play):.3f}°", style="dim")
         first = one is against.before
         table.add_row(
-            one.profile.replace("smoothed+", "smoothed, "),
+            "cam as measured" if one.measured else one.profile.replace("smoothed+", "smoothed, "),
             f"{degrees(one.error.end_heading):.3f}°",
             f"{one.error.end_distance:.1f} mm",
             "" if first else f"{100 * against.gain(one)[1]:.1f} %",
@@ -60,17 +61,24 @@ def methods(plan: "CamPlan") -> None:
         for one in against.judged
         if one is not against.before and one.profile in ("actual", "smoothed")
     ]
-    line = f"Sum of deflection errors (eq. 28, 30) at the greatest play: actual {degrees(before):.3f}°"
+    first_name = "cam as measured" if against.before.measured else "actual"
+    line = f"Sum of deflection errors (eq. 28, 30) at the greatest play: {first_name} {degrees(before):.3f}°"
     paper = f"The paper's two methods together take {PAPER_PERCENT} % off."
-    for text in (*against.reasons, "; ".join([line, *sums]) + f". {paper}"):
+    told = as_built_sentences(plan.design, against.task.lift.blend_start)
+    for text in (*told, *against.reasons, "; ".join([line, *sums]) + f". {paper}"):
         console.print(text)
 
 
 def runs(simulation: "Simulation") -> None:
     """Print the events and where the runs end."""
+    from cadgen.workflow.as_built import as_built_sentences
+
     console = Output()
+    before, chosen = simulation.against.before, simulation.against.chosen
+    for text in as_built_sentences(simulation.plan.design, float(simulation.planned.motor[-1])):
+        console.print(text)
     table = plain_table(
-        f"{simulation.plan.design.name}, return error {degrees(simulation.play):.3f}°: events of the actual profile"
+        f"{simulation.plan.design.name}, return error {degrees(simulation.play):.3f}°: events of the {before.title}"
     )
     for column in ("event", "cam angle", "lift", "deflection"):
         table.add_column(column, justify="left" if column == "event" else "right")
@@ -85,9 +93,8 @@ def runs(simulation: "Simulation") -> None:
     table = plain_table("\nend of the run")
     for column in ("profile", "heading", "position", "greatest on the run"):
         table.add_column(column, justify="left" if column == "profile" else "right")
-    chosen = simulation.against.chosen
     for name, error in (
-        ("actual", simulation.before_error),
+        (before.title if before.measured else "actual", simulation.before_error),
         (f"{chosen.profile}, cut for {degrees(chosen.play):.3f}°", simulation.after_error),
     ):
         table.add_row(
@@ -101,8 +108,12 @@ def runs(simulation: "Simulation") -> None:
 
 def fleet(run: "ToleranceRun") -> None:
     """Print where the cars end, how many pass, and what matters most."""
+    from cadgen.workflow.as_built import as_built_sentences
+
     console = Output()
     facts = run.facts()
+    for text in as_built_sentences(run.plan.design, run.plan.lift.blend_start):
+        console.print(text)
     console.print(
         f"{facts['design']}, {facts['profile']} profile: {facts['samples']} cars, seed {facts['seed']}, "
         f"{facts['law']} law",

@@ -3,6 +3,7 @@
 | module     | what it does                                                                |
 |------------|-----------------------------------------------------------------------------|
 | `closed`   | a closed curve of smooth pieces: sampling, polar radius, area, corners       |
+| `moved`    | the same curve with its points moved a little                                |
 | `contour`  | a closed chain of lines and arcs; bores                                      |
 | `spacing`  | nodes at even errors, for the three approximations below                     |
 | `offset`   | the parallel curve on which a cutter's centre runs                           |

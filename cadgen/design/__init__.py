@@ -5,6 +5,7 @@
 | `section`   | what all sections have in common                                         |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
+| `as_built`  | sections of the car as it was built                                       |
 | `train`     | sections of the gear train                                               |
 | `schema`    | all other sections; ranges, defaults, how keys must fit each other       |
 | `keys`      | the schema as a list of keys, their units and ranges in words            |

@@ -40,7 +40,7 @@ def load_design(source: str | Path | None = None, overrides: Sequence[str] = ())
         DesignError: no such design, a file that cannot be read or is not TOML in UTF-8, or values that cannot
             be; one sentence for each of up to five errors, on a line of its own.
     """
-    file = _find(DEFAULT_DESIGN if source is None else source)
+    file = design_file(source)
     values = _read(file)
     return _checked(values, file.name, overrides)
 
@@ -64,7 +64,13 @@ def _checked(values: dict[str, Any], source: str, overrides: Sequence[str], earl
     return Design(**dict(checked), source=source, overrides=(*earlier, *overrides))
 
 
-def _find(source: str | Path) -> Path:
+def design_file(source: str | Path | None = None) -> Path:
+    """The file that `load_design` reads.
+
+    Raises:
+        DesignError: there is no packaged design of that name.
+    """
+    source = DEFAULT_DESIGN if source is None else source
     if isinstance(source, Path) or source.endswith(".toml") or Path(source).name != source:
         return Path(source)
     packaged = packaged_designs()

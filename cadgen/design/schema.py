@@ -13,6 +13,7 @@ from typing import Literal
 from pydantic import Field, field_validator, model_validator
 
 from cadgen.cam.limits import PressureAngleLimitName
+from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
@@ -210,6 +211,7 @@ class DesignFile(Section):
     play: Play | None = None
     tolerances: Tolerances = Tolerances()
     optimize: Optimize = Optimize()
+    as_built: AsBuilt | None = None
 
     @field_validator("name")
     @classmethod
@@ -263,6 +265,10 @@ class Design(DesignFile):
 
     source: str
     overrides: tuple[str, ...] = ()
+
+    def as_designed(self) -> "Design":
+        """The same without what is known of the car as it was built."""
+        return self.model_copy(update={"as_built": None})
 
     def values(self) -> dict[str, object]:
         """What the file would say with every default written out, as plain TOML or JSON values."""

@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from cadgen.design import gears
+from cadgen.design import gears, stages
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import TrainPlay
@@ -23,8 +23,9 @@ ORDERS: tuple[Literal["as-given", "reordered"], ...] = ("as-given", "reordered")
 def play_bands(design: Design) -> dict[str, PlayBand]:
     """What is known of the return error at the camshaft, by order of the train.
 
-    [play] says it of the car as built, and stands for what the tolerances of [train] leave. Empty if the design has
-    neither.
+    [play] says it of the car as built, and stands for what the tolerances of [train] leave. A return error that
+    [as_built] traces to the car is a measured one, and comes before play.measured_deg, which is older. Empty if the
+    design has nothing of these.
 
     Raises:
         DesignError: as `train_plays`.
@@ -33,15 +34,20 @@ def play_bands(design: Design) -> dict[str, PlayBand]:
         order: PlayBand(least=train.return_error_min, greatest=train.return_error_max)
         for order, train in train_plays(design).items()
     }
-    given, own = design.play, design.optimize.order
-    if given is None:
-        return bands
-    measured = None if given.measured_deg is None else radians(given.measured_deg)
-    if given.least_deg is not None and given.greatest_deg is not None:
+    given, own, measured = design.play, design.optimize.order, measured_play(design)
+    if given is not None and given.least_deg is not None and given.greatest_deg is not None:
         return {own: PlayBand(least=radians(given.least_deg), greatest=radians(given.greatest_deg), measured=measured)}
     if own in bands:
         return {**bands, own: replace(bands[own], measured=measured)}
     return {} if measured is None else {own: PlayBand(least=measured, greatest=measured, measured=measured)}
+
+
+def measured_play(design: Design) -> float | None:
+    """The return error that was measured on the car, rad; None if it was not."""
+    found, given = stages.as_built(design).play, design.play
+    if found is not None or given is None or given.measured_deg is None:
+        return found
+    return radians(given.measured_deg)
 
 
 def half_widths(design: Design) -> dict[str, float]:
@@ -60,9 +66,11 @@ def tolerances(design: Design) -> Tolerances:
     """How cars of this design may differ; a measured return error does not."""
     law, given = design.tolerances.law, design.play
     sample: Sampler | None = None
-    if given is None and design.train is not None:
+    if measured_play(design) is not None:
+        sample = None
+    elif given is None and design.train is not None:
         sample = train_plays(design)[design.optimize.order].return_error_distribution(law).sample
-    elif given and given.measured_deg is None:
+    elif given:
         band = play_bands(design)[design.optimize.order]
         sample = ZoneSum(("play",), np.array([band.least]), np.array([band.greatest]), law).sample
     return Tolerances(half_widths=half_widths(design), law=law, play=sample)

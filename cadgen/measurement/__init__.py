@@ -16,5 +16,8 @@
 | `steered`    | the verdict that follows from it                                                                |
 | `zones`      | the return error implied by mean turns over smooth, jump and reverse zones                      |
 | `together`   | one effect in several kinds of data                                                             |
+| `names`      | kinds of data and places of an effect, for design files                                         |
+| `catalogue`  | an effect by the name that it is written under                                                  |
+| `as_built`   | the car with its effects: what a disc becomes, and what to cut so that it is the one wanted      |
 | `nominal`    | the design that data are measured against; the entry: `calibrate`                               |
 """

@@ -5,16 +5,25 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from cadgen.measurement.doubt import doubted, refuse_too_few, resolved
 from cadgen.measurement.effects.base import UNITS, Active, Array, Effect
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.models.base import Model
+from cadgen.measurement.names import Kind
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.search import find
 from cadgen.measurement.verdict import Judgement, judge, registered
 
 Build = Callable[[Record], Model]
+Step = Callable[[str], None]
+# What the linear datum freedoms of one run are, by kind: name, and each number with its unit.
+DATUM = {
+    "lift": ("zero of the dial", (("zero_um", "um"),)),
+    "transmission": ("zero of the inclinometer", (("zero_deg", "deg"),)),
+    "track": ("start pose", (("start_x_mm", "mm"), ("start_y_mm", "mm"), ("start_heading_deg", "deg"))),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,21 +38,23 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """An effect with its numbers, and what it cannot be told from."""
+    """An effect with its numbers, what it cannot be told from, and what is `given` with it (see `Effect.given`)."""
 
     effect: str
     values: tuple[Value, ...]
     twins: tuple[str, ...]
     at_bound: tuple[str, ...]
+    given: tuple[tuple[str, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A row of the table of candidates: a subset and how much worse than the best it is."""
+    """A row of the table of candidates: a subset with its numbers, and how much worse than the best it is."""
 
     effects: tuple[str, ...]
     score: float
     loose_score: float
+    findings: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +76,17 @@ class Residual:
     noise: float
 
 
+@dataclass(frozen=True, slots=True)
+class PerRun:
+    """Root mean squares of each run in the record's unit, shape (runs,), as in `Residual`; of tracks with logged
+    steering the distance, and `as_logged` before the start pose is registered."""
+
+    before: Array
+    after: Array
+    held_out: Array
+    as_logged: Array | None = None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Diagnosis:
     """What one record says.
@@ -73,74 +95,113 @@ class Diagnosis:
         source, kind, unit: of the record; residuals are in the unit.
         judgement: the class of verdict, what is claimed, and one sentence.
         findings: the effects of the best subset, shapes among them.
-        datum: fitted freedoms, never claimed.
+        datum: fitted freedoms, never claimed; those of each run in order.
         candidates: the best subsets, best first.
         residual: before and after.
+        per_run: the same for each run.
         correlation: of the noise between neighbours.
         place: of each measured row, shape (n,), internal units.
         run: of each row, shape (n,).
         before, after: residual of each row, datum fitted, internal units.
+        active: the effects found with their values, internal units.
+        measured: coordinate of each row of a track, mm; None for what is no track.
+        known: effects that another record told, and that this one was judged with.
     """
 
     source: str
-    kind: str
+    kind: Kind
     unit: str
     judgement: Judgement
     findings: tuple[Finding, ...]
     datum: tuple[Finding, ...]
     candidates: tuple[Candidate, ...]
     residual: Residual
+    per_run: PerRun
     correlation: float
     place: Array
     run: Array
     before: Array
     after: Array
+    active: Active
+    measured: Array | None = None
+    known: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> str:
         """The class of verdict."""
         return self.judgement.verdict
 
+    @property
+    def runs(self) -> int:
+        """How many runs there are."""
+        return len(self.per_run.before)
 
-def diagnose(record: Record, build: Build) -> Diagnosis:
+
+def diagnose(record: Record, build: Build, step: Step = lambda text: None) -> Diagnosis:
     """Trace what a record shows to effects, or say why not.
 
     Args:
         record: measured data of one kind.
         build: makes the forward model of a record; called again for records with some runs left out.
+        step: told what is being done.
+
+    Raises:
+        FileError: one run only, with too few rows to tell its noise.
     """
+    step(f"{record.source}: telling noise from what repeats")
     model = build(record)
-    noise = estimate_noise(model, model.residual([(e, e.start) for e in model.datum]))
+    refuse_too_few(record, model)
+    noise = resolved(record, model, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
     evidence = Evidence(model, noise)
+    step(f"{record.source}: comparing all small subsets of {len(model.catalogue)} effects")
     found = find(model, evidence)
     judgement, best = judge(model, evidence, noise, found)
     none = next(h for h in found if not h.effects)
     before, after = (registered(model, noise, model.residual(h.active)) for h in (none, best))
-    held_out, repeating = _held_out(record, model, build, noise, best)
+    judgement = doubted(judgement, record, model, noise, best, after)
+    own, repeating = [], []
+    for run in range(record.runs) if record.runs > 1 else ():
+        step(f"{record.source}: run {run + 1} left out")
+        one, less = _held_out(record, model, build, noise, best, run)
+        own.append(one)
+        repeating.append(less)
+    held_out, held_out_repeating = (_rms(np.concatenate(parts)) if parts else np.nan for parts in (own, repeating))
     scale = UNITS[model.unit]
     return Diagnosis(
         source=record.source,
-        kind=model.kind,
+        kind=record.kind,
         unit=model.unit,
         judgement=judgement,
         findings=tuple(_finding(best, *entry) for entry in best.values()),
-        datum=tuple(_finding(best, *entry) for entry in best.datum()),
+        datum=(*(_finding(best, *entry) for entry in best.datum()), *_zeros(model, noise, best)),
         candidates=tuple(
-            Candidate(tuple(e.name for e in h.effects), h.score - found[0].score, h.loose_score - found[0].score)
+            Candidate(
+                tuple(e.name for e in h.effects),
+                h.score - found[0].score,
+                h.loose_score - found[0].score,
+                tuple(_finding(h, *entry) for entry in h.values()),
+            )
             for h in found
         ),
         residual=Residual(
             before=_rms(before) / scale,
             after=_rms(after) / scale,
             held_out=held_out / scale,
-            held_out_repeating=repeating / scale,
+            held_out_repeating=held_out_repeating / scale,
             noise=noise.rms / scale,
+        ),
+        per_run=PerRun(
+            _by_run(before, model) / scale,
+            _by_run(after, model) / scale,
+            np.array([_rms(part) for part in own] or [np.nan] * record.runs) / scale,
         ),
         correlation=noise.correlation,
         place=model.rows.place,
         run=model.rows.run.astype(float),
         before=before,
         after=after,
+        active=[(e, v) for e, v in best.active if e in best.effects],
+        measured=model.measured,
     )
 
 
@@ -150,36 +211,55 @@ def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> F
         for p, v, s in zip(effect.parameters, values, sigma, strict=True)
     )
     at_bound = tuple(p.name for p in effect.parameters if p.name in best.at_bound)
-    return Finding(effect.name, told, effect.twins, at_bound)
+    return Finding(effect.name, told, effect.twins, at_bound, effect.given)
 
 
-def _held_out(record: Record, model: Model, build: Build, noise: Noise, best: Hypothesis) -> tuple[float, float]:
-    """RMS on each run in turn with effects from the others: datum refitted, without and with their form error."""
-    if record.runs < 2:
-        return np.nan, np.nan
-    squares, repeating = [], []
-    for run in range(record.runs):
-        inside = model.rows.run != run
-        train = build(record.only(np.setdiff1d(np.arange(record.runs), [run])))
-        test = build(record.only(np.array([run])))
-        learn, judged = (
-            Noise(noise.sigma[rows], noise.correlation, noise.slip * (part.rows.runs > 1), part.rows.runs)
-            for rows, part in ((inside, train), (~inside, test))
+def _zeros(model: Model, noise: Noise, best: Hypothesis) -> tuple[Finding, ...]:
+    """The linear datum freedoms of each run, beside the effects."""
+    if model.kind not in DATUM:
+        return ()
+    name, numbers = DATUM[model.kind]
+    white = model.offsets / noise.sigma[:, None]
+    fit = np.linalg.lstsq(white, model.residual(best.active) / noise.sigma, rcond=None)[0]
+    sigma = np.sqrt(np.diag(np.linalg.pinv(white.T @ white)))
+    found = []
+    for run in range(model.rows.runs):
+        at = range(run * len(numbers), (run + 1) * len(numbers))
+        values = tuple(
+            Value(n, float(fit[k] / UNITS[u]), float(sigma[k] / UNITS[u]), u)
+            for k, (n, u) in zip(at, numbers, strict=True)
         )
-        evidence = Evidence(train, learn, grid=(best.spectrum,))
-        active = _refit(train, evidence, best)
-        form = evidence.form_error(evidence.whiten(train.residual(active)), 0)
-        own = test.residual(active)
-        squares.append(registered(test, judged, own) ** 2)
-        repeating.append(registered(test, judged, own - test.form @ form) ** 2)
-    return float(np.sqrt(np.mean(np.concatenate(squares)))), float(np.sqrt(np.mean(np.concatenate(repeating))))
+        found.append(Finding(f"{name}, run {run + 1}", values, (), ()))
+    return tuple(found)
+
+
+def _held_out(
+    record: Record, model: Model, build: Build, noise: Noise, best: Hypothesis, run: int
+) -> tuple[Array, Array]:
+    """Residual of a run with effects from the others: datum refitted, without and with their form error."""
+    inside = model.rows.run != run
+    train = build(record.only(np.setdiff1d(np.arange(record.runs), [run])))
+    test = build(record.only(np.array([run])))
+    learn, judged = (
+        Noise(noise.sigma[rows], noise.correlation, noise.slip * (part.rows.runs > 1), part.rows.runs)
+        for rows, part in ((inside, train), (~inside, test))
+    )
+    evidence = Evidence(train, learn, grid=(best.spectrum,))
+    active = _refit(train, evidence, best)
+    form = evidence.form_error(evidence.whiten(train.residual(active)), 0)
+    own = test.residual(active)
+    return registered(test, judged, own), registered(test, judged, own - test.form @ form)
 
 
 def _refit(model: Model, evidence: Evidence, best: Hypothesis) -> Active:
     """The best subset fitted to some of the runs; a step within one run is no use for another."""
     known = {e.key for e in model.catalogue}
     effects = tuple(e for e in best.effects if e.key in known or "run" not in e.name)
-    return fit(model, evidence, effects, best.active, Search(1, 0, 0, 0)).active
+    return fit(model, evidence, effects, best.active, Search(1)).active
+
+
+def _by_run(residual: Array, model: Model) -> Array:
+    return np.array([_rms(residual[model.rows.run == run]) for run in range(model.rows.runs)])
 
 
 def _rms(values: Array) -> float:

@@ -1,6 +1,8 @@
 """A subset of the catalogue, fitted exactly and scored."""
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from math import comb, log
 
 import numpy as np
@@ -13,6 +15,8 @@ from cadgen.measurement.models.base import Model, slopes
 
 # Gauss-Newton from the linear estimate settles in two or three steps; more means the subset does not fit.
 _MOST_STEPS = 12
+# However alike two effects are, both together must be narrowed by the data to a tenth of what was thought before.
+LEAST_PRICE = 2 * log(10)
 # A fitted value this close to a bound, relative to the range, stands on it.
 _AT_BOUND = 1e-6
 
@@ -72,6 +76,11 @@ class Hypothesis:
         """Names of the effects that are not anonymous shapes."""
         return frozenset(effect.name for effect in self.effects if not effect.shape)
 
+    @property
+    def holds(self) -> frozenset[str]:
+        """The claims, and the names of what they become for some values."""
+        return self.claims | {effect.includes for effect in self.effects if effect.includes}
+
     def at(self, evidence: Evidence, *, loose: bool) -> "Hypothesis":
         """The same with the spectrum that keeps the floor, or with the one that exceeds it."""
         return replace(self, spectrum=evidence.grid[self.beyond if loose else self.within])
@@ -95,26 +104,29 @@ class Hypothesis:
 
 @dataclass(frozen=True)
 class Search:
-    """How many entries were searched, for the penalty.
+    """What was searched, for the penalty.
 
     Attributes:
         rows: measured numbers.
-        core: entries that combine freely.
-        numerous: entries of which at most a few enter: named ones, and anonymous shapes.
+        entries: how many entries of the catalogue each sort of effect has (orders of waviness, noses); a sort is one
+            cause, however many places it can show in.
+        shapes: anonymous forms.
     """
 
     rows: int
-    core: int
-    numerous: int
-    shapes: int
+    entries: Mapping[str, int] = field(default_factory=dict)
+    shapes: int = 1
 
     def penalty(self, effects: tuple[Effect, ...], parameters: int) -> float:
-        """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(subsets)."""
-        free = sum(not e.numerous for e in effects)
-        named = sum(e.numerous and not e.shape for e in effects)
-        anonymous = sum(e.shape for e in effects)
-        subsets = log(comb(self.core, min(free, self.core))) + named * log(max(self.numerous, 1))
-        return parameters * log(self.rows) + 2 * (subsets + anonymous * log(max(self.shapes, 1)))
+        """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(subsets).
+
+        All sets of so many sorts are alike likely beforehand, and so are the entries of one sort.
+        """
+        named = [e.sort for e in effects if not e.shape]
+        anonymous = len(effects) - len(named)
+        subsets = log(comb(max(len(self.entries), len(named)), len(named)))
+        subsets += sum(log(self.entries.get(sort, 1)) for sort in named)
+        return parameters * log(self.rows) + 2 * (subsets + anonymous * log(self.shapes))
 
 
 def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Active, search: Search) -> Hypothesis:
@@ -177,12 +189,32 @@ def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Ac
         active=active(x),
         covariance=covariance,
         misfit=misfit,
-        penalty=search.penalty(effects, parameters),
+        penalty=search.penalty(effects, parameters) - _overlap(covariance, effects, log(search.rows)),
         within=spectrum,
         beyond=_least(misfit, ~evidence.within),
         spectrum=evidence.grid[spectrum],
         at_bound=tuple(n for n, v, a, b, w in zip(names, x, lower, upper, near, strict=True) if v < a + w or v > b - w),
     )
+
+
+def _overlap(covariance: Array, effects: tuple[Effect, ...], price: float) -> float:
+    """Sum of ln det I_ee over the named effects' blocks of their information I, less ln det I; datum and shapes fitted.
+
+    The price of a parameter, ln n, is that of a prior that knows as much as one row does (Kass and Wasserman 1995).
+    Such a prior belongs to each effect by itself: the data narrow the second of two near twins less, and by so much it
+    costs less.
+    """
+    widths = [len(e.parameters) for e in effects]
+    ends = len(covariance) - sum(widths) + np.cumsum([0, *widths])
+    spans = [np.arange(a, b) for (a, b), e in zip(pairwise(ends), effects, strict=True) if not e.shape]
+    if len(spans) < 2:
+        return 0.0
+    named = np.concatenate(spans)
+    whole = np.linalg.slogdet(covariance[np.ix_(named, named)])[1]
+    information = np.linalg.pinv(covariance[np.ix_(named, named)])
+    cuts = np.cumsum([0, *(len(span) for span in spans)])
+    saved = whole + sum(np.linalg.slogdet(information[a:b, a:b])[1] for a, b in pairwise(cuts))
+    return float(np.clip(saved, 0.0, (len(spans) - 1) * (price - LEAST_PRICE))) if np.isfinite(saved) else 0.0
 
 
 def _least(misfit: Array, among: NDArray[np.bool_]) -> int:

@@ -13,7 +13,6 @@ from itertools import combinations
 import numpy as np
 from scipy.optimize import least_squares
 
-from cadgen.errors import DesignError
 from cadgen.measurement.effects.base import Active, Array, Effect
 from cadgen.measurement.models.base import Model, slopes
 from cadgen.measurement.record import Record
@@ -74,13 +73,8 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
         record: with its runs.
         build: makes the forward model of some of the runs; called once for each run.
 
-    Raises:
-        DesignError: too few runs to leave one out.
+    Fewer than `LEAST_RUNS` runs say nothing sure; with one run, that run is judged as it was fitted.
     """
-    if record.runs < LEAST_RUNS:
-        raise DesignError(
-            f"{record.source}: {record.runs} runs are too few to judge on runs left out; give at least {LEAST_RUNS}"
-        )
     runs = [_Run.of(build(record.only(np.array([k])))) for k in range(record.runs)]
     catalogue = runs[0].model.catalogue
     before = np.array([run.error([]) for run in runs])
@@ -97,6 +91,8 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
 def _excess(trial: Trial, best: Trial) -> float:
     """How much worse than the best, in standard errors of the paired difference over runs."""
     difference = trial.held_out - best.held_out
+    if len(difference) < 2:
+        return np.inf if difference.any() else 0.0
     error = float(difference.std(ddof=1)) / np.sqrt(len(difference))
     return float(difference.mean()) / error if error > 0 else 0.0
 

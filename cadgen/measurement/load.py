@@ -26,12 +26,23 @@ LIMITS = {
     "profile": {"x_mm": (-1e3, 1e3), "y_mm": (-1e3, 1e3)},
     "transmission": {"motor_angle_deg": (-1e6, 1e6), "cam_angle_deg": (-800.0, 800.0)},
     "track": {"cam_angle_deg": (-1.0, 361.0), "x_mm": (-1e6, 1e6), "y_mm": (-1e6, 1e6)},
-    "steered track": {"steering_deg": (-180.0, 180.0)},
-    "zones": {"cam_angle_deg": (0.0, 720.0), "std_deg": (0.0, 90.0), "n": (2.0, 1e9)},
+    "steered track": {
+        "t_s": (0.0, 1e6),
+        "distance_mm": (-1e7, 1e7),
+        "steering_deg": (-180.0, 180.0),
+        "x_mm": (-1e6, 1e6),
+        "y_mm": (-1e6, 1e6),
+        "heading_deg": (-1e5, 1e5),
+    },
+    "zones": {"cam_angle_deg": (0.0, 720.0), "std_deg": (1e-6, 90.0), "n": (2.0, 1e9)},
 }
 # A mistaken unit (rad for deg, um for mm, m for mm) makes every value of a column smaller than this.
 LEAST_SPAN = {"cam_angle_deg": 10.0, "motor_angle_deg": 90.0, "distance_mm": 50.0}
 LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
+# Of one kind: the catalogue has some 2000 columns of them, and must fit into memory. Logs of steering are thinned.
+MOST_ROWS, MOST_LOGGED = 20_000, 200_000
+MOST_TURN_DEG = 400.0  # of a camshaft that is to turn once and come back
+_SHOWN = 200  # characters of a file's own text in a message
 
 
 @dataclass(frozen=True)
@@ -50,22 +61,23 @@ def load(path: Path) -> Record:
             cannot be in its unit, angles that go round twice, or too few rows.
     """
     name = path.name
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise FileError(f"{path}: cannot be read as text ({error}); give a CSV file") from error
+    lines = _text(path).splitlines()
     remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
     body = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
     if not body:
         raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
-    header = [cell.strip() for cell in body[0][1].split(",")]
-    kind = _kind(header, name)
-    rows = list(csv.reader(line for _, line in body[1:]))
     numbers = [n for n, _ in body[1:]]
+    header, *rows = (_cells(line, n, name) for n, line in body)
+    kind = _kind(header, name)
+    if not rows:
+        raise FileError(f"{name}: no row stands under its header; add what was measured")
     for n, row in zip(numbers, rows, strict=True):
         if len(row) != len(header):
-            raise FileError(f"{name}, line {n}: {len(row)} cells under {len(header)} columns; correct the line")
-    table = {column: [row[k].strip() for row in rows] for k, column in enumerate(header)}
+            raise FileError(
+                f"{name}, line {n}: {len(row)} cells under {len(header)} columns; correct the line, with commas "
+                "between cells and decimal points in numbers"
+            )
+    table = {column: [row[k] for row in rows] for k, column in enumerate(header)}
     columns: dict[str, np.ndarray[tuple[int], np.dtype[np.generic]]] = {}
     for column in COLUMNS[kind]:
         cells = table[column]
@@ -84,7 +96,16 @@ def load(path: Path) -> Record:
     run = np.unique(np.array(table["run"]), return_inverse=True)
     first = np.unique(run[1], return_index=True)[1]
     order = np.argsort(np.argsort(first))
-    record = Record(kind=kind, columns=columns, run=order[run[1]].astype(np.intp), remarks=remarks, source=name)
+    number = order[run[1]].astype(np.intp)
+    # Rows of runs that were written in turns are brought together.
+    at = np.argsort(number, kind="stable")
+    record = Record(
+        kind=kind,
+        columns={column: values[at] for column, values in columns.items()},
+        run=number[at],
+        remarks=remarks,
+        source=name,
+    )
     _check(record)
     return record
 
@@ -103,6 +124,14 @@ def printed(record: Record) -> bool:
     return any(re.search(r"\bprinted\b", remark) for remark in record.remarks)
 
 
+def said(record: Record, pattern: str) -> tuple[str, ...]:
+    """What the comment lines say in so many words: the groups of a pattern's first match, or nothing."""
+    for remark in record.remarks:
+        if found := re.search(pattern, remark):
+            return found.groups()
+    return ()
+
+
 def digest(path: Path) -> str:
     """SHA-256 of the file, to be kept with what was learnt from it."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
@@ -119,6 +148,13 @@ def join(records: Sequence[Record]) -> Record:
     kinds = {record.kind for record in records}
     if len(kinds) > 1:
         raise FileError(f"{', '.join(r.source for r in records)}: kinds {sorted(kinds)} cannot be joined as one")
+    rows = sum(len(record.run) for record in records)
+    most = MOST_LOGGED if kinds == {"steered track"} else MOST_ROWS
+    if rows > most:
+        raise FileError(
+            f"{' + '.join(r.source for r in records)}: {rows} rows, more than the {most} that can be judged together; "
+            f"keep one row in {-(-rows // most)}, or give fewer files"
+        )
     if len(records) == 1:
         return records[0]
     before = np.cumsum([0, *(record.runs for record in records)])
@@ -131,25 +167,58 @@ def join(records: Sequence[Record]) -> Record:
     )
 
 
+def _text(path: Path) -> str:
+    try:
+        content = path.read_bytes()
+    except FileNotFoundError:
+        raise FileError(f"there is no file {path}: correct its name") from None
+    except IsADirectoryError:
+        raise FileError(f"{path} is a folder: give the files in it") from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise FileError(f"{path} cannot be read ({reason}): give a CSV file that can") from None
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:
+        raise FileError(f"{path} is not text in UTF-8: give a CSV file")
+    return text
+
+
+def _cells(line: str, number: int, name: str) -> list[str]:
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], strict=True))]
+    except csv.Error as error:
+        raise FileError(f"{name}, line {number}: {error}; correct the line") from None
+
+
 def _kind(header: list[str], name: str) -> Kind:
     """The most demanding kind whose columns are all there; columns of two kinds are a mixture."""
     if len(set(header)) < len(header):
         twice = next(c for c in header if header.count(c) > 1)
         raise FileError(f"{name}: column {twice} stands twice; keep one")
+    if len(header) == 1 and (mark := next((m for m in ";\t" if m in header[0]), None)):
+        told = "semicolons" if mark == ";" else "tabs"
+        raise FileError(f"{name}: its columns are set apart by {told}; save it with commas, and with decimal points")
     lead = {"zones": "zone"}
     exact: list[Kind] = [k for k, c in COLUMNS.items() if set(header) == {lead.get(k, "run"), *c}]
     if exact:
         return exact[0]
     near = max(COLUMNS, key=lambda k: (len(set(COLUMNS[k]) & set(header)), -len(COLUMNS[k])))
     wanted = [lead.get(near, "run"), *COLUMNS[near]]
-    missing = [c for c in wanted if c not in header]
-    extra = [c for c in header if c not in wanted]
+    parts = {
+        "lacks": [c for c in wanted if c not in header],
+        "does not have": [c for c in header if c not in wanted],
+    }
+    told = " and ".join(f"{verb} {_short(', '.join(columns))}" for verb, columns in parts.items() if columns)
     raise FileError(
-        f"{name}: the columns {', '.join(header)} are no kind of measured data; nearest is {near}, which "
-        + "; ".join(
-            [f"lacks {', '.join(missing)}"] * bool(missing) + [f"does not have {', '.join(extra)}"] * bool(extra)
-        )
+        f"{name}: the columns {_short(', '.join(header))} are no kind of measured data; nearest is {near}, which {told}"
     )
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
 
 
 def _numbers(
@@ -162,18 +231,28 @@ def _numbers(
         except ValueError:
             values[k] = np.nan
         if not np.isfinite(values[k]):
-            raise FileError(f"{name}, line {lines[k]}: {column} is {cell!r}; every value must be a finite number")
+            raise FileError(
+                f"{name}, line {lines[k]}: {column} is {_short(repr(cell))}; every value must be a finite number"
+            )
     low, high = limits
     bad = np.flatnonzero((values < low) | (values > high))
     if bad.size:
         raise FileError(
             f"{name}, line {lines[bad[0]]}: {column} is {values[bad[0]]:g}, outside {low:g} to {high:g}; "
-            "check the unit in the header"
+            "check the unit in the header, and number each turn as its own run"
         )
     return values
 
 
 def _check(record: Record) -> None:
+    readings = [np.stack([record[c][record.run == k] for c in _numeric(record)]) for k in range(record.runs)]
+    for later in range(1, record.runs):
+        for earlier in range(later):
+            if np.array_equal(readings[earlier], readings[later]):
+                raise FileError(
+                    f"{record.source}: runs {earlier + 1} and {later + 1} are the same to the last digit; a copy is no "
+                    "repetition: give runs that were measured anew"
+                )
     for run in range(record.runs):
         mine = record.run == run
         if mine.sum() < LEAST_ROWS:
@@ -192,6 +271,14 @@ def _check(record: Record) -> None:
         _refuse_twice(record, key[:, ~whole], "cam_angle_deg")
     if record.kind == "track":
         _refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg")
+    if record.kind == "transmission":
+        for run in range(record.runs):
+            turn = float(np.ptp(record["cam_angle_deg"][record.run == run]))
+            if turn > MOST_TURN_DEG:
+                raise FileError(
+                    f"{record.source}: the cam of run {run + 1} turns by {turn:.0f} degrees, so the angle goes round "
+                    "more than once; number each turn, forward and back, as its own run"
+                )
     if record.kind == "profile":
         turned = np.arctan2(record["y_mm"], record["x_mm"])
         for run in range(record.runs):
@@ -202,6 +289,10 @@ def _check(record: Record) -> None:
                     f"{record.source}: run {run + 1} goes round {abs(swept) / (2 * np.pi):.1f} times; "
                     "number each turn as its own run"
                 )
+
+
+def _numeric(record: Record) -> list[str]:
+    return [name for name, values in record.columns.items() if values.dtype.kind == "f"]
 
 
 def _refuse_twice(record: Record, key: np.ndarray[tuple[int, int], np.dtype[np.generic]], column: str) -> None:

@@ -13,6 +13,8 @@ Index = NDArray[np.intp]
 
 # A lag-one correlation below this many standard errors is none.
 CORRELATION_SIGMAS = 3.0
+# Most cells per row with which means over cells say enough of the noise; else conditions hardly ever repeat.
+MOST_CELLS = 0.75
 # A run's own error of the abscissa is believed in if its chi-square is this many times what noise gives.
 SLIP_RATIO = 6.0
 
@@ -48,8 +50,8 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
     rows = model.rows
     slipping = model.slip.size > 0 and rows.runs > 1
     own = [per_run(rows.run) * model.slip[:, None]] if slipping else []
-    if rows.runs > 1 and rows.cell.min() >= 0:
-        count = np.bincount(rows.cell)
+    count = np.bincount(rows.cell) if rows.cell.min() >= 0 else np.ones(len(residual), dtype=np.intp)
+    if rows.runs > 1 and np.count_nonzero(count) <= MOST_CELLS * len(residual):
         free = np.hstack([model.offsets, *own])
         centred = _less_mean(np.column_stack([free, residual]), rows.cell, count)
         freedom = len(residual) - int(np.count_nonzero(count))

@@ -1,13 +1,13 @@
 """Measured data as it was read: one table of one kind, with its runs."""
 
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.measurement.names import Kind as Kind
+
 Array = NDArray[np.float64]
-Kind = Literal["lift", "profile", "transmission", "track", "steered track", "zones"]
 
 
 @dataclass(frozen=True, kw_only=True)

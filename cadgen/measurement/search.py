@@ -5,6 +5,7 @@ and steps) are tried beside the best of these, one at a time; one that wins join
 After each round the catalogue is linearised anew about the best exact fit, until that no longer changes.
 """
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations, pairwise
@@ -27,7 +28,7 @@ NAMED = 2
 BASES = 20
 ROUNDS = 4
 # Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
-COLLINEAR = 0.9995
+COLLINEAR = 0.99999
 
 
 @dataclass(frozen=True)
@@ -56,13 +57,15 @@ class Numerous:
         self.effects, self.spans = columns.effects, columns.spans
         self.white = evidence.whiten(columns.values)
         self.halves = evidence.halves(self.white)
-        self.widths = np.array([s.stop - s.start for s in self.spans], dtype=np.intp)
+        widths = np.array([s.stop - s.start for s in self.spans], dtype=np.intp)
+        self.groups = [self._group(int(width), np.flatnonzero(widths == width)) for width in np.unique(widths)]
 
-    def index(self, width: int) -> tuple[Index, Index]:
-        """Which effects have so many columns, and the columns, shape (k, width)."""
-        which = np.flatnonzero(self.widths == width)
-        first = np.array([self.spans[i].start for i in which], dtype=np.intp)
-        return which, first[:, None] + np.arange(width)
+    def _group(self, width: int, which: Index) -> tuple[int, Index, Index, Array]:
+        """Effects that have so many columns, the columns, shape (k, width), and their products (g, k, width, width)."""
+        columns = np.array([self.spans[i].start for i in which], dtype=np.intp)[:, None] + np.arange(width)
+        own = np.einsum("nki,nkj->kij", self.white[:, columns], self.white[:, columns])
+        taken = np.einsum("gqki,gqkj->gkij", self.halves[:, :, columns], self.halves[:, :, columns])
+        return width, which, columns, own - taken
 
 
 @dataclass(frozen=True)
@@ -88,8 +91,9 @@ def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
     core = tuple(e for e in model.catalogue if not e.numerous)
     named = tuple(e for e in model.catalogue if e.numerous)
+    entries = Counter(e.sort for e in model.catalogue if not e.shape)
     anonymous = len(model.shapes) + sum(e.shape for e in named)
-    search = Search(len(model.rows.run), len(core), sum(not e.shape for e in named), anonymous)
+    search = Search(len(model.rows.run), entries, max(anonymous, 1))
     none = fit(model, evidence, (), [], search)
     fitted = {none.key: none}
     best = none
@@ -181,11 +185,8 @@ def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> It
     left = np.swapaxes(right, 1, 2)
     target = this.cross[:, -1] - np.einsum("gkm,gk->gm", this.cross[:, held], solved[:, :, -1])
     square = this.products[:, -1, -1] - np.einsum("gk,gk->g", right[:, :, -1], solved[:, :, -1])
-    for width in np.unique(many.widths):
-        which, columns = many.index(int(width))
+    for width, which, columns, own in many.groups:
         a, b = columns[:, :, None], columns[:, None, :]
-        own = np.einsum("nki,nkj->kij", many.white[:, columns], many.white[:, columns])
-        own = own - np.einsum("gqki,gqkj->gkij", many.halves[:, :, columns], many.halves[:, :, columns])
         taken = own - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
         score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, own)
         for row in np.argsort(np.where(sound, score, np.inf))[:3]:

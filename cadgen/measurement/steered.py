@@ -4,9 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cadgen.measurement.diagnose import Candidate, Diagnosis, Finding, Residual, Value
+from cadgen.measurement.diagnose import Candidate, Diagnosis, Finding, PerRun, Residual, Step, Value
 from cadgen.measurement.effects.base import Active, Array
-from cadgen.measurement.leave_out import LeftOut, Trial, leave_runs_out
+from cadgen.measurement.leave_out import LEAST_RUNS, LeftOut, Trial, leave_runs_out
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.record import Record
 from cadgen.measurement.verdict import Judgement, Verdict
@@ -15,18 +15,56 @@ from cadgen.measurement.verdict import Judgement, Verdict
 LEAST_GAIN = 0.1
 
 
-def diagnose_steered(record: Record, build: Callable[[Record], Model]) -> Diagnosis:
-    """Trace the path error of logged runs to effects.
-
-    Raises:
-        DesignError: too few runs.
-    """
+def diagnose_steered(record: Record, build: Callable[[Record], Model], step: Step = lambda text: None) -> Diagnosis:
+    """Trace the path error of logged runs to effects; of fewer than `LEAST_RUNS` runs nothing is claimed."""
+    step(f"{record.source}: leaving runs out")
     model = build(record)
     left_out = leave_runs_out(record, build)
     chosen = left_out.chosen
-    values = np.split(chosen.values, np.cumsum([len(e.parameters) for e in chosen.effects])[:-1])
-    sigmas = np.split(chosen.sigma, np.cumsum([len(e.parameters) for e in chosen.effects])[:-1])
-    findings = tuple(
+    findings = _findings(chosen)
+    active = _active(chosen)
+    as_logged = model.residual([])
+    return Diagnosis(
+        source=record.source,
+        kind=record.kind,
+        unit=model.unit,
+        judgement=_judgement(left_out),
+        findings=findings,
+        datum=(),
+        candidates=tuple(
+            Candidate(tuple(e.name for e in t.effects), t.error, t.error, _findings(t)) for t in left_out.trials
+        ),
+        residual=Residual(
+            before=float(left_out.before.mean()),
+            after=float(chosen.fitted.mean()),
+            held_out=chosen.error,
+            held_out_repeating=float("nan"),
+            noise=float("nan"),
+        ),
+        per_run=PerRun(
+            left_out.before,
+            chosen.fitted,
+            chosen.held_out,
+            np.array([np.sqrt(2 * np.mean(as_logged[model.rows.run == run] ** 2)) for run in range(record.runs)]),
+        ),
+        correlation=float("nan"),
+        place=model.rows.place,
+        run=model.rows.run.astype(float),
+        before=_registered(model, []),
+        after=_registered(model, active),
+        active=active,
+        measured=model.measured,
+    )
+
+
+def _active(trial: Trial) -> Active:
+    cuts = np.cumsum([len(e.parameters) for e in trial.effects])[:-1]
+    return list(zip(trial.effects, np.split(trial.values, cuts), strict=True)) if trial.effects else []
+
+
+def _findings(trial: Trial) -> tuple[Finding, ...]:
+    sigmas = np.split(trial.sigma, np.cumsum([len(e.parameters) for e in trial.effects])[:-1])
+    return tuple(
         Finding(
             effect.name,
             tuple(
@@ -36,29 +74,7 @@ def diagnose_steered(record: Record, build: Callable[[Record], Model]) -> Diagno
             effect.twins,
             (),
         )
-        for effect, value, sigma in zip(chosen.effects, values, sigmas, strict=False)
-    )
-    active = list(zip(chosen.effects, values, strict=False))
-    return Diagnosis(
-        source=record.source,
-        kind=model.kind,
-        unit=model.unit,
-        judgement=_judgement(left_out),
-        findings=findings,
-        datum=(),
-        candidates=tuple(Candidate(tuple(e.name for e in t.effects), t.error, t.error) for t in left_out.trials),
-        residual=Residual(
-            before=float(left_out.before.mean()),
-            after=float(chosen.fitted.mean()),
-            held_out=chosen.error,
-            held_out_repeating=float("nan"),
-            noise=float("nan"),
-        ),
-        correlation=float("nan"),
-        place=model.rows.place,
-        run=model.rows.run.astype(float),
-        before=_registered(model, []),
-        after=_registered(model, active),
+        for (effect, value), sigma in zip(_active(trial), sigmas, strict=False)
     )
 
 
@@ -69,13 +85,16 @@ def _registered(model: Model, active: Active) -> Array:
 
 
 def _judgement(left_out: LeftOut) -> Judgement:
-    chosen, rivals = left_out.chosen, left_out.rivals
+    chosen, rivals, runs = left_out.chosen, left_out.rivals, len(left_out.before)
     gained = 1 - chosen.error / float(left_out.before.mean())
     names = tuple(e.name for e in chosen.effects)
     common = set(names).intersection(*({e.name for e in t.effects} for t in rivals))
     verdict: Verdict
     if not names or gained < LEAST_GAIN:
         verdict, common, sentence = "none", set(), "No effect lowers the path error on runs left out."
+    elif runs < LEAST_RUNS:
+        verdict, common = "ambiguous", set()
+        sentence = f"Consistent with {_told(chosen)}, but too few runs to tell it from chance."
     elif rivals:
         verdict = "ambiguous"
         sentence = f"Consistent with {_told(chosen)}; or {'; or '.join(_told(t) for t in rivals)}."
@@ -86,6 +105,10 @@ def _judgement(left_out: LeftOut) -> Judgement:
             f"{left_out.before.mean():.0f} to {chosen.error:.0f} mm."
         )
     told = [chosen, *rivals] if verdict != "none" else []
+    limits: tuple[str, ...] = ()
+    if runs < LEAST_RUNS:
+        given = "one run" if runs == 1 else f"{runs} runs"
+        limits = (f"{given} only: give at least {LEAST_RUNS}, to judge on runs left out",)
     separate = {e.name: e.separated_by for t in told for e in t.effects}
     return Judgement(
         verdict=verdict,
@@ -94,6 +117,7 @@ def _judgement(left_out: LeftOut) -> Judgement:
         reported=tuple(sorted({e.name for t in told for e in t.effects})),
         rivals=tuple(tuple(e.name for e in t.effects) for t in rivals),
         separate=tuple(f"{name}: {how}" for name, how in separate.items()),
+        limits=limits,
     )
 
 

@@ -1,4 +1,9 @@
-"""Several kinds of data of one car: an effect that shows in more than one of them is one effect."""
+"""Several kinds of data of one car: what one record claims is known to the others.
+
+An effect has a name of its own in each kind of data (play is *backlash* in a track, a *return error* in a train); what
+they mean is one physical thing. Where two records claim it, their values must agree; where one is ambiguous, the claim
+of another leaves only those of its likely subsets that hold it.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,24 +11,60 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import chi2
 
-from cadgen.measurement.diagnose import Diagnosis, Value
+from cadgen.measurement.diagnose import Diagnosis, Finding, Value
+from cadgen.measurement.names import Kind
 
 # Less likely than this, and the values are not those of one effect.
 AGREE = 1e-3
 
+# Physical things -> their names by kind of data, the kind first that shows best what the car does.
+THINGS: dict[str, tuple[tuple[str, str], ...]] = {
+    "return error": (
+        ("track", "backlash"),
+        ("zones", "return error"),
+        ("transmission", "return error"),
+        ("lift", "backlash"),
+        ("lift", "backlash, held by the spring"),
+    ),
+    "cam phase": (("track", "cam phase"), ("lift", "phase")),
+    "eccentric bore": (("profile", "eccentric bore"), ("lift", "eccentric bore")),
+    "worn nose": (("profile", "worn nose"), ("lift", "worn nose")),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """An effect that a record's verdict names: the record's source and kind, and the effect with its values."""
+
+    source: str
+    kind: Kind
+    finding: Finding
+
+    @property
+    def thing(self) -> str:
+        """What it is physically."""
+        return _thing(self.kind, self.finding.effect)
+
+    @property
+    def rank(self) -> int:
+        """Place among the kinds that show this thing, the best first."""
+        places = THINGS.get(self.thing, ())
+        name = (self.kind, self.finding.effect)
+        return places.index(name) if name in places else len(places)
+
 
 @dataclass(frozen=True, slots=True)
 class Shared:
-    """An effect found in several records.
+    """A physical thing found in several records.
 
     Attributes:
-        effect: its name.
+        thing: its name.
         values: means weighted by their variances.
         sources: of the records.
         chance: of values so far apart if they were one effect's.
     """
 
-    effect: str
+    thing: str
     values: tuple[Value, ...]
     sources: tuple[str, ...]
     chance: float
@@ -34,29 +75,80 @@ class Shared:
         return self.chance > AGREE
 
 
-def shared(told: Sequence[Diagnosis]) -> tuple[Shared, ...]:
-    """Effects claimed in two records or more, with their common values."""
-    names = sorted({name for d in told for name in d.judgement.claimed})
+@dataclass(frozen=True, slots=True)
+class Settled:
+    """An ambiguous record that others decide.
+
+    Attributes:
+        claims: what it may now claim.
+        by: claims of the other records that decide it.
+        left: likely subsets that hold these, best first.
+    """
+
+    claims: tuple[Claim, ...]
+    by: tuple[Claim, ...]
+    left: tuple[tuple[str, ...], ...]
+
+
+def claims(told: Diagnosis) -> tuple[Claim, ...]:
+    """What a diagnosis claims."""
+    return tuple(Claim(told.source, told.kind, f) for f in told.findings if f.effect in told.judgement.claimed)
+
+
+def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
+    """Things claimed in two records or more, with their common values."""
     out = []
-    for name in names:
-        found = [(d.source, f) for d in told for f in d.findings if f.effect == name and name in d.judgement.claimed]
-        printed = {tuple(v.name for v in f.values) for _, f in found}
-        if len(found) < 2 or len(printed) > 1:
-            continue
-        values = np.array([[v.value for v in f.values] for _, f in found])
-        weight = 1 / np.array([[v.sigma for v in f.values] for _, f in found]) ** 2
-        mean = np.sum(weight * values, axis=0) / np.sum(weight, axis=0)
-        sigma = 1 / np.sqrt(np.sum(weight, axis=0))
-        square = float(np.sum(weight * (values - mean) ** 2))
-        common = tuple(
-            Value(v.name, float(m), float(s), v.unit) for v, m, s in zip(found[0][1].values, mean, sigma, strict=True)
-        )
-        chance = float(chi2.sf(square, values.size - mean.size))
-        out.append(Shared(name, common, tuple(source for source, _ in found), chance))
+    for thing in dict.fromkeys(claim.thing for claim in found):
+        several = [claim for claim in found if claim.thing == thing]
+        if len({claim.source for claim in several}) > 1:
+            values, chance = _mean([claim.finding for claim in several])
+            out.append(Shared(thing, values, tuple(claim.source for claim in several), chance))
     return tuple(out)
 
 
-def narrowed(told: Diagnosis, others: Sequence[Diagnosis]) -> tuple[str, ...]:
-    """Which of an ambiguous record's likely names another record claims outright."""
-    certain = {name for d in others for name in d.judgement.claimed}
-    return tuple(name for name in told.judgement.reported if name in certain)
+def settled(told: Diagnosis, others: Sequence[Claim]) -> Settled | None:
+    """What the claims of other records decide in an ambiguous one, or None.
+
+    Of its likely subsets those remain that hold every thing that another record claims and that at least one of them
+    holds, with a value that agrees; claimed is what all of them have in common.
+    """
+    likely = {
+        tuple(sorted(f.effect for f in told.findings)),
+        *(tuple(sorted(names)) for names in told.judgement.rivals),
+    }
+    subsets = [c for c in told.candidates if tuple(sorted(c.effects)) in likely]
+    if told.verdict != "ambiguous" or told.runs < 2 or len(subsets) < 2:
+        return None
+    left, by = subsets, []
+    for claim in others:
+        holding = [c for c in left if any(_same(claim, Claim(told.source, told.kind, f)) for f in c.findings)]
+        if holding and len(holding) < len(left):
+            left = holding
+            by.append(claim)
+    common = set(left[0].effects).intersection(*(c.effects for c in left)) - set(told.judgement.claimed)
+    if not by or not common:
+        return None
+    new = tuple(Claim(told.source, told.kind, f) for f in left[0].findings if f.effect in common)
+    return Settled(new, tuple(by), tuple(c.effects for c in left))
+
+
+def _thing(kind: str, effect: str) -> str:
+    return next((thing for thing, names in THINGS.items() if (kind, effect) in names), f"{effect} ({kind})")
+
+
+def _same(one: Claim, other: Claim) -> bool:
+    if one.thing != other.thing:
+        return False
+    return _mean([one.finding, other.finding])[1] > AGREE
+
+
+def _mean(found: Sequence[Finding]) -> tuple[tuple[Value, ...], float]:
+    """Values of one thing, each weighted by its variance, and the chance that they are so far apart."""
+    values = np.array([[v.value for v in f.values] for f in found])
+    weight = 1 / np.array([[v.sigma for v in f.values] for f in found]) ** 2
+    mean = np.sum(weight * values, axis=0) / np.sum(weight, axis=0)
+    sigma = 1 / np.sqrt(np.sum(weight, axis=0))
+    common = tuple(
+        Value(v.name, float(m), float(s), v.unit) for v, m, s in zip(found[0].values, mean, sigma, strict=True)
+    )
+    return common, float(chi2.sf(np.sum(weight * (values - mean) ** 2), values.size - mean.size))

@@ -1,6 +1,8 @@
 """The verdict: what the rivals and what remains allow to be claimed, in one sentence."""
 
 from dataclasses import dataclass, replace
+from itertools import chain, combinations
+from math import log
 from typing import Literal
 
 import numpy as np
@@ -23,9 +25,12 @@ Verdict = Literal[
     "runs disagree",
 ]
 
-# A claim must beat the design without it by this much of the criterion (odds of e^3 to 1 after the penalty).
-CLAIM = 6.0
-# Subsets within this much of the best one are its rivals.
+# A name is claimed if the subsets that hold it have this probability together. That is of the least sure claim; of all
+# claims far more are right (docs/measurement.md).
+SURE = 0.8
+# The same as a difference of the criterion between two subsets: 2 ln(odds).
+MARGIN = 2 * log(SURE / (1 - SURE))
+# Subsets within this much of the best one (odds of 12 to 1) are its rivals, and told beside it.
 RIVAL = 5.0
 # A form error beyond the floor has two numbers more (size and knee) that nothing in the catalogue explains.
 LOOSE = 16.0
@@ -34,8 +39,8 @@ BESIDE_UNKNOWN = 40.0
 # Runs disagree if the chi-square of their smooth differences has this chance or less.
 DISAGREE = 1e-6
 SMOOTH_ORDERS = 6
-# An effect that changes the residual by less than this share of the stated form error is part of it.
-LEAST_OF_FLOOR = 0.5
+# Effects that change the residual by less than this share of the stated form error are part of it.
+LEAST_OF_FLOOR = 0.4
 # RMS over the noise that thousands of rows of noise do not reach.
 LEFT_OVER = 1.3
 # Beside an unknown shape, effects are named only if they account for this share of the square of the residual.
@@ -49,8 +54,8 @@ class Judgement:
     Attributes:
         verdict: its class.
         sentence: in words.
-        claimed: names that every likely subset holds.
-        reported: names in any likely subset.
+        claimed: names that are as good as sure: see `SURE`.
+        reported: these and the names in any likely subset.
         rivals: likely subsets other than the best, best first.
         separate: for each claimed or rival effect, the measurement that would decide.
         limits: what cannot be judged with this data.
@@ -96,20 +101,21 @@ def judge(model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis
 def _within_floor(
     model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis]
 ) -> tuple[Judgement, Hypothesis]:
-    none = next(h for h in found if not h.effects)
+    distinct = _distinct(found)
+    weight = np.exp([(found[0].score - h.score) / 2 for h in distinct])
+    weight /= weight.sum()
     best = found[0]
-    likely = [h for h in found if h.score < best.score + RIVAL]
+    likely = [h for h in distinct if h.score < best.score + RIVAL]
     # A name of the catalogue comes before an anonymous shape that does no better ...
     named = [h for h in likely if h.effects and not any(e.shape for e in h.effects)]
     best = named[0] if named and best.effects else best
+    sure = {n for n in best.holds if sum(w for h, w in zip(distinct, weight, strict=True) if n in h.holds) >= SURE}
     # ... and the smallest subset nested in the best and as likely before the best: what more that holds is not needed.
-    nested = [h for h in found if h.key <= best.reach and h.score < best.score + RIVAL]
+    nested = [h for h in found if h.key <= best.reach and sure <= h.holds and h.score < best.score + MARGIN]
     best = min(nested, key=lambda h: (len(h.key), h.parameters, h.score))
-    if best.score > none.score - CLAIM:
-        best = none
     rivals = [h for h in likely if not best.key <= h.reach]
-    common = best.claims.intersection(*(h.claims for h in rivals)) if rivals else best.claims
-    reported = best.claims.union(*(h.claims for h in rivals)) if best.effects else frozenset[str]()
+    common = best.claims & sure
+    reported = best.claims.union(*(h.claims for h in likely)) if best.effects else frozenset[str]()
     anonymous = any(e.shape for e in best.effects)
     verdict: Verdict
     if not best.effects:
@@ -120,13 +126,13 @@ def _within_floor(
         verdict = "partial"
         if _explained(model, noise, found, best) < MOST:
             common = frozenset()
-    elif rivals and reported != common:
+    elif best.claims != common:
         verdict = "ambiguous"
     else:
         verdict = "traced" if len(best.effects) == 1 else "combination"
     judgement = Judgement(
         verdict=verdict,
-        sentence=_sentence(model, verdict, best, rivals),
+        sentence=_sentence(model, verdict, best, rivals, sorted(reported - best.claims)),
         claimed=tuple(sorted(common)),
         reported=tuple(sorted(reported)),
         rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
@@ -135,11 +141,22 @@ def _within_floor(
     return judgement, best.at(evidence, loose=False)
 
 
+def _distinct(found: list[Hypothesis]) -> list[Hypothesis]:
+    """The best of each set of names: places and widths from which a search began are no rivals of each other."""
+    first: dict[tuple[frozenset[str], int], Hypothesis] = {}
+    for h in found:
+        first.setdefault((h.claims, sum(e.shape for e in h.effects)), h)
+    return list(first.values())
+
+
 def _below_floor(model: Model, noise: Noise, h: Hypothesis) -> bool:
-    """Does an effect of the subset change the registered residual by less than a share of the stated form error?"""
+    """Do effects of the subset, one or some together, change the registered residual by less than a share of the floor?
+
+    Together, because two near twins of opposite sign can make any small shape that neither makes.
+    """
     whole = model.residual(h.active)
-    for effect in h.effects:
-        change = whole - model.residual([(e, v) for e, v in h.active if e is not effect])
+    for some in chain.from_iterable(combinations(h.key, size) for size in range(1, len(h.key) + 1)):
+        change = whole - model.residual([(e, v) for e, v in h.active if e.key not in some])
         if np.sqrt(np.mean(registered(model, noise, change) ** 2)) < LEAST_OF_FLOOR * model.floor:
             return True
     return False
@@ -231,7 +248,7 @@ def _runs_disagree(model: Model, noise: Noise, best: Hypothesis) -> bool:
     return bool(f_distribution.sf(ratio / inflation, extra, left) < DISAGREE)
 
 
-def _sentence(model: Model, verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis]) -> str:
+def _sentence(model: Model, verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> str:
     if verdict == "none":
         return "No effect beyond noise and the stated form error."
     if verdict == "runs disagree":
@@ -240,7 +257,8 @@ def _sentence(model: Model, verdict: Verdict, best: Hypothesis, rivals: list[Hyp
     if verdict in ("traced", "combination"):
         told = f"Traced to {told}{' together' if verdict == 'combination' else ''}"
         twins = [f"{e.name} from {' or '.join(e.twins)}" for e in best.effects if e.twins]
-        return f"{told}; this data cannot tell {' nor '.join(twins)}." if twins else f"{told}."
+        told += f"; this data cannot tell {' nor '.join(twins)}" if twins else ""
+        return f"{told}; less likely but not ruled out: {', '.join(possible)}." if possible else f"{told}."
     if verdict == "untraced shape":
         return f"A shape that no effect of the catalogue makes: {told} ({_numbers(best)})."
     if verdict == "partial":

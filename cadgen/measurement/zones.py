@@ -11,12 +11,16 @@ import numpy as np
 from scipy.stats import norm
 
 from cadgen.errors import FileError
-from cadgen.measurement.effects.base import Array
+from cadgen.measurement.diagnose import Finding, Value
+from cadgen.measurement.effects.transmission import RETURN_ERROR
 from cadgen.measurement.record import Record
+from cadgen.measurement.verdict import Judgement, Verdict
 
 # Turns of the cam per return error in each zone.
 EVENTS = {"smooth": 0.0, "jump": 1.0, "reverse": -1.0}
 CONFIDENCE = 0.95
+# Standard errors that zones of one return error do not stray apart (odds of a thousand to one).
+MOST_MISFIT = 3.3
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +40,7 @@ class Zones:
         return_error_deg, sigma_deg: B and its standard error.
         interval_deg: at `CONFIDENCE`.
         smooth_deg: the turn without an event.
-        misfit: of the number left over, in standard errors.
+        misfit: of what is left over, in standard errors, positive if the smooth zone turned too far.
         compared: tabled values against B.
     """
 
@@ -59,7 +63,7 @@ class Shortfall:
         speed_rpm: mean motor speed.
         ratio: of the train.
         lost_time_s: at full speed.
-        rival_ratio: another ratio that was named, the turn it gives, and how many standard errors that is off.
+        rival_ratio: another ratio that was named, the turn it gives, and how many standard errors that is off; or None.
     """
 
     expected_deg: float
@@ -67,7 +71,7 @@ class Shortfall:
     speed_rpm: float
     ratio: float
     lost_time_s: float
-    rival_ratio: tuple[float, float, float]
+    rival_ratio: tuple[float, float, float] | None
 
 
 def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
@@ -81,8 +85,8 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
         FileError: a zone that is unknown or missing.
     """
     names = [str(zone) for zone in record.columns["zone"]]
-    if sorted(names) != sorted(EVENTS):
-        raise FileError(f"{record.source}: zones {', '.join(names)}; give {', '.join(EVENTS)}, once each")
+    if set(names) != set(EVENTS):
+        raise FileError(f"{record.source}: zones {', '.join(names)}; give {', '.join(EVENTS)}, each at least once")
     mean, error = record["cam_angle_deg"], record["std_deg"] / np.sqrt(record["n"])
     design = np.stack([np.ones(len(names)), np.array([EVENTS[name] for name in names])], axis=1)
     covariance = np.linalg.inv(design.T @ (design / error[:, None] ** 2))
@@ -90,32 +94,54 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
     sigma = sqrt(covariance[1, 1])
     reach = float(norm.ppf((1 + CONFIDENCE) / 2)) * sigma
     compared = tuple(Compared(t, float((B - t) / sigma), bool(abs(B - t) <= reach)) for t in tabled_deg)
-    left = np.array([1.0 if n == "smooth" else -0.5 for n in names])
+    left = (mean - design @ np.array([smooth, B])) / error
+    over = np.sign(left[names.index("smooth")]) * np.sqrt(np.sum(left**2) / (len(names) - 2))
     return Zones(
         return_error_deg=float(B),
         sigma_deg=sigma,
         interval_deg=(float(B - reach), float(B + reach)),
         smooth_deg=float(smooth),
         smooth_sigma_deg=sqrt(covariance[0, 0]),
-        misfit=float(left @ mean / _norm(left * error)),
+        misfit=float(over),
         compared=compared,
     )
 
 
-def shortfall(zones: Zones, *, rpm: float, seconds: float, ratio: float, rival_ratio: float) -> Shortfall:
+def judged(record: Record, zones: Zones) -> tuple[Judgement, Finding]:
+    """The verdict on zones, and the return error as a finding."""
+    low, high = zones.interval_deg
+    told = f"{zones.return_error_deg:.3f}°, {100 * CONFIDENCE:g} % from {low:.3f} to {high:.3f}°"
+    value = Value("return_error_deg", zones.return_error_deg, zones.sigma_deg, "deg")
+    finding = Finding(RETURN_ERROR.name, (value,), (), ())
+    verdict: Verdict
+    if abs(zones.misfit) > MOST_MISFIT:
+        verdict = "unexplained"
+        sentence = (
+            f"The three zones do not agree with one return error, by {abs(zones.misfit):.1f} standard errors: "
+            "check that all runs were started and stopped alike."
+        )
+    elif low <= 0.0:
+        verdict, sentence = "none", f"No return error beyond chance: {told}."
+    else:
+        verdict, sentence = "traced", f"Traced to return error: {told}."
+    names = (finding.effect,) if verdict == "traced" else ()
+    judgement = Judgement(verdict=verdict, sentence=sentence, claimed=names, reported=names, rivals=(), separate=())
+    return judgement, finding
+
+
+def shortfall(zones: Zones, *, rpm: float, seconds: float, ratio: float, rival_ratio: float | None = None) -> Shortfall:
     """Weigh the causes for a turn that is not the expected one; one mean cannot choose between them."""
     expected = rpm / 60 * seconds * 360 / ratio
     share = zones.smooth_deg / expected
-    other = expected * ratio / rival_ratio
+    rival = None
+    if rival_ratio is not None:
+        other = expected * ratio / rival_ratio
+        rival = (rival_ratio, other, (zones.smooth_deg - other) / zones.smooth_sigma_deg)
     return Shortfall(
         expected_deg=expected,
         missing_deg=expected - zones.smooth_deg,
         speed_rpm=rpm * share,
         ratio=ratio / share,
         lost_time_s=seconds * (1 - share),
-        rival_ratio=(rival_ratio, other, (zones.smooth_deg - other) / zones.smooth_sigma_deg),
+        rival_ratio=rival,
     )
-
-
-def _norm(values: Array) -> float:
-    return float(np.sqrt(np.sum(values**2)))

@@ -21,7 +21,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.play import LEAST_SWING, TURN, follow
 from cadgen.path.track import Track
-from cadgen.steering.car import Car, track_curvature
+from cadgen.steering.car import Car, pace, track_curvature
 
 Array = NDArray[np.float64]
 
@@ -99,7 +99,7 @@ def drive(
     Args:
         lift: the cam's.
         car: its dimensions.
-        length: travel of the drive wheel in one turn of the motor's shaft in cam units, mm.
+        length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
         play: return error B, rad.
         start: pose at motor position 0; the origin along x if left out.
         steps: even steps of the result.
@@ -119,9 +119,11 @@ def drive(
     widths = np.diff(nodes)[:, None]
     inside = nodes[:-1, None] + widths * _NODES
     rate = length / TURN
-    turning = rate * track_curvature(following.tan_beta(inside), car) * widths
+    tan_beta = following.tan_beta(inside)
+    going = rate * pace(tan_beta, car)
+    turning = going * track_curvature(tan_beta, car) * widths
     heading = start.heading + np.append(0.0, np.cumsum(turning.mean(axis=1)))
-    travel = rate * widths * np.exp(1j * (heading[:-1, None] + turning @ _MATRIX.T))
+    travel = going * widths * np.exp(1j * (heading[:-1, None] + turning @ _MATRIX.T))
     position = start.x + 1j * start.y + np.append(0.0, np.cumsum(travel.mean(axis=1)))
 
     shown = np.searchsorted(nodes, motor)

@@ -17,7 +17,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import Run
 from cadgen.motion.play import LEAST_SWING, TURN, follow
-from cadgen.steering.car import Car, track_curvature
+from cadgen.steering.car import Car, pace, track_curvature
 
 Array = NDArray[np.float64]
 
@@ -50,8 +50,9 @@ def turning(lift: LiftCurve, car: Car, length: float, start: float, stop: float)
     nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
     half = np.diff(edges) / 2
     theta = (edges[:-1] + half)[:, None] + half[:, None] * nodes
-    curvature = track_curvature(lift.tan_beta(theta), car)
-    return float(length / TURN * np.sum((curvature @ weights) * half))
+    tan_beta = lift.tan_beta(theta)
+    rate = track_curvature(tan_beta, car) * pace(tan_beta, car)
+    return float(length / TURN * np.sum((rate @ weights) * half))
 
 
 def deflections(

@@ -6,8 +6,7 @@
 | `smoothing`    | the paper's smoothed profile: peak and valley values brought down                    |
 | `compensation` | the profile that takes play out: dilation of the wanted lift, made fit to cut        |
 | `band`         | the play to cut it for within a band, and the bound that no profile can better       |
-| `methods`      | profiles and trains by name, alone and combined, and what each does to the run       |
-| `judge`        | the methods judged on the profiles they cut, rolled and run with play                |
+| `judge`        | the methods by name, judged on the profiles they cut: rolled and run with play       |
 | `choice`       | the best of several profiles under limits, with the reasons                          |
 | `fleet`        | many cars at once, each with its own dimensions                                      |
 | `robust`       | Monte Carlo over the tolerances, yield within a gate, sensitivities                  |

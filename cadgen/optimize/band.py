@@ -1,8 +1,8 @@
-"""One profile for a band of return errors: the play it is best cut for, and what no profile can better.
+"""One profile for a band of return errors: the play it is best cut for, and a bound for profiles of its kind.
 
 A car's play is known only to lie in a band. The compensated profile errs by nearly as much for each degree that the
 real play differs from its own, to either side; cut for the right play in between, its worst error over the band is
-least. `fixed_profile_bound` says how much of that is unavoidable.
+least. `fixed_profile_bound` says how much of that no profile with the same peaks and valleys can avoid.
 """
 
 from dataclasses import dataclass
@@ -17,9 +17,9 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
-from cadgen.motion.play import TURN, falls
+from cadgen.motion.play import LEAST_SWING, TURN, falls
 from cadgen.optimize.compensation import compensated_lift
-from cadgen.steering.car import Car, track_curvature
+from cadgen.steering.car import Car, pace, track_curvature
 
 Array = NDArray[np.float64]
 
@@ -81,26 +81,35 @@ class BandResult:
 
 @dataclass(frozen=True, kw_only=True)
 class Bound:
-    """What the worst end of run over a band is at least, whatever the profile: rad and mm."""
+    """What the worst end of run over a band is at least, for profiles with the wanted peaks and valleys: rad and mm."""
 
     heading: float
     distance: float
 
 
 def best_for_band(
-    lift: LiftCurve, follower: Follower, car: Car, length: float, band: tuple[float, float]
+    lift: LiftCurve,
+    follower: Follower,
+    car: Car,
+    length: float,
+    band: tuple[float, float],
+    *,
+    wanted: LiftCurve | None = None,
 ) -> BandResult:
     """The compensated profile whose worst position error at the end of the run, over a band of plays, is least.
 
     For a single play the error falls, then grows, with the play the cam is cut for. So the error at the band's lower
-    end grows with it and that at the upper end falls, and where the two are equal the worse of them is least.
+    end grows with it and that at the upper end falls, and where the two are equal the worse of them is least. A lift
+    that is off the path without any play, such as a smoothed one, may be worse at the same end of the band whatever
+    it is cut for; then one end of the band is best to cut for.
 
     Args:
-        lift: the lift wanted.
+        lift: that is compensated.
         follower: the rod and the faces.
         car: its dimensions.
         length: travel of the drive wheel in one turn of the cam, mm.
         band: least and greatest return error B, rad; the two may be equal.
+        wanted: the lift that the run is compared with; `lift` itself if left out.
 
     Raises:
         DesignError: the band is not one, or the profile cannot be made for it (see `compensated_lift`).
@@ -108,21 +117,35 @@ def best_for_band(
     low, high = _checked(band)
 
     def at(made_for: float, plays: Array) -> BandResult:
-        return over_band(compensated_lift(lift, follower, made_for), lift, car, length, plays, made_for)
+        return over_band(compensated_lift(lift, follower, made_for), wanted or lift, car, length, plays, made_for)
 
     @cache
-    def lower_end_worse(made_for: float) -> float:
-        ends = at(made_for, np.array([low, high])).distance
-        return float(ends[0] - ends[1])
+    def ends(made_for: float) -> tuple[float, float]:
+        lower, upper = at(made_for, np.array([low, high])).distance.tolist()
+        return lower, upper
 
-    made_for = (low + high) / 2
-    if high - low > _TOLERANCE and lower_end_worse(low) < 0 < lower_end_worse(high):
+    def lower_end_worse(made_for: float) -> float:
+        lower, upper = ends(made_for)
+        return lower - upper
+
+    if high - low <= _TOLERANCE:
+        made_for = (low + high) / 2
+    elif lower_end_worse(low) < 0 < lower_end_worse(high):
         made_for = float(brentq(lower_end_worse, low, high, xtol=_TOLERANCE))
+    else:
+        made_for = min((low, high), key=lambda end: max(ends(end)))
     return at(made_for, np.linspace(low, high, BAND_PLAYS))
 
 
 def over_band(
-    cam: LiftCurve, wanted: LiftCurve, car: Car, length: float, plays: Array, made_for: float = 0.0
+    cam: LiftCurve,
+    wanted: LiftCurve,
+    car: Car,
+    length: float,
+    plays: Array,
+    made_for: float = 0.0,
+    *,
+    least: float = LEAST_SWING,
 ) -> BandResult:
     """Errors of any cam at the end of the run for several plays.
 
@@ -133,11 +156,13 @@ def over_band(
         length: travel of the drive wheel in one turn of the cam, mm.
         plays: return errors, shape (n,), rad.
         made_for: the play the cam is cut for, rad; only passed on.
+        least: rises and falls of the cam's tan(beta) smaller than this are noise, not events.
     """
     planned = drive(wanted, car, length, steps=_STEPS)
     stop = wanted.blend_start
     errors = [
-        run_error(drive(cam, car, length, play=play, steps=_STEPS, stop=stop), planned) for play in np.asarray(plays)
+        run_error(drive(cam, car, length, play=play, steps=_STEPS, stop=stop, least=least), planned)
+        for play in np.asarray(plays)
     ]
     return BandResult(
         lift=cam,
@@ -149,9 +174,9 @@ def over_band(
 
 
 def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[float, float]) -> Bound:
-    """A lower bound, to first order in the band's width, on the worst end of run that any one profile has.
+    """A lower bound, to first order in the band's width, on the worst end of run of one profile for all plays.
 
-    It holds for every profile whose lift rises and falls where the wanted one does, and which reaches its peaks, its
+    It holds for every profile with the wanted peaks and valleys, and for no others: whose lift rises and falls where the wanted one does, and which reaches its peaks, its
     valleys and its values where the run starts and stops. Let f be the turning rate that the profile gives over a
     fall. With play B the car meets f(phi + B) there; the rises it meets unchanged. So between the plays at the
     band's ends, D apart, the turning differs by f(phi + D) - f(phi), whose integral over fall k is D M_k, M_k the
@@ -176,7 +201,8 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     for peak, valley in np.concatenate([falls(lift) - TURN, falls(lift)]):
         start, end = max(peak, 0.0), min(valley, stop)
         if start < end:
-            ends = rate * track_curvature(lift.tan_beta(np.array([start, end])), car)
+            tan_beta = lift.tan_beta(np.array([start, end]))
+            ends = rate * track_curvature(tan_beta, car) * pace(tan_beta, car)
             rises.append(float(ends[1] - ends[0]))
             places.append(run.drive_wheel[(run.motor >= start) & (run.motor <= end)])
     angle = np.linspace(0.0, TURN, _DIRECTIONS, endpoint=False)

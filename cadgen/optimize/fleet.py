@@ -19,7 +19,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import Run
 from cadgen.motion.play import LEAST_SWING, TURN, falls
-from cadgen.steering.car import Car
+from cadgen.steering.car import Car, pace, wheel_tangent
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -45,18 +45,19 @@ _STEERING = tuple(PARAMETERS)[:6]
 _MARGIN = 2  # cells of the grid beyond the cam angles that are met
 
 
-def steering_derivatives(contact: Contact, follower: Follower) -> Array:
+def steering_derivatives(contact: Contact, follower: Follower, gain: float = 1.0) -> Array:
     """How tan(beta) at each cam angle changes with the cam's and the rod's dimensions.
 
     The rod, at T = tan(beta), rests on a point of the disc at x = a + w T - h sqrt(1 + T^2), h^2 = r^2 - y^2, and
     no point asks for more; so to first order the point stays the same, and with D = w - h T / sqrt(1 + T^2)
         dT = (-da - T dw + sqrt(1 + T^2) (r / h) dr) / D.
-    A disc cut too large along its normal lifts the rod as a thicker rod would; the wheel turned against the rod
-    adds to beta itself.
+    A disc cut too large along its normal lifts the rod as a thicker rod would; the wheel turned against the rod adds
+    to the angle behind the lever, whose tangent is g T.
 
     Args:
         contact: of the nominal rod on the nominal disc, n cam angles.
         follower: the rod and the faces.
+        gain: g, of the lever.
 
     Returns:
         Shape (6, n): for base_radius, inner_face, outer_face, rod_radius, profile_offset (per mm), steering_zero
@@ -70,7 +71,8 @@ def steering_derivatives(contact: Contact, follower: Follower) -> Array:
     raised = root * stretch / divisor
     inner = w == follower.inner
     face = -T / divisor
-    return np.stack([-1 / divisor, np.where(inner, face, 0.0), np.where(inner, 0.0, face), raised, raised, root**2])
+    zero = (1 + (gain * T) ** 2) / gain
+    return np.stack([-1 / divisor, np.where(inner, face, 0.0), np.where(inner, 0.0, face), raised, raised, zero])
 
 
 @dataclass(frozen=True)
@@ -152,7 +154,7 @@ def make_fleet(
     x, y = (planned.drive_wheel[chosen] - origin).T
     return Fleet(
         tan_beta=contact.tan_beta,
-        derivatives=steering_derivatives(contact, follower),
+        derivatives=steering_derivatives(contact, follower, car.steering_gain),
         falls=falls(lift, least),
         car=car,
         length=length,
@@ -163,7 +165,7 @@ def make_fleet(
     )
 
 
-def run_fleet(fleet: Fleet, deviations: Array, reach: tuple[float, float] | None = None) -> Poses:
+def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
     """Run m cars at once.
 
     The grid carries the trapezoidal rule for heading and position and cubic interpolation between its points, so
@@ -172,34 +174,27 @@ def run_fleet(fleet: Fleet, deviations: Array, reach: tuple[float, float] | None
     Args:
         fleet: the nominal car.
         deviations: shape (m, 14), columns as in `PARAMETERS`.
-        reach: least and greatest cam angle that any car meets, rad; from the deviations if left out. Cars run in
-            several parts get the same numbers if each part is given the reach of all.
     """
     column = dict(zip(PARAMETERS, deviations.T, strict=True))
     play = np.maximum(fleet.play + column["play"], 0.0)
     rate = fleet.length / TURN * (1 + column["wheel_radius"] / fleet.wheel_radius)
-    first, last = reach or cam_reach(fleet, deviations)
+    phase = column["cam_phase"]
+    first, last = float(phase.min()), float(fleet.stations[-1] + phase.max() + play.max())
     track = _Track.of(fleet, column, rate, first, last)
 
-    stretch = _stretches(fleet, play, column["cam_phase"], last)
+    stretch = _stretches(fleet, play, phase, last)
     turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
     zero = np.zeros((len(play), 1))
     heading = column["start_heading"][:, None] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
     position = np.concatenate([zero, np.cumsum(np.exp(1j * heading[:, :-1]) * moved, axis=1)], axis=1)
 
-    motor = fleet.stations + column["cam_phase"][:, None]
+    motor = fleet.stations + phase[:, None]
     at = np.sum(stretch.motor[:, None, :-1] <= motor[:, :, None], axis=2) - 1
     rows = np.arange(len(play))[:, None]
     turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[at])
     position = position[rows, at] + np.exp(1j * heading[rows, at]) * moved
     start = (column["start_x"] + 1j * column["start_y"])[:, None]
     return Poses(heading[rows, at] + turned, start + rate[:, None] * position)
-
-
-def cam_reach(fleet: Fleet, deviations: Array) -> tuple[float, float]:
-    """Least and greatest cam angle that cars with these deviations meet, rad."""
-    phase, play = (deviations[:, list(PARAMETERS).index(name)] for name in ("cam_phase", "play"))
-    return float(phase.min()), float(fleet.stations[-1] + phase.max() + max(fleet.play + play.max(), 0.0))
 
 
 @dataclass(frozen=True)
@@ -237,10 +232,11 @@ def _stretches(fleet: Fleet, play: Array, phase: Array, last: float) -> _Stretch
 
 @dataclass(frozen=True)
 class _Track:
-    """Each car's track without play, by cam angle, in units of its travel per rad: shape (m, j) on an even grid."""
+    """Each car's track without play, by cam angle, in units of its rim's travel per rad: shape (m, j), an even grid."""
 
     first: float
     step: float
+    pace: Array
     turning: Array
     heading: Array
     x: Array
@@ -255,34 +251,35 @@ class _Track:
         # Not `@`: a library's threads would compete with other processes for so small a product.
         T = np.einsum("ci,ij->cj", deviation, fleet.derivatives[:, index % count])
         T += fleet.tan_beta[index % count]
+        # Without slip a single 1 stands for all, and nothing is multiplied.
+        slips = fleet.car.slip != 0
+        going = pace(T, fleet.car) if slips else np.ones((1, 1))
+        T = wheel_tangent(T, fleet.car)
         divisor = T * (fleet.car.drive_wheel_offset + column["drive_wheel_offset"])[:, None]
         divisor += (fleet.car.wheelbase + column["wheelbase"])[:, None]
         turning = np.divide(T, divisor, out=T)
         turning *= -rate[:, None]
+        if slips:
+            turning *= going
         heading = _accumulated(turning, step)
-        return cls(
-            index[0] * step,
-            step,
-            turning,
-            heading,
-            _accumulated(np.cos(heading), step),
-            _accumulated(np.sin(heading), step),
-        )
+        ahead = np.cos(heading), np.sin(heading)
+        x, y = (_accumulated(going * part if slips else part, step) for part in ahead)
+        return cls(index[0] * step, step, np.broadcast_to(going, T.shape), turning, heading, x, y)
 
     def between(self, cam: Array, travel: Array, waits: NDArray[np.bool_]) -> tuple[Array, Complex]:
         """Heading and displacement gained from cam angles over a motor travel, in the car's own frame at the start.
 
         Where `waits` is set the cam stands, and the car runs on a circle.
         """
-        heading, position, turning = self._at(cam)
-        later, there, _ = self._at(cam + np.where(waits, 0.0, travel))
+        heading, position, turning, going = self._at(cam)
+        later, there, _, _ = self._at(cam + np.where(waits, 0.0, travel))
         arc = turning * travel
-        circle = travel * np.sinc(arc / TURN) * np.exp(0.5j * arc)
+        circle = going * travel * np.sinc(arc / TURN) * np.exp(0.5j * arc)
         chord = (there - position) * np.exp(-1j * heading)
         return np.where(waits, arc, later - heading), np.where(waits, circle, chord)
 
-    def _at(self, cam: Array) -> tuple[Array, Complex, Array]:
-        """Heading, position and turning at cam angles, shape (m, q), by cubic Hermite interpolation."""
+    def _at(self, cam: Array) -> tuple[Array, Complex, Array, Array]:
+        """Heading, position, turning and pace at cam angles, shape (m, q), by cubic Hermite interpolation."""
         # Stretches before the start or after the end have no length or no station; they may lie off the grid.
         place = np.clip((cam - self.first) / self.step, 0.0, self.heading.shape[1] - 1.5)
         left = np.floor(place).astype(int)
@@ -295,8 +292,9 @@ class _Track:
         k0, k1, q0, q1 = self.heading[ends], self.heading[others], self.turning[ends], self.turning[others]
         heading = h00 * k0 + h01 * k1 + h10 * q0 + h11 * q1
         z0, z1 = self.x[ends] + 1j * self.y[ends], self.x[others] + 1j * self.y[others]
-        position = h00 * z0 + h01 * z1 + h10 * np.exp(1j * k0) + h11 * np.exp(1j * k1)
-        return heading, position, (1 - u) * q0 + u * q1
+        p0, p1 = self.pace[ends], self.pace[others]
+        position = h00 * z0 + h01 * z1 + h10 * p0 * np.exp(1j * k0) + h11 * p1 * np.exp(1j * k1)
+        return heading, position, (1 - u) * q0 + u * q1, (1 - u) * p0 + u * p1
 
 
 def _accumulated(values: Array, step: float) -> Array:

@@ -9,24 +9,28 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.cam.contact import roll
+from cadgen.cam.contact import Contact
 from cadgen.cam.envelope import ActualProfile, actual_profile
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
+from cadgen.curves.closed import ClosedCurve
+from cadgen.measurement.as_built import AS_DESIGNED, AsBuilt
 from cadgen.motion.drive import Pose, Run, drive
 from cadgen.motion.errors import Event, RunError, deflection_sum, deflections, run_error
 from cadgen.motion.play import LEAST_SWING, TURN
 from cadgen.motion.sampled import rolled_lift
 from cadgen.optimize.band import BAND_PLAYS, BandResult, Bound, PlayBand, best_for_band, fixed_profile_bound, over_band
 from cadgen.optimize.compensation import compensated_lift
-from cadgen.optimize.methods import PROFILES
 from cadgen.optimize.smoothing import smooth_to
 from cadgen.steering.car import Car
 
 Array = NDArray[np.float64]
 
+# A method is a profile and a train. The train enters as its return error alone: the paper's `reordered` train is a
+# smaller one.
+PROFILES = ("actual", "smoothed", "compensated", "smoothed+compensated")
 STATIONS = 3600  # at which the rod is rolled; the run then errs by 0.02 mm
-_OUTLINE_STEP = 0.12  # mm; the run then ends within 0.1 mm of where finer steps take it
+_OUTLINE_STEP = 0.03  # mm; the run then ends within 0.01 mm of where finer steps take it (0.06: 0.06, 0.12: 0.6)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,9 +41,10 @@ class Task:
         lift: the lift wanted by motor position.
         follower: the rod and the faces.
         car: its dimensions.
-        length: travel of the drive wheel in one turn of the cam, mm.
+        length: travel of the drive wheel's rim in one turn of the cam, mm.
         aim: share of its own sum of deflection errors that smoothing takes off.
         start: where runs begin.
+        as_built: what else is known of the car: what becomes of a disc that is cut.
     """
 
     lift: LiftCurve
@@ -48,6 +53,7 @@ class Task:
     length: float
     aim: float
     start: Pose
+    as_built: AsBuilt = AS_DESIGNED
 
     def planned(self) -> Run:
         """The run that is wanted."""
@@ -66,15 +72,19 @@ class Judged:
     Attributes:
         profile: one of `PROFILES`.
         train: its name.
-        play: return error that the profile is cut for, rad.
+        play: return error that the profile is cut for, or, cut for none, at which it is run, rad.
         lift: that it was cut from.
-        cut: the profile.
+        cut: the profile wanted of the finished disc.
+        made: the curve that is cut; `cut` itself unless the car's [as_built] asks for another.
         rolled: lift that the rod gets on it, without play.
         events: of the lift, with their deflection errors at the band's greatest play, as the paper reckons them.
         run: with that play, on the rolled profile.
         error: of that run.
+        deviation: of the run without play: the path that the profile gives away, or needs play to keep.
         band: ends of such runs over the train's band.
         lift_error: lift with play beyond the lift wanted along the run, shape (n,), mm.
+        least: rises and falls of tan(beta) on `rolled` that are smaller are no events.
+        measured: True for the cam that was on the car when it was measured.
     """
 
     profile: str
@@ -82,17 +92,26 @@ class Judged:
     play: float
     lift: LiftCurve
     cut: ActualProfile
+    made: ClosedCurve
     rolled: LiftCurve
     events: tuple[Event, ...]
     run: Run
     error: RunError
+    deviation: RunError
     band: BandResult
     lift_error: Array
+    least: float = LEAST_SWING
+    measured: bool = False
 
     @property
     def name(self) -> str:
         """Profile and train."""
         return f"{self.profile}, {self.train}"
+
+    @property
+    def title(self) -> str:
+        """As it is called in tables and pictures."""
+        return f"cam as measured ({self.profile})" if self.measured else f"{self.profile} profile"
 
     @property
     def worst_lift_error(self) -> float:
@@ -105,15 +124,21 @@ class Judged:
         return deflection_sum(self.events)
 
 
-def play_to_cut_for(task: Task, band: PlayBand) -> float:
+def play_to_cut_for(task: Task, band: PlayBand, lift: LiftCurve | None = None) -> float:
     """The measured play, or else the one that makes the worst end of the run over the band least, rad.
+
+    Args:
+        task: what is wanted.
+        band: return error of the train.
+        lift: that is to be compensated; the one wanted if left out.
 
     Raises:
         DesignError: the lift has no events, or a play of the band does not fit them.
     """
     if band.measured is not None:
         return band.measured
-    return best_for_band(task.lift, task.follower, task.car, task.length, band.ends).made_for
+    base = task.lift if lift is None else lift
+    return best_for_band(base, task.follower, task.car, task.length, band.ends, wanted=task.lift).made_for
 
 
 def judge(
@@ -125,8 +150,9 @@ def judge(
         task: what is wanted.
         train: its name.
         band: its return error.
-        profiles: some of `PROFILES`.
-        play: to cut them for, rad; `play_to_cut_for` if left out.
+        profiles: some of `PROFILES`. Each compensated one is cut for the play that is best for it; the others run
+            at the play of `compensated`.
+        play: of `compensated`, if it is known already, rad; `play_to_cut_for` if left out.
 
     Raises:
         DesignError: the lift has no events, a play of the band does not fit them, or a method cannot be used.
@@ -134,44 +160,94 @@ def judge(
     cut_for = play_to_cut_for(task, band) if play is None else play
     planned = task.planned()
     return tuple(
-        _judged(task, profile, train, cut_for, band, planned, lift)
-        for profile, lift in _lifts(task, cut_for, band.ends[1], profiles).items()
+        _judged(task, profile, train, own, band, planned, lift)
+        for profile, (own, lift) in _lifts(task, cut_for, band, profiles).items()
     )
 
 
 def bound(task: Task, band: PlayBand) -> Bound:
-    """What the worst end of the run over the band is at least, whatever the profile; see `fixed_profile_bound`."""
+    """What the worst end of the run over the band is at least with these peaks and valleys: `fixed_profile_bound`."""
     return fixed_profile_bound(task.lift, task.car, task.length, band.ends)
 
 
-def _lifts(task: Task, play: float, greatest: float, profiles: Sequence[str]) -> dict[str, LiftCurve]:
-    lifts = {"actual": task.lift}
+def _lifts(task: Task, play: float, band: PlayBand, profiles: Sequence[str]) -> dict[str, tuple[float, LiftCurve]]:
+    """Each profile's play and lift."""
+    found = {"actual": (play, task.lift)}
     if any(name.startswith("smoothed") for name in profiles):
-        lifts["smoothed"] = smooth_to(task.lift, task.follower, task.car, task.length, greatest, aim=task.aim)
-    for name, base in (("compensated", "actual"), ("smoothed+compensated", "smoothed")):
-        if name in profiles:
-            lifts[name] = compensated_lift(lifts[base], task.follower, play)
-    return {name: lifts[name] for name in profiles}
+        smoothed = smooth_to(task.lift, task.follower, task.car, task.length, band.ends[1], aim=task.aim)
+        found["smoothed"] = play, smoothed
+        if "smoothed+compensated" in profiles:
+            own = play_to_cut_for(task, band, smoothed)
+            found["smoothed+compensated"] = own, compensated_lift(smoothed, task.follower, own)
+    if "compensated" in profiles:
+        found["compensated"] = play, compensated_lift(task.lift, task.follower, play)
+    return {name: found[name] for name in profiles}
+
+
+def judge_measured(task: Task, profile: str, train: str, band: PlayBand, lift: LiftCurve, made: ClosedCurve) -> Judged:
+    """Let the car as built run on the cam that it was measured with.
+
+    Args:
+        task: what is wanted.
+        profile: of that cam.
+        train: in the car.
+        band: its return error.
+        lift: that the cam was made for.
+        made: what was cut.
+
+    Raises:
+        DesignError: as `judge`.
+    """
+    contact = task.as_built.roll_measured(made, task.follower, _stations(), _OUTLINE_STEP)
+    cam = _Cam(profile, train, play_to_cut_for(task, band), lift, ActualProfile(made, ()), made, contact, measured=True)
+    return _judgement(task, cam, band, task.planned())
+
+
+@dataclass(frozen=True)
+class _Cam:
+    """A cam before its run; as in `Judged`, with the rod's contact on the finished disc."""
+
+    profile: str
+    train: str
+    play: float
+    lift: LiftCurve
+    cut: ActualProfile
+    made: ClosedCurve
+    contact: Contact
+    measured: bool = False
 
 
 def _judged(task: Task, profile: str, train: str, play: float, band: PlayBand, planned: Run, lift: LiftCurve) -> Judged:
     cut = actual_profile(lift, task.follower)
-    stations = np.linspace(0.0, TURN, STATIONS, endpoint=False)
-    contact = roll(cut.curve.outline(_OUTLINE_STEP), task.follower, stations)
-    rolled = rolled_lift(contact, blend_start=task.lift.blend_start)
-    run = task.run(rolled, play)
+    made = task.as_built.precompensated(cut.curve)
+    contact = task.as_built.roll_new(made, task.follower, _stations(), _OUTLINE_STEP)
+    return _judgement(task, _Cam(profile, train, play, lift, cut, made, contact), band, planned)
+
+
+def _stations() -> Array:
+    return np.linspace(0.0, TURN, STATIONS, endpoint=False)
+
+
+def _judgement(task: Task, cam: _Cam, band: PlayBand, planned: Run) -> Judged:
+    rolled = rolled_lift(cam.contact, blend_start=task.lift.blend_start)
+    least = max(LEAST_SWING, task.as_built.unevenness(measured=cam.measured) / task.follower.inner)
+    run = task.run(rolled, cam.play, least=least)
     wanted, got = (task.follower.lift(tangents) for tangents in (planned.tan_beta, run.tan_beta))
     plays = np.linspace(*band.ends, BAND_PLAYS)
     return Judged(
-        profile=profile,
-        train=train,
-        play=play,
-        lift=lift,
-        cut=cut,
+        profile=cam.profile,
+        train=cam.train,
+        play=cam.play,
+        lift=cam.lift,
+        cut=cam.cut,
+        made=cam.made,
         rolled=rolled,
-        events=deflections(lift, task.follower, task.car, task.length, band.ends[1]),
+        events=deflections(cam.lift, task.follower, task.car, task.length, band.ends[1]),
         run=run,
         error=run_error(run, planned),
-        band=over_band(rolled, task.lift, task.car, task.length, plays, play),
+        deviation=run_error(task.run(rolled, 0.0, least=least), planned),
+        band=over_band(rolled, task.lift, task.car, task.length, plays, cam.play, least=least),
         lift_error=got - wanted,
+        least=least,
+        measured=cam.measured,
     )

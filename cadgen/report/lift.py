@@ -1,7 +1,7 @@
 """Lift before and after, and what becomes of it with play (the paper's figures 14 and 16a)."""
 
 from dataclasses import dataclass
-from math import degrees
+from math import degrees, radians
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,7 @@ Array = NDArray[np.float64]
 
 _POINTS = 7200
 _AROUND = 3.5  # times the play, shown to either side of an event
+_LEAST_AROUND = radians(1.0)  # also where there is hardly any play
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,23 +27,27 @@ class LiftPicture:
         title: of the picture.
         follower: for the lift in mm.
         wanted: lift by motor position.
-        before: lift of the actual profile, by cam angle.
+        before: lift of the actual profile, or of the cam that was measured, by cam angle.
+        before_name: what it is called.
         after: of the profile that is compared with it.
         after_name: its name.
         play: return error, rad.
         peak: cam angle of the event shown close, rad; None if there is none.
         valley: the same of a valley.
+        least: rises and falls of tan(beta) that are smaller are no events.
     """
 
     title: str
     follower: Follower
     wanted: LiftCurve
     before: LiftCurve
+    before_name: str
     after: LiftCurve
     after_name: str
     play: float
     peak: float | None
     valley: float | None
+    least: float
 
 
 def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
@@ -56,7 +61,9 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
 
         axes = picture.add_subplot(grid[0, :])
         turn = np.linspace(0.0, 2 * np.pi, _POINTS)
-        axes.plot(np.degrees(turn), _lift(content, content.before.tan_beta(turn)), color=BEFORE, label="actual profile")
+        axes.plot(
+            np.degrees(turn), _lift(content, content.before.tan_beta(turn)), color=BEFORE, label=content.before_name
+        )
         after = _lift(content, content.after.tan_beta(turn))
         axes.plot(np.degrees(turn), after, color=AFTER, linestyle=(0, (5, 2)), label=f"{content.after_name} profile")
         axes.axvspan(degrees(content.wanted.blend_start), 360, color="#eeeeee", zorder=0)
@@ -69,7 +76,7 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
 
         for column, (title, angle) in enumerate(close):
             axes = picture.add_subplot(grid[1, column])
-            near = angle + np.linspace(-_AROUND, _AROUND, 801) * content.play
+            near = angle + np.linspace(-1.0, 1.0, 801) * max(_AROUND * content.play, _LEAST_AROUND)
             x = np.degrees(near)
             axes.plot(x, _lift(content, content.wanted.tan_beta(near)), color=WANTED, linewidth=3.5, alpha=0.25)
             axes.plot(x, _with_play(content, content.before, near), color=BEFORE)
@@ -77,12 +84,12 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
             axes.set(title=f"{title} ({degrees(angle) % 360:.1f}°)", xlabel="motor, as cam angle (°)")
             axes.set_ylabel("lift with play (mm)")
             if column == 0:
-                axes.legend(["wanted", "actual", content.after_name], loc="best")
+                axes.legend(["wanted", content.before_name, content.after_name], loc="best")
 
         axes = picture.add_subplot(grid[2, :])
         wanted = _lift(content, content.wanted.tan_beta(motor))
         for lift, color, style, label in (
-            (content.before, BEFORE, "-", "actual profile"),
+            (content.before, BEFORE, "-", content.before_name),
             (content.after, AFTER, (0, (5, 2)), f"{content.after_name} profile"),
         ):
             off = _with_play(content, lift, motor) - wanted
@@ -101,4 +108,4 @@ def _lift(content: LiftPicture, tan_beta: Array) -> Array:
 
 
 def _with_play(content: LiftPicture, lift: LiftCurve, motor: Array) -> Array:
-    return _lift(content, follow(lift, content.play).tan_beta(motor))
+    return _lift(content, follow(lift, content.play, least=content.least).tan_beta(motor))

@@ -1,4 +1,10 @@
-"""The three-wheeled car: which steering angle drives which curvature."""
+"""The three-wheeled car: which steering angle drives which curvature.
+
+The steering angle of this and all later rooms is the rod's, beta: what the cam gives. On a car as designed the front
+wheel has the same; on a car as built its angle beta_w may be another,
+    tan(beta_w) = tan(atan(g tan(beta)) + beta_0),
+and the drive wheel may go less far than its rim turns where the car turns, by the share slip |tan(beta_w)|.
+"""
 
 from dataclasses import dataclass
 from math import degrees, tan
@@ -20,30 +26,55 @@ class Car:
         wheelbase: L, front fork axis to rear axle, mm.
         drive_wheel_offset: A1, fork axis to the left (driven) wheel, mm.
         idle_wheel_offset: A2, fork axis to the right (idle) wheel, mm.
-        max_steering_angle: what the fork can turn to either side, rad.
+        max_steering_angle: what the front wheel can turn to either side, rad.
+        steering_zero: beta_0, of the front wheel where the rod is straight, rad.
+        steering_gain: g, of the lever.
+        slip: share of the rim's travel lost for each unit of |tan(beta_w)|.
     """
 
     wheelbase: float
     drive_wheel_offset: float
     idle_wheel_offset: float
     max_steering_angle: float
+    steering_zero: float = 0.0
+    steering_gain: float = 1.0
+    slip: float = 0.0
+
+
+def wheel_tangent(tan_beta: Array, car: Car) -> Array:
+    """Tangent of the front wheel's angle for that of the rod: tan(atan(g T) + beta_0), by the addition theorem."""
+    if car.steering_gain == 1 and car.steering_zero == 0:
+        return tan_beta
+    geared, zero = car.steering_gain * tan_beta, tan(car.steering_zero)
+    return (geared + zero) / (1.0 - geared * zero)
+
+
+def pace(tan_beta: Array, car: Car) -> Array:
+    """How far the drive wheel goes for one mm of its rim: 1 - slip |tan(beta_w)|, for the rod's tan(beta)."""
+    return 1.0 - car.slip * np.abs(wheel_tangent(tan_beta, car))
 
 
 def tan_steering(curvature: Array, car: Car) -> Array:
-    """Tangent of the steering angle for a signed curvature of the drive wheel's track.
+    """Tangent of the rod's steering angle for a signed curvature of the drive wheel's track.
 
-    tan(beta) = L k_r / (1 - A1 k_r) with k_r = -curvature (eq. 17-19 with signs; right turns have beta > 0).
+    tan(beta_w) = L k_r / (1 - A1 k_r) with k_r = -curvature (eq. 17-19 with signs; right turns have beta > 0).
     """
-    return -car.wheelbase * curvature / (1.0 + car.drive_wheel_offset * curvature)
+    return _rod_tangent(-car.wheelbase * curvature / (1.0 + car.drive_wheel_offset * curvature), car)
 
 
 def track_curvature(tan_beta: Array, car: Car) -> Array:
-    """Signed curvature of the drive wheel's track for a steering angle, the inverse of `tan_steering`."""
-    return -tan_beta / (car.wheelbase + car.drive_wheel_offset * tan_beta)
+    """Signed curvature of the drive wheel's track for the rod's steering angle, the inverse of `tan_steering`."""
+    wheel = wheel_tangent(tan_beta, car)
+    return -wheel / (car.wheelbase + car.drive_wheel_offset * wheel)
+
+
+def _rod_tangent(wheel: Array, car: Car) -> Array:
+    zero = tan(car.steering_zero)
+    return (wheel - zero) / (1.0 + wheel * zero) / car.steering_gain
 
 
 def steering_jets(track: Track, car: Car) -> Array:
-    """tan(beta) with two derivatives by the track's arc length at the track's nodes, shape (n, 3).
+    """The rod's tan(beta) with two derivatives by the track's arc length at the track's nodes, shape (n, 3).
 
     Raises:
         DesignError: the path turns tighter than the steering can hold, with the place.
@@ -68,4 +99,10 @@ def steering_jets(track: Track, car: Car) -> Array:
         )
     slope = -car.wheelbase / divisor**2
     bend = 2 * car.wheelbase * car.drive_wheel_offset / divisor**3
-    return np.stack([tan_steering(k, car), slope * k1, slope * k2 + bend * k1**2], axis=1)
+    wheel1, wheel2 = slope * k1, slope * k2 + bend * k1**2
+    # From the wheel to the rod: first and second derivative of `_rod_tangent`.
+    zero = tan(car.steering_zero)
+    away = 1.0 + zero * -car.wheelbase * k / divisor
+    rod1 = (1.0 + zero**2) / away**2 / car.steering_gain
+    rod2 = -2 * zero * rod1 / away
+    return np.stack([tan_steering(k, car), rod1 * wheel1, rod1 * wheel2 + rod2 * wheel1**2], axis=1)

@@ -6,8 +6,6 @@ from functools import cached_property
 from math import ceil, degrees, floor, isfinite, log10
 from typing import Any
 
-import numpy as np
-
 from cadgen.cam.blank import CamBlank
 from cadgen.cam.check import Check
 from cadgen.cam.checks import check_cam
@@ -24,7 +22,8 @@ from cadgen.design.section import listed
 from cadgen.errors import CadgenError, DesignError
 from cadgen.optimize.judge import Judged
 from cadgen.path.track import Track
-from cadgen.workflow.play import PLAY_PROFILES, Against, against_play, lift_check, task_of
+from cadgen.workflow.as_built import as_built_facts
+from cadgen.workflow.play import PLAY_PROFILES, Against, MeasuredCam, against_play, lift_check, task_of
 
 Step = Callable[[str], None]
 
@@ -57,8 +56,8 @@ class CamPlan:
         profile: `actual`, `theoretical`, `published` or one of `PLAY_PROFILES`.
         track: of the drive wheel.
         lift: the steering that the profile is cut for: the planned one, or what becomes that one with play.
-        rod: the follower of the design.
-        curve: the profile.
+        rod: the follower of the design, as built.
+        curve: what is cut: the profile, or on a car as built what becomes the profile in its making and on its shaft.
         trims: where the envelope was trimmed.
         blank: what the disc has besides its profile.
         checks: every figure with its verdict.
@@ -80,6 +79,11 @@ class CamPlan:
     def passed(self) -> bool:
         """Whether every check keeps its limit."""
         return all(check.passed for check in self.checks)
+
+    @property
+    def path_end(self) -> float:
+        """Arc length of the track up to which the path steers, mm: there the closing blend begins."""
+        return stages.path_end(self.design, self.track)
 
     @property
     def follower(self) -> Follower:
@@ -150,11 +154,12 @@ class CamPlan:
             "track_length_mm": self.track.length,
             "blend": {
                 "from_cam_angle_deg": degrees(start),
-                "from_track_mm": self.track.length * start / (2 * np.pi),
-                "where": self.track.where(self.track.length * start / (2 * np.pi)),
+                "from_track_mm": self.path_end,
+                "where": self.track.where(self.path_end),
             },
             "profile_area_mm2": self.area,
             "play": None if self.against is None else self.against.facts(),
+            "as_built": as_built_facts(self.design, start),
         }
 
 
@@ -191,6 +196,7 @@ def plan_cam(
     track = stages.track(design)
     lift = stages.lift(design, track)
     rod = stages.follower(design)
+    as_built = stages.as_built(design)
     blank = stages.blank(design)
     limits = stages.check_limits(design)
     step(f"computing the {profile} profile")
@@ -199,17 +205,17 @@ def plan_cam(
         known: dict[str, tuple[Check, ...]] = {}
 
         def check(one: Judged) -> tuple[Check, ...]:
-            if one.profile not in known:
-                found = check_cam(one.lift, rod, one.cut.curve, one.cut.trims, blank, limits)
-                known[one.profile] = (*found, lift_check(design, one))
-            return known[one.profile]
+            if one.name not in known:
+                found = check_cam(one.lift, rod, one.cut.curve, one.cut.trims, blank, limits, cut=one.made)
+                known[one.name] = (*found, lift_check(design, one))
+            return known[one.name]
 
-        against = against_play(design, profile, task_of(design, track, lift, rod), check, all_trains=all_trains)
+        measured = measured_cam(design)
+        task = task_of(design, track, lift, rod)
+        against = against_play(design, profile, task, check, all_trains=all_trains, measured=measured)
         best = against.chosen
         step("checking the profile")
-        return CamPlan(
-            design, profile, track, best.lift, rod, best.cut.curve, best.cut.trims, blank, check(best), against
-        )
+        return CamPlan(design, profile, track, best.lift, rod, best.made, best.cut.trims, blank, check(best), against)
     follower = rod
     match profile:
         case "actual":
@@ -223,8 +229,23 @@ def plan_cam(
             names = ", ".join(("actual", "theoretical", "published", *PLAY_PROFILES))
             raise DesignError(f'there is no profile "{profile}": choose one of {names}')
     step("checking the profile")
-    checks = check_cam(lift, follower, curve, trims, blank, limits)
-    return CamPlan(design, profile, track, lift, rod, curve, trims, blank, checks)
+    made = as_built.precompensated(curve)
+    checks = check_cam(lift, follower, curve, trims, blank, limits, cut=made)
+    return CamPlan(design, profile, track, lift, rod, made, trims, blank, checks)
+
+
+def measured_cam(design: Design) -> MeasuredCam | None:
+    """The cam that was on the car when it was measured, as made from the design without [as_built].
+
+    None if the design has no [as_built].
+
+    Raises:
+        DesignError, CheckError: as `plan_cam`.
+    """
+    if design.as_built is None:
+        return None
+    plan = plan_cam(design.as_designed(), design.as_built.profile)
+    return MeasuredCam(profile=plan.profile, lift=plan.lift, curve=plan.curve)
 
 
 def _cures(plan: CamPlan) -> Iterator[Cure]:

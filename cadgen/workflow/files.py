@@ -19,7 +19,6 @@ from cadgen.curves.spline import splines
 from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_hash, versions, write_manifest
-from cadgen.motion.play import LEAST_SWING
 from cadgen.motion.sampled import rolled_lift
 from cadgen.workflow.cam import CamPlan, Step
 
@@ -122,14 +121,17 @@ class _Job:
         """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play."""
         rolled = roll(outline, self.plan.follower, self.cam_angle)
         error = float(np.abs(rolled.lift - self.rolled[0].lift).max() * 1e3)
-        return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(rolled, lift_limit_um)})
+        return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(outline, rolled, lift_limit_um)})
 
-    def _end_of_run(self, rolled: Contact, lift_limit_um: float) -> dict[str, float]:
+    def _end_of_run(self, outline: Outline, rolled: Contact, lift_limit_um: float) -> dict[str, float]:
         against = self.plan.against
         if against is None:
             return {}
+        as_built = against.task.as_built
+        if as_built.shapes_discs:
+            rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
         # Rises and falls within what the file may err by are no events of the path.
-        least = max(LEAST_SWING, lift_limit_um * 1e-3 / self.plan.rod.inner)
+        least = max(against.chosen.least, lift_limit_um * 1e-3 / self.plan.rod.inner)
         lift = rolled_lift(rolled, blend_start=self.plan.lift.blend_start)
         heading, distance = against.end_of(lift, least)
         return {"end_heading_deg": degrees(heading), "end_position_mm": distance}

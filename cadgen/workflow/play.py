@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import degrees, inf
+from math import degrees, inf, radians
 from typing import Any
 
 import numpy as np
@@ -10,25 +10,36 @@ import numpy as np
 from cadgen.cam.check import Check
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
+from cadgen.curves.closed import ClosedCurve
 from cadgen.design import stages, variation
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
-from cadgen.motion.drive import start_pose
+from cadgen.motion.drive import Run, start_pose
 from cadgen.motion.errors import run_error
 from cadgen.motion.play import LEAST_SWING
 from cadgen.optimize.band import Bound, PlayBand
 from cadgen.optimize.choice import Candidate, Limit, choose
-from cadgen.optimize.judge import Judged, Task, bound, judge
-from cadgen.optimize.methods import PROFILES
+from cadgen.optimize.judge import PROFILES, Judged, Task, bound, judge, judge_measured
 from cadgen.path.track import Track
 
 # What `--profile` may say about play: one method by name, or the best of all.
 PLAY_PROFILES = (*PROFILES[1:], "optimized")
 PAPER_PERCENT = 45.31  # what the paper's two methods together take off its sum of deflection errors
 _ALWAYS, _SMOOTHED = ("actual", "compensated"), ("smoothed", "smoothed+compensated")
-_DECIDES = "worst end position error"
+# An error before that is no greater than this is what rolling errs by: no share of it can be taken off. mm and rad.
+_NO_DISTANCE, _NO_HEADING = 1.0, radians(0.01)
+_LOSS = 0.01  # share of the error before that a file may give away
 
 Checker = Callable[[Judged], Sequence[Check]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeasuredCam:
+    """The cam that was on the car when it was measured: its profile's name, its lift, and the curve it was cut to."""
+
+    profile: str
+    lift: LiftCurve
+    curve: ClosedCurve
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,11 +49,11 @@ class Against:
     Attributes:
         task: what is wanted.
         band: return error of the design's train.
-        before: the actual profile with the train as given.
+        before: the actual profile with the train as given; of a design as built, the cam as it was measured.
         chosen: the profile to be cut.
         judged: all that were compared, `before` and `chosen` among them.
         reasons: a sentence on each, if there was a choice.
-        bound: what no fixed profile betters over the band.
+        bound: what no fixed profile with the same peaks and valleys betters over the band, to first order.
     """
 
     task: Task
@@ -53,16 +64,32 @@ class Against:
     reasons: tuple[str, ...]
     bound: Bound
 
-    def gain(self, one: Judged) -> tuple[float, float]:
-        """Shares of heading and position error at the end, at the play it is cut for, that a profile takes off."""
+    def gain(self, one: Judged) -> tuple[float | None, float | None]:
+        """Shares of heading and position error at the end that a profile takes off; None where there is hardly any.
+
+        Both cars have the same play, that of `one`: what a train with less play saves is told by `worst_gain`.
+        """
+        error = run_error(self.run(self.before, one.play), self.task.planned())
         return (
-            1 - abs(one.error.end_heading / self.before.error.end_heading),
-            1 - one.error.end_distance / self.before.error.end_distance,
+            _off(one.error.end_heading, error.end_heading, _NO_HEADING),
+            _off(one.error.end_distance, error.end_distance, _NO_DISTANCE),
         )
 
-    def worst_gain(self, distance: float) -> float:
-        """Share of the actual profile's worst end position over the band that is off at a given one, mm."""
-        return 1 - distance / self.before.band.worst_distance
+    def worst_gain(self, distance: float) -> float | None:
+        """Share of the first profile's worst end position over its band that is off at a given one, mm."""
+        return _off(distance, self.before.band.worst_distance, _NO_DISTANCE)
+
+    def loses(self, end_distance: float) -> bool:
+        """Whether a file whose run ends so far off, mm, gives away what the profile is for.
+
+        It does if it ends further off than the profile itself by more than one percent of the error before.
+        """
+        error = run_error(self.run(self.before, self.chosen.play), self.task.planned())
+        return end_distance - self.chosen.error.end_distance > max(_LOSS * error.end_distance, _NO_DISTANCE)
+
+    def run(self, one: Judged, play: float) -> Run:
+        """The run on a profile with any play."""
+        return self.task.run(one.rolled, play, least=one.least)
 
     def end_of(self, lift: LiftCurve, least: float = LEAST_SWING) -> tuple[float, float]:
         """Heading (rad) and position error (mm) at the end with the play it is cut for, of what a file gives."""
@@ -83,10 +110,10 @@ class Against:
             "after": _figures(self, self.chosen),
             "compared": [_figures(self, one) for one in self.judged],
             "reasons": list(self.reasons),
-            "bound": {
+            "bound_with_same_peaks_and_valleys": {
                 "worst_end_heading_deg": degrees(self.bound.heading),
                 "worst_end_position_mm": self.bound.distance,
-                "worst_position_percent_off": 100 * self.worst_gain(self.bound.distance),
+                "worst_position_percent_off": _percent(self.worst_gain(self.bound.distance)),
             },
             "paper_percent_off": PAPER_PERCENT,
         }
@@ -96,24 +123,43 @@ def _figures(against: Against, one: Judged) -> dict[str, Any]:
     heading, distance = against.gain(one)
     return {
         "profile": one.profile,
+        "as_measured": one.measured,
         "train": one.train,
+        "return_error_deg": degrees(one.play),
         "deflection_sum_deg": degrees(one.deflection_sum),
         "end_heading_deg": degrees(one.error.end_heading),
         "end_position_mm": one.error.end_distance,
-        "heading_percent_off": 100 * heading,
-        "position_percent_off": 100 * distance,
+        "heading_percent_off": _percent(heading),
+        "position_percent_off": _percent(distance),
         "worst_end_heading_deg": degrees(one.band.worst_heading),
         "worst_end_position_mm": one.band.worst_distance,
-        "worst_position_percent_off": 100 * against.worst_gain(one.band.worst_distance),
+        "worst_position_percent_off": _percent(against.worst_gain(one.band.worst_distance)),
         "greatest_position_on_run_mm": float(one.error.distance.max()),
+        "end_position_without_play_mm": one.deviation.end_distance,
+        "greatest_position_without_play_mm": float(one.deviation.distance.max()),
         "lift_error_um": one.worst_lift_error * 1e3,
     }
 
 
+def _off(error: float, before: float, least: float) -> float | None:
+    return 1 - abs(error / before) if abs(before) > least else None
+
+
+def _percent(share: float | None) -> float | None:
+    return None if share is None else 100 * share
+
+
 def task_of(design: Design, track: Track, lift: LiftCurve, rod: Follower) -> Task:
     """What the methods against play work on."""
-    aim = design.optimize.smoothing_percent / 100
-    return Task(lift=lift, follower=rod, car=stages.car(design), length=track.length, aim=aim, start=start_pose(track))
+    return Task(
+        lift=lift,
+        follower=rod,
+        car=stages.car(design),
+        length=stages.travel(design, track),
+        aim=design.optimize.smoothing_percent / 100,
+        start=start_pose(track),
+        as_built=stages.as_built(design),
+    )
 
 
 def known_trains(design: Design) -> dict[str, PlayBand]:
@@ -131,10 +177,19 @@ def known_trains(design: Design) -> dict[str, PlayBand]:
     return bands
 
 
-def against_play(design: Design, profile: str, task: Task, check: Checker, *, all_trains: bool = False) -> Against:
+def against_play(
+    design: Design,
+    profile: str,
+    task: Task,
+    check: Checker,
+    *,
+    all_trains: bool = False,
+    measured: MeasuredCam | None = None,
+) -> Against:
     """One method, or with `optimized` the best of all that keep the design's limits and the cam's checks.
 
-    If none passes the checks, `optimized` is what it would be without them, for its own checks to tell.
+    If none passes the checks, `optimized` is what it would be without them, for its own checks to tell. Limits and
+    choice go by the worst end over the band, or, if the play was measured, by the end with that play.
 
     Args:
         design: a loaded design.
@@ -142,10 +197,11 @@ def against_play(design: Design, profile: str, task: Task, check: Checker, *, al
         task: what is wanted.
         check: the checks of a profile.
         all_trains: compare the methods on the trains that the design does not use, too.
+        measured: the cam to compare with on a car as built; the actual profile if left out.
 
     Raises:
         DesignError: no play is known, or it does not fit the path.
-        CheckError: no profile keeps the limits of [optimize].
+        CheckError: no profile keeps the limits of [optimize]; says whether one would with the stages in another order.
     """
     bands = known_trains(design)
     own = design.optimize.order
@@ -155,17 +211,25 @@ def against_play(design: Design, profile: str, task: Task, check: Checker, *, al
     for name, band in bands.items():
         if name == own or all_trains:
             found[name] = _judged(task, profile, name, band, reasons)
-        elif name == first:
+        elif name == first and measured is None:
             found[name] = judge(task, name, band, PROFILES[:1])
     chosen = found[own][-1]
     if profile == "optimized":
-        chosen, choice = _best(found[own], limits(design), check)
+        try:
+            chosen, choice = _best(design, found[own], bands[own], check)
+        except CheckError as error:
+            others = {name: band for name, band in bands.items() if name != own}
+            raise CheckError(f"{error}{_other_order(design, task, others, check)}") from error
         reasons += choice
     judged = tuple(one for several in found.values() for one in several)
+    before = judged[0]
+    if measured is not None:
+        before = judge_measured(task, measured.profile, own, bands[own], measured.lift, measured.curve)
+        judged = (before, *judged)
     return Against(
         task=task,
         band=bands[own],
-        before=found[first][0],
+        before=before,
         chosen=chosen,
         judged=judged,
         reasons=tuple(reasons),
@@ -185,16 +249,40 @@ def _judged(task: Task, profile: str, train: str, band: PlayBand, reasons: list[
         return judged
 
 
-def limits(design: Design) -> tuple[Limit, ...]:
+def _other_order(design: Design, task: Task, bands: dict[str, PlayBand], check: Checker) -> str:
+    """What another order of the train's stages would do, in words, if it keeps the limits and the checks."""
+    for name, band in bands.items():
+        try:
+            best, _ = _best(design, _judged(task, "optimized", name, band, []), band, check)
+        except (DesignError, CheckError):
+            continue
+        if all(one.passed for one in check(best)):
+            return (
+                f", or set the stages in the order {name}, with which {best.profile} keeps them all: "
+                f"--set optimize.order={name}"
+            )
+    return ""
+
+
+def decides(band: PlayBand) -> str:
+    """Name of the figure that the choice goes by: with a measured play other cars do not matter."""
+    return "worst end position error" if band.measured is None else "end position error at the measured play"
+
+
+def limits(design: Design, band: PlayBand) -> tuple[Limit, ...]:
     """What [optimize] allows."""
     given = design.optimize
     found = (
-        (_DECIDES, given.max_end_position_mm, "mm"),
-        ("worst end heading error", given.max_end_heading_deg, "degrees"),
+        (decides(band), given.max_end_position_mm, "mm"),
+        (_heading(band), given.max_end_heading_deg, "degrees"),
         ("position error on the run", given.max_run_position_mm, "mm"),
         ("lift error with play", given.max_lift_error_um, "µm"),
     )
     return tuple(Limit(figure=name, most=most, unit=unit) for name, most, unit in found if most is not None)
+
+
+def _heading(band: PlayBand) -> str:
+    return decides(band).replace("position", "heading")
 
 
 def lift_check(design: Design, one: Judged) -> Check:
@@ -212,15 +300,18 @@ def lift_check(design: Design, one: Judged) -> Check:
     )
 
 
-def _best(judged: Sequence[Judged], allowed: Sequence[Limit], check: Checker) -> tuple[Judged, tuple[str, ...]]:
+def _best(
+    design: Design, judged: Sequence[Judged], band: PlayBand, check: Checker
+) -> tuple[Judged, tuple[str, ...]]:
     """The best that also passes its checks; profiles are checked in order of merit, for checks take time."""
+    allowed, least = limits(design, band), decides(band)
     remaining = {one.profile: one for one in judged}
-    candidates = {one.profile: Candidate(name=one.profile, figures=_limited(one)) for one in judged}
+    candidates = {one.profile: Candidate(name=one.profile, figures=_limited(one, band)) for one in judged}
     refused: list[str] = []
-    first = choose(list(candidates.values()), allowed, least=_DECIDES).best.name
+    first = choose(list(candidates.values()), allowed, least=least).best.name
     while remaining:
         try:
-            choice = choose([candidates[name] for name in remaining], allowed, least=_DECIDES)
+            choice = choose([candidates[name] for name in remaining], allowed, least=least)
         except CheckError as error:  # those left were never allowed
             refused.append(f"of the others, {error}")
             break
@@ -232,11 +323,14 @@ def _best(judged: Sequence[Judged], allowed: Sequence[Limit], check: Checker) ->
     return next(one for one in judged if one.profile == first), tuple(refused)
 
 
-def _limited(one: Judged) -> dict[str, float]:
+def _limited(one: Judged, band: PlayBand) -> dict[str, float]:
     """The figures that limits are for, and the one that decides."""
+    heading, distance = one.band.worst_heading, one.band.worst_distance
+    if band.measured is not None:
+        heading, distance = abs(one.error.end_heading), one.error.end_distance
     return {
-        _DECIDES: one.band.worst_distance,
-        "worst end heading error": degrees(one.band.worst_heading),
+        decides(band): distance,
+        _heading(band): degrees(heading),
         "position error on the run": float(one.error.distance.max()),
         "lift error with play": one.worst_lift_error * 1e3,
     }

@@ -18,6 +18,7 @@ from cadgen.optimize.judge import Judged
 from cadgen.report.errors import draw_events
 from cadgen.report.lift import LiftPicture, draw_lift
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
+from cadgen.workflow.as_built import as_built_facts
 from cadgen.workflow.cam import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.files import Written
 from cadgen.workflow.play import Against
@@ -32,9 +33,9 @@ class Simulation:
         against: the plan's.
         play: return error of the runs, rad.
         planned: the run wanted.
-        before: with play on the actual profile.
+        before: with play on the actual profile; of a car as built, on the cam that it was measured with.
         after: with play on the plan's profile.
-        events: of the actual profile, with their deflection errors at that play.
+        events: of that profile, with their deflection errors at that play.
     """
 
     plan: CamPlan
@@ -47,7 +48,7 @@ class Simulation:
 
     @cached_property
     def before_error(self) -> RunError:
-        """Of the actual profile's run."""
+        """Of the run before."""
         return run_error(self.before, self.planned)
 
     @cached_property
@@ -66,6 +67,7 @@ class Simulation:
             "method": self.against.chosen.profile,
             "return_error_deg": degrees(self.play),
             "cut_for_deg": degrees(self.against.chosen.play),
+            "as_built": as_built_facts(self.plan.design, float(self.planned.motor[-1])),
             "events": [
                 {
                     "kind": event.kind,
@@ -106,9 +108,9 @@ def simulate(
         against=against,
         play=play,
         planned=task.planned(),
-        before=task.run(against.before.rolled, play),
-        after=task.run(against.chosen.rolled, play),
-        events=deflections(task.lift, task.follower, task.car, task.length, play),
+        before=against.run(against.before, play),
+        after=against.run(against.chosen, play),
+        events=deflections(against.before.lift, task.follower, task.car, task.length, play),
     )
 
 
@@ -118,10 +120,11 @@ def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text
     Raises:
         FileError: a file cannot be written, or what was read back is not what was meant.
     """
-    plan, against, design = simulation.plan, simulation.against, simulation.plan.design
+    against, design = simulation.against, simulation.plan.design
     stem = f"{design.name}_simulation"
     runs = {"planned": simulation.planned, "before": simulation.before, "after": simulation.after}
-    title = f"{design.name}, return error {degrees(simulation.play):.3f}°"
+    named = design.name if design.as_built is None else f"{design.name}, as built"
+    title = f"{named}, return error {degrees(simulation.play):.3f}°"
     with publishing(out) as staging:
         names = [f"{stem}_tracks.csv"]
         step("writing and reading back the tracks")
@@ -131,13 +134,9 @@ def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text
         names += draw_tracks(
             [
                 TrackPanel(title="planned", run=simulation.planned),
-                TrackPanel(
-                    title="actual profile, with play", run=simulation.before, ends=_ends(against, against.before)
-                ),
-                TrackPanel(
-                    title=f"{against.chosen.profile} profile, with play",
-                    run=simulation.after,
-                    ends=_ends(against, against.chosen),
+                *(
+                    TrackPanel(title=f"{one.title}, with play", run=run, ends=_ends(against, one))
+                    for one, run in ((against.before, simulation.before), (against.chosen, simulation.after))
                 ),
             ],
             simulation.planned,
@@ -146,10 +145,10 @@ def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text
             f"{stem}_tracks",
         )
         lines = [
-            ErrorLine(label=f"{one.profile} profile", at_play=error, at_ends=_at_ends(simulation, one))
+            ErrorLine(label=one.title, at_play=error, at_ends=_at_ends(simulation, one))
             for one, error in ((against.before, simulation.before_error), (against.chosen, simulation.after_error))
         ]
-        names += draw_run_errors(title, lines, plan.track.length, staging, f"{stem}_errors")
+        names += draw_run_errors(title, lines, against.task.length, staging, f"{stem}_errors")
         entry = {
             **simulation.facts(),
             "versions": versions(),
@@ -175,14 +174,14 @@ def write_comparison(plan: CamPlan, out: Path, step: Step = lambda text: None) -
     with publishing(out) as staging:
         step("drawing")
         bars = {
-            f"{one.profile}, {one.train}": one.events
+            f"{_name(one)}, {one.train}": one.events
             for one in against.judged
             if one.profile in ("actual", "smoothed") and one.events
         }
         names = draw_events(f"{plan.design.name}: deflection error by event", bars, staging, f"{stem}_events")
         planned = against.task.planned()
         panels = [
-            TrackPanel(title=f"{one.profile}, {one.train}", run=one.run, ends=_ends(against, one))
+            TrackPanel(title=f"{_name(one)}, {one.train}", run=one.run, ends=_ends(against, one))
             for one in against.judged
         ]
         names += draw_tracks(panels, planned, _field(plan.design), staging, f"{stem}_tracks")
@@ -197,28 +196,33 @@ def lift_picture(simulation: Simulation) -> LiftPicture:
     waits = [event for event in simulation.events if event.kind == "reverse"]
     against = simulation.against
     return LiftPicture(
-        title=simulation.plan.design.name,
+        title=simulation.plan.design.name + ("" if simulation.plan.design.as_built is None else ", as built"),
         follower=against.task.follower,
         wanted=against.task.lift,
         before=against.before.rolled,
+        before_name=against.before.title,
         after=against.chosen.rolled,
         after_name=against.chosen.profile,
         play=simulation.play,
         peak=max(jumps, key=lambda event: event.lift).cam_angle if jumps else None,
         valley=min(waits, key=lambda event: event.lift).cam_angle if waits else None,
+        least=max(against.before.least, against.chosen.least),
     )
+
+
+def _name(one: Judged) -> str:
+    return one.title if one.measured else one.profile
 
 
 def _at_ends(simulation: Simulation, one: Judged) -> tuple[RunError, RunError]:
     low, high = (
-        run_error(simulation.against.task.run(one.rolled, play), simulation.planned)
-        for play in simulation.against.band.ends
+        run_error(simulation.against.run(one, play), simulation.planned) for play in simulation.against.band.ends
     )
     return low, high
 
 
 def _ends(against: Against, one: Judged) -> np.ndarray[Any, np.dtype[np.float64]]:
-    return np.array([against.task.run(one.rolled, play).drive_wheel[-1] for play in one.band.plays])
+    return np.array([against.run(one, play).drive_wheel[-1] for play in one.band.plays])
 
 
 def _field(design: Design) -> Field:

@@ -8,17 +8,17 @@ from typing import Any
 import numpy as np
 
 from cadgen import __version__
-from cadgen.cam.contact import roll
-from cadgen.design import variation
+from cadgen.design import stages, variation
 from cadgen.design.schema import Design
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_facts, versions, write_manifest
 from cadgen.motion.drive import STEPS
 from cadgen.motion.play import TURN
 from cadgen.optimize.fleet import PARAMETERS, Fleet, make_fleet
-from cadgen.optimize.robust import FleetErrors, Sensitivity, sensitivities, tolerance_run
+from cadgen.optimize.robust import FleetEnds, Sensitivity, sensitivities, tolerance_run
 from cadgen.report.errors import FleetPicture, draw_fleet
+from cadgen.workflow.as_built import as_built_facts
 from cadgen.workflow.cam import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.files import Written
 
@@ -33,24 +33,26 @@ class ToleranceRun:
     Attributes:
         plan: of the profile that all cars have.
         seed: of the random numbers.
-        errors: of the cars.
+        ends: of the cars' runs.
+        gates: that they pass on the run, its end included.
         sensitivities: to each tolerance, greatest share first.
     """
 
     plan: CamPlan
     seed: int
-    errors: FleetErrors
+    ends: FleetEnds
+    gates: int
     sensitivities: tuple[Sensitivity, ...]
 
     @property
     def passed(self) -> float:
         """Share of the cars that pass every gate."""
-        return self.errors.yield_within(self.plan.design.tolerances.gate_width_mm)
+        return self.ends.yield_within(self.plan.design.tolerances.gate_width_mm)
 
     def facts(self) -> dict[str, Any]:
         """Figures for the manifest and for machines; the processes that ran make no difference."""
-        design, errors = self.plan.design, self.errors
-        heading = np.degrees(np.abs(errors.heading[:, -1]))
+        design, distance = self.plan.design, self.ends.distance
+        heading = np.degrees(np.abs(self.ends.heading))
         return {
             "design": design.name,
             "source": design.source,
@@ -58,19 +60,17 @@ class ToleranceRun:
             "design_sha256": design.content_hash,
             "cadgen": __version__,
             "profile": self.plan.profile,
-            "samples": len(errors.end_distance),
+            "as_built": as_built_facts(design, self.plan.lift.blend_start),
+            "samples": len(distance),
             "seed": self.seed,
             "law": design.tolerances.law,
             "gate_width_mm": design.tolerances.gate_width_mm,
-            "gates": errors.across.shape[1],
+            "gates": self.gates,
             "yield": self.passed,
             "end_position_mm": {
-                "mean": float(errors.end_distance.mean()),
-                **{
-                    f"{100 * q:g} %": float(v)
-                    for q, v in zip(QUANTILES, errors.quantiles(np.array(QUANTILES)), strict=True)
-                },
-                "greatest": float(errors.end_distance.max()),
+                "mean": float(distance.mean()),
+                **{f"{100 * q:g} %": float(np.quantile(distance, q)) for q in QUANTILES},
+                "greatest": float(distance.max()),
             },
             "end_heading_deg": {
                 "mean of size": float(heading.mean()),
@@ -118,6 +118,7 @@ def run_tolerance(
     Raises:
         DesignError: as `plan_cam`, or nothing varies.
         CheckError: no profile keeps the limits of [optimize].
+        FileError: there is not the memory for so many cars.
     """
     plan = plan_cam(design, profile, step, with_play=True)
     tolerances = variation.tolerances(design)
@@ -130,8 +131,14 @@ def run_tolerance(
     def done(cars: int) -> None:
         step(f"run {min(cars, samples)} of {samples} cars")
 
-    errors = tolerance_run(fleet, tolerances, samples, seed=seed, processes=processes, done=done)
-    return ToleranceRun(plan, seed, errors, found)
+    try:
+        ends = tolerance_run(fleet, tolerances, samples, seed=seed, processes=processes, done=done)
+    except MemoryError as error:
+        raise FileError(
+            f"out of memory for {samples} cars in {processes} processes: lower --samples or --processes, or close "
+            f"other programs"
+        ) from error
+    return ToleranceRun(plan, seed, ends, len(fleet.stations), found)
 
 
 def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None) -> Written:
@@ -145,9 +152,9 @@ def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None
     step("drawing")
     with publishing(out) as staging:
         picture = FleetPicture(
-            title=f"{design.name}, {run.plan.profile} profile, {len(run.errors.end_distance)} cars",
-            along=run.errors.along[:, -1],
-            across=run.errors.across[:, -1],
+            title=f"{design.name}, {run.plan.profile} profile, {len(run.ends.heading)} cars",
+            along=run.ends.along,
+            across=run.ends.across,
             gate_width=design.tolerances.gate_width_mm,
             passed=run.passed,
             shares={one.name: one.share for one in run.sensitivities},
@@ -162,7 +169,7 @@ def _fleet(plan: CamPlan) -> Fleet:
     against = against_of(plan)
     task, grid = against.task, np.linspace(0.0, TURN, STEPS, endpoint=False)
     return make_fleet(
-        roll(plan.curve.outline(_OUTLINE_STEP), task.follower, grid),
+        task.as_built.roll_new(plan.curve, task.follower, grid, _OUTLINE_STEP),
         task.follower,
         task.car,
         task.length,
@@ -177,7 +184,7 @@ def _fleet(plan: CamPlan) -> Fleet:
 def _gates(plan: CamPlan) -> list[int]:
     """Steps of the run at which the car passes the waypoints after the first, and its end."""
     stop = plan.lift.blend_start
-    motor = plan.track.waypoint_arc[1:] / plan.track.length * TURN
+    motor = stages.cam_angle(plan.design, plan.track, plan.track.waypoint_arc[1:])
     steps = np.unique(np.rint(motor[motor < stop] / stop * STEPS).astype(int))
     return [*steps[(steps > 0) & (steps < STEPS)].tolist(), STEPS]
 

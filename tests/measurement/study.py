@@ -1,6 +1,6 @@
 """How often the right effect is named: several hundred synthetic cases, from seeds that no tuning has seen.
 
-    python -m tests.measurement.study [--cases 100] [--seed 1] [--kind lift]
+    python -m tests.measurement.study [--cases 100] [--seed 1] [--kind all]
 
 prints the table of docs/measurement.md.
 """
@@ -9,7 +9,7 @@ import argparse
 import json
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
@@ -221,33 +221,18 @@ def cases(car: syn.Car, kind: str, count: int, seed: int, sorts: Sequence[str] =
             yield draw(car, kind, sort, np.random.default_rng([seed, number, len(sort), len(kind)]))
 
 
-def main() -> None:
-    """Run the study and print a line for each case and the table."""
-    from tests.conftest import build
+@dataclass
+class Tally:
+    """What came out, over the cases of one kind or of all."""
 
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cases", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--kind", default="lift")
-    parser.add_argument("--sorts", nargs="+", default=tuple(SHARES), choices=tuple(SHARES))
-    parser.add_argument("--all", action="store_true", help="print right cases too")
-    parser.add_argument("--dump", help="append every case to this file as a line of JSON")
-    options = parser.parse_args()
-    car = syn.Car(build("carbon_free_car"))
-    tally: dict[str, list[bool]] = {}
-    ratios, off = [], []
-    begin = time.perf_counter()
-    for case in cases(car, options.kind, options.cases, options.seed, options.sorts):
-        try:
-            result = run(car, case)
-        except CadgenError as error:
-            tally.setdefault("refused", []).append(True)
-            print(case.sort, case.truth, "refused:", error)
-            continue
+    marks: dict[str, list[bool]] = field(default_factory=dict)
+    ratios: list[float] = field(default_factory=list)
+    errors: list[float] = field(default_factory=list)
+
+    def add(self, case: Case, result: Diagnosis) -> bool:
+        """Count a case; True if its verdict is right."""
         claimed, reported = result.judgement.claimed, result.judgement.reported
         wrong = any(not any(same(t, c) for t in case.truth) for c in claimed)
-        named = all(any(same(t, c) for c in claimed) for t in case.truth)
-        inside = all(any(same(t, c) for c in reported) for t in case.truth)
         if case.sort == "none":
             marks = {"none: named": bool(claimed), "none: flagged": result.verdict != "none"}
             right = result.verdict == "none"
@@ -256,42 +241,92 @@ def main() -> None:
             marks = {"outside: claimed as traced": full, "outside: a name in a partial verdict": bool(claimed)}
             right = not claimed
         else:
+            named = all(any(same(t, c) for c in claimed) for t in case.truth)
+            inside = all(any(same(t, c) for c in reported) for t in case.truth)
             marks = {f"{case.sort}: named": named, f"{case.sort}: in the set": inside, f"{case.sort}: wrong": wrong}
             right = named and not wrong
-            off += parameter_errors(case, result)
-            ratios.append(result.residual.held_out_repeating / result.residual.noise)
+            self.errors += parameter_errors(case, result)
+            self.ratios.append(result.residual.held_out_repeating / result.residual.noise)
+        self.count(marks)
+        return right
+
+    def count(self, marks: dict[str, bool]) -> None:
+        """Count some marks of one case."""
         for name, value in marks.items():
-            tally.setdefault(name, []).append(value)
-        if options.dump:
-            with open(options.dump, "a") as sink:
-                told = {
-                    "error": parameter_errors(case, result) if case.sort in ("single", "pair") else [],
-                    "sort": case.sort,
-                    "truth": case.truth,
-                    "size": case.size,
-                    "verdict": result.verdict,
-                    "noise": result.residual.noise,
-                    "claimed": claimed,
-                    "reported": reported,
-                    "candidates": [(c.effects, c.score, c.loose_score) for c in result.candidates],
-                }
-                sink.write(json.dumps(told) + "\n")
-        if not right or options.all:
+            self.marks.setdefault(name, []).append(value)
+
+    def join(self, other: "Tally") -> None:
+        """Take in the cases of another."""
+        for name, hits in other.marks.items():
+            self.marks.setdefault(name, []).extend(hits)
+        self.ratios += other.ratios
+        self.errors += other.errors
+
+    def show(self, kind: str) -> None:
+        """Print the column of the table."""
+        for name, hits in self.marks.items():
+            print(f"{kind:12} {name:40} {np.mean(hits):7.1%} of {len(hits)}")
+        wrong = [hit for name, hits in self.marks.items() if name.endswith("wrong") for hit in hits]
+        if self.ratios:
+            print(f"{kind:12} {'single and pair: wrong':40} {np.mean(wrong):7.1%} of {len(wrong)}")
             print(
-                case.sort,
-                case.truth,
-                f"{case.size:.1f} um",
-                f"noise {result.residual.noise:.1f}",
-                result.verdict,
-                claimed,
-                reported,
-                result.judgement.rivals,
-                result.judgement.sentence[:90],
+                f"{kind:12} held out over noise: median {np.median(self.ratios):.3f}, worst {np.max(self.ratios):.3f}"
             )
-    for name, hits in tally.items():
-        print(f"{options.kind:8} {name:40} {np.mean(hits):7.1%} of {len(hits)}")
-    print(f"held out over noise: median {np.median(ratios):.3f}, worst {np.max(ratios):.3f}")
-    print(f"relative error of the parameters: median {np.median(off):.2%}, 90 % below {np.quantile(off, 0.9):.1%}")
+            median, tail = np.median(self.errors), np.quantile(self.errors, 0.9)
+            print(f"{kind:12} relative error of the parameters: median {median:.2%}, 90 % below {tail:.1%}")
+
+
+def _line(case: Case, result: Diagnosis) -> str:
+    """A case in one line of JSON."""
+    told = {
+        "kind": case.kind,
+        "error": parameter_errors(case, result) if case.sort in ("single", "pair") else [],
+        "sort": case.sort,
+        "truth": case.truth,
+        "size": case.size,
+        "verdict": result.verdict,
+        "noise": result.residual.noise,
+        "claimed": result.judgement.claimed,
+        "reported": result.judgement.reported,
+        "candidates": [(c.effects, c.score, c.loose_score) for c in result.candidates],
+    }
+    return json.dumps(told) + "\n"
+
+
+def main() -> None:
+    """Run the study; print a line for each case that is not right, and the table."""
+    from tests.conftest import build
+
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--cases", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--kind", default="all", choices=("all", *KINDS, *DRIVES))
+    parser.add_argument("--sorts", nargs="+", default=tuple(SHARES), choices=tuple(SHARES))
+    parser.add_argument("--all", action="store_true", help="print right cases too")
+    parser.add_argument("--dump", help="append every case to this file as a line of JSON")
+    options = parser.parse_args()
+    car = syn.Car(build("carbon_free_car"))
+    together = Tally()
+    begin = time.perf_counter()
+    for kind in (*KINDS, *DRIVES) if options.kind == "all" else (options.kind,):
+        tally = Tally()
+        for case in cases(car, kind, options.cases, options.seed, options.sorts):
+            try:
+                result = run(car, case)
+            except CadgenError as error:
+                tally.count({"refused": True})
+                print(case.sort, case.truth, "refused:", error)
+                continue
+            right = tally.add(case, result)
+            if options.dump:
+                with open(options.dump, "a") as sink:
+                    sink.write(_line(case, result))
+            if not right or options.all:
+                told = (case.sort, case.truth, f"{case.size:.1f} um, noise {result.residual.noise:.1f}", result.verdict)
+                print(*told, result.judgement.claimed, result.judgement.reported, result.judgement.sentence[:90])
+        tally.show(kind)
+        together.join(tally)
+    together.show("together")
     print(f"{time.perf_counter() - begin:.0f} s")
 
 

@@ -58,7 +58,7 @@ def test_files_of_one_kind_join_with_their_runs_numbered_on(measured):
         ("# only a remark\n", "no table"),
         (LIFT.replace("direction,", ""), "nearest is lift, which lacks direction"),
         (LIFT.replace("lift_mm", "lift_mm,x_mm"), "nearest is lift, which does not have x_mm"),
-        (LIFT.replace("lift_mm", "lift_um"), "lacks lift_mm; does not have lift_um"),
+        (LIFT.replace("lift_mm", "lift_um"), "lacks lift_mm and does not have lift_um"),
         (LIFT.replace("run,", "run,run,", 1), "column run stands twice"),
         (LIFT.replace("0.050", "nan"), "line 7: lift_mm is 'nan'"),
         (LIFT.replace("0.050", "five"), "line 7: lift_mm is 'five'"),
@@ -81,10 +81,10 @@ def test_bad_files_are_refused(text, message, tmp_path):
 
 
 def test_a_missing_file_and_a_binary_one_are_refused(tmp_path):
-    with pytest.raises(FileError, match="cannot be read"):
+    with pytest.raises(FileError, match="there is no file"):
         load(tmp_path / "absent.csv")
     (tmp_path / "binary.csv").write_bytes(b"\xff\xfe\x00\x81")
-    with pytest.raises(FileError, match="cannot be read"):
+    with pytest.raises(FileError, match="is not text in UTF-8"):
         load(tmp_path / "binary.csv")
 
 

@@ -5,7 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from cadgen.measurement.effects.base import Effect, Parameter
 from cadgen.measurement.evidence import Evidence, Spectrum
+from cadgen.measurement.hypothesis import LEAST_PRICE, Search, _overlap
 from cadgen.measurement.models.base import fourier, highest_order, per_run
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Rows
@@ -94,3 +96,43 @@ def test_a_run_set_differently_is_slip_and_not_noise():
 def test_orders_stop_short_of_nyquist():
     angle = np.arange(36) * np.pi / 18
     assert highest_order(angle, np.zeros(36, dtype=int)) == 14  # 0.8 of 18
+
+
+def _effect(name: str, parameters: int = 1, **more: object) -> Effect:
+    sizes = tuple(Parameter(name=f"p{k}_um", unit="um", lower=-9.0, upper=9.0, step=1.0) for k in range(parameters))
+    return Effect(name=name, stage="reading", parameters=sizes, act=lambda thing, p, at: thing, **more)
+
+
+def test_a_cause_with_many_orders_is_one_cause():
+    search = Search(1000, {"scale": 1, "phase": 1, "waviness": 100}, 50)
+    scale, wave, bump = _effect("scale"), _effect("waviness, order 9", 2), _effect("bump", 3, shape=True)
+    # Three causes alike likely; a hundred orders of one of them; fifty shapes; a pair is one of three.
+    assert search.penalty((scale,), 1) == pytest.approx(np.log(1000) + 2 * np.log(3))
+    assert search.penalty((wave,), 2) == pytest.approx(2 * np.log(1000) + 2 * np.log(3 * 100))
+    assert search.penalty((scale, wave), 3) == pytest.approx(3 * np.log(1000) + 2 * np.log(3 * 100))
+    assert search.penalty((bump,), 3) == pytest.approx(3 * np.log(1000) + 2 * np.log(50))
+
+
+@pytest.mark.parametrize("cosine", [0.0, 0.6, 0.8])
+def test_price_of_a_pair_is_that_of_its_bayes_factor(cosine):
+    # Two columns under unit noise, each with a prior as wide as one of n rows tells: the evidence in closed form.
+    n = 400
+    rng = np.random.default_rng(1)
+    u, v = np.linalg.qr(rng.normal(size=(n, 2)))[0].T
+    X = np.sqrt(n) * np.stack([u, cosine * u + np.sqrt(1 - cosine**2) * v], axis=1)
+    y = X @ [0.3, -0.2] + rng.normal(size=n)
+    information = X.T @ X
+    estimate = np.linalg.solve(information, X.T @ y)
+    misfit = np.sum((y - X @ estimate) ** 2)
+    wide = 100.0  # that many times wider: its price and its shrinkage are known, and the latter vanishes
+    exact = y @ np.linalg.solve(np.eye(n) + wide**2 * X @ X.T, y) + np.linalg.slogdet(np.eye(n) + wide**2 * X @ X.T)[1]
+    covariance = np.linalg.inv(information)
+    saved = _overlap(covariance, (_effect("a"), _effect("b")), np.log(n))
+    assert misfit + 2 * np.log(n) - saved == pytest.approx(exact - 4 * np.log(wide), abs=2e-3)
+
+
+def test_the_second_of_two_twins_keeps_a_price():
+    covariance = np.linalg.inv(np.array([[1.0, 0.99999], [0.99999, 1.0]]))
+    twins = (_effect("a"), _effect("b"))
+    assert _overlap(covariance, twins, np.log(1000)) == pytest.approx(np.log(1000) - LEAST_PRICE)
+    assert _overlap(covariance, (_effect("a"), _effect("b", shape=True)), np.log(1000)) == 0.0

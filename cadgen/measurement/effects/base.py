@@ -8,6 +8,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.measurement.names import Place
+
 Array = NDArray[np.float64]
 Thing = TypeVar("Thing")
 
@@ -60,6 +62,8 @@ class Effect:
         shape: True for a form without a name in the catalogue.
         numerous: True if it is one of many of its sort (orders, places): they enter a subset one at a time.
         includes: name of an effect that this one becomes for some values.
+        places: where the effect may be, the likeliest first; any effect may be `noted`.
+        given: numbers that are not fitted but make it this effect, by the names they are written under.
         variant: tells entries of one name apart (which nose, from which width the search begins).
     """
 
@@ -75,11 +79,18 @@ class Effect:
     numerous: bool = False
     variant: str = ""
     includes: str = ""
+    places: tuple[Place, ...] = ("noted",)
+    given: tuple[tuple[str, float], ...] = ()
 
     @property
     def key(self) -> str:
         """Name and variant: what makes two entries different."""
         return f"{self.name} {self.variant}".strip()
+
+    @property
+    def sort(self) -> str:
+        """Name of the cause: what all its orders and places share."""
+        return self.name.partition(",")[0]
 
     @property
     def steps(self) -> Array:

@@ -35,6 +35,11 @@ class Disc:
         return replace(self, points=self.points + along[:, None] * self.normal)
 
 
+# Radius of the hollow at the foot of a ramp that takes a reversal back, where the outline itself is straight, mm.
+LEAST_HOLLOW = 4.0
+_LEAST_TURN = 1e-3  # rad; where the outline is nearly straight
+
+
 def _um(name: str, lower: float = -500.0, upper: float = 500.0) -> Parameter:
     return Parameter(name=name, unit="um", lower=lower, upper=upper, step=10.0)
 
@@ -57,8 +62,49 @@ def _scale(disc: Disc, p: Array, at: object) -> Disc:
 
 def _reversal(disc: Disc, p: Array, at: object) -> Disc:
     """The cutter runs counterclockwise; an axis with lost motion lags half of it behind its own direction."""
-    travel = np.sign(np.stack([-disc.normal[:, 1], disc.normal[:, 0]], axis=1))
-    return replace(disc, points=disc.points - travel * p / 2)
+    return replace(disc, points=disc.points - np.sign(_travel(disc)) * p / 2)
+
+
+def lost_motion(disc: Disc, p: Array, at: object) -> Disc:
+    """The same as the machine does it: a turned axis stands until its command has gone back by all of the lost motion.
+
+    Beside the quadrants this is `_reversal`, which jumps there and is what a record is compared with.
+    """
+    axes = [_dragged(values, width) for values, width in zip(disc.points.T, p, strict=True)]
+    return replace(disc, points=np.stack(axes, axis=1))
+
+
+def _dragged(asked: Array, width: float) -> Array:
+    """The play operator on a closed path, y_i = clip(y_(i-1), u_i - width/2, u_i + width/2), after a first round."""
+    half, y, out = abs(width) / 2, float(asked[0]), np.empty(len(asked))
+    for _ in range(2):
+        for i, u in enumerate(asked.tolist()):
+            y = min(max(y, u - half), u + half)
+            out[i] = y
+    # An axis that was overcorrected leads by as much as it would lag.
+    return out if width >= 0 else 2 * asked - out
+
+
+def ramped_reversal(disc: Disc, p: Array, at: Array) -> Disc:
+    """The same with ramps instead of the jumps where an axis turns round: what an outline can have of it.
+
+    Over s to either side of a quadrant the direction turns by s times the curvature, and a ramp of height p has the
+    curvature 1.44 p / s^2 at its foot; s is such that this is that of the least hollow.
+
+    Args:
+        disc: to be changed.
+        p: lost motion of both axes, mm.
+        at: curvature of the outline, shape (n,), mm^-1.
+    """
+    reach = np.sqrt(1.44 * np.abs(p) * LEAST_HOLLOW)
+    turn = np.maximum(np.abs(at)[:, None] * reach, _LEAST_TURN)
+    share = np.clip(_travel(disc) / turn, -1.0, 1.0)
+    return replace(disc, points=disc.points - share * (15 - 10 * share**2 + 3 * share**4) / 8 * p / 2)
+
+
+def _travel(disc: Disc) -> Array:
+    """Direction in which the cutter runs, shape (n, 2)."""
+    return np.stack([-disc.normal[:, 1], disc.normal[:, 0]], axis=1)
 
 
 ECCENTRIC_BORE = Effect(
@@ -66,6 +112,7 @@ ECCENTRIC_BORE = Effect(
     stage="disc",
     parameters=(_um("eccentric_x_um"), _um("eccentric_y_um")),
     act=_eccentric,
+    places=("part", "process", "car"),
     confused_with="a wobbling camshaft, or run-out of the shaft, in lift data",
     separated_by="measure the profile about the bore on a CMM",
 )
@@ -74,6 +121,7 @@ CUTTER_COMPENSATION = Effect(
     stage="disc",
     parameters=(_um("cutter_offset_um"),),
     act=_offset,
+    places=("process", "part"),
     confused_with="uniform scale (they differ only where the outline is not a circle)",
     separated_by="measure a feature of known size that the same cutter made inside, such as a pocket: "
     "its error has the other sign for an offset",
@@ -83,6 +131,7 @@ UNIFORM_SCALE = Effect(
     stage="disc",
     parameters=(_percent("scale_percent"),),
     act=_scale,
+    places=("process", "part"),
     family="scale",
     confused_with="cutter compensation",
     separated_by="measure the distance of two hole centres: an offset leaves it, a scale does not",
@@ -92,6 +141,7 @@ ANISOTROPIC_SCALE = Effect(
     stage="disc",
     parameters=(_percent("scale_x_percent"), _percent("scale_y_percent")),
     act=_scale,
+    places=("process", "part"),
     family="scale",
     includes="uniform scale",
     confused_with="lobing of order two",
@@ -102,6 +152,7 @@ AXIS_REVERSAL = Effect(
     stage="disc",
     parameters=(_um("reversal_x_um", -200.0, 200.0), _um("reversal_y_um", -200.0, 200.0)),
     act=_reversal,
+    places=("process", "part"),
     confused_with="an eccentric bore if only one half was measured",
     separated_by="cut a circle on the same machine and look for steps at the four quadrants",
 )
@@ -127,6 +178,7 @@ def undulation(order: int) -> Effect:
         stage="disc",
         parameters=(_um(f"{sort}_cos_um"), _um(f"{sort}_sin_um")),
         act=_harmonic(order),
+        places=("part",),
         numerous=True,
         confused_with="anisotropic scale" if order == 2 else "the stylus or spindle of the measuring machine",
         separated_by="measure again with the disc clocked by 90 degrees: what turns with it is the disc's",
@@ -156,8 +208,10 @@ def worn_nose(number: int, width_deg: float) -> Effect:
             Parameter(name="worn_width_deg", unit="deg", lower=1.5, upper=10.0, step=0.2, start=width_deg),
         ),
         act=act,
+        places=("part",),
         family="worn nose",
         variant=f"at {number} from {width_deg:g}",
+        given=(("nose_number", number + 1),),
         numerous=True,
         confused_with="a dent, or a local error of the cutter's path",
         separated_by="compare with a new cam, or look at the nose under a lens: wear is polished",

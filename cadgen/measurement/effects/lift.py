@@ -86,12 +86,14 @@ def _drift(reading: Array, p: Array, at: Readings) -> Array:
 
 
 LIFT_EFFECTS = (
-    ECCENTRIC_BORE,
+    # The shaft's run-out looks the same, and stays with the car.
+    replace(ECCENTRIC_BORE, places=("car", "part", "process")),
     Effect(
         name="phase",
         stage="angle",
         parameters=(Parameter(name="phase_deg", unit="deg", lower=-5.0, upper=5.0, step=0.05),),
         act=_phase,
+        places=("car",),
         twins=("zero of the divider",),
         confused_with="backlash held by the spring",
         separated_by="mark the keyway and read the divider at the mark",
@@ -101,6 +103,7 @@ LIFT_EFFECTS = (
         stage="follower",
         parameters=(_um("rod_radius_um", 1500.0),),
         act=_rod,
+        places=("car",),
         twins=("cutter compensation",),
         confused_with="cutter compensation of the profile",
         separated_by="measure the rod with a micrometer, or the profile on a CMM",
@@ -119,6 +122,7 @@ LIFT_EFFECTS = (
         stage="follower",
         parameters=(_um("axial_offset_um", 4000.0),),
         act=_axial,
+        places=("car",),
         confused_with="lever gain",
         separated_by="measure the distance from the fork axis to the disc's faces",
     ),
@@ -143,6 +147,7 @@ LIFT_EFFECTS = (
         stage="angle",
         parameters=(Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=5.0, step=0.05),),
         act=_held_by_friction,
+        places=("car",),
         family="backlash",
         confused_with="lost motion by friction",
         separated_by="hold the drive still and turn the camshaft to and fro by hand",
@@ -152,6 +157,7 @@ LIFT_EFFECTS = (
         stage="angle",
         parameters=(Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=5.0, step=0.05),),
         act=_held_by_spring,
+        places=("car",),
         family="backlash",
         confused_with="lost motion by friction",
         separated_by="hold the drive still and turn the camshaft to and fro by hand",

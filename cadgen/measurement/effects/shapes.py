@@ -14,8 +14,8 @@ from cadgen.measurement.record import Rows
 _TURN = 2 * np.pi
 BUMP_WIDTHS_DEG = (2.0, 4.0, 8.0, 16.0)
 BUMP_PITCH = 0.75  # centres per half-width: a bump between two centres loses under 4 % of its square
-SECTOR_HALVES_DEG = (15.0, 30.0, 60.0)
-SECTOR_PITCH = 0.5  # centres per half-width
+SECTORS_DEG = np.arange(30.0, 121.0, 10.0)
+SECTOR_PITCH_DEG = 10.0  # between edges: a fit finds its way to an edge five degrees off, not to one ten degrees off
 EDGE = np.radians(2.0)
 STEPS_PER_RUN = 24
 
@@ -102,7 +102,8 @@ def shapes(rows: Rows, unit: str, orders: NDArray[np.intp] | range) -> tuple[Eff
         centres = np.arange(0.0, 360.0, BUMP_PITCH * width)
         near = np.min(np.abs((rows.place[:, None] - np.radians(centres) + np.pi) % _TURN - np.pi), axis=0)
         forms += [bump(float(c), width, unit) for c in centres[near < np.radians(width)]]
-    for half in SECTOR_HALVES_DEG:
-        forms += [sector(float(c), half, unit) for c in np.arange(0.0, 360.0, SECTOR_PITCH * half)]
+    for wide in SECTORS_DEG:
+        first = np.arange(0.0, 360.0, SECTOR_PITCH_DEG)
+        forms += [sector(float(edge + wide / 2) % 360, float(wide) / 2, unit) for edge in first]
     places = np.linspace(-0.5, 0.5, STEPS_PER_RUN + 2)[1:-1]
     return (*forms, *(step(run, float(when), unit) for run in range(rows.runs) for when in places))

@@ -1,7 +1,7 @@
 """Effects of the car that a cam steers, as its track shows them.
 
-Stages: `drive` (the `Drive`: numbers of the car and its train), `cam` (cam angle), `steering` (tan beta). `at` are
-the `Rows` of the stations.
+Stages: `drive` (the `Drive`: numbers of the car and its train), `cam` (cam angle), `lever` (tan beta of the rod ->
+of the fork), `steering` (-> of the front wheel). `at` are the `Rows` of the stations.
 
 A gain of the lever and an error of the wheelbase turn every curvature into the same other one,
 -(1 + g) T / (L + A1 (1 + g) T) = -T / (L / (1 + g) + A1 T), so no track can tell them apart; nor, but for a second
@@ -71,15 +71,17 @@ TRACK_EFFECTS = (
         stage="steering",
         parameters=(Parameter(name="steering_zero_deg", unit="deg", lower=-5.0, upper=5.0, step=0.005),),
         act=_zero,
+        places=("car",),
         twins=("yaw of the axle",),
         confused_with="yaw of the rear axle, a dial or micrometer head set to another base distance",
         separated_by="push the car straight with the lever locked at zero and see where it goes",
     ),
     Effect(
         name="lever gain",
-        stage="steering",
+        stage="lever",
         parameters=(Parameter(name="gain_percent", unit="%", lower=-20.0, upper=20.0, step=0.05),),
         act=_gain,
+        places=("car",),
         twins=("wheelbase",),
         confused_with="wheelbase",
         separated_by="measure the wheelbase, or the lift by a dial",
@@ -89,6 +91,7 @@ TRACK_EFFECTS = (
         stage="drive",
         parameters=(Parameter(name="wheel_radius_percent", unit="%", lower=-10.0, upper=10.0, step=0.02),),
         act=_length,
+        places=("car",),
         twins=("ratio of cam and wheel",),
         confused_with="wrong ratio between cam and wheel",
         separated_by="roll the car ten turns of the wheel along a rule",
@@ -98,6 +101,7 @@ TRACK_EFFECTS = (
         stage="drive",
         parameters=(Parameter(name="drive_wheel_offset_mm", unit="mm", lower=-30.0, upper=30.0, step=0.1),),
         act=_offset,
+        places=("car",),
         confused_with="lever gain where the turns all go one way",
         separated_by="measure from the fork axis to the middle of the tyre",
     ),
@@ -106,6 +110,7 @@ TRACK_EFFECTS = (
         stage="drive",
         parameters=(Parameter(name="slip_percent", unit="%", lower=-20.0, upper=50.0, step=0.2),),
         act=_slip,
+        places=("car",),
         confused_with="wheel radius",
         separated_by="run a long straight and a tight circle, each by the turns of the wheel",
     ),
@@ -114,6 +119,7 @@ TRACK_EFFECTS = (
         stage="cam",
         parameters=(Parameter(name="phase_deg", unit="deg", lower=-10.0, upper=10.0, step=0.02),),
         act=_phase,
+        places=("car",),
         confused_with="backlash",
         separated_by="mark the keyway and the rod's place at the start",
     ),
@@ -122,6 +128,7 @@ TRACK_EFFECTS = (
         stage="drive",
         parameters=(Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=4.0, step=0.02),),
         act=_play,
+        places=("car",),
         confused_with="cam phase, steering zero",
         separated_by="hold the motor and turn the camshaft to and fro: an inclinometer shows the play",
     ),

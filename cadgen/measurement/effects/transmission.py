@@ -61,6 +61,7 @@ RETURN_ERROR = Effect(
     stage="play",
     parameters=(_deg("return_error_deg", 5.0, 0.0),),
     act=_play,
+    places=("car",),
     twins=("wind-up under friction", "lag at one speed"),
     confused_with="lag of an encoder, twist of the shafts under friction",
     separated_by="measure at two speeds and with a weight on the rod: lag follows the speed, twist the torque",

@@ -56,6 +56,10 @@ class Model(Protocol):
     def slip(self) -> Array:
         """Response to an error of the abscissa that a whole run shares, shape (n,); empty if none can be."""
 
+    @property
+    def measured(self) -> Array | None:
+        """Coordinate of each row of a track, mm; None for what is no track."""
+
     def residual(self, active: Active) -> Array:
         """Measured less expected with some effects active, shape (n,), internal units."""
 

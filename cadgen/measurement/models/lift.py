@@ -10,6 +10,7 @@ from cadgen.cam.contact import roll
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
+from cadgen.errors import DesignError
 from cadgen.measurement.effects.base import Active, Array, Effect, through
 from cadgen.measurement.effects.disc import Disc
 from cadgen.measurement.effects.lift import Readings, Setting, lift_effects
@@ -54,6 +55,7 @@ class LiftModel:
 
     kind = "lift"
     unit = "um"
+    measured = None
 
     def __init__(self, record: Record, lift: LiftCurve, follower: Follower, disc: Disc, *, floor: float) -> None:
         self._lift, self._follower = lift, follower
@@ -104,6 +106,8 @@ class LiftModel:
             disc = through("disc", self._disc, active, self.rows)
             setting = through("follower", Setting(self._follower), active, self.rows)
             change = self._roll(Outline(disc.points, disc.piece), setting) - self._rolled
+            if not np.isfinite(change).all():
+                raise DesignError("no rod can follow a disc that is so far from its design")
             closed = np.append(change, change[0])
             self._known = {
                 **dict(list(self._known.items())[-32:]),

@@ -32,6 +32,7 @@ class ProfileModel:
 
     kind = "profile"
     unit = "um"
+    measured = None
 
     def __init__(self, record: Record, disc: Disc, *, floor: float) -> None:
         points = np.stack([record["x_mm"], record["y_mm"]], axis=1)
@@ -53,9 +54,8 @@ class ProfileModel:
         )
         self.datum: tuple[Effect, ...] = (CLOCKING,)
         self.offsets = per_run(record.run)[:, :0]
-        # A mean error is form error too: half of what the first order has in its two columns.
-        waves, order = fourier(place, min(FORM_ORDERS, last))
-        self.form, self.order = np.column_stack([np.ones(len(place)), waves]), np.append(0.0, order)
+        # Form is what departs from the mean: a disc too large all round errs in size, which is an effect.
+        self.form, self.order = fourier(place, min(FORM_ORDERS, last))
         self.floor = floor
         self.slip = np.empty(0)
 

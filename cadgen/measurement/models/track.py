@@ -47,7 +47,7 @@ class TrackModel:
         )
         axis = np.concatenate([np.repeat([0, 1], int(np.sum(record.run == k))) for k in range(record.runs)])
         self._motor, self._axis = motor[order], axis
-        self._measured = xy[axis, order]
+        self.measured = xy[axis, order]
         run = record.run[order]
         key = np.round(record["cam_angle_deg"][order], 6) + 1000.0 * axis
         self.rows = Rows(
@@ -68,14 +68,15 @@ class TrackModel:
         """Measured less expected coordinates, mm."""
         place = self._run(active)
         part = np.where(self._axis == 0, place.real, place.imag)
-        return np.asarray(self._measured - part)
+        return np.asarray(self.measured - part)
 
     def _run(self, active: Active) -> Array:
         nominal = Drive(self._car.wheelbase, self._car.drive_wheel_offset, self._length)
         drive = through("drive", nominal, active, self.rows)
         angle = through("cam", self._middle, active, self.rows)
         angle = Following(self._lift, drive.play, self._falls).cam_angle(angle)
-        steering = through("steering", self._lift.tan_beta(angle), active, self._middle)
+        steering = through("lever", self._lift.tan_beta(angle), active, self._middle)
+        steering = through("steering", steering, active, self._middle)
         curvature = -steering / (drive.wheelbase + drive.drive_wheel_offset * steering)
         travel = drive.length * np.diff(self._grid) / _TURN * (1 - drive.slip * np.abs(steering))
         turn = curvature * travel
@@ -92,7 +93,7 @@ class TrackModel:
             mine = run == k
             across = {}
             for axis in (0, 1):
-                values = self._measured[mine & (self._axis == axis)]
+                values = self.measured[mine & (self._axis == axis)]
                 across[axis] = values - values[0]
             for axis in (0, 1):
                 columns.append((mine & (self._axis == axis)).astype(float))
@@ -109,7 +110,7 @@ class TrackModel:
         for axis in (0, 1):
             mine = self._axis == axis
             which = np.searchsorted(angle, self._motor[mine])
-            mean[axis] = np.bincount(which, self._measured[mine]) / np.bincount(which)
+            mean[axis] = np.bincount(which, self.measured[mine]) / np.bincount(which)
         ahead = np.diff(mean[0] + 1j * mean[1])
         middle = (angle[1:] + angle[:-1]) / 2
         T = self._lift.tan_beta(middle)

@@ -24,6 +24,7 @@ class TransmissionModel:
 
     kind = "transmission"
     unit = "deg"
+    measured = None
 
     def __init__(
         self,

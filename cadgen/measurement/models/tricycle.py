@@ -47,7 +47,7 @@ class TricycleModel:
         self._rows = np.concatenate([np.tile(r, 2) for r in rows])
         self._axis = np.concatenate([np.repeat([0, 1], len(r)) for r in rows])
         self._start = (measured[self._first], heading[self._first])
-        self._measured = np.where(self._axis == 0, measured[self._rows].real, measured[self._rows].imag)
+        self.measured = np.where(self._axis == 0, measured[self._rows].real, measured[self._rows].imag)
         run = record.run[self._rows]
         self.rows = Log(
             run=run,
@@ -68,7 +68,7 @@ class TricycleModel:
     def residual(self, active: Active) -> Array:
         """Measured less expected coordinates, mm."""
         place = self.path(active)[self._rows]
-        return np.asarray(self._measured - np.where(self._axis == 0, place.real, place.imag))
+        return np.asarray(self.measured - np.where(self._axis == 0, place.real, place.imag))
 
     def path(self, active: Active) -> Array:
         """Expected place at every logged row as x + iy, mm."""

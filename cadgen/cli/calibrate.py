@@ -1,0 +1,81 @@
+"""`cadgen calibrate`: from measured files to what the design lacks."""
+
+import os
+from pathlib import Path
+
+import click
+
+from cadgen.cli.options import PROFILES, out_option
+
+
+@click.command()
+@click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
+@click.option(
+    "--profile",
+    type=click.Choice(PROFILES),
+    default=PROFILES[0],
+    show_default=True,
+    help="Of the cam that was measured, or was on the car.",
+)
+@click.option(
+    "--form-error-um",
+    type=click.FloatRange(0.01, 1000),
+    help="Form error of the disc to be expected, rms.  [default: 2, or 30 if a file says that it is printed]",
+)
+@click.option("--each", is_flag=True, help="Judge every file alone, and print one table.")
+@click.option(
+    "--set",
+    "overrides",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help="Override a key of the design, as in --set cam.thickness_mm=3.2. Repeatable.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
+@out_option(help="Folder for the report, its pictures, JSON and the as-built design; without it no file is written.")
+def calibrate(
+    arguments: tuple[str, ...],
+    profile: str,
+    form_error_um: float | None,
+    each: bool,
+    overrides: tuple[str, ...],
+    as_json: bool,
+    out: Path | None,
+) -> None:
+    """Trace measured data to the effects that the design lacks.
+
+    FILE is a CSV file of measured lifts, profile, transmission, track, zones, or a track with its steering logged: its
+    columns say which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument if
+    it names a packaged design or ends in .toml.
+    """
+    # Threads that wait for each other over small matrices cost more than they bring.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    from cadgen.cli import show, show_calibrate
+    from cadgen.design.load import design_file, load_design, packaged_designs
+    from cadgen.workflow import calibrate as work
+    from cadgen.workflow import calibrate_files as write
+
+    designs = [text for text in arguments if text in packaged_designs() or text.endswith(".toml")]
+    if designs and (len(designs) > 1 or arguments[0] != designs[0]):
+        raise click.UsageError(f"{designs[-1]} is a design and not measured data: name one design, before the files")
+    design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
+    if not files:
+        raise click.UsageError("no measured file was given: name at least one CSV file")
+    loaded = load_design(design, overrides)
+    sources = work.read([Path(file) for file in files])
+    written = None
+    with show.progress(not as_json) as step:
+        if each:
+            told = work.calibrate_each(loaded, profile, sources, form_error_um, step)
+            facts = write.documents(told)
+            written = None if out is None else write.write_each(told, out)
+        else:
+            one = work.calibrate(loaded, profile, sources, form_error_um, step)
+            facts = write.document(one)
+            text = design_file(design).read_bytes().decode("utf-8-sig")
+            written = None if out is None else write.write_calibration(one, text, out, step)
+    if as_json:
+        show.document(facts)
+        return
+    show_calibrate.summary(told) if each else show_calibrate.report(one)
+    if written is not None and out is not None:
+        show.files(written, out)

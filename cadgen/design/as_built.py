@@ -1,0 +1,130 @@
+"""The section of the car as it was built: the effects that measured data were traced to, and what becomes of each."""
+
+import re
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field, Strict, field_validator, model_validator
+
+from cadgen.design.section import Section, listed
+from cadgen.errors import DesignError
+from cadgen.measurement.names import Kind, Place
+
+if TYPE_CHECKING:
+    from cadgen.measurement.effects.base import Effect as Known
+
+_ROUNDING = 1e-9  # of a parameter's range, by which a written value may pass its bound
+
+
+class Source(Section):
+    """A file of measured data. One table [[as_built.sources]] for each."""
+
+    file: str = Field(description="its name, without the folder")
+    kind: Kind = Field(description="of data")
+    sha256: str = Field(description="of the file, 64 hexadecimal digits")
+    verdict: str = Field(default="", description="class of the verdict on it")
+
+    @field_validator("sha256")
+    @classmethod
+    def _is_a_hash(cls, sha256: str) -> str:
+        if not re.fullmatch("[0-9a-f]{64}", sha256):
+            raise ValueError(
+                f'as_built.sources.sha256 is "{sha256[:80]}"; it must be 64 hexadecimal digits in small letters, as '
+                "sha256sum prints them"
+            )
+        return sha256
+
+
+class Value(Section):
+    """A number of an effect."""
+
+    name: str = Field(description="of the number, with its unit at the end")
+    value: float = Field(ge=-1e6, le=1e6, description="in that unit")
+    sigma: float | None = Field(default=None, ge=0, le=1e6, description="its standard deviation")
+
+
+class Effect(Section):
+    """An effect that data were traced to. One table [[as_built.effects]] for each; those on the disc act in turn."""
+
+    effect: str = Field(description="its name in the catalogue of that kind of data")
+    kind: Kind = Field(description="of the data that it was found in")
+    place: Place = Field(
+        description="`car`: it stays with the car, and a cam is made for it; `process`: every disc made this way has "
+        "it, and a cam is cut so that the finished disc is right; `part`: the disc that was measured has it, and a "
+        "new one does not; `noted`: it is only recorded"
+    )
+    values: Annotated[tuple[Value, ...], Strict(False)] = Field(
+        min_length=1, description="as inline tables with name, value and, if known, sigma"
+    )
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """Values by their names, in the units of these."""
+        return {one.name: one.value for one in self.values}
+
+    def known(self) -> "Known":
+        """The effect of the catalogue.
+
+        Raises:
+            DesignError: there is none of that name.
+        """
+        # Only here: the catalogue needs numpy, and most designs have no effects.
+        from cadgen.measurement.catalogue import named
+
+        return named(self.kind, self.effect, self.numbers)
+
+    @model_validator(mode="after")
+    def _is_in_the_catalogue(self) -> "Effect":
+        try:
+            known = self.known()
+        except DesignError as error:
+            raise ValueError(f"as_built.effects: {error}") from None
+        where = f"as_built.effects, {self.effect} of kind {self.kind}:"
+        places = dict.fromkeys((*known.places, "noted"))
+        if self.place not in places:
+            raise ValueError(f'{where} place is "{self.place}"; it must be {listed(list(places), "or")}')
+        if self.place != "noted":
+            self._has_its_numbers(known, where)
+        return self
+
+    def _has_its_numbers(self, known: "Known", where: str) -> None:
+        wanted = [p.name for p in known.parameters] + [name for name, _ in known.given]
+        if sorted(one.name for one in self.values) != sorted(wanted):
+            have = listed([one.name for one in self.values], "and")
+            raise ValueError(f"{where} values has {have}; it must have {listed(wanted, 'and')}, once each")
+        for p in known.parameters:
+            value, slack = self.numbers[p.name], _ROUNDING * (p.upper - p.lower)
+            if not p.lower - slack <= value <= p.upper + slack:
+                raise ValueError(
+                    f"{where} {p.name} is {value:g}; what can be lies between {p.lower:g} and {p.upper:g}: measure "
+                    "again, or correct the value"
+                )
+        for name, _ in known.given:
+            if not (self.numbers[name] >= 1 and self.numbers[name] == int(self.numbers[name])):
+                raise ValueError(f"{where} {name} is {self.numbers[name]:g}; it must be a whole number from 1")
+
+
+class AsBuilt(Section):
+    """The car as it was built and measured: written by `cadgen calibrate`, taken into account by every command."""
+
+    profile: Literal[
+        "actual", "theoretical", "published", "compensated", "smoothed", "smoothed+compensated", "optimized"
+    ] = Field(
+        default="actual",
+        description="of the cam that was on the car when it was measured, made from this design without [as_built]",
+    )
+    sources: Annotated[tuple[Source, ...], Strict(False)] = ()
+    effects: Annotated[tuple[Effect, ...], Strict(False)] = ()
+
+    @model_validator(mode="after")
+    def _each_thing_is_set_once(self) -> "AsBuilt":
+        seen: dict[str, Effect] = {}
+        for one in self.effects:
+            for value in one.values if one.place == "car" else ():
+                if value.name in seen:
+                    other = seen[value.name]
+                    raise ValueError(
+                        f"as_built.effects has {value.name} of the car twice, from {other.effect} of kind {other.kind} "
+                        f'and from {one.effect} of kind {one.kind}: set place = "noted" in one of them'
+                    )
+                seen[value.name] = one
+        return self

@@ -1,0 +1,67 @@
+"""A report in words: paragraphs and aligned tables, on a terminal or in a text file."""
+
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A line that stands out."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Table:
+    """Aligned columns: words to the left and folded if need be; numbers to the right and never folded."""
+
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    words: int = 1
+
+
+Block = Heading | Table | str
+
+
+def write(blocks: Sequence[Block], console: "Console") -> None:
+    """Print blocks, folded to the console's width.
+
+    Args:
+        blocks: the first `words` columns of a table are words.
+        console: one without markup, for brackets in names are only brackets.
+    """
+    from rich import table as rich_table
+
+    for block in blocks:
+        if isinstance(block, Heading):
+            console.print(f"\n{block.text}", style="bold")
+        elif isinstance(block, Table):
+            table = rich_table.Table(box=None, pad_edge=False, header_style="dim")
+            for k, head in enumerate(block.head):
+                if k < block.words:
+                    table.add_column(head, overflow="fold")
+                else:
+                    table.add_column(head, justify="right", no_wrap=False, min_width=_widest(block, k))
+            for row in block.rows:
+                table.add_row(*row)
+            console.print(table)
+        else:
+            console.print(block)
+
+
+def plain(blocks: Sequence[Block], width: int) -> str:
+    """The same as text."""
+    from rich.console import Console
+
+    file = io.StringIO()
+    write(blocks, Console(file=file, width=width, markup=False, emoji=False, highlight=False, color_system=None))
+    return "\n".join(line.rstrip() for line in file.getvalue().splitlines()).strip("\n") + "\n"
+
+
+def _widest(table: Table, column: int) -> int:
+    return max((len(row[column]) for row in table.rows), default=0)

@@ -1,0 +1,85 @@
+"""What a design says of the car as it was built, in words and as plain values."""
+
+from math import degrees, radians
+from typing import Any
+
+from cadgen.design import gears, stages
+from cadgen.design.as_built import Effect
+from cadgen.design.schema import Design
+from cadgen.design.section import listed
+from cadgen.motion.play import TURN
+
+_SIGNS = {"deg": "°", "um": " µm", "%": " %", "mm": " mm", "s": " s", "": ""}
+_LEAST_SHIFT = radians(0.005)  # of the run's end: what is less than a hundredth of a degree is not told
+
+
+def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
+    """What was taken into account and what was only noted; None for a car as designed.
+
+    Args:
+        design: a loaded design.
+        stop: cam angle at which the path ends, rad.
+    """
+    given = design.as_built
+    if given is None:
+        return None
+    phase = stages.as_built(design).phase
+    return {
+        "measured_with": given.profile,
+        "sources": [source.model_dump(mode="json") for source in given.sources],
+        "effects": [one.model_dump(mode="json", exclude_none=True) for one in given.effects if one.place != "noted"],
+        "noted": [one.model_dump(mode="json", exclude_none=True) for one in given.effects if one.place == "noted"],
+        "stop": {
+            "cam_angle_deg": degrees(stop),
+            "as_designed_deg": degrees(_stop_as_designed(design)),
+            "wheel_turns": None if design.train is None else stop / TURN * float(gears.train(design).ratio),
+        },
+        "phase_deg": degrees(phase),
+        "key_turned_deg": -degrees(phase) if stages.has_key(design) else None,
+    }
+
+
+def as_built_sentences(design: Design, stop: float) -> list[str]:
+    """What is taken into account, what is only noted, where to stop the run, and how to set the cam."""
+    given = design.as_built
+    if given is None:
+        return []
+    used, noted = ([one for one in given.effects if (one.place == "noted") is aside] for aside in (False, True))
+    lines = [f"As built: {_told(used)}." if used else "As built: nothing that a cam or a run depends on."]
+    if noted:
+        lines.append(f"Only noted: {_told(noted)}.")
+    if abs(stop - _stop_as_designed(design)) > _LEAST_SHIFT:
+        turns = ""
+        if design.train is not None:
+            turns = f" ({stop / TURN * float(gears.train(design).ratio):.3f} turns of the wheel)"
+        lines.append(
+            f"The path ends at {degrees(stop):.2f}° of cam angle{turns}, not at "
+            f"{degrees(_stop_as_designed(design)):.2f}°: stop the run there."
+        )
+    phase = stages.as_built(design).phase
+    if phase != 0 and stages.has_key(design):
+        lines.append(f"The key of the new cam is turned by {-degrees(phase):.3f}°, which takes out the cam's phase.")
+    elif phase != 0:
+        way = "back against" if phase > 0 else "ahead in"
+        lines.append(
+            f"Set the new cam on its shaft {abs(degrees(phase)):.3f}° {way} its sense of turning from where the "
+            "measured one stood: without a keyway or D-flat nothing does it for you."
+        )
+    return lines
+
+
+def _stop_as_designed(design: Design) -> float:
+    return TURN - radians(design.cam.blend_deg)
+
+
+def _told(effects: list[Effect]) -> str:
+    return listed([f"{one.effect} {_values(one)} ({one.place}, from {one.kind})" for one in effects], "and")
+
+
+def _values(one: Effect) -> str:
+    units = {p.name: p.unit for p in one.known().parameters}
+    return ", ".join(
+        f"{value.value:.4g}{_SIGNS[units.get(value.name, '')]}"
+        + (f" ± {value.sigma:.2g}" if value.sigma is not None else "")
+        for value in one.values
+    )
