@@ -1,6 +1,10 @@
 """The two cars of the paper, built once per run from the files in `designs/`."""
 
 import os
+
+# Threads that wait for each other over small matrices cost more than they bring, and the suite fills all cores anyway.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 import tomllib
 from dataclasses import dataclass
 from math import radians

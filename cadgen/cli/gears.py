@@ -1,6 +1,7 @@
 """`cadgen gears`: the gear train as verified files."""
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,11 +10,13 @@ import click
 from cadgen.cli.options import design_options, out_option
 
 if TYPE_CHECKING:
+    from cadgen.gears.backlash import TrainPlay
     from cadgen.workflow.gears import GearsPlan
     from cadgen.workflow.gears_files import GearsWritten
 
 ORDERS = ("as-given", "reordered", "search")
 RANKED_SHOWN = 8
+REASONS_SHOWN = 3
 
 
 @click.command()
@@ -35,18 +38,24 @@ def gears(design: str | None, overrides: tuple[str, ...], order: str, as_json: b
     """
     from cadgen.cli import show
     from cadgen.design.load import load_design
-    from cadgen.workflow.gears import plan_gears
+    from cadgen.workflow.gears import NotMadeError, plan_gears
     from cadgen.workflow.gears_files import write_gears
 
     loaded = load_design(design, overrides)
-    with show.progress(not as_json) as step:
-        plan = plan_gears(loaded, order, step)  # type: ignore[arg-type]
-        written = write_gears(plan, out, step) if plan.passed or force else None
+    try:
+        with show.progress(not as_json) as step:
+            plan = plan_gears(loaded, order, step)  # type: ignore[arg-type]
+            written = write_gears(plan, out, step) if plan.passed or force else None
+    except NotMadeError as error:
+        if not as_json:
+            _ranking(error.ranked, error.baseline)
+        raise
     if as_json:
         show.document(plan.facts() if written is None else written.entry)
     else:
         _return_errors(plan)
-        _ranking(plan)
+        _ranking(plan.ranked, plan.baseline)
+        _choice(plan)
         show.figures("\nteeth in mesh, measured", plan.checks)
         if written:
             _files(written, out)
@@ -74,10 +83,12 @@ def _return_errors(plan: "GearsPlan") -> None:
             *(f"{angle:.3f}°" for angle in (least, (least + greatest) / 2, greatest)),
         )
     rows = [("train", "return_error_deg")]
-    if plan.departures:
+    if plan.departures and plan.standard:
         rows.append(("train, by the standard", "return_error_by_the_standard_deg"))
     if plan.order != "as-given":
         rows.append(("train, as given", "return_error_as_given_deg"))
+    if plan.baseline is not plan.given:
+        rows.append(("as given, by the standard", "return_error_as_given_by_the_standard_deg"))
     for label, key in rows:
         table.add_row(label, "", "", "", *(f"{facts[key][which]:.3f}°" for which in ("least", "mean", "greatest")))
     console = Output()
@@ -88,23 +99,44 @@ def _return_errors(plan: "GearsPlan") -> None:
         console.print(f"{found['symbol']} = {found['used_um']:g} µm ({found['where']}) is the design's own; {says}.")
 
 
-def _ranking(plan: "GearsPlan") -> None:
-    if len(plan.ranked) < 2:
+def _ranking(ranked: "Sequence[TrainPlay]", baseline: "TrainPlay") -> None:
+    if len(ranked) < 2:
         return
     from cadgen.cli.show import Output, plain_table
+    from cadgen.workflow.gears_facts import return_error, teeth_of
 
     table = plain_table("\ntrains, best first")
     table.add_column("teeth, from the drive")
     for column in ("least", "mean", "greatest", "against as given"):
         table.add_column(column, justify="right")
-    facts = plan.facts()
-    given = facts["return_error_as_given_deg"]["greatest"]
-    for train in facts["ranked"][:RANKED_SHOWN]:
-        angles = [train[which] for which in ("least", "mean", "greatest")]
-        table.add_row(
-            train["teeth"], *(f"{angle:.3f}°" for angle in angles), f"{100 * (train['greatest'] / given - 1):+.2f} %"
-        )
+    for play in ranked[:RANKED_SHOWN]:
+        errors = return_error(play)
+        angles = [errors[which] for which in ("least", "mean", "greatest")]
+        change = 100 * (play.return_error_max / baseline.return_error_max - 1)
+        table.add_row(teeth_of(play), *(f"{angle:.3f}°" for angle in angles), f"{change:+.2f} %")
     Output().print(table)
+
+
+def _choice(plan: "GearsPlan") -> None:
+    """Which train is made, why not those before it, and what the searched ones do not have."""
+    from cadgen.cli.show import Output
+    from cadgen.workflow.gears_facts import teeth_of
+
+    console = Output()
+    reasons: dict[str, list[str]] = {}
+    for one in plan.skipped:
+        reasons.setdefault(one.reason, []).append(teeth_of(one.play))
+    for reason, trains in list(reasons.items())[:REASONS_SHOWN]:
+        others = f" and {len(trains) - 1} more" if len(trains) > 1 else ""
+        console.print(f"Not made: {trains[0]}{others}, for {reason}.")
+    if len(reasons) > REASONS_SHOWN:
+        rest = sum(len(trains) for trains in list(reasons.values())[REASONS_SHOWN:])
+        console.print(f"Nor {rest} more, for other reasons; the manifest and --json name them all.")
+    if plan.skipped:
+        change = 100 * (plan.play.return_error_max / plan.baseline.return_error_max - 1)
+        console.print(f"Made: {teeth_of(plan.play)}, {change:+.2f} % against as given.")
+    for note in plan.notes:
+        console.print(f"{note[0].upper()}{note[1:]}.")
 
 
 def _files(written: "GearsWritten", out: Path) -> None:
@@ -117,7 +149,8 @@ def _files(written: "GearsWritten", out: Path) -> None:
     table.add_column("read back")
     for name, facts in written.entry["files"].items():
         if "play_error_um" in facts:
-            said = f"play off by {max(map(abs, facts['play_error_um'])):.3f} µm"
+            errors = facts["play_error_um"]
+            said = f"play off by {max(map(abs, errors)):.3f} µm" if errors else "no play: the teeth do not mesh"
         elif "flank_error_um" in facts:
             said = f"flank {facts['flank_error_um']:.5f} root {facts['root_error_um']:.4f} µm"
         elif "triangles" in facts:

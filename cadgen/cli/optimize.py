@@ -1,5 +1,6 @@
 """`cadgen optimize`: what the methods against play do, alone and combined."""
 
+import sys
 from pathlib import Path
 
 import click
@@ -13,7 +14,8 @@ from cadgen.cli.options import design_options, out_option
 def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Path | None) -> None:
     """Compare the methods against play, alone and combined, and choose the best that keeps every limit.
 
-    Each profile is judged as it would be cut: rolled on its outline, with play, over the band of return errors.
+    Each profile is judged as it would be cut: rolled on its outline, with play, over the band of return errors. The
+    exit code is 1 if even the best fails a check.
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
@@ -29,7 +31,11 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
             written = write_comparison(plan, out, step)
     if as_json:
         show.document(plan.facts() if written is None else written.entry)
-        return
-    show_play.methods(plan)
-    if written is not None and out is not None:
-        show.files(written, out)
+    else:
+        show_play.methods(plan)
+        show.failed(plan)
+        if written is not None and out is not None:
+            show.files(written, out)
+        if not plan.passed:
+            click.echo("cadgen: even the best profile fails a check, so cadgen cam would not export it", err=True)
+    sys.exit(0 if plan.passed else 1)

@@ -61,6 +61,12 @@ def checks(plan: "CamPlan") -> None:
         Output().print(line)
 
 
+def failed(plan: "CamPlan") -> None:
+    """Print the checks that fail, with what to change; nothing if none does."""
+    if plan.failed:
+        figures(f"\n{plan.design.name}: the {plan.profile} profile fails its checks", plan.failed)
+
+
 def figures(title: str, found: "Sequence[Check]") -> None:
     """Print checks as a table, then what to change for each that failed."""
     console = Output()
@@ -86,7 +92,7 @@ def figures(title: str, found: "Sequence[Check]") -> None:
     # One advice may serve several checks.
     advice: dict[str, list[str]] = {}
     for check in found:
-        if not check.passed:
+        if not check.passed and check.advice:
             advice.setdefault(check.advice, []).append(check.name)
     for text, names in advice.items():
         console.print(Text.assemble((" and ".join(names), "red"), f": {text}."))
@@ -133,6 +139,8 @@ def files(written: "Written", out: Path) -> None:
     console.print(table)
     for label, reason in written.entry.get("omitted", {}).items():
         console.print(Text.assemble((f"{label} left out", "yellow"), f": {reason}."))
+    for warning in written.entry.get("warnings", []):
+        console.print(Text.assemble(("Warning", "yellow"), f": {warning}."))
 
 
 def plain_table(title: str) -> Table:

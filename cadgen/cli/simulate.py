@@ -21,7 +21,8 @@ def simulate(
 ) -> None:
     """Run the car with play in its gears, on the actual profile and on one against play.
 
-    Writes the tracks of the three wheels as CSV, and pictures of lift, tracks and errors as PNG and SVG.
+    Writes the tracks of the three wheels as CSV, and pictures of lift, tracks and errors as PNG and SVG. A profile
+    that fails a check is run all the same, and the check is named.
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
@@ -36,4 +37,5 @@ def simulate(
         show.document(written.entry)
     else:
         show_play.runs(simulation)
+        show.failed(simulation.plan)
         show.files(written, out)

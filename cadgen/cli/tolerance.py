@@ -35,7 +35,7 @@ def tolerance(
     """Run random cars within the tolerances of [tolerances] and [train].
 
     Reports where they end, how many pass all gates, and which tolerance matters most. A seed gives the same numbers
-    on any number of processes.
+    on any number of processes. A profile that fails a check is run all the same, and the check is named.
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
@@ -49,5 +49,6 @@ def tolerance(
         show.document(run.facts() if written is None else written.entry)
         return
     show_play.fleet(run)
+    show.failed(run.plan)
     if written is not None and out is not None:
         show.files(written, out)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import asin, cos, hypot, inf, isfinite, pi, sin
+from math import asin, cos, hypot, isfinite, pi
 
 import numpy as np
 
@@ -103,8 +103,8 @@ def gear_body(form: GearForm, blank: GearBlank | None = None) -> Body:
     blank = blank or GearBlank()
     teeth = tooth_of(form).outline
     _check_bore(blank, form)
-    _check_web(blank, form)
     _check_hub(blank, form)
+    _check_web(blank, form)
     bore, holes = _bore(blank), _lightening_holes(blank, form)
     hub = (circle(blank.hub.diameter),) if blank.hub else ()
     width = form.width
@@ -132,14 +132,8 @@ def cluster_body(lower: GearForm, upper: GearForm, blank: GearBlank | None = Non
     """
     blank = blank or GearBlank()
     body = gear_body(lower, blank)
-    _check_bore(blank, upper)
-    if blank.hub and blank.hub.length:
-        _require(
-            blank.hub.diameter < upper.root_diameter,
-            f"the collar of {blank.hub.diameter:g} mm stands in the teeth of {upper};"
-            f" give a hub diameter under {upper.root_diameter:.4g} mm",
-        )
-    else:
+    _check_upper(blank, upper)
+    if not (blank.hub and blank.hub.length):
         seat = blank.hub.diameter if blank.hub else lower.root_diameter
         _require(
             upper.tip_diameter <= seat - 2 * LEAST_WALL,
@@ -149,6 +143,19 @@ def cluster_body(lower: GearForm, upper: GearForm, blank: GearBlank | None = Non
     top = body.slabs[-1].end
     teeth = tooth_of(upper).outline.rotated(turn)
     return Body((*body.slabs, Slab(top, top + upper.width, (teeth, *_bore(blank)))), body.radial_hole)
+
+
+def fits(form: GearForm, blank: GearBlank, *, on_collar: bool = False) -> bool:
+    """Whether a gear can have this blank, or as the upper of two, stand on its collar."""
+    try:
+        if on_collar:
+            tooth_of(form)
+            _check_upper(blank, form)
+        else:
+            gear_body(form, blank)
+    except DesignError:
+        return False
+    return True
 
 
 def _require(holds: bool, message: str) -> None:
@@ -200,25 +207,46 @@ def _check_bore(blank: GearBlank, form: GearForm) -> None:
     )
 
 
+def _check_upper(blank: GearBlank, upper: GearForm) -> None:
+    """The upper of two gears needs a rim over the bore, and its teeth clear of the collar."""
+    _check_bore(blank, upper)
+    if blank.hub and blank.hub.length:
+        _require(
+            blank.hub.diameter < upper.root_diameter,
+            f"the collar of {blank.hub.diameter:g} mm stands in the teeth of {upper};"
+            f" give a hub diameter under {upper.root_diameter:.4g} mm",
+        )
+
+
 def _check_web(blank: GearBlank, form: GearForm) -> None:
     """A web needs a hub to stand on, a width to be thinner than and a rim that carries the teeth."""
     if not blank.web:
         return
+    if blank.hub is None:
+        raise DesignError(f"{form} has a web but no hub; give the hub's diameter")
     web, thickest = blank.web, form.width - 2 * LEAST_WALL
-    _require(blank.hub is not None, f"{form} has a web but no hub; give the hub's diameter")
     _require(
         LEAST_WALL <= web.thickness <= thickest,
-        f"{form} has a web of {web.thickness:g} mm in a width of {form.width:g} mm;"
-        f" give {LEAST_WALL:g} to {thickest:.4g} mm",
+        f"{form} has a web of {web.thickness:g} mm in a width of {form.width:g} mm; "
+        + _range(LEAST_WALL, thickest, "leave the web out, or give a greater width"),
     )
+    least = _least_rim(form)
+    most = (form.root_diameter - blank.hub.diameter) / 2 - LEAST_WALL
+    narrowest, widest = _reach(blank) + 2 * LEAST_WALL, form.root_diameter - 2 * (least + LEAST_WALL)
+    smaller = f", or give a hub of {narrowest:.4g} to {widest:.4g} mm" if narrowest <= widest else ""
     _require(
-        web.rim_thickness >= _least_rim(form),
-        f"{form} has a rim of {web.rim_thickness:g} mm under its root; give at least {_least_rim(form):.4g} mm",
+        least <= web.rim_thickness <= most,
+        f"{form} has a rim of {web.rim_thickness:g} mm between its root of {form.root_diameter:.4g} mm and its hub of"
+        f" {blank.hub.diameter:g} mm diameter; " + _range(least, most, "leave the web out" + smaller),
     )
+
+
+def _range(low: float, high: float, otherwise: str) -> str:
+    return f"give {low:.4g} to {high:.4g} mm" if low <= high else otherwise
 
 
 def _check_hub(blank: GearBlank, form: GearForm) -> None:
-    """The hub must hold the bore and the set screw, and stay inside the root or the rim."""
+    """The hub must hold the bore and the set screw, and stay inside the root."""
     if not blank.hub:
         return
     hub = blank.hub
@@ -227,10 +255,11 @@ def _check_hub(blank: GearBlank, form: GearForm) -> None:
         f"{form} has a hub of {hub.length:g} mm length; give more than 0, or 0 and a web",
     )
     least = _reach(blank) + 2 * LEAST_WALL
-    largest = (_rim_diameter(blank, form) if blank.web else form.root_diameter) - 2 * LEAST_WALL
+    largest = form.root_diameter - 2 * LEAST_WALL
     _require(
         least <= hub.diameter <= largest,
-        f"{form} has a hub of {hub.diameter:g} mm between its bore and its teeth; give {least:.4g} to {largest:.4g} mm",
+        f"{form} has a hub of {hub.diameter:g} mm between its bore and its teeth; "
+        + _range(least, largest, "leave the hub out, or give a smaller bore"),
     )
     widest = max(min(hub.length, blank.bore_diameter) - 2 * LEAST_WALL, 0.0)
     _require(
@@ -263,13 +292,17 @@ def _lightening_holes(blank: GearBlank, form: GearForm) -> tuple[GearOutline, ..
         return ()
     count, diameter = blank.lightening.count, blank.lightening.hole_diameter
     low, high = max(blank.hub.diameter if blank.hub else 0.0, _reach(blank)), _rim_diameter(blank, form)
-    pitch_radius = (low + high) / 4
-    apart = 2 * pitch_radius * sin(pi / count) if count > 1 else inf
-    largest = max(min((high - low) / 2, apart) - 2 * LEAST_WALL, 0.0)
+    pitch_radius, largest = (low + high) / 4, (high - low) / 2 - 2 * LEAST_WALL
     _require(
         count >= 1 and LEAST_WALL <= diameter <= largest,
-        f"{form} has {count} lightening holes of {diameter:g} mm between {low:.4g} and {high:.4g} mm"
-        f" diameter; give at least one, of {LEAST_WALL:g} to {largest:.4g} mm, or fewer",
+        f"{form} has {count} lightening holes of {diameter:g} mm between {low:.4g} and {high:.4g} mm diameter; "
+        + _range(LEAST_WALL, largest, "leave them out"),
+    )
+    most = pi / asin(min((diameter + 2 * LEAST_WALL) / (2 * pitch_radius), 1.0))
+    _require(
+        count <= max(most, 1.0),
+        f"{form} has {count} lightening holes of {diameter:g} mm on a circle of {2 * pitch_radius:.4g} mm diameter;"
+        f" give at most {max(int(most), 1)}, or smaller ones",
     )
     # Half a step off the keyway, which weakens the disc on the x axis.
     angles = 2 * pi * (np.arange(count) + 0.5) / count

@@ -2,30 +2,41 @@
 
 A chain's cost is eq. 25: each pair's own cost divided by the ratios of the pairs behind it, towards the
 output. Pairs are chosen from the output backwards. A branch is left once its cost, with the least that the
-missing pairs can add, reaches that of the worst of the `keep` best chains found so far. Pairs of one ratio
-differ only in their cost, so the `keep` cheapest of them suffice. The two pairs next to the drive are found
-together, for all pairs at once, by looking up the ratio that is still missing.
-
-Chains of up to four pairs are a matter of a fraction of a second. Longer ones with pairs that step up (a
-ratio below 1) are not: little is to be gained from their first pairs, and so little can be left out.
+missing pairs can add, reaches that of the worst of the `keep` best chains found so far. What a number of pairs
+adds at least is tabled over the logarithm of their ratio: as if the ratios of the table's classes, and not only
+those of whole teeth, could be combined. Pairs of one ratio differ only in their cost and in the places where
+they may stand, so the `keep` cheapest of them suffice. The two pairs next to the drive are found together, for
+all pairs at once, by looking up the ratio that is still missing.
 """
 
 from __future__ import annotations
 
 from bisect import insort
+from collections.abc import Sequence
 from fractions import Fraction
-from math import inf
+from math import ceil, inf, log
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.errors import DesignError
+
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
 
 # More pairs than this overflow the 64-bit products of tooth numbers that decide an exact ratio.
 LONGEST_CHAIN = 6
 # Relative width of the window in which floating-point ratios are looked up before they are compared exactly.
 RATIO_SLACK = 1e-12
+# Classes of the table over the range of one pair's ratios; bounds are short by a class, some 0.2 %, for each pair more.
+CLASSES = 2000
+# Of the logarithms of the ratios, so that equal ratios have a table too.
+LEAST_RANGE = 1e-6
+# A logarithm that meets a class's edge but for rounding belongs to either class (in classes).
+EDGE_SLACK = 1e-6
+# Pairs, and pairs of pairs, looked at before a search is given up: some ten seconds.
+MOST_TRIED = 300_000_000
 
 
 def best_chains(
@@ -37,35 +48,48 @@ def best_chains(
     tolerance: float,
     length: int,
     keep: int,
+    allowed: Sequence[BoolArray] | None = None,
 ) -> list[tuple[int, ...]]:
     """Rows, from drive to output, of the `keep` cheapest chains of `length` pairs, cheapest first.
 
     `driver`, `driven` (teeth) and `cost` > 0 have the shape (n,), one row per pair. The ratio is met exactly
-    if `tolerance` is 0, else within it, relatively.
+    if `tolerance` is 0, else within it, relatively. `allowed` has `length` arrays of the shape (n,), from drive
+    to output: which pairs may stand there. Raises `DesignError` if the search has no end (`MOST_TRIED`).
     """
-    rows = _cheapest_of_each_ratio(driven / driver, cost, keep)
-    search = _Search(driver[rows], driven[rows], cost[rows], tolerance, keep)
+    may = np.ones((length, driver.size), dtype=np.bool_) if allowed is None else np.array(allowed)
+    rows = _cheapest_of_each_ratio(driven / driver, cost, may, keep)
+    search = _Search(driver[rows], driven[rows], cost[rows], may[:, rows], tolerance, keep)
     if rows.size:
         search.choose(length, ratio, 1.0, 0.0, ())
     return [tuple(int(rows[row]) for row in chain) for _, chain in search.best]
 
 
-def _cheapest_of_each_ratio(ratio: FloatArray, cost: FloatArray, keep: int) -> NDArray[np.intp]:
-    """Rows by rising ratio and cost, at most `keep` of one ratio (equal fractions divide to equal floats)."""
-    rows = np.lexsort((cost, ratio))
+def _cheapest_of_each_ratio(ratio: FloatArray, cost: FloatArray, may: BoolArray, keep: int) -> NDArray[np.intp]:
+    """Rows by rising ratio, at most `keep` of one ratio and the same places (equal fractions divide to equal floats).
+
+    Rows that may stand nowhere are left out.
+    """
+    places = (1 << np.arange(len(may))) @ may
+    rows = np.lexsort((cost, places, ratio))
+    rows = rows[places[rows] > 0]
     position = np.arange(rows.size)
     starts = np.diff(ratio[rows], prepend=-inf) > 0
+    starts |= np.diff(places[rows], prepend=-1) != 0
     return rows[position - np.maximum.accumulate(np.where(starts, position, 0)) < keep]
 
 
 class _Search:
     """The search's state: the pairs, by rising ratio, and the best chains so far as (cost, rows)."""
 
-    def __init__(self, driver: IntArray, driven: IntArray, cost: FloatArray, tolerance: float, keep: int) -> None:
-        self.driver, self.driven, self.cost = driver, driven, cost
+    def __init__(
+        self, driver: IntArray, driven: IntArray, cost: FloatArray, may: BoolArray, tolerance: float, keep: int
+    ) -> None:
+        self.driver, self.driven, self.cost, self.may = driver, driven, cost, may
         self.ratio = driven / driver
         self.tolerance, self.keep = tolerance, keep
         self.best: list[tuple[float, tuple[int, ...]]] = []
+        self.tried = 0
+        self.table = _LeastCosts(self.ratio, cost, tolerance) if self.ratio.size else None
 
     def choose(self, missing: int, wanted: Fraction, weight: float, spent: float, chain: tuple[int, ...]) -> None:
         """Put every pair in front of `chain`, which costs `spent`; `missing` pairs are to give `wanted`."""
@@ -73,14 +97,14 @@ class _Search:
         window = float(wanted) * (1 - slack), float(wanted) * (1 + slack)
         if missing == 1:
             rows = np.arange(*np.searchsorted(self.ratio, window))
+            rows = rows[self.may[0, rows]]
             exact = self._exact(self.driver[rows], self.driven[rows], wanted)
             self._enter(spent + weight * self.cost[rows[exact]], rows[None, exact], chain)
             return
+        self.tried += self.ratio.size
         left = float(wanted) / self.ratio
-        bound = spent + weight * (self.cost + self._least(missing - 1, left * (1 + slack)) / self.ratio)
-        least, most = self.ratio[0] ** (missing - 1), self.ratio[-1] ** (missing - 1)
-        reachable = (left * (1 + slack) >= least) & (left * (1 - slack) <= most)
-        rows = np.flatnonzero(reachable & (bound < self.worst))
+        bound = spent + weight * (self.cost + self.table.of(missing - 1, left) / self.ratio)
+        rows = np.flatnonzero(self.may[missing - 1] & (bound < self.worst))
         if missing == 2:
             self._choose_two(rows, window, wanted, weight, spent, chain)
             return
@@ -96,16 +120,6 @@ class _Search:
         """Cost that a chain must stay below to be among the best."""
         return self.best[-1][0] if len(self.best) == self.keep else inf
 
-    def _least(self, count: int, ratio: FloatArray) -> FloatArray:
-        """Lower bound of the cost of `count` pairs that give each `ratio` or less, shape (n,).
-
-        All at the least cost; k pairs have at most the k-th power of the greatest ratio, and at most what the
-        other pairs, at the least ratio, leave them.
-        """
-        low, high = self.ratio[0], self.ratio[-1]
-        terms = [np.maximum(high**-k, low ** (count - k) / ratio) for k in range(1, count)]
-        return np.asarray(self.cost.min() * (1 + sum(terms)))
-
     def _choose_two(
         self,
         rows: NDArray[np.intp],
@@ -118,10 +132,16 @@ class _Search:
         """Complete the chain with each of `rows` and every pair that has the ratio then missing."""
         first = np.searchsorted(self.ratio, window[0] / self.ratio[rows], side="left")
         count = np.searchsorted(self.ratio, window[1] / self.ratio[rows], side="right") - first
+        self.tried += int(count.sum())
+        if self.tried > MOST_TRIED:
+            raise DesignError(
+                f"the search has not ended after {MOST_TRIED // 1_000_000} million pairs of stages; narrow the teeth,"
+                " the stage ratios or the ratio tolerance, or ask for fewer stages or trains"
+            )
         later = np.repeat(rows, count)
         earlier = np.arange(later.size) + np.repeat(first - np.cumsum(count) + count, count)
         driver = self.driver[later] * self.driver[earlier]
-        exact = self._exact(driver, self.driven[later] * self.driven[earlier], wanted)
+        exact = self._exact(driver, self.driven[later] * self.driven[earlier], wanted) & self.may[0, earlier]
         earlier, later = earlier[exact], later[exact]
         cost = spent + weight * (self.cost[later] + self.cost[earlier] / self.ratio[later])
         self._enter(cost, np.stack([earlier, later]), chain)
@@ -138,3 +158,51 @@ class _Search:
                 break
             insort(self.best, (float(cost[column]), (*rows[:, column].tolist(), *chain)))
             del self.best[self.keep :]
+
+
+class _LeastCosts:
+    """Lower bounds of the cost of some pairs that together give a ratio, by classes of its logarithm.
+
+    Row k − 1 of the table is for k pairs and runs from k times the logarithm of the least ratio on: C_1 is the
+    least cost in each class, C_k(X) the least of cost + C_{k−1}(X − log i) / i over all classes of pairs.
+    """
+
+    def __init__(self, ratio: FloatArray, cost: FloatArray, tolerance: float) -> None:
+        places = np.log(ratio)
+        self.low = float(places[0])
+        slack = log((1 + tolerance) / (1 - tolerance))
+        self.width = max(float(places[-1]) - self.low, slack, LEAST_RANGE) / CLASSES
+        # How many classes on from the first hold every ratio within the tolerance of one.
+        self.slack = slack / self.width + EDGE_SLACK
+        self.span = ceil(2 * self.slack) + 1
+        classes = ((places - self.low) / self.width).astype(np.int64)
+        self.cost, self.ratio = np.full(CLASSES + 1, inf), np.zeros(CLASSES + 1)
+        np.minimum.at(self.cost, classes, cost)
+        np.maximum.at(self.ratio, classes, ratio)
+        self.rows = [self.cost]
+        self.windows = [self._window(self.cost)]
+
+    def of(self, pairs: int, ratio: FloatArray) -> FloatArray:
+        """Lower bound of the cost of `pairs` pairs that give each `ratio` within the tolerance; inf if none can."""
+        while len(self.rows) < pairs:
+            self.rows.append(self._longer(self.rows[-1]))
+            self.windows.append(self._window(self.rows[-1]))
+        window = self.windows[pairs - 1]
+        place = (np.log(ratio) - pairs * self.low) / self.width
+        start = np.floor(place - self.slack).astype(np.int64) + self.span
+        return np.asarray(window[np.clip(start, 0, window.size - 1)])
+
+    def _window(self, row: FloatArray) -> FloatArray:
+        """Least of `span` neighbouring classes, from each one on, beginning `span` before the first."""
+        padded = np.concatenate([np.full(self.span, inf), row, np.full(self.span, inf)])
+        return np.asarray(np.lib.stride_tricks.sliding_window_view(padded, self.span).min(axis=1))
+
+    def _longer(self, row: FloatArray) -> FloatArray:
+        """The table's row for one pair more."""
+        longer = np.full(row.size + self.cost.size, inf)
+        # Less the pair's place, which is anywhere in its class, the sum lies in one of two neighbouring classes.
+        either = np.minimum(np.append(row, inf), np.append(inf, row))
+        for start in np.flatnonzero(self.cost < inf).tolist():
+            part = longer[start : start + either.size]
+            np.minimum(part, self.cost[start] + either / self.ratio[start], out=part)
+        return longer

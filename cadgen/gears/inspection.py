@@ -8,12 +8,13 @@ linearised.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import acos, ceil, cos, hypot, pi, sin, tan
 
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
+from cadgen.gears.thinning import with_deviation
 from cadgen.gears.tooth import GearForm, Tooth, involute, tooth_of
 
 LEAST_TEETH_SPANNED = 2
@@ -85,11 +86,6 @@ def inspection_of(
             f" give about {ideal_pin_diameter(form):.3g} mm"
         )
     return Inspection(_span_measurement(limits), pins)
-
-
-def with_deviation(form: GearForm, deviation: float) -> GearForm:
-    """`form` cut with the tooth-thickness deviation E_sn = `deviation` (mm)."""
-    return replace(form, tooth_thickness_deviation=deviation)
 
 
 def span_over(form: GearForm, teeth_spanned: int) -> float:

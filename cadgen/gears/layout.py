@@ -6,34 +6,31 @@ below the stack, the output's wheel with its hub above.
 
 Seen along z a stage's line of centres has a direction. Given ones are kept; for the others the train is folded
 as tightly as it goes without one body coming closer than the clearance to another on a neighbouring or any
-other shaft. Shafts run through the whole stack, from bearing to bearing.
+other shaft. Shafts run through the whole stack, from bearing to bearing, with the stack in the middle.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, pairwise, product
-from math import asin, degrees, pi, radians
-from typing import Literal
+from math import asin, ceil, degrees, pi, radians
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import TrainPlay
 from cadgen.gears.blank import GearBlank, cluster_body, gear_body
 from cadgen.gears.body import Body
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import GearPair, Train
 
-Thinning = Literal["least", "middle", "greatest"]
-# Share of the way from E_sns to E_sni.
-THINNING_SHARES: dict[Thinning, float] = {"least": 0.0, "middle": 0.5, "greatest": 1.0}
 # Gauss-Legendre nodes of a set screw's hole, to either side of the keyway's edge: its integrand is analytic there.
 _SCREW_NODES = 40
 # Directions tried are this far apart, in rad: finer ones move a shaft by less than 5 % of the centre distance.
 DIRECTION_STEP = radians(5.0)
+# Axes nearer than this, in mm, are one.
+ONE_AXIS = 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,29 +120,6 @@ class _Disc:
     high: float
 
 
-def thinned(play: TrainPlay, thinning: Thinning | float) -> Train:
-    """The train with every tooth thinned: within its limits E_sns to E_sni, or by a given E_sn in mm."""
-    stages = []
-    for pair, found in zip(play.train.stages, play.stages, strict=True):
-        deviations = []
-        for gear in (found.driver, found.driven):
-            if isinstance(thinning, str):
-                deviations.append(gear.E_sns - THINNING_SHARES[thinning] * gear.T_sn)
-            else:
-                deviations.append(thinning)
-        stages.append(with_deviations(pair, *deviations))
-    return Train(tuple(stages))
-
-
-def with_deviations(pair: GearPair, driver: float, driven: float) -> GearPair:
-    """The pair with teeth cut to E_sn = `driver` and `driven`, in mm."""
-    one, two = (
-        replace(gear, form=replace(gear.form, tooth_thickness_deviation=deviation))
-        for gear, deviation in ((pair.driver, driver), (pair.driven, driven))
-    )
-    return replace(pair, driver=one, driven=two)
-
-
 def meshing_angle(pair: GearPair, driver_angle: float, direction: float) -> float:
     """Angle of the driven gear whose teeth stand midway between those of the driver at `driver_angle`, in rad.
 
@@ -163,11 +137,12 @@ def lay_out(
     """Parts of a train at their places, the drive's axis at the origin.
 
     `directions` in rad hold one entry per stage, None for any; `clearance` in mm. Raises `DesignError` for a
-    gear or blank that cannot be made, and where bodies on different shafts collide however they are laid out.
+    gear or blank that cannot be made, for bearings nearer together than the stack is high, and where bodies on
+    different shafts collide however they are laid out.
     """
     wanted = tuple(directions or (None,) * len(train.stages))
     parts = _stacked(train, blanks)
-    discs = [_discs(part, train, parts) for part in parts]
+    discs = _discs(parts, train)
     for pair, one, two in zip(train.stages, discs, discs[1:], strict=False):
         # Neighbours are as far apart in every direction: what collides there needs no search.
         if collision := _between(one, two, pair.centre_distance, clearance):
@@ -209,23 +184,49 @@ def _stacked(train: Train, blanks: Blanks) -> list[TrainPart]:
             flipped=shaft == 1,
         )
 
-    drive = gear_body(first, blanks.drive)
+    drive = _made(1, "drive", gear_body, first, blanks.drive)
     parts = [part("1_pinion", 1, (first,), blanks.drive, drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.driven.form, after.driver.form
-        body = cluster_body(lower, upper, blanks.intermediate)
+        body = _made(shaft, "intermediate", cluster_body, lower, upper, blanks.intermediate)
         start = plane - lower.width / 2
         parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blanks.intermediate, body, start))
         plane = start + body.slabs[-1].end - upper.width / 2
     shaft = len(stages) + 1
-    output = gear_body(last, blanks.output)
+    output = _made(shaft, "output", gear_body, last, blanks.output)
     parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks.output, output, plane - last.width / 2))
     return parts
 
 
-def _discs(part: TrainPart, train: Train, parts: Sequence[TrainPart]) -> list[_Disc]:
-    """The bodies of revolution on a part's shaft, at the train's heights."""
+def _made(shaft: int, place: str, make: Callable[..., Body], *arguments: GearForm | GearBlank) -> Body:
+    try:
+        return make(*arguments)
+    except DesignError as error:
+        raise DesignError(f"on shaft {shaft} ({place}), {error}") from error
 
+
+def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
+    """The bodies of revolution on every shaft, at the train's heights: gears, hub and the shaft itself."""
+    found = [_gears_and_hub(part) for part in parts]
+    low, high = (pick(getattr(disc, end) for on in found for disc in on) for pick, end in ((min, "low"), (max, "high")))
+    for number, pair in enumerate(train.stages, 1):
+        if pair.bearing_span < high - low:
+            raise DesignError(
+                f"in stage {number}, the bearing span of {pair.bearing_span:g} mm is shorter than the stack of gears,"
+                f" collars and hubs between the bearings; give at least {ceil((high - low) * 1e3 - 1e-6) / 1e3:g} mm"
+            )
+    for part, on in zip(parts, found, strict=True):
+        if part.blank.bore_diameter:
+            stages = {max(part.shaft - 2, 0), min(part.shaft, len(train.stages)) - 1}
+            half = max(train.stages[j].bearing_span for j in stages) / 2
+            middle = (low + high) / 2
+            on.append(
+                _Disc(f"shaft {part.shaft} itself", None, part.blank.bore_diameter / 2, middle - half, middle + half)
+            )
+    return found
+
+
+def _gears_and_hub(part: TrainPart) -> list[_Disc]:
     def placed(name: str, stage: int | None, diameter: float, low: float, high: float) -> _Disc:
         ends = sorted(part.height + (-z if part.flipped else z) for z in (low, high))
         return _Disc(f"{name} on shaft {part.shaft}", stage, diameter / 2, *ends)
@@ -237,13 +238,6 @@ def _discs(part: TrainPart, train: Train, parts: Sequence[TrainPart]) -> list[_D
         found.append(placed(f"the gear of {top.teeth} teeth", part.stages[1], top.tip_diameter, end - top.width, end))
     if hub := part.blank.hub:
         found.append(placed("the hub", None, hub.diameter, bottom.width, bottom.width + hub.length))
-    if part.blank.bore_diameter:
-        spans = [train.stages[j].bearing_span for j in {max(part.shaft - 2, 0), min(part.shaft, len(train.stages)) - 1}]
-        middle = (parts[0].height + parts[-1].height) / 2
-        half = max(spans) / 2
-        found.append(
-            _Disc(f"shaft {part.shaft} itself", None, part.blank.bore_diameter / 2, middle - half, middle + half)
-        )
     return found
 
 
@@ -290,13 +284,16 @@ def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clea
     for one, two in product(first, second):
         in_mesh = one.stage is not None and one.stage == two.stage
         gap = max(apart - one.radius - two.radius, max(one.low, two.low) - min(one.high, two.high))
-        if not in_mesh and gap < clearance:
-            cure = "a longer collar" if one.stage and two.stage else "smaller bores or hubs"
-            return (
-                f"{one.name} and {two.name} collide: at axes {apart:.4g} mm apart the gap between them is {gap:.4g} mm,"
-                f" less than the clearance of {clearance:g} mm; give {cure}, another order of the stages, or other"
-                " directions"
-            )
+        if in_mesh or gap >= clearance:
+            continue
+        if apart < ONE_AXIS:
+            return f"{one.name} and {two.name} collide: both stand on one axis; give the stages other directions"
+        cure = "a longer collar" if one.stage and two.stage else "smaller bores or hubs"
+        return (
+            f"{one.name} and {two.name} collide: at axes {apart:.4g} mm apart the gap between them is {gap:.4g} mm,"
+            f" less than the clearance of {clearance:g} mm; give {cure}, another order of the stages, or other"
+            " directions"
+        )
     return ""
 
 

@@ -1,4 +1,4 @@
-"""Play, clearances and contact ratio measured on the teeth themselves, by overlapping their transverse sections.
+"""Play and clearances measured on the teeth themselves, by overlapping their transverse sections.
 
 A section is a polygon whose corners lie on the tooth curves; two of them overlap where the teeth do, which
 manifold3d finds exactly. Nothing here knows an involute: the figures of the formulas can fail.
@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, pi, sin, sqrt
+from math import pi
 
 import manifold3d
 import numpy as np
@@ -34,12 +34,6 @@ LEAST_OVERLAP = 1e-8
 ANGLE_STEP = 1e-8
 # Teeth to either side of the line of centres: a contact ratio below 3 needs no more.
 TEETH_BESIDE = 2
-# Interference in mm (on the driven gear's pitch circle) at which the ends of contact are looked for. Past its end
-# a contact opens with the square of the way, so the ends found at one and at four times this, extrapolated, give
-# the end at none.
-PROBE = 2e-4
-# Parts of a pitch between the angles at which contact is looked for, and pitches searched to either side.
-CONTACT_STEPS, CONTACT_PITCHES = 8, 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -93,6 +87,14 @@ class MeasuredPair:
         """Overlap of both sections in mm²."""
         return _overlap(self.driver.near(driver_angle, 0.0), self._driven(driven_angle))
 
+    def overlap_midway(self, driver_angle: float) -> float:
+        """Overlap in mm² with the teeth midway between the other's: above `LEAST_OVERLAP` they jam."""
+        return self.overlap(driver_angle, self.middle(driver_angle))
+
+    def overlap_tooth_on_tooth(self, driver_angle: float) -> float:
+        """Overlap in mm² half a pitch on: up to `LEAST_OVERLAP` the teeth do not hold each other."""
+        return self.overlap(driver_angle, self.middle(driver_angle) + pi / self.driven.teeth)
+
     def limit(self, driver_angle: float, side: int) -> float:
         """Angle at which the driven gear, turned from the middle to `side` (±1), begins to overlap the driver.
 
@@ -100,9 +102,9 @@ class MeasuredPair:
         """
         middle = self.middle(driver_angle)
         free, blocked = 0.0, pi / self.driven.teeth
-        if self.overlap(driver_angle, middle) > LEAST_OVERLAP:
+        if self.overlap_midway(driver_angle) > LEAST_OVERLAP:
             raise CheckError(self._fault("overlap midway between their flanks; thin the teeth, or set the axes apart"))
-        if self.overlap(driver_angle, middle + side * blocked) <= LEAST_OVERLAP:
+        if self.overlap_tooth_on_tooth(driver_angle) <= LEAST_OVERLAP:
             raise CheckError(self._fault("pass each other freely; set the axes closer"))
         while blocked - free > ANGLE_STEP:
             turned = (free + blocked) / 2
@@ -122,32 +124,6 @@ class MeasuredPair:
             self.centre_distance - self.driver.tip_radius - self.driven.root_radius,
             self.centre_distance - self.driven.tip_radius - self.driver.root_radius,
         )
-
-    def contact_ratio(self) -> float:
-        """Pitches over which one tooth of the driver carries, its other teeth taken away."""
-        shares = [self._carrying(PROBE), self._carrying(4 * PROBE)]
-        return (2 * shares[0] - shares[1]) * self.driver.teeth / (2 * pi)
-
-    def _carrying(self, interference: float) -> float:
-        """Angle of the driver, in rad, over which its tooth 0 touches when pressed in by `interference`."""
-        offset = self.limit(0.0, 1) - self.middle(0.0) + interference / self.driven_pitch_radius
-        tooth = np.append(self.driver.corners[0], 0j)
-
-        def touches(angle: float) -> bool:
-            turned = tooth * np.exp(1j * angle)
-            return _overlap(turned, self._driven(self.middle(angle) + offset)) > LEAST_OVERLAP
-
-        pitch = 2 * pi / self.driver.teeth
-        tried = np.arange(-CONTACT_PITCHES * CONTACT_STEPS, CONTACT_PITCHES * CONTACT_STEPS + 1) * pitch / CONTACT_STEPS
-        inside = [float(angle) for angle in tried if touches(float(angle))]
-        step = pitch / CONTACT_STEPS
-        ends = []
-        for outside, within in ((inside[0] - step, inside[0]), (inside[-1] + step, inside[-1])):
-            while abs(within - outside) > ANGLE_STEP:
-                between = (outside + within) / 2
-                outside, within = (outside, between) if touches(between) else (between, within)
-            ends.append(within)
-        return ends[1] - ends[0]
 
     def _driven(self, angle: float) -> Points:
         return self.centre_distance + self.driven.near(angle, pi)
@@ -180,19 +156,6 @@ def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> fl
     for stage in stages:
         low, high = stage.limit(high, -1), stage.limit(low, 1)
     return high - low
-
-
-def contact_ratio(pair: GearPair) -> float:
-    """ε_α of the formula: the part of the line of action on both gears' usable flanks, in base pitches."""
-    line = pair.centre_distance * sin(pair.working_pressure_angle)
-    one, two = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
-
-    def along(diameter: float, form: GearForm) -> float:
-        return sqrt(max(diameter**2 - form.base_diameter**2, 0.0)) / 2
-
-    start = max(line - along(two.form.tip_form_diameter, two.form), along(one.root_form_diameter, one.form))
-    end = min(along(one.form.tip_form_diameter, one.form), line - along(two.root_form_diameter, two.form))
-    return (end - start) / (pi * one.form.transverse_module * cos(one.form.transverse_pressure_angle))
 
 
 def _overlap(one: Points, two: Points) -> float:

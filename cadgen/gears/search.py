@@ -7,10 +7,11 @@ every choice of teeth, module and face width within limits; both by the greatest
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import permutations
-from math import inf
+from math import degrees, inf
 from typing import Literal, Self
 
 import numpy as np
@@ -18,7 +19,9 @@ from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import TrainPlay, play_equations, train_play
-from cadgen.gears.chains import LONGEST_CHAIN, best_chains
+from cadgen.gears.blank import fits
+from cadgen.gears.chains import LONGEST_CHAIN, BoolArray, best_chains
+from cadgen.gears.layout import Blanks
 from cadgen.gears.tolerances import (
     COVERED_DIAMETERS,
     FloatArray,
@@ -26,10 +29,12 @@ from cadgen.gears.tolerances import (
     centre_distance_deviation,
     gear_tolerances,
 )
-from cadgen.gears.tooth import MINIMUM_TEETH
+from cadgen.gears.tooth import MINIMUM_TEETH, GearForm
 from cadgen.gears.train import CENTRE_DISTANCE_ROUNDING, Gear, GearPair, Train
 
 Order = Literal["as-given", "reordered", "search"]
+# Pairs of gears within the limits that a search takes on: as many take a second and some hundred megabytes.
+MOST_PAIRS = 4_000_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,8 +81,15 @@ class SearchLimits:
 
     @classmethod
     def like(cls, train: Train) -> Self:
-        """Limits that span the gears of `train`: its ratio and stage count, and its sizes and all between."""
+        """Limits that span the gears of `train`: its ratio and stage count, and its sizes and all between.
+
+        Raises `DesignError` for stages of different grade, pressure angle or bearing span: the search gives all
+        stages the same.
+        """
         gears = [gear for stage in train.stages for gear in (stage.driver, stage.driven)]
+        _require_one("tolerance grade", (gear.grade for gear in gears))
+        _require_one("pressure angle in degrees", (degrees(gear.form.normal_pressure_angle) for gear in gears))
+        _require_one("bearing span in mm", (stage.bearing_span for stage in train.stages))
         teeth = [gear.form.teeth for gear in gears]
         axes = [stage.centre_distance for stage in train.stages]
         return cls(
@@ -113,10 +125,11 @@ def all_orders(train: Train) -> tuple[TrainPlay, ...]:
     return tuple(sorted(found.values(), key=lambda play: play.return_error_max))
 
 
-def search_trains(limits: SearchLimits) -> tuple[TrainPlay, ...]:
+def search_trains(limits: SearchLimits, blanks: Blanks | None = None) -> tuple[TrainPlay, ...]:
     """The `limits.keep` trains within the limits with the least greatest return error, best first.
 
-    Raises `DesignError` if no train is within the limits.
+    With `blanks` only trains whose gears fit them, each at its place, before thinning. Raises `DesignError` if no
+    train is within the limits, and for limits so wide that the search would not end.
     """
     pairs = _pairs(limits)
     found = best_chains(
@@ -127,13 +140,14 @@ def search_trains(limits: SearchLimits) -> tuple[TrainPlay, ...]:
         tolerance=limits.ratio_tolerance,
         length=limits.stages,
         keep=limits.keep,
+        allowed=None if blanks is None else _places(pairs, limits, blanks),
     )
     if not found:
         (fewest, most), (shortest, longest) = limits.teeth, limits.centre_distance
         raise DesignError(
             f"no train of {limits.stages} stages with {fewest} to {most} teeth and axes {shortest:g} to"
-            f" {longest:g} mm apart has the ratio {limits.ratio} within {limits.ratio_tolerance:g};"
-            " widen the limits or raise the ratio tolerance"
+            f" {longest:g} mm apart has the ratio {limits.ratio} within {limits.ratio_tolerance:g}"
+            f"{' and gears that fit their blanks' if blanks else ''}; widen the limits or raise the ratio tolerance"
         )
     return tuple(train_play(Train(tuple(_stage(pairs, row, limits) for row in rows))) for rows in found)
 
@@ -152,6 +166,11 @@ class _Pairs:
 def _pairs(limits: SearchLimits) -> _Pairs:
     """Every pair within the limits whose gears the standards cover, with its greatest return error."""
     teeth = np.arange(limits.teeth[0], limits.teeth[1] + 1)
+    if teeth.size**2 * len(limits.modules) * len(limits.widths) > MOST_PAIRS:
+        raise DesignError(
+            f"the search has {teeth.size} tooth numbers, {len(limits.modules)} modules and {len(limits.widths)} widths"
+            f" to choose from, more than {MOST_PAIRS // 1_000_000} million pairs; narrow them"
+        )
     columns = np.meshgrid(teeth, teeth, limits.modules, limits.widths, indexing="ij")
     driver, driven, module, width = (column.ravel() for column in columns)
     axes, diameters = module * (driver + driven) / 2, module * np.array([driver, driven])
@@ -176,11 +195,48 @@ def _pairs(limits: SearchLimits) -> _Pairs:
     return _Pairs(driver, driven, module, width, play.B_max)
 
 
+def _places(pairs: _Pairs, limits: SearchLimits, blanks: Blanks) -> list[BoolArray]:
+    """Which pairs may stand at each place, from the drive on: both gears must fit their blanks there."""
+
+    def ask(teeth: NDArray[np.int64], fit: Callable[[GearForm], bool]) -> BoolArray:
+        sizes = np.column_stack([teeth, pairs.module, pairs.width])
+        kinds, kind = np.unique(sizes, axis=0, return_inverse=True)
+        return np.array([fit(_form(limits, int(z), m, b)) for z, m, b in kinds.tolist()], dtype=np.bool_)[
+            np.ravel(kind)
+        ]
+
+    first = ask(pairs.driver, lambda form: fits(form, blanks.drive))
+    later = ask(pairs.driver, lambda form: fits(form, blanks.intermediate, on_collar=True))
+    before = ask(pairs.driven, lambda form: fits(form, blanks.intermediate))
+    last = ask(pairs.driven, lambda form: fits(form, blanks.output))
+    return [
+        (first if place == 0 else later) & (last if place == limits.stages - 1 else before)
+        for place in range(limits.stages)
+    ]
+
+
+def _require_one(what: str, values: Iterable[float]) -> None:
+    given = sorted(set(values))
+    if len(given) > 1:
+        raise DesignError(
+            f"the search gives all stages one {what}, and those given have {' and '.join(f'{v:g}' for v in given)};"
+            " give them all the same, or reorder them as they are"
+        )
+
+
+def _form(limits: SearchLimits, teeth: int, module: float, width: float) -> GearForm:
+    return replace(limits.pattern.form, teeth=teeth, normal_module=module, width=width, profile_shift=0.0)
+
+
 def _stage(pairs: _Pairs, row: int, limits: SearchLimits) -> GearPair:
     teeth, module = (int(pairs.driver[row]), int(pairs.driven[row])), float(pairs.module[row])
-    form = replace(limits.pattern.form, normal_module=module, width=float(pairs.width[row]), profile_shift=0.0)
     driver, driven = (
-        replace(limits.pattern, form=replace(form, teeth=z), overrides=ToleranceOverrides()) for z in teeth
+        replace(
+            limits.pattern,
+            form=_form(limits, z, module, float(pairs.width[row])),
+            overrides=ToleranceOverrides(),
+        )
+        for z in teeth
     )
     return GearPair(
         driver=driver,

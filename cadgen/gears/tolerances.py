@@ -69,7 +69,7 @@ CENTRE_DISTANCE_GRADES = {3: 6, 4: 6, 5: 7, 6: 7, 7: 8, 8: 8, 9: 9, 10: 9, 11: 1
 
 def single_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
     """f_pt = 0.3 (m + 0.4 √d) + 4 µm at grade 5; the deviation may have either sign."""
-    d, m = _part_1(diameter, module)
+    d, m = _part_1(diameter, module, "f_pt")
     return _graded(_f_pt(d, m), grade, finest=0.1)
 
 
@@ -77,70 +77,72 @@ def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, g
     """F_pk = f_pt + 1.6 √((k − 1) m) µm at grade 5, over k = `pitches`, 2 to z/8 in the standard."""
     if pitches < 2:
         raise DesignError(f"F_pk over {pitches} pitches is not defined; give 2 or more")
-    d, m = _part_1(diameter, module)
+    d, m = _part_1(diameter, module, "F_pk")
     return _graded(_f_pt(d, m) + 1.6 * np.sqrt((pitches - 1) * m), grade, finest=0.1)
 
 
 def total_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
     """F_p = 0.3 m + 1.25 √d + 7 µm at grade 5."""
-    d, m = _part_1(diameter, module)
+    d, m = _part_1(diameter, module, "F_p")
     return _graded(0.3 * m + 1.25 * np.sqrt(d) + 7, grade, finest=0.1)
 
 
 def total_profile_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
     """F_α = 3.2 √m + 0.22 √d + 0.7 µm at grade 5."""
-    d, m = _part_1(diameter, module)
+    d, m = _part_1(diameter, module, "F_alpha")
     return _graded(3.2 * np.sqrt(m) + 0.22 * np.sqrt(d) + 0.7, grade, finest=0.1)
 
 
 def total_helix_deviation(diameter: ArrayLike, width: ArrayLike, grade: int) -> FloatArray:
     """F_β = 0.1 √d + 0.63 √b + 4.2 µm at grade 5."""
-    d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1")
-    b = _step_mean(width, WIDTH_STEPS, "face width", "ISO 1328-1")
+    d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1", "F_beta")
+    b = _step_mean(width, WIDTH_STEPS, "face width", "ISO 1328-1", "F_beta")
     return _graded(0.1 * np.sqrt(d) + 0.63 * np.sqrt(b) + 4.2, grade, finest=0.1)
 
 
 def radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
     """F_i'' = 3.2 m_n + 1.01 √d + 6.4 µm at grade 5: the variation of the centre distance in a tight mesh."""
-    d, m = _part_2(diameter, module)
+    d, m = _part_2(diameter, module, "F_i_radial")
     return _graded(3.2 * m + 1.01 * np.sqrt(d) + 6.4, grade, finest=0.5)
 
 
 def tooth_radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
     """f_i'' = 2.96 m_n + 0.01 √d + 0.8 µm at grade 5: the part of F_i'' within one pitch."""
-    d, m = _part_2(diameter, module)
+    d, m = _part_2(diameter, module, "f_i_radial")
     return _graded(2.96 * m + 0.01 * np.sqrt(d) + 0.8, grade, finest=0.5)
 
 
 def radial_runout(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
     """F_r = 0.8 F_p = 0.24 m_n + 1.0 √d + 5.6 µm at grade 5, in the steps of part 1."""
-    d, m = _part_1(diameter, module)
+    d, m = _part_1(diameter, module, "F_r")
     return _graded(0.24 * m + np.sqrt(d) + 5.6, grade, finest=0.5)
 
 
-def standard_tolerance(size: ArrayLike, it_grade: int) -> FloatArray:
+def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", symbol: str = "IT") -> FloatArray:
     """Standard tolerance of ISO 286-1, IT3 to IT12, for sizes above 0 and up to 500 mm.
 
     IT5 to IT10 are multiples of i = 0.45 ∛D + 0.001 D µm with the geometric mean D of the step (of 1 and 3 mm
     in the first); IT11 and IT12 are ten times IT6 and IT7; IT3 and IT4 lie in geometric progression between
     IT1 = 0.8 + 0.020 D and IT5. Rounded to 1 µm, above 100 µm to 5, above 200 µm to 10; `IT_DEPARTURES` are
-    the values printed otherwise. (The standard goes on to 3150 mm with another formula.)
+    the values printed otherwise. (The standard goes on to 3150 mm with another formula.) `quantity` is what is
+    sized, and `symbol` what for, in the words of an error.
     """
     sizes = np.asarray(size, dtype=np.float64)
     if not np.all(sizes > 0):
-        raise DesignError(f"the size {_first(sizes, sizes > 0):g} mm is outside ISO 286-1; give one above 0 mm")
-    return _it_um(_checked(it_grade, "IT grade"))[_step(sizes, SIZE_STEPS, "size", "ISO 286-1") - 1] / UM_PER_MM
+        raise DesignError(f"the {quantity} {_first(sizes, sizes > 0):g} mm is outside ISO 286-1; give one above 0 mm")
+    step = _step(sizes, SIZE_STEPS, quantity, "ISO 286-1", symbol)
+    return _it_um(_checked(it_grade, "IT grade"))[step - 1] / UM_PER_MM
 
 
 def centre_distance_deviation(centre_distance: ArrayLike, grade: int) -> FloatArray:
     """f_a of the centre distance a ± f_a: half of IT6 (grades 3-4), 7 (5-6), 8 (7-8), 9 (9-10) or 11."""
-    return standard_tolerance(centre_distance, CENTRE_DISTANCE_GRADES[_checked(grade)]) / 2
+    return standard_tolerance(centre_distance, CENTRE_DISTANCE_GRADES[_checked(grade)], "centre distance", "f_a") / 2
 
 
 def cutting_feed_tolerance(diameter: ArrayLike, grade: int) -> FloatArray:
     """b_r: IT7 for grade 3, 1.26 IT7 for 4, IT8 for 5, 1.26 IT8 for 6, IT9 for 7, and so on."""
     step, coarser = divmod(_checked(grade) - GRADES[0], 2)
-    return standard_tolerance(diameter, 7 + step) * (1.26 if coarser else 1.0)
+    return standard_tolerance(diameter, 7 + step, "reference diameter", "b_r") * (1.26 if coarser else 1.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -212,31 +214,31 @@ def _f_pt(d: FloatArray, m: FloatArray) -> FloatArray:
     return 0.3 * (m + 0.4 * np.sqrt(d)) + 4
 
 
-def _part_1(diameter: ArrayLike, module: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1")
-    return d, _step_mean(module, MODULE_STEPS, "module", "ISO 1328-1")
+def _part_1(diameter: ArrayLike, module: ArrayLike, symbol: str) -> tuple[FloatArray, FloatArray]:
+    d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1", symbol)
+    return d, _step_mean(module, MODULE_STEPS, "module", "ISO 1328-1", symbol)
 
 
-def _part_2(diameter: ArrayLike, module: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    d = _step_mean(diameter, COMPOSITE_DIAMETER_STEPS, "reference diameter", "ISO 1328-2")
-    return d, _step_mean(module, COMPOSITE_MODULE_STEPS, "module", "ISO 1328-2")
+def _part_2(diameter: ArrayLike, module: ArrayLike, symbol: str) -> tuple[FloatArray, FloatArray]:
+    d = _step_mean(diameter, COMPOSITE_DIAMETER_STEPS, "reference diameter", "ISO 1328-2", symbol)
+    return d, _step_mean(module, COMPOSITE_MODULE_STEPS, "module", "ISO 1328-2", symbol)
 
 
-def _step_mean(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str) -> FloatArray:
+def _step_mean(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str, symbol: str) -> FloatArray:
     """Geometric mean of the limits of the step (lower, upper] that holds each size."""
-    upper = _step(size, steps, quantity, standard)
+    upper = _step(size, steps, quantity, standard, symbol)
     limits = np.asarray(steps, dtype=np.float64)
     return np.sqrt(limits[upper - 1] * limits[upper])
 
 
-def _step(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str) -> NDArray[np.intp]:
+def _step(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str, symbol: str) -> NDArray[np.intp]:
     """Index of the upper limit of the step that holds each size; the least size belongs to the first step."""
     sizes = np.asarray(size, dtype=np.float64)
     covered = (sizes >= steps[0] * (1 - STEP_SLACK)) & (sizes <= steps[-1] * (1 + STEP_SLACK))
     if not np.all(covered):
         raise DesignError(
-            f"the {quantity} {_first(sizes, covered):g} mm is outside {standard};"
-            f" give {steps[0]:g} to {steps[-1]:g} mm, or override the tolerance"
+            f"the {quantity} {_first(sizes, covered):g} mm is outside {standard}, which gives {symbol};"
+            f" give {steps[0]:g} to {steps[-1]:g} mm, or a value for {symbol}"
         )
     return np.maximum(np.searchsorted(steps, sizes * (1 - STEP_SLACK), side="left"), 1)
 

@@ -78,12 +78,12 @@ class GearPair:
         if not self.centre_distance >= least - CENTRE_DISTANCE_ROUNDING:
             raise DesignError(
                 f"{self} jams at the centre distance {self.centre_distance:g} mm;"
-                f" give at least {least:.4f} mm, or smaller profile shifts"
+                f" give at least {least:.7g} mm, or smaller profile shifts or modules"
             )
         if not self.centre_distance < reach:
             raise DesignError(
-                f"{self} does not meet at the centre distance {self.centre_distance:g} mm;"
-                f" give less than {reach:.4f} mm"
+                f"{self} of module {one.normal_module:g} does not meet at the centre distance"
+                f" {self.centre_distance:g} mm; give less than {reach:.6g} mm, or a larger module"
             )
 
     def __str__(self) -> str:

@@ -4,6 +4,7 @@
 |--------------|-----------------------------------------------------------------------------------------------|
 | `record`     | measured data as read: rows, runs, remarks                                                      |
 | `load`       | CSV files -> records; what cannot be is refused                                                 |
+| `units`      | files in another unit than their header says, by what the design lets expect                    |
 | `effects`    | the catalogue: one small object for each effect, and the anonymous shapes that compete          |
 | `models`     | exact forward models: effects -> what the instrument should have read                           |
 | `noise`      | what does not repeat between runs                                                               |
@@ -11,11 +12,12 @@
 | `hypothesis` | a subset of effects, fitted exactly and scored                                                  |
 | `search`     | all small subsets, linearised; the best are fitted                                              |
 | `verdict`    | what the rivals and what is left allow to be claimed                                            |
+| `doubt`      | what speaks against a verdict: bounds, a rest that dwarfs every effect, too little data         |
 | `diagnose`   | the way through all of these for one record, and the test on runs left out                      |
 | `leave_out`  | subsets by their path error on runs left out, where errors accumulate                           |
 | `steered`    | the verdict that follows from it                                                                |
 | `zones`      | the return error implied by mean turns over smooth, jump and reverse zones                      |
-| `together`   | one effect in several kinds of data                                                             |
+| `together`   | one thing in several kinds of data: agreement, and rivals that other data decide                |
 | `names`      | kinds of data and places of an effect, for design files                                         |
 | `catalogue`  | an effect by the name that it is written under                                                  |
 | `as_built`   | the car with its effects: what a disc becomes, and what to cut so that it is the one wanted      |

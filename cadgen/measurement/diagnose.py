@@ -49,12 +49,16 @@ class Finding:
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A row of the table of candidates: a subset with its numbers, and how much worse than the best it is."""
+    """A row of the table of candidates: a subset with its numbers, and how much worse than the best it is.
+
+    Of tracks with logged steering the score is the path error on runs left out, and `held_out` that of each run.
+    """
 
     effects: tuple[str, ...]
     score: float
     loose_score: float
     findings: tuple[Finding, ...] = ()
+    held_out: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

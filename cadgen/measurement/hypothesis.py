@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from math import comb, log
+from math import log
 
 import numpy as np
 from numpy.typing import NDArray
@@ -118,15 +118,15 @@ class Search:
     shapes: int = 1
 
     def penalty(self, effects: tuple[Effect, ...], parameters: int) -> float:
-        """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(subsets).
+        """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(choices).
 
-        All sets of so many sorts are alike likely beforehand, and so are the entries of one sort.
+        Beforehand all sorts are alike likely, and so are the entries of one sort; every further cause is as unlikely as
+        the first, whatever others there are.
         """
         named = [e.sort for e in effects if not e.shape]
         anonymous = len(effects) - len(named)
-        subsets = log(comb(max(len(self.entries), len(named)), len(named)))
-        subsets += sum(log(self.entries.get(sort, 1)) for sort in named)
-        return parameters * log(self.rows) + 2 * (subsets + anonymous * log(self.shapes))
+        choices = sum(log(max(len(self.entries), 1) * self.entries.get(sort, 1)) for sort in named)
+        return parameters * log(self.rows) + 2 * (choices + anonymous * log(self.shapes))
 
 
 def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Active, search: Search) -> Hypothesis:

@@ -32,7 +32,8 @@ def diagnose_steered(record: Record, build: Callable[[Record], Model], step: Ste
         findings=findings,
         datum=(),
         candidates=tuple(
-            Candidate(tuple(e.name for e in t.effects), t.error, t.error, _findings(t)) for t in left_out.trials
+            Candidate(tuple(e.name for e in t.effects), t.error, t.error, _findings(t), tuple(t.held_out.tolist()))
+            for t in left_out.trials
         ),
         residual=Residual(
             before=float(left_out.before.mean()),

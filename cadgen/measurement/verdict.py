@@ -27,7 +27,7 @@ Verdict = Literal[
 
 # A name is claimed if the subsets that hold it have this probability together. That is of the least sure claim; of all
 # claims far more are right (docs/measurement.md).
-SURE = 0.8
+SURE = 0.85
 # The same as a difference of the criterion between two subsets: 2 ln(odds).
 MARGIN = 2 * log(SURE / (1 - SURE))
 # Subsets within this much of the best one (odds of 12 to 1) are its rivals, and told beside it.

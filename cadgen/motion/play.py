@@ -26,6 +26,19 @@ from cadgen.errors import DesignError
 
 Array = NDArray[np.float64]
 
+
+class WidePlayError(DesignError):
+    """A return error that does not fit between the events of a lift.
+
+    Attributes:
+        what: is wrong, without what to change.
+    """
+
+    def __init__(self, what: str, cure: str) -> None:
+        super().__init__(f"{what}: {cure}")
+        self.what = what
+
+
 TURN = 2 * np.pi
 
 # Rises and falls of tan(beta) below this are noise, not events: 0.01 um of lift, what rolling an outline errs by.
@@ -142,7 +155,7 @@ def refuse_wide_play(lift: LiftCurve, play: float, found: Array, *, whole_turn: 
         whole_turn: look at events in the closing blend too, which a run up to its start never meets.
 
     Raises:
-        DesignError: the play is above 0 and not less than the distance between two neighbouring events.
+        WidePlayError: the play is above 0 and not less than the distance between two neighbouring events.
     """
     if play == 0 or not len(found):
         return
@@ -154,8 +167,8 @@ def refuse_wide_play(lift: LiftCurve, play: float, found: Array, *, whole_turn: 
         first, second = np.degrees(events[worst : worst + 2]) % 360
         names = ("valley", "peak") if worst % 2 else ("peak", "valley")
         cure = "move the waypoints there" if events[worst] < lift.blend_start else "change cam.blend_deg"
-        raise DesignError(
+        raise WidePlayError(
             f"the return error of {degrees(play):.3f} degrees is not less than the {degrees(gaps[worst]):.3f} degrees "
-            f"between the {names[0]} at {first:.1f} degrees and the {names[1]} at {second:.1f} degrees of cam angle: "
-            f"take a train with less backlash, or {cure}"
+            f"between the {names[0]} at {first:.1f} degrees and the {names[1]} at {second:.1f} degrees of cam angle",
+            f"take a train with less backlash, or {cure}",
         )

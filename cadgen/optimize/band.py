@@ -176,12 +176,12 @@ def over_band(
 def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[float, float]) -> Bound:
     """A lower bound, to first order in the band's width, on the worst end of run of one profile for all plays.
 
-    It holds for every profile with the wanted peaks and valleys, and for no others: whose lift rises and falls where the wanted one does, and which reaches its peaks, its
-    valleys and its values where the run starts and stops. Let f be the turning rate that the profile gives over a
-    fall. With play B the car meets f(phi + B) there; the rises it meets unchanged. So between the plays at the
-    band's ends, D apart, the turning differs by f(phi + D) - f(phi), whose integral over fall k is D M_k, M_k the
-    rise of the turning rate from peak to valley, whatever f does in between: at one end of the band the heading is
-    off by at least half of D sum(M_k).
+    It holds for profiles whose lift rises and falls where the wanted one does and which reach its peaks, its valleys
+    and its values where the run starts and stops, and for no others: a flatter profile depends less on play.
+    Let f be the turning rate that the profile gives over a fall. With play B the car meets f(phi + B) there; the rises
+    it meets unchanged. So between the plays at the band's ends, D apart, the turning differs by f(phi + D) - f(phi),
+    whose integral over fall k is D M_k, M_k the rise of the turning rate from peak to valley, whatever f does in
+    between: at one end of the band the heading is off by at least half of D sum(M_k).
     A change of heading at a place Q moves the end E of the run about Q, so the ends of the two runs differ by
     D sum(M_k (E - Q_k)), turned by 90 degrees, with each Q_k a mean of places on fall k that the profile may choose.
     For every direction u this is at least D sum(M_k min over the fall of u.(E - Q)); half the greatest of these

@@ -56,8 +56,8 @@ def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, least: s
         nearest = min(candidates, key=lambda one: max(_excess(one, limit) for limit in limits))
         binding = max(limits, key=lambda limit: _excess(nearest, limit))
         raise CheckError(
-            f"none of the profiles compared keeps the design's limits: the nearest, {nearest.name}, {_beyond(nearest, binding)}: raise "
-            f"the limit in [optimize], or take a train with less backlash"
+            f"none of the profiles compared keeps the design's limits: the nearest, {nearest.name}, "
+            f"{_beyond(nearest, binding)}: raise the limit in [optimize], or take a train with less backlash"
         )
     best = min(kept, key=lambda one: one.figures[least])
     reasons = []

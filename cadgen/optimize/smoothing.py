@@ -12,6 +12,7 @@ play. That is the method's cost: `Judged.deviation` of `cadgen.optimize.judge`.
 """
 
 from functools import cache
+from math import radians
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +32,7 @@ PAPER_AIM = 0.2715  # share of the sum of deflection errors that the paper's smo
 _END_SLOPE = 0.1  # nu, what is left of a slope near the extreme; at 0 it would be level there to fourth order
 _STEP = np.pi / 360  # half a degree: the compressed lift is no polynomial, and a quintic this wide errs by 1e-9
 _DEPTH_TOLERANCE = 1e-7  # of the depth; the sum then errs by no more
+_LEAST_PLAY = radians(0.01)  # without play there is no sum to take a share off
 _DEEPEST = 0.999  # at 1 the knee would reach straight ahead, where the contact changes face
 
 
@@ -73,12 +75,14 @@ def smooth_to(
         follower: the rod and the faces.
         car: its dimensions.
         length: travel of the drive wheel in one turn of the cam, mm.
-        play: return error B, rad; it hardly matters, since the sum is nearly proportional to it.
+        play: return error B, rad; it hardly matters, since the sum is nearly proportional to it. Below 0.01 degrees
+            the depth for that is taken.
         aim: share to take off, such as the paper's 0.2715.
 
     Raises:
         DesignError: no depth reaches the aim, or the play does not fit the events.
     """
+    play = max(play, _LEAST_PLAY)
     plain = deflection_sum(deflections(lift, follower, car, length, play))
 
     @cache

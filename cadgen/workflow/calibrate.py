@@ -166,7 +166,7 @@ def calibrate(
         DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
         FileError: files that cannot be judged together, or whose units cannot be.
     """
-    floor, stated = _form_error(sources, form_error_um)
+    floor, stated = stated_form_error(sources, form_error_um)
     told: dict[str, Diagnosis] = {}
     track_length = None
     modelled = [s.record for s in sources if s.kind not in (STEERED, ZONES)]
@@ -255,7 +255,8 @@ def _place(claim: Claim) -> Place:
     return named(claim.kind, claim.finding.effect, dict(claim.finding.given)).places[0]
 
 
-def _form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
+def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
+    """Form error of the disc that is to be expected, um rms, and who says so."""
     if given is not None:
         return given, "given"
     if by := next((s for s in sources if printed(s.record)), None):

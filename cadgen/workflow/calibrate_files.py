@@ -163,7 +163,12 @@ def _record(told: Diagnosis) -> dict[str, Any]:
             for b, a, h in zip(told.per_run.before, told.per_run.after, told.per_run.held_out, strict=True)
         ],
         "candidates": [
-            {"effects": list(c.effects), "worse_by": _plain(c.score), "values": [_finding(f) for f in c.findings]}
+            {
+                "effects": list(c.effects),
+                "left_out_mm" if c.held_out else "worse_by": _plain(c.score),
+                "values": [_finding(f) for f in c.findings],
+                **({"left_out_of_each_run_mm": list(c.held_out)} if c.held_out else {}),
+            }
             for c in told.candidates
         ],
     }

@@ -34,10 +34,8 @@ _SHOWN_CANDIDATES = 6
 def report(calibration: Calibration) -> list[Block]:
     """Everything a calibration says."""
     c = calibration
-    blocks: list[Block] = [
-        f"{c.design.name}, {c.profile} profile; form error of the disc {c.form_error_um:g} µm rms "
-        f"({c.form_error_from})."
-    ]
+    floor = f"; form error of the disc {c.form_error_um:g} µm rms ({c.form_error_from})" if c.track_length else ""
+    blocks: list[Block] = [f"{c.design.name}, {c.profile} profile{floor}."]
     if c.wheelbase is not None:
         by = "a file says so" if c.wheelbase[1] else "the design's, since no file says it"
         blocks.append(
@@ -113,7 +111,7 @@ def _record(told: Diagnosis, files: Sequence[Source]) -> list[Block]:
     for finding in told.findings:
         claimed = "" if finding.effect in j.claimed else " (not claimed)"
         blocks.append(f"  {finding.effect}{claimed}: {_sizes(finding)}")
-    blocks.append(_residuals(told, files))
+    blocks += ["", _residuals(told, files), ""]
     if told.kind != STEERED:
         space = "" if unit == "°" else " "
         blocks.append(f"Noise between runs {_number(told.residual.noise)}{space}{unit}{_correlated(told)}.")
@@ -122,18 +120,15 @@ def _record(told: Diagnosis, files: Sequence[Source]) -> list[Block]:
     if told.verdict not in ("unexplained", "runs disagree"):
         blocks += [f"To {verb}, {text}." for text in j.separate]
     blocks += [f"Limit: {text}." for text in j.limits]
-    blocks.append(_candidates(told))
+    blocks += ["", _candidates(told, files)]
     return blocks
 
 
 def _residuals(told: Diagnosis, files: Sequence[Source]) -> Table:
-    """All runs, and the runs of each file if there are several."""
+    """Before, after and on runs left out."""
     r, p, steered = told.residual, told.per_run, told.kind == STEERED
     head = [f"{'path error' if steered else 'residual'}, rms in {SIGNS[told.unit]}", "before", "after", "left out"]
-    parts = {"all runs": slice(None)}
-    ends = np.cumsum([0, *(source.record.runs for source in files)]).tolist()
-    if len(files) > 1:
-        parts |= {s.record.source: slice(a, b) for s, (a, b) in zip(files, pairwise(ends), strict=True)}
+    parts = _parts(files)
     columns = [p.before, p.after, p.held_out]
     if p.as_logged is not None:
         head.append("before, start as logged")
@@ -168,12 +163,28 @@ def _datum(told: Diagnosis) -> str:
     return DATUM[told.kind] + (f" ({'; '.join(numbers)})" if numbers else "")
 
 
-def _candidates(told: Diagnosis) -> Table:
-    steered = told.kind == STEERED
+def _candidates(told: Diagnosis, files: Sequence[Source]) -> Table:
     best = told.candidates[:_SHOWN_CANDIDATES]
-    none = [c for c in told.candidates if not c.effects and c not in best]
-    head = ("candidates", "mm, runs left out" if steered else "worse by")
-    return Table(head, tuple((", ".join(c.effects) or "no effect", f"{c.score:.1f}") for c in [*best, *none]))
+    shown_ones = [*best, *(c for c in told.candidates if not c.effects and c not in best)]
+    names = [", ".join(c.effects) or "no effect" for c in shown_ones]
+    if told.kind != STEERED:
+        rows = [(name, f"{c.score:.1f}") for name, c in zip(names, shown_ones, strict=True)]
+        return Table(("candidates", "worse by"), tuple(rows))
+    parts = _parts(files)
+    steered = [
+        (name, *(_number(float(np.mean(c.held_out[part]))) for part in parts.values()))
+        for name, c in zip(names, shown_ones, strict=True)
+    ]
+    return Table(("candidates, mm on runs left out", *parts), tuple(steered))
+
+
+def _parts(files: Sequence[Source]) -> dict[str, slice]:
+    """All runs, and the runs of each file if there are several."""
+    parts = {"all runs": slice(None)}
+    ends = np.cumsum([0, *(source.record.runs for source in files)]).tolist()
+    if len(files) > 1:
+        parts |= {s.record.source: slice(a, b) for s, (a, b) in zip(files, pairwise(ends), strict=True)}
+    return parts
 
 
 def _zones(means: ZoneMeans) -> list[Block]:

@@ -78,7 +78,12 @@ class CamPlan:
     @property
     def passed(self) -> bool:
         """Whether every check keeps its limit."""
-        return all(check.passed for check in self.checks)
+        return not self.failed
+
+    @property
+    def failed(self) -> tuple[Check, ...]:
+        """The checks that do not keep their limit."""
+        return tuple(check for check in self.checks if not check.passed)
 
     @property
     def path_end(self) -> float:
@@ -98,7 +103,7 @@ class CamPlan:
     @cached_property
     def lost(self) -> tuple[Check, ...]:
         """The checks by which too much lift is lost."""
-        return tuple(check for check in self.checks if check.name.startswith("lost lift") and not check.passed)
+        return tuple(check for check in self.failed if check.name.startswith("lost lift"))
 
     @cached_property
     def cures(self) -> tuple["Cure", ...]:
@@ -276,7 +281,7 @@ def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
         again = plan_cam(with_overrides(plan.design, [override]), profile)
     except CadgenError:
         return []
-    return [] if again.lost else [Cure(override, now, tuple(c.name for c in again.checks if not c.passed))]
+    return [] if again.lost else [Cure(override, now, tuple(c.name for c in again.failed))]
 
 
 def against_of(plan: CamPlan) -> Against:

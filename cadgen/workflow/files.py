@@ -152,6 +152,7 @@ def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None) -> Writt
         job = _Job(plan, staging)
         files: dict[str, Any] = {}
         omitted: dict[str, str] = {}
+        warnings: list[str] = []
         for label, make in _FORMATS.items():
             step(f"writing and reading back {label}")
             try:
@@ -162,7 +163,15 @@ def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None) -> Writt
                 continue
             for result in results:
                 files[result.name] = _judged(job, result)
-        entry = {**plan.facts(), "frame": _FRAME, "versions": versions(), "omitted": omitted, "files": files}
+                warnings += _loss(job, result, _REFINE[label])
+        entry = {
+            **plan.facts(),
+            "frame": _FRAME,
+            "versions": versions(),
+            "omitted": omitted,
+            "warnings": warnings,
+            "files": files,
+        }
         write_manifest(staging, out, job.stem, entry)
     return Written(job.stem, entry)
 
@@ -187,6 +196,17 @@ def _judged(job: _Job, result: _Result) -> dict[str, Any]:
         "lift_limit_um": result.lift_limit_um,
         **result.facts,
     }
+
+
+def _loss(job: _Job, result: _Result, refine: str) -> list[str]:
+    """A warning if the file keeps its own tolerance, but not what the profile does against play."""
+    against, end = job.plan.against, result.facts.get("end_position_mm")
+    if against is None or end is None or not against.loses(end):
+        return []
+    return [
+        f"{result.name} gives away what the profile does against play, for with it the run ends {end:.1f} mm off, and "
+        f"{against.chosen.error.end_distance:.1f} mm with the exact profile: {refine}"
+    ]
 
 
 def _step(job: _Job) -> Iterator[_Result]:
@@ -303,4 +323,12 @@ _FORMATS: dict[str, Callable[[_Job], Iterator[_Result]]] = {
     "DXF": _dxf,
     "G-code": _gcode,
     "points": _points,
+}
+# What makes the files of a format finer.
+_REFINE = {
+    "STEP": "report this design",
+    "STL and 3MF": "lower export.mesh_chord_um",
+    "DXF": "lower export.arc_tolerance_um",
+    "G-code": "lower export.arc_tolerance_um",
+    "points": "raise export.point_count",
 }

@@ -16,8 +16,9 @@ from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_hash, versions, write_manifest
 from cadgen.gears.gear_mesh import body_mesh
 from cadgen.gears.layout import TrainPart
-from cadgen.gears.mesh_check import MeasuredPair, Section
-from cadgen.workflow.gears import PLAY_LIMIT_UM, GearsPlan, Step, exact_play, play_error_um, return_error_um
+from cadgen.gears.mesh_check import LEAST_OVERLAP, MeasuredPair, Section
+from cadgen.workflow.gears import GearsPlan, Step
+from cadgen.workflow.gears_checks import PLAY_LIMIT_UM, cycle, exact_play, meshes, play_error_um, return_error_um
 
 if TYPE_CHECKING:
     from cadgen.solids.gear_text import GearContent
@@ -133,8 +134,14 @@ def _assembly(plan: GearsPlan, file: str, found: Sequence[AssembledPart], parts:
 
 
 def _in_mesh(plan: GearsPlan, name: str, sections: list[tuple[Section, ...]]) -> dict[str, Any]:
-    """Play of every stage, and return error of the train, measured on the sections in the files."""
+    """Play of every stage, and return error of the train, measured on the sections in the files.
+
+    Over a pitch the sections do not overlap just within the computed play, and do just past it. Teeth that jam, or
+    do not hold each other, have no play to measure.
+    """
     cut = plan.layout.train.stages
+    if not meshes(cut):
+        return {"play_um": None, "play_error_um": None, "return_error_error_um": None}
     measured = [
         MeasuredPair(before[-1], after[0], pair.centre_distance)
         for before, after, pair in zip(sections, sections[1:], cut, strict=False)
@@ -143,6 +150,10 @@ def _in_mesh(plan: GearsPlan, name: str, sections: list[tuple[Section, ...]]) ->
     total = return_error_um(cut, measured)
     worst = max(map(abs, [*errors, total]))
     _require(worst <= PLAY_LIMIT_UM, name, f"has a play {worst:.2g} µm off the computed one")
+    for number, (pair, found) in enumerate(zip(cut, measured, strict=True), 1):
+        within, past = cycle(pair, found)
+        held = within <= LEAST_OVERLAP <= past
+        _require(held or not plan.passed, name, f"has teeth in stage {number} whose play is not the same over a pitch")
     return {
         "play_um": [
             exact_play(pair) * pair.driven_pitch_radius * 1e3 + error for pair, error in zip(cut, errors, strict=True)

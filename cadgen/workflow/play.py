@@ -79,6 +79,10 @@ class Against:
         """Share of the first profile's worst end position over its band that is off at a given one, mm."""
         return _off(distance, self.before.band.worst_distance, _NO_DISTANCE)
 
+    def sum_gain(self, one: Judged) -> float | None:
+        """Share of the first profile's sum of deflection errors that another takes off, on its own train."""
+        return _off(one.deflection_sum, self.before.deflection_sum, _NO_HEADING)
+
     def loses(self, end_distance: float) -> bool:
         """Whether a file whose run ends so far off, mm, gives away what the profile is for.
 
@@ -266,7 +270,7 @@ def _other_order(design: Design, task: Task, bands: dict[str, PlayBand], check: 
 
 def decides(band: PlayBand) -> str:
     """Name of the figure that the choice goes by: with a measured play other cars do not matter."""
-    return "worst end position error" if band.measured is None else "end position error at the measured play"
+    return "worst end position error" if band.measured is None else "position error at the end with the measured play"
 
 
 def limits(design: Design, band: PlayBand) -> tuple[Limit, ...]:
@@ -300,9 +304,7 @@ def lift_check(design: Design, one: Judged) -> Check:
     )
 
 
-def _best(
-    design: Design, judged: Sequence[Judged], band: PlayBand, check: Checker
-) -> tuple[Judged, tuple[str, ...]]:
+def _best(design: Design, judged: Sequence[Judged], band: PlayBand, check: Checker) -> tuple[Judged, tuple[str, ...]]:
     """The best that also passes its checks; profiles are checked in order of merit, for checks take time."""
     allowed, least = limits(design, band), decides(band)
     remaining = {one.profile: one for one in judged}

@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 
 from cadgen.design.schema import Design
+from cadgen.errors import DesignError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_facts, versions, write_manifest
 from cadgen.export.tracks import write_tracks
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflection_sum, deflections, run_error
+from cadgen.motion.play import WidePlayError
 from cadgen.optimize.judge import Judged
 from cadgen.report.errors import draw_events
 from cadgen.report.lift import LiftPicture, draw_lift
@@ -64,6 +66,8 @@ class Simulation:
             "overrides": list(self.plan.design.overrides),
             "design_sha256": self.plan.design.content_hash,
             "profile": self.plan.profile,
+            "passed": self.plan.passed,
+            "failed_checks": [check.name for check in self.plan.failed],
             "method": self.against.chosen.profile,
             "return_error_deg": degrees(self.play),
             "cut_for_deg": degrees(self.against.chosen.play),
@@ -80,6 +84,7 @@ class Simulation:
             "deflection_sum_deg": degrees(deflection_sum(self.events)),
             "before": _end(self.before_error),
             "after": _end(self.after_error),
+            "after_without_play": _end(self.against.chosen.deviation),
         }
 
 
@@ -103,15 +108,12 @@ def simulate(
     play = against.chosen.play if play_deg is None else radians(play_deg)
     task = against.task
     step("running the car")
-    return Simulation(
-        plan=plan,
-        against=against,
-        play=play,
-        planned=task.planned(),
-        before=against.run(against.before, play),
-        after=against.run(against.chosen, play),
-        events=deflections(against.before.lift, task.follower, task.car, task.length, play),
-    )
+    try:
+        before, after = (against.run(one, play) for one in (against.before, against.chosen))
+        events = deflections(against.before.lift, task.follower, task.car, task.length, play)
+    except WidePlayError as error:
+        raise error if play_deg is None else DesignError(f"{error.what}: lower --play-deg") from error
+    return Simulation(plan, against, play, task.planned(), before, after, events)
 
 
 def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text: None) -> Written:
@@ -121,7 +123,7 @@ def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text
         FileError: a file cannot be written, or what was read back is not what was meant.
     """
     against, design = simulation.against, simulation.plan.design
-    stem = f"{design.name}_simulation"
+    stem = f"{design.name}_{simulation.plan.profile}_simulation"
     runs = {"planned": simulation.planned, "before": simulation.before, "after": simulation.after}
     named = design.name if design.as_built is None else f"{design.name}, as built"
     title = f"{named}, return error {degrees(simulation.play):.3f}°"

@@ -60,6 +60,8 @@ class ToleranceRun:
             "design_sha256": design.content_hash,
             "cadgen": __version__,
             "profile": self.plan.profile,
+            "passed": self.plan.passed,
+            "failed_checks": [check.name for check in self.plan.failed],
             "as_built": as_built_facts(design, self.plan.lift.blend_start),
             "samples": len(distance),
             "seed": self.seed,
@@ -148,7 +150,7 @@ def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None
         FileError: a file cannot be written.
     """
     design = run.plan.design
-    stem = f"{design.name}_tolerance"
+    stem = f"{design.name}_{run.plan.profile}_tolerance"
     step("drawing")
     with publishing(out) as staging:
         picture = FleetPicture(

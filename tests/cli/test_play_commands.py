@@ -1,6 +1,8 @@
 """`cadgen simulate`, `optimize` and `tolerance` as a user meets them."""
 
 import json
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
 
 import numpy as np
@@ -20,9 +22,9 @@ def test_simulate_writes_tracks_and_pictures_that_are_what_they_claim(cadgen, tm
     assert max(map(len, result.stdout.splitlines())) <= 80
     for figure in ("12.33", "1333.", "3.09", "3.681", "1.482", "-0.034", "4.287", "0.159"):
         assert figure in result.stdout
-    part = json.loads((tmp_path / "a/manifest.json").read_text())["parts"]["carbon_free_car_simulation"]
+    part = json.loads((tmp_path / "a/manifest.json").read_text())["parts"]["carbon_free_car_optimized_simulation"]
     assert {file.name for file in (tmp_path / "a").iterdir()} == {*part["files"], "manifest.json"}
-    tracks = read_tracks(tmp_path / "a/carbon_free_car_simulation_tracks.csv")
+    tracks = read_tracks(tmp_path / "a/carbon_free_car_optimized_simulation_tracks.csv")
     off = [tracks[f"before_drive_{axis}_mm"][-1] - tracks[f"planned_drive_{axis}_mm"][-1] for axis in "xy"]
     assert np.hypot(*off) == pytest.approx(part["before"]["end_position_mm"], abs=1e-3)
     across = (
@@ -45,7 +47,9 @@ def test_optimize_compares_alone_and_combined_and_writes_nothing(cadgen, tmp_pat
         "reordered",
         "smoothed, compensated",
         "compensated chosen",
-        "no profile betters",
+        "bound, same peaks",
+        "no profile with the same peaks and valleys betters it, to first order",
+        "smoothed 2012 mm 2012 mm",
         "45.31 %",
     ):
         assert text in words
@@ -65,6 +69,28 @@ def test_optimize_draws_on_request(cadgen, tmp_path):
     assert json.loads((tmp_path / "p/manifest.json").read_text())["parts"] == {"carbon_free_car_methods": part}
 
 
+def test_optimize_fails_if_even_the_best_profile_fails_a_check(cadgen):
+    result = cadgen("optimize", "appendix_car", code=1)
+    words = " ".join(result.stdout.split())
+    assert "appendix_car: the optimized profile fails its checks" in words
+    assert "FAIL" in words
+    assert "lost lift, undercut: no profile gives this lift to this rod" in words
+    assert "even the best profile fails a check" in result.stderr
+
+
+def test_predictions_on_a_failing_profile_say_so(cadgen):
+    for command in (("simulate", "--profile", "smoothed", "--out", "s"), ("tolerance", "--profile", "actual")):
+        more = ("--samples", "100") if command[0] == "tolerance" else ()
+        words = " ".join(cadgen(*command, *more, code=0).stdout.split())
+        assert f"the {command[2]} profile fails its checks" in words
+        assert "lift error with play: the profile leaves the planned path" in words
+
+
+def test_the_package_runs_as_a_module():
+    result = subprocess.run([sys.executable, "-m", "cadgen", "--version"], capture_output=True, text=True, check=True)
+    assert result.stdout.startswith("cadgen, version")
+
+
 def test_a_seed_gives_the_same_cars_on_any_number_of_processes(cadgen):
     arguments = ("tolerance", "--samples", "450", "--seed", "7", "--json")
     one, two = (json.loads(cadgen(*arguments, "--processes", n, code=0).stdout) for n in ("1", "2"))
@@ -80,7 +106,11 @@ def test_tolerance_fits_the_terminal_and_draws_on_request(cadgen, tmp_path):
     assert max(map(len, result.stdout.splitlines())) <= 80
     assert "% pass all 11 gates of 200 mm" in result.stdout
     files = {file.name for file in (tmp_path / "p").iterdir()}
-    assert files == {"carbon_free_car_tolerance.png", "carbon_free_car_tolerance.svg", "manifest.json"}
+    assert files == {
+        "carbon_free_car_optimized_tolerance.png",
+        "carbon_free_car_optimized_tolerance.svg",
+        "manifest.json",
+    }
 
 
 @pytest.mark.parametrize(

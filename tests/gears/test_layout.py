@@ -12,7 +12,8 @@ from cadgen.errors import DesignError
 from cadgen.gears.backlash import train_play
 from cadgen.gears.blank import GearBlank, Hub, Keyway
 from cadgen.gears.gear_mesh import body_mesh
-from cadgen.gears.layout import Blanks, TrainLayout, lay_out, meshing_angle, thinned
+from cadgen.gears.layout import Blanks, TrainLayout, lay_out, meshing_angle
+from cadgen.gears.thinning import thinned
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair, Train
 

@@ -10,11 +10,10 @@ from hypothesis import strategies as st
 
 from cadgen.errors import CheckError, DesignError
 from cadgen.gears.backlash import train_play
-from cadgen.gears.layout import thinned, with_deviations
+from cadgen.gears.thinning import thinned, with_deviations
 from cadgen.gears.mesh_check import (
     LEAST_OVERLAP,
     MeasuredPair,
-    contact_ratio,
     measured_pair,
     return_error,
     section_of,

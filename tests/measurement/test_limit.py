@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.measurement.models.base import fourier, per_run
-from tests.measurement.limit import ORDERS, apart, rates
+from tests.measurement.limit import ORDERS, covariance, rates
 
 
 def test_claims_of_the_best_judge_are_as_often_right_as_it_says():
@@ -16,16 +16,15 @@ def test_claims_of_the_best_judge_are_as_often_right_as_it_says():
     twins = np.stack([np.cos(angle) + 0.02 * np.sin(3 * angle), np.cos(angle) - 0.02 * np.cos(5 * angle)], axis=1)
     noise = np.full(400, 2.0)
     variance = 1.0 / np.arange(1, ORDERS + 1) ** 2
-    told = apart(model, twins, noise, variance)
-    size = 1.5 * told[0]
+    size = 1.5 * np.sqrt(covariance(model, twins, noise, variance)[0, 0])
     # Draw data with the first twin in it, and judge them by the dense covariance, the datum's prior a wide one.
     waves, _ = fourier(angle, ORDERS)
-    covariance = np.diag(noise**2) + (waves * np.tile(variance, 2)) @ waves.T
-    inverse = np.linalg.inv(covariance)
+    dense = np.diag(noise**2) + (waves * np.tile(variance, 2)) @ waves.T
+    inverse = np.linalg.inv(dense)
     D = model.offsets
     inverse = inverse - inverse @ D @ np.linalg.solve(D.T @ inverse @ D, D.T @ inverse)
     rng = np.random.default_rng(4)
-    drawn = size * twins[:, :1] + np.linalg.cholesky(covariance) @ rng.normal(size=(400, 4000))
+    drawn = size * twins[:, :1] + np.linalg.cholesky(dense) @ rng.normal(size=(400, 4000))
     gain = (twins.T @ inverse @ drawn) ** 2 / np.sum(twins * (inverse @ twins), axis=0)[:, None]
     ahead = gain[0] - gain[1]
     for odds in (1.0, 3.0):

@@ -95,3 +95,45 @@ def test_a_profile_that_goes_round_twice_is_refused(tmp_path):
     path.write_text("run,x_mm,y_mm\n" + rows)
     with pytest.raises(FileError, match=r"goes round 2.0 times"):
         load(path)
+
+
+def test_marks_and_line_ends_of_other_systems_make_no_difference(tmp_path):
+    (tmp_path / "plain.csv").write_text(LIFT)
+    (tmp_path / "other.csv").write_bytes(
+        b"\xef\xbb\xbf" + LIFT.replace("\n", "\r\n").replace("run,", '"run", ').encode()
+    )
+    plain, other = (load(tmp_path / f"{name}.csv") for name in ("plain", "other"))
+    assert plain.kind == other.kind
+    np.testing.assert_array_equal(plain["lift_mm"], other["lift_mm"])
+
+
+def test_runs_written_in_turns_are_brought_together(tmp_path):
+    head, *rows = LIFT.splitlines()
+    second = [row.replace("1,f", "b,f") + "1" for row in rows]
+    (tmp_path / "turns.csv").write_text(
+        "\n".join([head, *(row for pair in zip(rows, second, strict=True) for row in pair)])
+    )
+    record = load(tmp_path / "turns.csv")
+    assert record.runs == 2
+    assert np.all(np.diff(record.run) >= 0)
+    np.testing.assert_array_equal(record["cam_angle_deg"][:30], np.arange(30))
+
+
+def test_copied_runs_are_no_repetition(tmp_path):
+    (tmp_path / "copied.csv").write_text(LIFT + LIFT.split("\n", 1)[1].replace("1,f", "2,f"))
+    with pytest.raises(FileError, match="runs 1 and 2 are the same to the last digit"):
+        load(tmp_path / "copied.csv")
+
+
+def test_a_cam_that_turns_twice_behind_its_train_is_refused(tmp_path):
+    rows = "".join(f"1,{45.0 * k},{k}.{k % 7}\n" for k in range(500))
+    (tmp_path / "twice.csv").write_text("run,motor_angle_deg,cam_angle_deg\n" + rows)
+    with pytest.raises(FileError, match="turns by 499 degrees, so the angle goes round more than once"):
+        load(tmp_path / "twice.csv")
+
+
+def test_too_many_rows_are_refused(tmp_path):
+    rows = "".join(f"1,{50 * np.cos(k / 4000)},{50 * np.sin(k / 4000)}\n" for k in range(21_000))
+    (tmp_path / "many.csv").write_text("run,x_mm,y_mm\n" + rows)
+    with pytest.raises(FileError, match=r"21000 rows, more than the 20000 .* keep one row in 2"):
+        join([load(tmp_path / "many.csv")])

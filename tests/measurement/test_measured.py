@@ -1,8 +1,8 @@
 """The files in tests/data/measured.
 
-What is in the blind files is not known here: some verdicts (all are in docs/measurement.md) are pinned as a regression
-test, and only what follows from the data themselves (noise, what is left on runs left out) is a check. The tricycle's
-runs are real.
+What is in the blind files is not known here: their verdicts (docs/measurement.md) are pinned as a regression test, and
+only what follows from the data themselves (noise, what is left on runs left out) is a check. The tricycle's runs are
+real.
 """
 
 import numpy as np
@@ -12,13 +12,21 @@ from cadgen.measurement.load import load
 from cadgen.measurement.nominal import calibrate, calibrate_tricycle
 
 PINNED = {
+    "lift_a": ("traced", ("eccentric bore",)),
     "lift_b": ("combination", ("lost motion by friction", "phase")),
     "lift_c": ("none", ()),
     "lift_d": ("untraced shape", ()),
+    "lift_e": ("traced", ("lever gain",)),
+    "profile_a": ("traced", ("cutter compensation",)),
     "profile_b": ("traced", ("anisotropic scale",)),
     "profile_c": ("traced", ("waviness, order 33",)),
+    "profile_d": ("traced", ("eccentric bore",)),
+    "track_a": ("traced", ("steering zero",)),
     "track_b": ("combination", ("backlash", "wheel radius")),
+    "track_c": ("traced", ("backlash",)),
     "transmission_a": ("combination", ("return error", "runout of shaft 2")),
+    "transmission_b": ("combination", ("rate", "return error")),
+    "transmission_c": ("traced", ("return error",)),
 }
 # Stated by the files' own comment lines.
 NOISE = {"lift": 4.0, "profile": 2.0, "track": 3.0, "transmission": 0.03}
@@ -31,6 +39,15 @@ def test_blind_files(name, nominal, measured):
     noise = NOISE[name.split("_")[0]]
     assert told.residual.noise == pytest.approx(noise, rel=0.06)
     assert told.residual.held_out_repeating < 1.06 * noise
+
+
+def test_few_logged_runs_name_nothing(measured):
+    circles = load(measured / "circles.csv")
+    for runs, words in ((1, "one run only"), (2, "2 runs only")):
+        told = calibrate_tricycle([circles.only(np.arange(runs))], 150.0)
+        assert (told.verdict, told.judgement.claimed) == ("ambiguous", ())
+        assert told.judgement.limits[0].startswith(words)
+        assert told.residual.held_out >= told.residual.after
 
 
 def test_tricycle_is_traced_on_runs_left_out(measured):

@@ -106,10 +106,10 @@ def _effect(name: str, parameters: int = 1, **more: object) -> Effect:
 def test_a_cause_with_many_orders_is_one_cause():
     search = Search(1000, {"scale": 1, "phase": 1, "waviness": 100}, 50)
     scale, wave, bump = _effect("scale"), _effect("waviness, order 9", 2), _effect("bump", 3, shape=True)
-    # Three causes alike likely; a hundred orders of one of them; fifty shapes; a pair is one of three.
+    # Three causes alike likely; a hundred orders of one of them; fifty shapes.
     assert search.penalty((scale,), 1) == pytest.approx(np.log(1000) + 2 * np.log(3))
     assert search.penalty((wave,), 2) == pytest.approx(2 * np.log(1000) + 2 * np.log(3 * 100))
-    assert search.penalty((scale, wave), 3) == pytest.approx(3 * np.log(1000) + 2 * np.log(3 * 100))
+    assert search.penalty((scale, wave), 3) == pytest.approx(3 * np.log(1000) + 2 * np.log(3 * 3 * 100))
     assert search.penalty((bump,), 3) == pytest.approx(3 * np.log(1000) + 2 * np.log(50))
 
 

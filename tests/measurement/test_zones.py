@@ -5,7 +5,7 @@ import pytest
 
 from cadgen.errors import FileError
 from cadgen.measurement.load import load
-from cadgen.measurement.zones import return_error, shortfall
+from cadgen.measurement.zones import judged, return_error, shortfall
 
 
 def test_return_error_of_the_papers_three_means(measured):
@@ -36,5 +36,30 @@ def test_shortfall_of_the_smooth_zone(measured):
 def test_unknown_zones_are_refused(tmp_path):
     path = tmp_path / "zones.csv"
     path.write_text("zone,cam_angle_deg,std_deg,n\nsmooth,113,0.7,100\nsteep,114,0.7,100\n")
-    with pytest.raises(FileError, match="smooth, steep; give smooth, jump, reverse"):
+    with pytest.raises(FileError, match="smooth, steep; give smooth, jump, reverse, each at least once"):
         return_error(load(path))
+
+
+def _zones(tmp_path, *rows):
+    path = tmp_path / "zones.csv"
+    path.write_text("zone,cam_angle_deg,std_deg,n\n" + "\n".join(rows) + "\n")
+    return load(path)
+
+
+def test_zones_measured_twice_count_twice(tmp_path, measured):
+    once = return_error(load(measured / "paper_section5.csv"))
+    rows = ["smooth,113.37,0.68,100", "jump,114.19,0.68,100", "reverse,112.58,0.69,100"]
+    twice = return_error(_zones(tmp_path, *rows, *rows))
+    assert twice.return_error_deg == pytest.approx(once.return_error_deg)
+    assert twice.sigma_deg == pytest.approx(once.sigma_deg / np.sqrt(2))
+
+
+def test_verdicts_on_zones(tmp_path):
+    def verdict(jump, reverse):
+        record = _zones(tmp_path, "smooth,113,0.7,100", f"jump,{jump},0.7,100", f"reverse,{reverse},0.7,100")
+        return judged(record, return_error(record))[0]
+
+    assert verdict(114.0, 112.0).claimed == ("return error",)
+    assert (verdict(113.05, 112.95).verdict, verdict(113.05, 112.95).claimed) == ("none", ())
+    # Both zones turned farther than the smooth one, by ten standard errors: no return error does that.
+    assert (verdict(114.5, 114.0).verdict, verdict(114.5, 114.0).claimed) == ("unexplained", ())

@@ -60,8 +60,8 @@ def test_a_longer_run_begins_with_the_cars_of_a_shorter(fleet):
 
 
 def test_random_cars_are_those_drawn_from_the_children_of_the_seed(fleet):
-    """What is kept of them is what all stations of the same cars give, run at once."""
-    tolerances = Tolerances(half_widths=HALF_WIDTHS, play=(0.012, 0.015))
+    """What is kept of them is what all stations of the same cars give, run at once; not all are widest at the end."""
+    tolerances = Tolerances(half_widths={**HALF_WIDTHS, "start_y": 3000.0}, play=(0.012, 0.015))
     kept = tolerance_run(fleet, tolerances, CHUNK + 7, seed=5)
     children = np.random.SeedSequence(5).spawn(2)
     drawn = [
@@ -71,6 +71,7 @@ def test_random_cars_are_those_drawn_from_the_children_of_the_seed(fleet):
     for name in ("heading", "along", "across"):
         np.testing.assert_allclose(getattr(kept, name), getattr(errors, name)[:, -1], atol=1e-8)
     np.testing.assert_allclose(kept.widest, np.abs(errors.across).max(axis=1), atol=1e-8)
+    assert 0.1 < np.mean(np.abs(errors.across).argmax(axis=1) < 2) < 0.9
 
 
 def test_memory_is_for_what_is_kept_and_not_for_what_is_drawn(fleet):
@@ -120,7 +121,10 @@ def test_first_order_misses_two_percent_at_the_widest_tolerance(carbon_free_car,
 @pytest.mark.parametrize(
     ("half_widths", "words"),
     [
-        ({"rod_radius": 10.0}, r"rod_radius is 10 mm, which turns the front wheel by up to 0\.\d+ rad.*0\.0\d+ mm or less"),
+        (
+            {"rod_radius": 10.0},
+            r"rod_radius is 10 mm, which turns the front wheel by up to 0\.\d+ rad.*0\.0\d+ mm or less",
+        ),
         ({"steering_zero": np.radians(1.0)}, r"steering_zero is 1 degrees.*make it 0\.2\d degrees or less"),
         ({"wheelbase": 20.0}, "wheelbase is 20 mm, more than a tenth of the 167 mm itself: make it 16.7 mm or less"),
         ({"wheel_radius": 10.0}, "wheel_radius is 10 mm, more than a tenth of the 63.7 mm itself"),

@@ -142,3 +142,12 @@ def test_matplotlib_is_loaded_only_to_draw(arguments):
     result = subprocess.run([sys.executable, "-c", script, *arguments], capture_output=True, text=True)
     assert result.returncode == 0
     assert result.stderr.endswith("LOADED False")
+
+
+@pytest.mark.parametrize(("play_deg", "half_width"), [(0.0, 1.0), (0.1, 1.0), (0.738, 3.5 * 0.738)])
+def test_the_lift_close_by_an_event_has_a_width_without_play_too(simulation, figures, tmp_path, play_deg, half_width):
+    draw_lift(replace(lift_picture(simulation), play=np.radians(play_deg)), tmp_path, "lift")
+    for axes in figures[0].axes[1:3]:
+        for line in axes.lines:
+            assert np.ptp(line.get_xdata()) == pytest.approx(2 * half_width)
+            assert np.ptp(line.get_ydata()) > 1e-4

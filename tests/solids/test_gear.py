@@ -244,7 +244,7 @@ REFUSED = {
     "web but no hub": GearBlank(web=Web(thickness=2.0, rim_thickness=2.0)),
     "web of 4.5": GearBlank(hub=Hub(diameter=10.0), web=Web(thickness=4.5, rim_thickness=2.0)),
     "rim of 0.5": GearBlank(hub=Hub(diameter=10.0), web=Web(thickness=2.0, rim_thickness=0.5)),
-    "give 0.8 to": GearBlank(hub=Hub(diameter=25.0), web=Web(thickness=2.0, rim_thickness=2.0)),
+    "give a hub of 0.8 to": GearBlank(hub=Hub(diameter=25.0), web=Web(thickness=2.0, rim_thickness=2.0)),
     "0 lightening holes": GearBlank(lightening=Lightening(count=0, hole_diameter=3.0)),
     "9 lightening holes": GearBlank(bore_diameter=8.0, lightening=Lightening(count=9, hole_diameter=7.0)),
 }

@@ -9,8 +9,9 @@ from build123d import import_step
 from cadgen.errors import FileError
 from cadgen.gears.backlash import train_play
 from cadgen.gears.blank import GearBlank, Hub, Keyway
-from cadgen.gears.layout import Blanks, lay_out, thinned
+from cadgen.gears.layout import Blanks, lay_out
 from cadgen.gears.mesh_check import MeasuredPair, measured_pair
+from cadgen.gears.thinning import thinned
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair, Train
 from cadgen.solids.gear_text import read_gear, solids_in

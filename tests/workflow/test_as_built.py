@@ -181,7 +181,7 @@ def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
     )
     assert "Set the new cam on its shaft 0.400° back against its sense of turning" in told
     assert "cam as measured (actual)" in told
-    entry = json.loads((tmp_path / "out" / "manifest.json").read_text())["parts"]["carbon_free_car_simulation"]
+    entry = json.loads((tmp_path / "out" / "manifest.json").read_text())["parts"]["carbon_free_car_compensated_simulation"]
     assert entry["as_built"]["phase_deg"] == pytest.approx(0.4)
 
 

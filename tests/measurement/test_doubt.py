@@ -1,0 +1,104 @@
+"""What the data cannot bear is not claimed, and what they cannot show is said."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from cadgen.errors import FileError
+from cadgen.measurement.diagnose import diagnose
+from cadgen.measurement.doubt import doubted, refuse_too_few, resolved
+from cadgen.measurement.load import load
+from cadgen.measurement.noise import Noise
+from cadgen.measurement.nominal import Nominal, calibrate
+from cadgen.measurement.verdict import Judgement
+
+CLEAR = Judgement(verdict="traced", sentence="", claimed=("x",), reported=("x",), rivals=(), separate=())
+
+
+@pytest.fixture(scope="module")
+def lift(measured):
+    """A cam without an effect: three runs of 341 readings forward and back."""
+    return load(measured / "lift_c.csv")
+
+
+class _Best:
+    """A subset without effects."""
+
+    effects = ()
+    at_bound = ()
+
+
+def _limits(record, nominal):
+    model = nominal.model(record)
+    noise = Noise(np.full(len(model.rows.run), 4e-3), 0.0, 0.0, record.runs)
+    return doubted(CLEAR, record, model, noise, _Best(), np.full(len(model.rows.run), 4e-3)).limits
+
+
+def test_a_whole_turn_both_ways_has_no_limits(lift, nominal):
+    assert _limits(lift, nominal) == ()
+
+
+def test_what_is_missing_is_said(lift, nominal):
+    coarse = lift.where((lift["cam_angle_deg"] % 10 == 0) & (lift.columns["direction"] == "forward"))
+    one_way, few = _limits(coarse, nominal)
+    assert "one direction only" in one_way
+    assert "resolves up to 14 waves round the cam" in few
+    (part,) = _limits(lift.where(lift["cam_angle_deg"] <= 200), nominal)
+    assert part.startswith("only 200 degrees of the turn")
+
+
+def test_a_rest_that_dwarfs_noise_and_form_error_names_nothing(lift, nominal):
+    model = nominal.model(lift)
+    rows = len(model.rows.run)
+    noise = Noise(np.full(rows, 4e-3), 0.0, 0.0, 3)
+    # Noise of 4 um and form error of 2 um make 4.5 um together.
+    for left, verdict in ((0.040, "traced"), (0.050, "unexplained")):
+        told = doubted(CLEAR, lift, model, noise, _Best(), np.full(rows, left))
+        assert told.verdict == verdict
+        assert told.claimed == (("x",) if verdict == "traced" else ())
+
+
+def test_a_value_on_its_physical_bound_is_not_claimed(lift, nominal):
+    model = nominal.model(lift)
+    gain = next(e for e in model.catalogue if e.name == "lever gain")
+
+    class AtBound(_Best):
+        effects = (gain,)
+        at_bound = ("gain_percent",)
+
+    noise = Noise(np.full(len(model.rows.run), 4e-3), 0.0, 0.0, 3)
+    judged = replace(CLEAR, claimed=("lever gain", "phase"))
+    told = doubted(judged, lift, model, noise, AtBound(), np.zeros(len(model.rows.run)))
+    assert told.claimed == ("phase",)
+    assert "gain_percent of lever gain" in told.limits[-1]
+
+
+def test_runs_at_angles_of_their_own_still_tell_their_noise(lift, nominal):
+    # Every third reading, another third in each run: no two runs have an angle in common.
+    own = lift.where(lift["cam_angle_deg"] % 3 == lift.run)
+    told = diagnose(own, nominal.model)
+    assert told.verdict == "none"
+    assert told.residual.noise == pytest.approx(4.0, rel=0.15)
+
+
+def test_readings_that_repeat_to_the_last_digit_have_the_noise_of_that_digit(lift, nominal):
+    model = nominal.model(lift)
+    still = Noise(np.zeros(len(model.rows.run)), 0.0, 0.0, 3)
+    assert resolved(lift, model, still).rms == pytest.approx(1e-3 / np.sqrt(12))
+
+
+def test_a_short_single_run_is_refused(lift, nominal):
+    one = lift.only(np.array([0]))
+    refuse_too_few(one, nominal.model(one))
+    short = one.where(one["cam_angle_deg"] % 5 == 0)
+    with pytest.raises(FileError, match="one run of 138 rows cannot tell noise from 90 orders"):
+        refuse_too_few(short, nominal.model(short))
+
+
+def test_another_designs_lift_is_unexplained(lift, appendix_car):
+    car = appendix_car
+    other = Nominal(lift=car.lift, follower=car.follower, profile=car.actual.curve, car=car.car, track=car.track)
+    (told,) = calibrate([lift.where(lift["cam_angle_deg"] % 4 == 0)], other)
+    assert (told.verdict, told.judgement.claimed) == ("unexplained", ())
+    assert "dwarfs every effect" in told.judgement.sentence

@@ -1,0 +1,27 @@
+"""The whole circle on one car; `python -m tests.workflow.circle` goes round with more."""
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from cadgen.cli import cli
+from tests.workflow import circle
+
+
+def cadgen(*arguments: str) -> None:
+    result = CliRunner().invoke(cli, arguments)
+    assert result.exit_code == 0, result.output
+
+
+def test_a_measured_car_gets_the_cam_that_it_needs(carbon_free_car, tmp_path):
+    rng = np.random.default_rng(7)
+    wheels = circle.draw(rng)
+    round_ = circle.go_round(carbon_free_car, wheels, rng, tmp_path, cadgen)
+    print(f"{round_.before:.0f} mm -> {round_.after:.1f} mm: {100 * round_.gone:.2f} % gone")
+    assert round_.before > 500
+    assert round_.gone >= 0.95
+    (told,) = round_.told["records"]
+    assert told["verdict"] == "combination"
+    assert sorted(told["claimed"]) == ["backlash", "steering zero", "wheel radius"]
+    found = {value["name"]: value["value"] for one in told["effects"] for value in one["values"]}
+    assert found["steering_zero_deg"] == pytest.approx(np.degrees(wheels.zero), abs=0.02)
