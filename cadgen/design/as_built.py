@@ -43,7 +43,7 @@ class Value(Section):
 
 
 class Effect(Section):
-    """An effect that data were traced to. One table [[as_built.effects]] for each; those on the disc act in turn."""
+    """An effect that data were traced to, one table for each; those on the disc act in turn."""
 
     effect: str = Field(description="its name in the catalogue of that kind of data")
     kind: Kind = Field(description="of the data that it was found in")
@@ -110,21 +110,27 @@ class AsBuilt(Section):
         "actual", "theoretical", "published", "compensated", "smoothed", "smoothed+compensated", "optimized"
     ] = Field(
         default="actual",
-        description="of the cam that was on the car when it was measured, made from this design without [as_built]",
+        description="of the cam that was on the car when it was measured, made from this design with `cut_for` in the "
+        "place of `effects`",
     )
     sources: Annotated[tuple[Source, ...], Strict(False)] = ()
     effects: Annotated[tuple[Effect, ...], Strict(False)] = ()
+    cut_for: Annotated[tuple[Effect, ...], Strict(False)] = Field(
+        default=(), description="effects that the measured cam was made for already; none for the first cam of a car"
+    )
 
     @model_validator(mode="after")
     def _each_thing_is_set_once(self) -> "AsBuilt":
-        seen: dict[str, Effect] = {}
-        for one in self.effects:
-            for value in one.values if one.place == "car" else ():
-                if value.name in seen:
-                    other = seen[value.name]
-                    raise ValueError(
-                        f"as_built.effects has {value.name} of the car twice, from {other.effect} of kind {other.kind} "
-                        f'and from {one.effect} of kind {one.kind}: set place = "noted" in one of them'
-                    )
-                seen[value.name] = one
+        for name, effects in (("effects", self.effects), ("cut_for", self.cut_for)):
+            seen: dict[str, Effect] = {}
+            for one in effects:
+                for value in one.values if one.place == "car" else ():
+                    if value.name in seen:
+                        other = seen[value.name]
+                        raise ValueError(
+                            f"as_built.{name} has {value.name} of the car twice, from {other.effect} of kind "
+                            f'{other.kind} and from {one.effect} of kind {one.kind}: set place = "noted" in one of '
+                            "them"
+                        )
+                    seen[value.name] = one
         return self

@@ -270,6 +270,11 @@ class Design(DesignFile):
         """The same without what is known of the car as it was built."""
         return self.model_copy(update={"as_built": None})
 
+    def as_cut(self) -> "Design":
+        """What the measured cam was made from: this design with what was known of the car by then."""
+        known = self.as_built.cut_for if self.as_built else ()
+        return self.model_copy(update={"as_built": AsBuilt(effects=known) if known else None})
+
     def values(self) -> dict[str, object]:
         """What the file would say with every default written out, as plain TOML or JSON values."""
         return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude_none=True)

@@ -58,9 +58,10 @@ def best_chains(
     """
     may = np.ones((length, driver.size), dtype=np.bool_) if allowed is None else np.array(allowed)
     rows = _cheapest_of_each_ratio(driven / driver, cost, may, keep)
+    if not rows.size:
+        return []
     search = _Search(driver[rows], driven[rows], cost[rows], may[:, rows], tolerance, keep)
-    if rows.size:
-        search.choose(length, ratio, 1.0, 0.0, ())
+    search.choose(length, ratio, 1.0, 0.0, ())
     return [tuple(int(rows[row]) for row in chain) for _, chain in search.best]
 
 
@@ -89,7 +90,7 @@ class _Search:
         self.tolerance, self.keep = tolerance, keep
         self.best: list[tuple[float, tuple[int, ...]]] = []
         self.tried = 0
-        self.table = _LeastCosts(self.ratio, cost, tolerance) if self.ratio.size else None
+        self.table = _LeastCosts(self.ratio, cost, tolerance)
 
     def choose(self, missing: int, wanted: Fraction, weight: float, spent: float, chain: tuple[int, ...]) -> None:
         """Put every pair in front of `chain`, which costs `spent`; `missing` pairs are to give `wanted`."""

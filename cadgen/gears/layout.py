@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain, pairwise, product
+from itertools import chain, pairwise, product, takewhile
 from math import asin, ceil, degrees, pi, radians
 
 import numpy as np
@@ -149,9 +149,11 @@ def lay_out(
             raise DesignError(collision)
     found = next(_clear_ways(train, wanted, discs, clearance), None)
     if found is None:
-        # In a row, where shafts are furthest apart, for the sake of the message.
-        row = tuple(0.0 if direction is None else direction for direction in wanted)
-        raise DesignError(_collision(_axes(train, row), discs, clearance) or _no_way(clearance))
+        # For the sake of the message: by the directions given, and then in a row, where shafts are furthest apart.
+        row = [0.0 if direction is None else direction for direction in wanted]
+        given = takewhile(lambda direction: direction is not None, (row[0], *wanted[1:]))
+        said = (_collision(_axes(train, list(way)), discs, clearance) for way in (row[: len(list(given))], row))
+        raise DesignError(next(filter(None, said), "") or _no_way(clearance))
     placed = []
     angle = 0.0
     for number, (part, axis) in enumerate(zip(parts, _axes(train, found), strict=True)):

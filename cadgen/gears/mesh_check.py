@@ -15,11 +15,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import pi
 
 import manifold3d
 import numpy as np
-from numpy.typing import NDArray
 
 from cadgen.errors import CheckError
 from cadgen.gears.outline import Points
@@ -85,7 +85,8 @@ class MeasuredPair:
 
     def overlap(self, driver_angle: float, driven_angle: float) -> float:
         """Overlap of both sections in mm²."""
-        return _overlap(self.driver.near(driver_angle, 0.0), self._driven(driven_angle))
+        driven = self.centre_distance + self.driven.near(driven_angle, pi)
+        return float((_held(self.driver, driver_angle) ^ _section(driven)).area())
 
     def overlap_midway(self, driver_angle: float) -> float:
         """Overlap in mm² with the teeth midway between the other's: above `LEAST_OVERLAP` they jam."""
@@ -125,9 +126,6 @@ class MeasuredPair:
             self.centre_distance - self.driven.tip_radius - self.driver.root_radius,
         )
 
-    def _driven(self, angle: float) -> Points:
-        return self.centre_distance + self.driven.near(angle, pi)
-
     def _fault(self, what: str) -> str:
         return (
             f"the sections with {self.driver.teeth} and {self.driven.teeth} teeth at {self.centre_distance:g} mm {what}"
@@ -158,10 +156,10 @@ def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> fl
     return high - low
 
 
-def _overlap(one: Points, two: Points) -> float:
-    first, second = (manifold3d.CrossSection([_plane(polygon)]) for polygon in (one, two))
-    return float((first ^ second).area())
+@lru_cache(maxsize=8)  # the driver is held while the driven gear is turned
+def _held(driver: Section, angle: float) -> manifold3d.CrossSection:
+    return _section(driver.near(angle, 0.0))
 
 
-def _plane(points: Points) -> NDArray[np.float64]:
-    return np.column_stack([points.real, points.imag])
+def _section(points: Points) -> manifold3d.CrossSection:
+    return manifold3d.CrossSection([np.column_stack([points.real, points.imag])])

@@ -64,7 +64,7 @@ def _deviation(
             given = deviation == asked and not isinstance(thinning, str)
             source = "that is the E_sn given; give one nearer to 0" if given else _source(gear, limits, pair, found)
             raise DesignError(
-                f"{gear.form} has no sound teeth left when {what} with E_sn = {deviation * 1e3:.4g} µm: {source}"
+                f"{gear.form} has no sound teeth left when {what} with E_sn = {deviation * 1e3:.5g} µm: {source}"
             ) from error
     return asked
 
@@ -74,11 +74,11 @@ def _source(gear: Gear, limits: GearPlay[float], pair: GearPair, found: StagePla
     alpha_n, alpha_w = pair.driver.form.normal_pressure_angle, pair.working_pressure_angle
     own = limits.tolerances
     parts = {
-        f"f_a = {found.f_a * 1e3:.4g} µm of the centre distance; give a smaller f_a": found.f_a * tan(alpha_w),
+        f"f_a = {found.f_a * 1e3:.5g} µm of the centre distance; give a smaller f_a": found.f_a * tan(alpha_w),
         "j_bnmin of eq. 6; give a smaller module or centre distance": found.j_bnmin_required / (2 * cos(alpha_n)),
-        f"j_n = {found.j_n * 1e3:.4g} µm, of F_beta, f_pt and the axes' parallelism over the bearing span of"
+        f"j_n = {found.j_n * 1e3:.5g} µm, of F_beta, f_pt and the axes' parallelism over the bearing span of"
         f" {pair.bearing_span:g} mm; give a shorter span, wider gears or a finer grade": found.j_n / (2 * cos(alpha_n)),
-        f"T_sn = {limits.T_sn * 1e3:.4g} µm, from F_r = {own.F_r * 1e3:.4g} and b_r = {own.b_r * 1e3:.4g} µm"
+        f"T_sn = {limits.T_sn * 1e3:.5g} µm, from F_r = {own.F_r * 1e3:.5g} and b_r = {own.b_r * 1e3:.5g} µm"
         f" (grade {gear.grade}); give a finer grade, smaller values or a larger module": limits.T_sn,
     }
     return "most of it is for " + max(parts, key=lambda text: parts[text])

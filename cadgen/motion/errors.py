@@ -5,7 +5,8 @@ spline's parameter, so that its nine points are not 0.96 degrees of cam angle ev
 reverse zones after the valley, where eq. 29-30 have the part before it, and without their minus sign.
 """
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from math import degrees
 from typing import Literal
 
@@ -98,6 +99,26 @@ def deflections(
 def deflection_sum(events: tuple[Event, ...]) -> float:
     """Cumulative deflection error, rad: the paper's delta beta_z, each event with its own sign."""
     return sum(event.deflection for event in events)
+
+
+def deflected(run: Run, events: Iterable[Event]) -> Run:
+    """The run that results if events turn the car, each where it happens, and nothing else is off (fig. 10, 18, 19).
+
+    This shows what jumps alone, or reverses alone, do to the path. Neither happens without the other, so `drive` with
+    play gives no such run. An event turns the car at the next of the run's motor positions.
+
+    Args:
+        run: without play.
+        events: with their deflections.
+    """
+    turned = sum((one.deflection * (run.motor >= one.cam_angle) for one in events), np.zeros_like(run.motor))
+    drive_wheel, front, idle = (wheel @ [1, 1j] for wheel in (run.drive_wheel, run.front_wheel, run.idle_wheel))
+    ahead = np.exp(1j * turned)
+    moved = drive_wheel[0] + np.append(0.0, np.cumsum(np.diff(drive_wheel) * ahead[:-1]))
+    wheels = (moved + ahead * (wheel - drive_wheel) for wheel in (drive_wheel, front, idle))
+    at_drive, at_front, at_idle = (np.stack([wheel.real, wheel.imag], axis=-1) for wheel in wheels)
+    heading = run.heading + turned
+    return replace(run, heading=heading, drive_wheel=at_drive, front_wheel=at_front, idle_wheel=at_idle)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,7 +5,7 @@ from typing import Any
 
 from cadgen.design.override import override
 from cadgen.measurement.diagnose import Value
-from cadgen.workflow.calibrate import Built, Calibration
+from cadgen.workflow.calibrate import Calibration
 from cadgen.workflow.calibrate_words import sentence, shown
 
 _TABLE = "as_built"
@@ -49,29 +49,37 @@ def _table(calibration: Calibration) -> str:
             f'sha256 = "{source.sha256}"',
             f'verdict = "{calibration.verdict(source.kind)}"',
         ]
+    earlier = calibration.design.as_built
+    for known in earlier.effects if earlier else ():
+        if known.place in ("car", "process"):
+            values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
+            lines += _effect("cut_for", known.effect, known.kind, known.place, values)
     for one in calibration.built:
-        lines += [
-            "",
-            f"[[{_TABLE}.effects]]",
-            f"# {sentence(one)}",
-            f"effect = {_text(one.claim.finding.effect)}",
-            f'kind = "{one.claim.kind}"',
-            f'place = "{one.place}"',
-            f"values = [{', '.join(_values(one))}]",
-        ]
+        finding = one.claim.finding
+        values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.given)]
+        lines += _effect("effects", finding.effect, one.claim.kind, one.place, values, sentence(one))
     return "\n".join(lines) + "\n"
 
 
-def _values(one: Built) -> list[str]:
-    finding = one.claim.finding
-    given = [f'{{ name = "{name}", value = {number!r} }}' for name, number in finding.given]
-    return [*(_value(value) for value in finding.values), *given]
+def _effect(table: str, effect: str, kind: str, place: str, values: list[str], words: str = "") -> list[str]:
+    return [
+        "",
+        f"[[{_TABLE}.{table}]]",
+        *([f"# {words}"] if words else []),
+        f"effect = {_text(effect)}",
+        f'kind = "{kind}"',
+        f'place = "{place}"',
+        f"values = [{', '.join(values)}]",
+    ]
 
 
 def _value(value: Value) -> str:
     told, sigma = shown(value)
-    also = f", sigma = {_float(sigma)}" if isfinite(value.sigma) and sigma else ""
-    return f'{{ name = "{value.name}", value = {_float(told)}{also} }}'
+    return _inline(value.name, _float(told), _float(sigma) if isfinite(value.sigma) and sigma else None)
+
+
+def _inline(name: str, value: str, sigma: str | float | None = None) -> str:
+    return f'{{ name = "{name}", value = {value}{f", sigma = {sigma}" if sigma else ""} }}'
 
 
 def _float(told: str) -> str:

@@ -15,6 +15,7 @@ from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.theoretical import published_profile, theoretical_profile
 from cadgen.curves.closed import ClosedCurve
+from cadgen.curves.turned import turned
 from cadgen.design import stages, variation
 from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
@@ -94,6 +95,12 @@ class CamPlan:
     def follower(self) -> Follower:
         """What rolls on this profile: the rod, or its axis on the theoretical profile."""
         return replace(self.rod, radius=0.0) if self.profile == "theoretical" else self.rod
+
+    @cached_property
+    def on_shaft(self) -> ClosedCurve:
+        """What is cut, as it stands on a shaft whose key is right: turned with the key of a car as built."""
+        phase = stages.as_built(self.design).phase
+        return turned(self.curve, phase) if phase else self.curve
 
     @cached_property
     def area(self) -> float:
@@ -240,7 +247,7 @@ def plan_cam(
 
 
 def measured_cam(design: Design) -> MeasuredCam | None:
-    """The cam that was on the car when it was measured, as made from the design without [as_built].
+    """The cam that was on the car when it was measured, as it was made then.
 
     None if the design has no [as_built].
 
@@ -249,8 +256,8 @@ def measured_cam(design: Design) -> MeasuredCam | None:
     """
     if design.as_built is None:
         return None
-    plan = plan_cam(design.as_designed(), design.as_built.profile)
-    return MeasuredCam(profile=plan.profile, lift=plan.lift, curve=plan.curve)
+    plan = plan_cam(design.as_cut(), design.as_built.profile)
+    return MeasuredCam(profile=plan.profile, lift=plan.lift, curve=plan.on_shaft)
 
 
 def _cures(plan: CamPlan) -> Iterator[Cure]:

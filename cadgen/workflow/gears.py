@@ -162,8 +162,10 @@ def _by_the_standard(train: Train) -> TrainPlay | None:
 def _trains(ranked: Sequence[TrainPlay], limits: SearchLimits | None, design: Design) -> Iterator[TrainPlay]:
     """The trains to be tried, best first: those ranked, and of a search then those whose gears fit their blanks."""
     yield from ranked
+    if limits is None:
+        return
     seen = {play.train for play in ranked}
-    for keep in DEPTHS if limits else ():
+    for keep in DEPTHS:
         try:
             deeper = search_trains(replace(limits, keep=keep), stages.blanks(design))
         except DesignError:
@@ -205,7 +207,7 @@ def _first_made(
     if len(ranked) == 1:
         raise DesignError(skipped[0].reason)
     raise NotMadeError(
-        f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, because {skipped[0].reason}",
+        f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, for {skipped[0].reason}",
         ranked,
         baseline,
     )

@@ -133,8 +133,8 @@ def _of_stage(pair: GearPair, found: StagePlay[float]) -> tuple[Check, ...]:
         Check("root clearance", min(built.clearances()) / module, "modules", CLEARANCE_LIMIT, "min", advice=wider),
         Check("contact ratio", ratio, "", CONTACT_RATIO_LIMIT, "min", advice="give more teeth"),
         Check("contact ratio - formula", abs(ratio - contact_ratio(pair)), "", CONTACT_RATIO_ERROR, "max"),
-        Check("teeth jam", jam, "mm2", LEAST_OVERLAP, "max", f"{jammed} play", _advice(jammed, jam=True)),
-        Check("teeth hold each other", hold, "mm2", LEAST_OVERLAP, "min", f"{loose} play", _advice(loose, jam=False)),
+        Check("teeth jam", jam, "mm2", LEAST_OVERLAP, "max", jammed, _advice(jammed, jam=True)),
+        Check("teeth hold each other", hold, "mm2", LEAST_OVERLAP, "min", loose, _advice(loose, jam=False)),
     ]
     if _engages(states["as cut"]):
         over, past = cycle(pair, built)

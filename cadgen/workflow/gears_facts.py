@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from math import degrees
 from typing import TYPE_CHECKING, Any
@@ -140,14 +140,15 @@ def _tolerance_facts(gear: Gear, play: GearPlay[float]) -> dict[str, Any]:
     sizes = form.reference_diameter, form.normal_module
     pitches = max(form.teeth // SPAN_OF_TEETH, 2)
     shown: dict[str, float | None] = {**asdict(play.tolerances)}
-    for symbol, rule, arguments in (
-        ("F_p", total_pitch_deviation, sizes),
-        ("F_pk", span_pitch_deviation, (*sizes, pitches)),
-        ("F_alpha", total_profile_deviation, sizes),
-        ("f_i_radial", tooth_radial_composite_deviation, sizes),
-    ):
+    rules: dict[str, Callable[[], Any]] = {
+        "F_p": lambda: total_pitch_deviation(*sizes, gear.grade),
+        "F_pk": lambda: span_pitch_deviation(*sizes, pitches, gear.grade),
+        "F_alpha": lambda: total_profile_deviation(*sizes, gear.grade),
+        "f_i_radial": lambda: tooth_radial_composite_deviation(*sizes, gear.grade),
+    }
+    for symbol, rule in rules.items():
         try:
-            shown[symbol] = float(rule(*arguments, gear.grade))  # type: ignore[operator]
+            shown[symbol] = float(rule())
         except DesignError:
             shown[symbol] = None
     limits = {name: value for name, value in asdict(play).items() if name != "tolerances"}

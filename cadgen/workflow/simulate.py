@@ -14,7 +14,7 @@ from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_facts, versions, write_manifest
 from cadgen.export.tracks import write_tracks
 from cadgen.motion.drive import Run
-from cadgen.motion.errors import Event, RunError, deflection_sum, deflections, run_error
+from cadgen.motion.errors import Event, RunError, deflected, deflection_sum, deflections, run_error
 from cadgen.motion.play import WidePlayError
 from cadgen.optimize.judge import Judged
 from cadgen.report.errors import draw_events
@@ -187,9 +187,23 @@ def write_comparison(plan: CamPlan, out: Path, step: Step = lambda text: None) -
             for one in against.judged
         ]
         names += draw_tracks(panels, planned, _field(plan.design), staging, f"{stem}_tracks")
+        names += draw_tracks(_alone(against), planned, _field(plan.design), staging, f"{stem}_tracks_by_event")
         entry = {**plan.facts(), "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
         write_manifest(staging, out, stem, entry)
     return Written(stem, entry)
+
+
+def _alone(against: Against) -> list[TrackPanel]:
+    """What jumps alone do to the paths of the paper's methods at the greatest play, and what reverses alone do."""
+    return [
+        TrackPanel(
+            title=f"{_name(one)}, {one.train}: {kind}s alone, {degrees(one.band.plays[-1]):.3f}°",
+            run=deflected(against.run(one, 0.0), [event for event in one.events if event.kind == kind]),
+        )
+        for kind in ("jump", "reverse")
+        for one in against.judged
+        if one.profile in ("actual", "smoothed") and one.events
+    ]
 
 
 def lift_picture(simulation: Simulation) -> LiftPicture:

@@ -5,7 +5,7 @@
 For a twin of true size x the misfits of the two names differ by D ~ N(d^2, 4 d^2), d = x / s, where s is the size at
 which the data, noise and form error known, tell the twins apart by one standard error. Claiming a name at odds of r to
 one or better (D > 2 ln r) is right with probability Phi((d^2 - 2 ln r) / 2d) and wrong with Phi(-(d^2 + 2 ln r) / 2d):
-no method that is told less does better on the average (Neyman and Pearson 1933).
+no method that is told less does better on the average (Neyman and Pearson 1933), but for a prior of the sizes.
 """
 
 from collections.abc import Iterator

@@ -7,10 +7,11 @@ import pytest
 
 from cadgen.measurement.effects.base import Effect, Parameter
 from cadgen.measurement.evidence import Evidence, Spectrum
-from cadgen.measurement.hypothesis import LEAST_PRICE, Search, _overlap
+from cadgen.measurement.hypothesis import LEAST_PRICE, Hypothesis, Search, _overlap
 from cadgen.measurement.models.base import fourier, highest_order, per_run
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Rows
+from cadgen.measurement.verdict import _within_floor
 
 
 def _model(angles: int = 60, runs: int = 3, *, slip: bool = False, floor: float = 2.0) -> SimpleNamespace:
@@ -136,3 +137,32 @@ def test_the_second_of_two_twins_keeps_a_price():
     twins = (_effect("a"), _effect("b"))
     assert _overlap(covariance, twins, np.log(1000)) == pytest.approx(np.log(1000) - LEAST_PRICE)
     assert _overlap(covariance, (_effect("a"), _effect("b", shape=True)), np.log(1000)) == 0.0
+
+
+def _fitted(score: float, *effects: Effect) -> Hypothesis:
+    return Hypothesis(
+        effects=effects,
+        active=[],
+        covariance=np.empty((0, 0)),
+        misfit=np.array([score, score + 50]),
+        penalty=0.0,
+        within=0,
+        beyond=1,
+        at_bound=(),
+        spectrum=Spectrum(1.0, 3.0, 1.0),
+    )
+
+
+@pytest.mark.parametrize(("gap", "sure"), [(0.0, False), (3.0, False), (4.0, True)])
+def test_a_twin_is_claimed_at_odds_of_six_to_one_and_the_other_told(gap, sure):
+    # exp(3 / 2) is 4.5 and exp(4 / 2) is 7.4; a superset that adds nothing is not claimed and no rival.
+    gain, axial, drift = (_effect(name) for name in ("gain", "axial", "drift"))
+    found = [_fitted(0, gain), _fitted(gap, axial), _fitted(9, gain, drift), _fitted(60)]
+    evidence = SimpleNamespace(grid=(Spectrum(1.0, 3.0, 1.0),) * 2)
+    judgement, best = _within_floor(_model(), evidence, Noise(np.ones(180), 0.0, 0.0, 3), found)
+    assert judgement.claimed == (("gain",) if sure else ())
+    assert judgement.verdict == ("traced" if sure else "ambiguous")
+    assert judgement.reported == ("axial", "gain")
+    assert judgement.rivals == (("axial",),)
+    assert ("not ruled out: axial" in judgement.sentence) == sure
+    assert best.claims == {"gain"}

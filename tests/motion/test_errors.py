@@ -7,7 +7,7 @@ from scipy.interpolate import PPoly
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import TURN, drive
-from cadgen.motion.errors import deflection_sum, deflections, run_error, turning
+from cadgen.motion.errors import Event, deflected, deflection_sum, deflections, run_error, turning
 from cadgen.motion.play import falls
 from cadgen.steering.car import track_curvature
 
@@ -117,3 +117,39 @@ def test_refuses_a_lift_without_events(carbon_free_car):
     level = LiftCurve(PPoly(np.array([[0.1]]), np.array([0.0, TURN]), extrapolate="periodic"), np.array([]), 6.0)
     with pytest.raises(DesignError, match="no peak and no valley"):
         deflections(level, built.follower, built.car, built.track.length, 0.01)
+
+
+def test_an_event_alone_turns_the_rest_of_the_run_about_its_place(carbon_free_car):
+    built = carbon_free_car
+    planned = drive(built.lift, built.car, built.track.length)
+    at, angle = 1200, 0.07
+    event = Event(kind="jump", cam_angle=float(planned.motor[at]), lift=0.0, deflection=angle)
+    run = deflected(planned, [event])
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    for wheel in ("drive_wheel", "front_wheel", "idle_wheel"):
+        before, after = getattr(planned, wheel), getattr(run, wheel)
+        np.testing.assert_allclose(after[:at], before[:at], atol=1e-9)
+        about = planned.drive_wheel[at]
+        np.testing.assert_allclose(after[at:], about + (before[at:] - about) @ turn.T, atol=1e-8)
+    np.testing.assert_allclose(run.heading - planned.heading, angle * (np.arange(3601) >= at), atol=1e-12)
+
+
+def test_all_events_together_are_nearly_the_run_with_play(carbon_free_car):
+    """To first order in the play; jumps alone and reverses alone are the two parts of it."""
+    built = carbon_free_car
+    car, length = built.car, built.track.length
+    planned = drive(built.lift, car, length)
+    apart = []
+    for play in np.radians([0.1, 0.2]):
+        found = events(built, play)
+        real = drive(built.lift, car, length, play=play).drive_wheel[-1] - planned.drive_wheel[-1]
+        alone = [
+            deflected(planned, [one for one in found if one.kind == kind]).drive_wheel[-1] - planned.drive_wheel[-1]
+            for kind in ("jump", "reverse")
+        ]
+        together = deflected(planned, found).drive_wheel[-1] - planned.drive_wheel[-1]
+        assert np.linalg.norm(together - sum(alone)) < 0.05 * np.linalg.norm(real)
+        assert min(map(np.linalg.norm, alone)) > 0.1 * np.linalg.norm(real)
+        apart.append(np.linalg.norm(together - real))
+        print(f"{np.degrees(play):.1f} degrees: {apart[-1]:.2f} mm of {np.linalg.norm(real):.1f} mm apart")
+        assert apart[-1] < 0.06 * np.linalg.norm(real)

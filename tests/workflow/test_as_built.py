@@ -16,6 +16,7 @@ from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import DesignError
 from cadgen.export.dxf import read_dxf
 from cadgen.workflow.as_built import as_built_sentences
+from cadgen.workflow.calibrate import nominal_of
 from cadgen.workflow.cam import plan_cam
 from cadgen.workflow.files import write_cam
 from cadgen.workflow.simulate import simulate
@@ -181,7 +182,8 @@ def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
     )
     assert "Set the new cam on its shaft 0.400° back against its sense of turning" in told
     assert "cam as measured (actual)" in told
-    entry = json.loads((tmp_path / "out" / "manifest.json").read_text())["parts"]["carbon_free_car_compensated_simulation"]
+    parts = json.loads((tmp_path / "out" / "manifest.json").read_text())["parts"]
+    entry = parts["carbon_free_car_compensated_simulation"]
     assert entry["as_built"]["phase_deg"] == pytest.approx(0.4)
 
 
@@ -227,3 +229,29 @@ def test_before_is_the_cam_that_was_measured(built, carbon_free_car):
     assert run.after_error.end_distance == pytest.approx(bare.after_error.end_distance, abs=1e-6)
     theta = np.linspace(0, 6, 50)
     np.testing.assert_array_equal(run.against.before.lift.tan_beta(theta), carbon_free_car.lift.tan_beta(theta))
+
+
+PHASE = effect("track", "cam phase", "car", phase_deg=0.8)
+SHRUNK = effect("profile", "uniform scale", "process", scale_percent=-0.15)
+
+
+def test_the_second_time_before_is_the_cam_made_for_the_first(built):
+    """Once it is known what the measured cam was cut for, it ends where it was made to end."""
+    known = (*TRACK, PHASE, SHRUNK)
+    cut_for = [one.replace("as_built.effects", "as_built.cut_for") for one in known]
+    first = simulate(built(*known), "compensated")
+    again = built(*known, *cut_for, name="again")
+    table = again.as_built.model_copy(update={"profile": "compensated"})
+    second = simulate(again.model_copy(update={"as_built": table}), "compensated")
+    print(f"{first.before_error.end_distance:.0f} mm, {first.after_error.end_distance:.2f} mm", end=", ")
+    print(f"and the second time {second.before_error.end_distance:.2f} mm")
+    assert first.before_error.end_distance > 1000
+    assert second.before_error.end_distance == pytest.approx(first.after_error.end_distance, abs=0.2)
+
+
+def test_a_new_cam_is_measured_against_the_key_as_cut(built, carbon_free_car):
+    """Its key was turned back by the phase, so its lift comes later by as much on a shaft whose key is right."""
+    nominal = nominal_of(built(PHASE), "actual")
+    theta = np.linspace(0.1, 5.9, 200)
+    want = carbon_free_car.lift.tan_beta(theta - np.radians(0.8))
+    assert np.abs(nominal.lift.tan_beta(theta) - want).max() < 2e-6

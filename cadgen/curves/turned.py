@@ -1,0 +1,40 @@
+"""A closed curve turned about the origin."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.curves.closed import ClosedCurve, Jet, Piece
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class TurnedPiece:
+    """A smooth piece turned counterclockwise by `angle`, rad."""
+
+    piece: Piece
+    angle: float
+
+    @property
+    def start(self) -> float:
+        """First parameter."""
+        return self.piece.start
+
+    @property
+    def stop(self) -> float:
+        """Last parameter."""
+        return self.piece.stop
+
+    def jet(self, t: Array) -> Jet:
+        """Point, velocity by the piece's own parameter, and curvature."""
+        c, s = np.cos(self.angle), np.sin(self.angle)
+        rotation = np.array([[c, s], [-s, c]])  # for rows
+        was = self.piece.jet(t)
+        return Jet(was.point @ rotation, was.velocity @ rotation, was.curvature)
+
+
+def turned(curve: ClosedCurve, angle: float) -> ClosedCurve:
+    """Turn a curve counterclockwise by `angle`, rad."""
+    return ClosedCurve(tuple(TurnedPiece(piece, angle) for piece in curve.pieces))
