@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
-from math import degrees, radians
+from math import degrees, floor, log10, radians
 from typing import Literal
 
 import numpy as np
@@ -211,7 +211,7 @@ def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
         if half > size * MOST_SHARE:
             raise DesignError(
                 f"the tolerance of {name} is {half:g} mm, more than a tenth of the {size:g} mm itself: make it "
-                f"{size * MOST_SHARE:.3g} mm or less"
+                f"{_below(size * MOST_SHARE):g} mm or less"
             )
     for name, derivative in zip(PARAMETERS, fleet.derivatives, strict=False):
         half, steepest = tolerances.half_widths.get(name, 0.0), float(np.abs(derivative).max())
@@ -220,8 +220,14 @@ def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
             raise DesignError(
                 f"the tolerance of {name} is {shown(half):g} {unit}, which turns the front wheel by up to "
                 f"{half * steepest:.2g} rad; many cars are reckoned to first order, good up to {MOST_STEERING:g} rad: "
-                f"make it {shown(MOST_STEERING / steepest):.2g} {unit} or less"
+                f"make it {_below(shown(MOST_STEERING / steepest)):g} {unit} or less"
             )
+
+
+def _below(value: float) -> float:
+    """The next lower number of two digits."""
+    unit = 10.0 ** (floor(log10(value)) - 1)
+    return floor(value / unit) * unit
 
 
 def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ...]:

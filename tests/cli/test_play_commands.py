@@ -64,7 +64,9 @@ def test_optimize_draws_on_request(cadgen, tmp_path):
     assert len(part["play"]["compared"]) == 8
     assert part["play"]["return_error_deg"]["greatest"] == pytest.approx(0.724, abs=5e-4)
     assert set(part["files"]) == {
-        f"carbon_free_car_methods_{what}" for what in ("events.png", "events.svg", "tracks.png", "tracks.svg")
+        f"carbon_free_car_methods_{what}.{kind}"
+        for what in ("events", "tracks", "tracks_by_event")
+        for kind in ("png", "svg")
     }
     assert json.loads((tmp_path / "p/manifest.json").read_text())["parts"] == {"carbon_free_car_methods": part}
 
