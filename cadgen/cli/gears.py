@@ -128,7 +128,7 @@ def _choice(plan: "GearsPlan") -> None:
         reasons.setdefault(one.reason, []).append(teeth_of(one.play))
     for reason, trains in list(reasons.items())[:REASONS_SHOWN]:
         others = f" and {len(trains) - 1} more" if len(trains) > 1 else ""
-        console.print(f"Not made: {trains[0]}{others}, for {reason}.")
+        console.print(f"Not made: {trains[0]}{others}: {reason}.")
     if len(reasons) > REASONS_SHOWN:
         rest = sum(len(trains) for trains in list(reasons.values())[REASONS_SHOWN:])
         console.print(f"Nor {rest} more, for other reasons; the manifest and --json name them all.")

@@ -13,7 +13,9 @@
 | `blank`, `body` | bore, keyway, hub, web, holes -> a gear's body, as a stack of prisms           |
 | `bezier`       | tooth curves as Bézier curves, for solids and files                             |
 | `gear_mesh`    | a body as a closed mesh                                                         |
+| `thinning`     | teeth as they are cut, and what thins most where none are left                  |
 | `inspection`   | span and size over pins, with their limits                                      |
 | `layout`       | a train's parts at their places, clear of each other and in phase               |
-| `mesh_check`   | play, contact ratio and clearances measured on sections, without formulas       |
+| `mesh_check`   | play and clearances measured on sections, without formulas                      |
+| `contact`      | contact ratio, by the formula and found on the tooth curves                     |
 """

@@ -1,7 +1,7 @@
 """Contact ratio: by the formula, and found on the tooth curves as they pass each other.
 
 Overlaps cannot tell where contact ends at the corner of an undercut: near the base circle the corner leaves the
-other flank with the third power of the way, and may stay within 0.1 µm of it until that gear's tip is past. But at
+other flank with the third power of the way, and may stay within 0.2 µm of it until that gear's tip is past. But at
 the end of contact, and nowhere else near, an end of a flank touches the other flank from within: the room between
 both, which is positive before and after, is least there. So the ends of both flanks are carried along at the ratio
 of the teeth, each past the other gear's flank, and the place of the least room is looked up. Nothing here but the
@@ -78,10 +78,10 @@ def _passage(gear: Tooth, end: int, other: Tooth, apart: float) -> tuple[float, 
     passing = (np.abs(seen) >= radius[0]) & (np.abs(seen) <= radius[-1])
     if not passing.any():
         return None
-    own, seen = own[passing], seen[passing]
     turned = np.angle(seen) - np.interp(np.abs(seen), radius, polar)
-    least = int(np.argmin(turned + own * gear.form.teeth / other.form.teeth))
-    return float(own[least]), float(turned[least]), 0 < least < own.size - 1
+    room = turned + own * gear.form.teeth / other.form.teeth
+    least = int(np.argmin(np.where(passing, room, np.inf)))
+    return float(own[least]), float(turned[least]), bool(passing[max(least - 1, 0) : least + 2].all())
 
 
 def _flank(tooth: Tooth) -> Points:

@@ -61,11 +61,11 @@ def _deviation(
         try:
             tooth_of(with_deviation(gear.form, deviation))
         except DesignError as error:
+            fault, _, cure = str(error).partition("; ")
             given = deviation == asked and not isinstance(thinning, str)
-            source = "that is the E_sn given; give one nearer to 0" if given else _source(gear, limits, pair, found)
-            raise DesignError(
-                f"{gear.form} has no sound teeth left when {what} with E_sn = {deviation * 1e3:.5g} µm: {source}"
-            ) from error
+            source = "which is given; give one nearer to 0" if given else _source(gear, limits, pair, found)
+            shifted = f", or {cure}" if gear.form.profile_shift else ""
+            raise DesignError(f"{fault}, {what} with E_sn = {deviation * 1e3:.5g} µm, {source}{shifted}") from error
     return asked
 
 
@@ -81,4 +81,4 @@ def _source(gear: Gear, limits: GearPlay[float], pair: GearPair, found: StagePla
         f"T_sn = {limits.T_sn * 1e3:.5g} µm, from F_r = {own.F_r * 1e3:.5g} and b_r = {own.b_r * 1e3:.5g} µm"
         f" (grade {gear.grade}); give a finer grade, smaller values or a larger module": limits.T_sn,
     }
-    return "most of it is for " + max(parts, key=lambda text: parts[text])
+    return "most of it for " + max(parts, key=lambda text: parts[text])

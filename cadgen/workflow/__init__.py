@@ -6,5 +6,7 @@
 | `as_built` | what a design says of the car as built, in words and values       |
 | `files` | a checked cam -> every file, read back, rolled, published, on record |
 | `gears` | design -> play, order, layout and measured mesh of the gear train    |
+| `gears_checks` | a train laid out -> its teeth and bodies measured, with verdicts |
+| `gears_facts` | a planned train -> plain values for manifest, table and machines |
 | `gears_files` | a checked train -> every file, read back, measured, on record  |
 """

@@ -207,7 +207,7 @@ def _first_made(
     if len(ranked) == 1:
         raise DesignError(skipped[0].reason)
     raise NotMadeError(
-        f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, for {skipped[0].reason}",
+        f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, not: {skipped[0].reason}",
         ranked,
         baseline,
     )

@@ -133,8 +133,8 @@ def _of_stage(pair: GearPair, found: StagePlay[float]) -> tuple[Check, ...]:
         Check("root clearance", min(built.clearances()) / module, "modules", CLEARANCE_LIMIT, "min", advice=wider),
         Check("contact ratio", ratio, "", CONTACT_RATIO_LIMIT, "min", advice="give more teeth"),
         Check("contact ratio - formula", abs(ratio - contact_ratio(pair)), "", CONTACT_RATIO_ERROR, "max"),
-        Check("teeth jam", jam, "mm2", LEAST_OVERLAP, "max", jammed, _advice(jammed, jam=True)),
-        Check("teeth hold each other", hold, "mm2", LEAST_OVERLAP, "min", loose, _advice(loose, jam=False)),
+        Check("teeth jam", jam, "mm2", LEAST_OVERLAP, "max", jammed, "thin the teeth, or set the axes apart"),
+        Check("teeth hold each other", hold, "mm2", LEAST_OVERLAP, "min", loose, _closer(loose)),
     ]
     if _engages(states["as cut"]):
         over, past = cycle(pair, built)
@@ -149,12 +149,10 @@ def _of_stage(pair: GearPair, found: StagePlay[float]) -> tuple[Check, ...]:
     return tuple(check if check.advice else replace(check, advice=CONTRADICTION) for check in checks)
 
 
-def _advice(state: str, *, jam: bool) -> str:
-    if jam:
-        return "they overlap midway between their flanks: thin the teeth, or set the axes apart"
+def _closer(state: str) -> str:
     if state == "greatest":
-        return "they pass each other freely where the tolerances open the axes most: lower F_i_radial, f_a or b_r"
-    return "they pass each other freely: set the axes closer, or thin the teeth less"
+        return "they pass each other freely where the tolerances open the axes most; lower F_i_radial, f_a or b_r"
+    return "they pass each other freely; set the axes closer, or thin the teeth less"
 
 
 def _bodies(layout: TrainLayout, chord: float) -> list[Check]:

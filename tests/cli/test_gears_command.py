@@ -3,9 +3,12 @@
 import csv
 import hashlib
 import json
+from dataclasses import replace
 
 import pytest
 
+from cadgen.cam.check import Check
+from cadgen.cli.show import figures
 from tests.cli.conftest import one_sentence
 
 PARTS = ("1_pinion", "2_cluster", "3_cluster", "4_wheel")
@@ -46,16 +49,17 @@ def test_all_files_are_made_proved_and_recorded(cadgen, tmp_path):
     assert all(float(row["span_min_mm"]) < float(row["span_max_mm"]) for row in rows)
 
 
+# Two small stages, which are quicker to make than the paper's train.
+SMALL = ["train.stages.1.driver.teeth=30", "train.stages.2.driver.teeth=30", "train.stages.3="]
+SMALL += ["train.stages.1.driven.teeth=42", "train.stages.1.centre_distance_mm=18"]
+SMALL += ["train.stages.2.driven.teeth=45", "train.stages.2.centre_distance_mm=18.75"]
+SMALL += [f"train.{place}.{what}=" for place in ("intermediate", "output") for what in ("lightening", "web")]
+
+
 def test_the_same_design_gives_the_same_bytes(cadgen, tmp_path):
-    small = [part for z in (1, 2) for part in ("--set", f"train.stages.{z}.driver.teeth=30")]
-    small += ["--set", "train.stages.3="]
-    for number, (driven, apart) in enumerate(((42, 18), (45, 18.75)), 1):
-        small += ["--set", f"train.stages.{number}.driven.teeth={driven}"]
-        small += ["--set", f"train.stages.{number}.centre_distance_mm={apart}"]
-    for section in ("intermediate", "output"):
-        small += ["--set", f"train.{section}.lightening=", "--set", f"train.{section}.web="]
+    sets = [part for text in SMALL for part in ("--set", text)]
     for folder in ("a", "b"):
-        cadgen("gears", *small, "--out", folder, code=0)
+        cadgen("gears", *sets, "--out", folder, code=0)
     assert len(contents(tmp_path / "a")) == 9
     for name in contents(tmp_path / "a"):
         assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes(), name
@@ -76,14 +80,28 @@ BAD = {
     "no train": (["train="], 2, "has no gear train: add a section [train]"),
     "uncovered": (["train.module_mm=0.2"], 2, "in stage 1,"),
     "no such ratio": (["train.search.teeth_min=100", "train.search.teeth_max=110"], 2, "no train of 3 stages"),
-    "jam": (["train.E_sn_um=30"], 1, "overlap midway between their flanks"),
+    "thinned away": (
+        ["train.bearing_span_mm=5000"],
+        2,
+        "in stage 1, the gear with 30 teeth of",
+    ),
+    "short bearings": (["train.bearing_span_mm=2", "train.intermediate.bore_diameter_mm=8"], 2, "give at least 29 mm"),
+    "rim": (
+        ["train.output.web.rim_mm=100"],
+        2,
+        "has a rim of 100 mm between its root of",
+    ),
+    "holes": (["train.output.lightening.holes=100"], 2, "on a circle of 35.2 mm diameter; give at most 11"),
+    "tiny": (["train.module_mm=1e-9"], 2, "of module 1e-09 does not meet at the centre distance 45 mm"),
+    "grades of a search": (["train.stages.2.driver.grade=9"], 2, "one tolerance grade, and those given have 7 and 9"),
 }
+SEARCHED = ("no such ratio", "grades of a search")
 
 
 @pytest.mark.parametrize("name", BAD)
 def test_what_cannot_be_made_is_one_sentence_and_no_file(cadgen, tmp_path, name):
     settings, code, words = BAD[name]
-    order = "search" if name == "no such ratio" else "as-given"
+    order = "search" if name in SEARCHED else "as-given"
     sets = [part for text in settings for part in ("--set", text)]
     message = one_sentence(cadgen("gears", "--order", order, *sets, "--out", "out", code=code))
     print(message)
@@ -110,3 +128,28 @@ def test_a_failed_check_is_told_to_machines(cadgen):
     facts = json.loads(cadgen("gears", *SHALLOW, "--json", code=1).stdout)
     assert facts["passed"] is False
     assert [check["name"] for check in facts["checks"] if not check["passed"]] == ["root clearance"]
+
+
+def test_forced_teeth_that_jam_are_exported_all_the_same(cadgen, tmp_path):
+    sets = [part for text in [*SMALL, "train.E_sn_um=30"] for part in ("--set", text)]
+    result = cadgen("gears", *sets, "--force", "--out", "out", code=0)
+    assert "thin the teeth, or set the axes apart" in " ".join(result.stdout.split())
+    assert len(contents(tmp_path / "out")) == 9
+    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["carbon_free_car_as-given_train"]
+    assert part["passed"] is False
+    assert part["files"]["carbon_free_car_as-given_train.step"]["play_um"] is None
+
+
+def test_a_search_of_which_nothing_fits_prints_its_ranking_and_one_sentence(cadgen, tmp_path):
+    result = cadgen("gears", "--order", "search", "--set", "train.intermediate.hub.diameter_mm=40", code=2)
+    assert "none of 10 trains can be made" in one_sentence(result)
+    assert result.stdout.count("°") == 3 * 8
+    assert contents(tmp_path) == set()
+
+
+def test_checks_that_failed_without_advice_say_no_empty_sentence(capsys):
+    given = Check("gap", 1.0, "mm", 2.0, "min", advice="move it")
+    figures("checks", [given, replace(given, name="other", advice="")])
+    said = capsys.readouterr().out
+    assert "gap: move it." in said
+    assert ": ." not in said

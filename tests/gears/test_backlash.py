@@ -102,6 +102,16 @@ def test_every_intermediate_value_of_the_first_stage_by_hand(paper):
         assert 1000 * gear.E_sni == pytest.approx(upper - zone)
 
 
+def test_each_gear_s_own_width_and_deviation_make_its_axes_parallelism(paper):
+    """Eq. 4 on a pair of unequal widths, from the standard's table values F_β = 12 and 13 µm; the lesser is used."""
+    made = paper.stages[0]
+    wider = replace(made, driven=replace(made.driven, form=replace(made.driven.form, width=8.0)))
+    stage = stage_play(wider)
+    assert 1000 * stage.driver.f_sigma_beta == pytest.approx(0.5 * 80 / 5 * 12)
+    assert 1000 * stage.driven.f_sigma_beta == pytest.approx(0.5 * 80 / 8 * 13)
+    assert stage.f_sigma_beta == stage.driven.f_sigma_beta
+
+
 @given(st.integers(20, 120), st.integers(20, 120), st.floats(0.0, 0.5))
 def test_extreme_plays_are_those_of_exact_involutes_up_to_second_order(z1, z2, x):
     meshing = pair(z1, z2, x=x)

@@ -90,19 +90,6 @@ def test_a_tooth_of_one_meets_a_space_of_the_other(z1, z2, angle, direction):
     assert cos(phases) == pytest.approx(-1.0, abs=1e-9)
 
 
-def test_thinning_goes_from_the_upper_limit_to_the_lower():
-    play = train_play(Train((replace(train((20, 60)).stages[0]),)))
-    found = play.stages[0].driver
-    for choice, wanted in {
-        "least": found.E_sns,
-        "middle": (found.E_sns + found.E_sni) / 2,
-        "greatest": found.E_sni,
-        -0.05: -0.05,
-    }.items():
-        cut = thinned(play, choice).stages[0].driver.form
-        assert cut.tooth_thickness_deviation == pytest.approx(wanted)
-
-
 def test_volume_less_the_set_screw_is_that_of_a_fine_mesh():
     """The drilled mesh is made by manifold3d; its chords leave it short by their tolerance times the walls."""
     for blank in (BLANKS.drive, replace(BLANKS.drive, keyway=Keyway(width=1.0, depth=0.6))):
@@ -132,3 +119,52 @@ def test_a_given_direction_that_collides_is_refused_and_another_found():
     tighter = (0.0, directions[1] + radians(5.0))
     with pytest.raises(DesignError, match="collide"):
         lay_out(made, BLANKS, tighter)
+
+
+def test_bearings_nearer_together_than_the_stack_is_high_are_refused():
+    """Else the shafts would end inside the stack, and one through a wheel would not be seen."""
+    made = train((20, 60), (20, 60))
+    # Drive's hub 5, gears 4 with a collar of 1 between, output's hub 4.
+    height = 5 + 4 + 1 + 4 + 4
+    for span, refused in ((height, False), (height - 1e-3, True), (1e-300, True)):
+        stages = (made.stages[0], replace(made.stages[1], bearing_span=span))
+        if not refused:
+            lay_out(replace(made, stages=stages), BLANKS)
+            continue
+        with pytest.raises(DesignError, match=r"in stage 2, the bearing span .* shorter than the stack.*least 18 mm"):
+            lay_out(replace(made, stages=stages), BLANKS)
+
+
+def test_a_shaft_through_a_wheel_is_seen_with_bearings_just_outside_the_stack():
+    """The shaft of 8 mm and the wheel of 76 mm at axes 40 mm apart share 2 mm."""
+    made = train((30, 150), (40, 120))
+    tight = replace(made, stages=tuple(replace(pair, bearing_span=18.0) for pair in made.stages))
+    blanks = replace(BLANKS, output=replace(BLANKS.output, bore_diameter=8.0))
+    with pytest.raises(DesignError, match=r"the gear of 150 teeth on shaft 2 and shaft 3 itself.* is -2 mm"):
+        lay_out(tight, blanks)
+
+
+def test_axes_on_top_of_each_other_are_not_blamed_on_bores():
+    made = train((30, 40), (30, 40), (30, 40))
+    with pytest.raises(DesignError, match=r"collide: both stand on one axis; give the stages other directions"):
+        lay_out(made, BLANKS, (0.0, pi, None))
+
+
+def test_a_blank_that_cannot_be_made_names_its_shaft():
+    with pytest.raises(DesignError, match=r"on shaft 3 \(output\), the gear with 60 teeth .* has a bore"):
+        lay_out(train((20, 60), (20, 60)), replace(BLANKS, output=GearBlank(bore_diameter=29.0)))
+    with pytest.raises(DesignError, match=r"on shaft 2 \(intermediate\), the collar of 6 mm stands in the teeth"):
+        lay_out(train((20, 60), (12, 60)), BLANKS)
+
+
+@pytest.mark.parametrize("clearance", [0.3, 0.9])
+def test_the_clearance_is_kept_between_all_shafts(clearance):
+    """Two wheels side by side on shafts one apart: folded until the next shaft clears the tips by that much."""
+    layout = lay_out(train((20, 60), (20, 60)), BLANKS, clearance=clearance)
+    first, _, third = layout.parts
+    # The output's wheel and the drive's shaft share no stage: its tips pass the shaft.
+    tips, shaft = layout.train.stages[1].driven.form.tip_diameter / 2, BLANKS.drive.bore_diameter / 2
+    gap = abs(third.axis - first.axis) - tips - shaft
+    assert gap >= clearance
+    # One step of 5 degrees of a line of 20 mm is 1.7 mm.
+    assert gap < clearance + 2.0

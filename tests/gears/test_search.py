@@ -11,8 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
+from cadgen.gears import chains
 from cadgen.gears.backlash import stage_play
+from cadgen.gears.blank import GearBlank, Hub, cluster_body, gear_body
 from cadgen.gears.chains import best_chains
+from cadgen.gears.layout import Blanks
 from cadgen.gears.search import SearchLimits, all_orders, arrange, search_trains
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
@@ -217,3 +220,99 @@ def test_a_ratio_out_of_reach_says_what_was_searched():
         search_trains(within(centre_distance=(1.0, 2.0)))
     with pytest.raises(DesignError, match=r"module 0\.3 mm"):
         search_trains(within(modules=(0.3,), teeth=(20, 40)))
+
+
+def test_stages_of_different_grade_angle_or_span_are_not_searched_for():
+    """The search gives all stages one of each: taken from one stage, the others' would be dropped without a word."""
+    made = paper()
+    one = made.stages[1]
+    for changed, said in (
+        (replace(one, driver=replace(one.driver, grade=9)), "one tolerance grade, and those given have 7 and 9"),
+        (replace(one, bearing_span=300.0), "one bearing span in mm, and those given have 80 and 300"),
+        (
+            replace(
+                one,
+                driver=replace(one.driver, form=replace(one.driver.form, normal_pressure_angle=radians(25))),
+                driven=replace(one.driven, form=replace(one.driven.form, normal_pressure_angle=radians(25))),
+            ),
+            "one pressure angle in degrees, and those given have 20 and 25",
+        ),
+    ):
+        with pytest.raises(DesignError, match=said):
+            SearchLimits.like(Train((made.stages[0], changed, made.stages[2])))
+
+
+def test_only_gears_that_fit_their_blanks_are_searched_for_each_at_its_place():
+    """Against the unrestricted list, sieved by making the bodies themselves."""
+    limits = within(teeth=(12, 40), ratio=Fraction(4), keep=9000)
+    blanks = Blanks(
+        drive=GearBlank(bore_diameter=5.0),
+        intermediate=GearBlank(bore_diameter=2.0, hub=Hub(diameter=7.0, length=1.0)),
+        output=GearBlank(bore_diameter=10.0),
+    )
+
+    def makes(play):
+        first, last = play.train.stages
+        try:
+            gear_body(first.driver.form, blanks.drive)
+            cluster_body(first.driven.form, last.driver.form, blanks.intermediate)
+            gear_body(last.driven.form, blanks.output)
+        except DesignError:
+            return False
+        return True
+
+    everything = search_trains(limits)
+    expected = [play for play in everything if makes(play)]
+    found = search_trains(limits, blanks)
+    assert 0 < len(expected) < len(everything) < limits.keep
+    assert {play.train for play in found} == {play.train for play in expected}
+    with pytest.raises(DesignError, match=r"no train of 2 stages .* gears that fit their blanks"):
+        search_trains(limits, replace(blanks, output=GearBlank(bore_diameter=40.0)))
+
+
+@settings(deadline=None, max_examples=30)
+@given(
+    st.lists(
+        st.tuples(st.integers(1, 9), st.integers(1, 9), st.floats(0.1, 10), st.lists(st.booleans(), min_size=4)),
+        min_size=1,
+        max_size=6,
+    ),
+    st.fractions(Fraction(1, 4), 4, max_denominator=6),
+    st.integers(1, 4),
+)
+def test_pairs_stand_only_where_they_may(pairs, ratio, length):
+    driver, driven, cost = (np.array([pair[column] for pair in pairs]) for column in range(3))
+    allowed = [np.array([pair[3][place] for pair in pairs]) for place in range(length)]
+    expected = []
+    for rows in product(range(len(pairs)), repeat=length):
+        total, behind = 0.0, Fraction(1)
+        for row in reversed(rows):
+            total += pairs[row][2] / float(behind)
+            behind *= Fraction(pairs[row][1], pairs[row][0])
+        if behind == ratio and all(allowed[place][row] for place, row in enumerate(rows)):
+            expected.append(total)
+    found = best_chains(driver, driven, cost, ratio=ratio, tolerance=0.0, length=length, keep=5, allowed=allowed)
+    assert len(found) == min(5, len(expected))
+    lags = []
+    for rows in found:
+        lag = 0.0
+        for place, row in enumerate(rows):
+            assert allowed[place][row]
+            lag = lag * driver[row] / driven[row] + cost[row]
+        lags.append(lag)
+    assert lags == pytest.approx(sorted(expected)[: len(found)])
+
+
+def test_six_stages_are_searched_through_and_a_search_without_end_is_given_up(monkeypatch):
+    # 2330 pairs and 1.6e20 chains: only good bounds come to an end.
+    limits = replace(SearchLimits.like(paper()), stages=6)
+    best = search_trains(limits)
+    assert best[0].return_error_max == pytest.approx(return_error(best[0].train.stages))
+    assert best[0].train.ratio == 45
+    # With pairs of ratio 1 left out, no sixth stage betters five of its own.
+    assert best[0].return_error_max > search_trains(replace(limits, stages=5))[0].return_error_max
+    monkeypatch.setattr(chains, "MOST_TRIED", 10_000)
+    with pytest.raises(DesignError, match=r"has not ended after .* narrow the teeth"):
+        search_trains(limits)
+    with pytest.raises(DesignError, match=r"997 tooth numbers, 2 modules and 3 widths .* more than 4 million pairs"):
+        search_trains(replace(limits, teeth=(4, 1000), modules=(0.5, 0.6), widths=(4.0, 5.0, 6.0)))

@@ -1,10 +1,28 @@
 """From a design to a checked train: the paper's figures, orders, and what is refused."""
 
+from itertools import pairwise
+from math import cos, hypot, radians, tan
+
 import pytest
 
+from cadgen.cam.check import Check
 from cadgen.design.load import load_design
-from cadgen.errors import CheckError, DesignError
-from cadgen.workflow.gears import PLAY_LIMIT_UM, plan_gears, teeth_of
+from cadgen.errors import DesignError
+from cadgen.workflow.gears import NotMadeError, plan_gears
+from cadgen.workflow.gears_checks import PLAY_LIMIT_UM
+from cadgen.workflow.gears_facts import teeth_of
+
+ALPHA = radians(20)
+# Table values of the standards for grade 7, µm: F_r and b_r (52 is the paper's own for 30 teeth).
+CUTTING = {30: (18, 52), 150: (29, 74)}
+
+
+def failed(plan):
+    return {check.name: check for check in plan.checks if not check.passed}
+
+
+def gears_of(plan):
+    return {(gear["stage"], gear["teeth"]): gear for part in plan.facts()["parts"] for gear in part["gears"]}
 
 
 @pytest.fixture(scope="module")
@@ -66,9 +84,160 @@ def test_given_directions_are_kept():
     assert abs((second - first) / 45 - (third - second) / 40) == pytest.approx(0, abs=1e-12)
 
 
-def test_teeth_that_jam_fail_a_check():
-    with pytest.raises(CheckError, match=r"30 and 150 teeth.*overlap midway.*thin the teeth"):
-        plan_gears(load_design(None, ["train.E_sn_um=30"]))
+def test_teeth_that_jam_fail_a_check_and_have_no_play():
+    plan = plan_gears(load_design(None, ["train.E_sn_um=30"]))
+    wrong = failed(plan)
+    assert set(wrong) == {"bodies overlap", "teeth jam"}
+    assert wrong["teeth jam"].place == "stage 2, as cut"
+    assert "thin the teeth" in wrong["teeth jam"].advice
+    names = {check.name for check in plan.checks}
+    assert not names & {"play - computed, as cut", "return error - computed", "overlap past the play"}
+    assert {"play - computed, greatest", "play - computed, least"} <= names
+
+
+def test_teeth_that_pass_each_other_where_the_tolerances_open_the_axes_most_say_so():
+    wrong = failed(plan_gears(load_design(None, ["train.stages.1.driver.F_i_radial_um=1500"])))
+    assert set(wrong) == {"teeth hold each other"}
+    assert wrong["teeth hold each other"].place == "stage 1, greatest"
+    assert "where the tolerances open the axes most; lower F_i_radial" in wrong["teeth hold each other"].advice
+
+
+def test_an_undercut_pinion_passes_its_checks():
+    sets = ["stages.1.driver.teeth=14", "stages.1.centre_distance_mm=41", "drive.bore_diameter_mm=0", "drive.hub="]
+    assert plan_gears(load_design(None, [f"train.{text}" for text in sets])).passed
+
+
+def test_a_direction_goes_with_its_stage_when_the_stages_are_reordered():
+    sets = ["train.stages.1.direction_deg=30", "train.stages.2.direction_deg=-20"]
+    plan = plan_gears(load_design(None, sets), "reordered")
+    assert teeth_of(plan.play) == "40/120 40/120 30/150"
+    axes = [part.axis for part in plan.layout.parts]
+    steps = [(two - one) / abs(two - one) for one, two in pairwise(axes)]
+    for step, degrees in ((steps[2], 30), (steps[0], -20)):
+        assert step.real == pytest.approx(cos(radians(degrees)))
+        assert step.imag == pytest.approx(cos(radians(90 - degrees)))
+
+
+def test_the_search_makes_the_best_train_whose_gears_fit_and_says_why_not_those_before():
+    """Small gears leave no room for the blanks of the design; the best that do is made."""
+    plan = plan_gears(load_design(None, ["train.search.teeth_min=17"]), "search")
+    assert plan.passed
+    assert plan.play not in plan.ranked
+    errors = [one.play.return_error_max for one in plan.skipped]
+    assert max(errors) <= plan.play.return_error_max < plan.baseline.return_error_max
+    assert {one.play.train for one in plan.skipped} >= {play.train for play in plan.ranked}
+    assert all("on shaft" in one.reason or "collide" in one.reason for one in plan.skipped)
+    said = plan.facts()["skipped"]
+    assert said[0]["teeth"] == teeth_of(plan.ranked[0])
+    assert "lightening holes" in said[0]["reason"]
+
+
+def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(monkeypatch):
+    """The checks themselves are replaced: which trains they fail is what is tried here."""
+    failing = set()
+
+    def judge(layout, plays, chord):
+        wrong = layout.train.stages[0].driver.form.teeth in failing
+        return (Check("tried", float(wrong), "", 0.0, "max"),)
+
+    monkeypatch.setattr("cadgen.workflow.gears.gear_checks", judge)
+    design = load_design()
+    best = plan_gears(design, "reordered")
+    assert (best.play, best.skipped, best.passed) == (best.ranked[0], (), True)
+    # The two best orders begin with the 40 teeth; in the second a wheel meets a shaft.
+    failing.add(40)
+    plan = plan_gears(design, "reordered")
+    assert plan.passed
+    assert plan.play == plan.ranked[2]
+    assert [one.play for one in plan.skipped] == list(plan.ranked[:2])
+    assert plan.skipped[0].reason == "its check of tried fails"
+    assert "collide" in plan.skipped[1].reason
+    failing.add(30)
+    plan = plan_gears(design, "reordered")
+    assert (plan.play, plan.skipped, plan.passed) == (plan.ranked[0], (), False)
+
+
+def test_a_search_of_which_nothing_can_be_made_keeps_its_ranking():
+    with pytest.raises(NotMadeError, match=r"none of 10 trains can be made; the best, .*, not: on shaft 2") as error:
+        plan_gears(load_design(None, ["train.intermediate.hub.diameter_mm=40"]), "search")
+    assert len(error.value.ranked) == 10
+
+
+def test_the_search_is_compared_with_the_train_given_by_the_standard_alone():
+    sets = ["train.stages.2.driven.b_r_um=200", "train.stages.1.direction_deg=30"]
+    plan = plan_gears(load_design(None, sets), "search")
+    assert plan.baseline.return_error_max < plan.given.return_error_max
+    assert f"{plan.facts()['return_error_as_given_by_the_standard_deg']['greatest']:.3f}" == "0.961"
+    assert [note.split()[1] for note in plan.notes] == ["gears", "stages"]
+    assert "without those that the design gives" in plan.notes[0]
+    with pytest.raises(DesignError, match="one tolerance grade, and those given have 7 and 9"):
+        plan_gears(load_design(None, ["train.stages.2.driver.grade=9"]), "search")
+
+
+def test_every_value_of_the_equations_and_of_the_tolerances_is_told(paper):
+    stage = paper.facts()["stages"][0]
+    by_hand = {"f_a": 19.5, "f_sigma_beta": 96, "f_sigma_delta": 192, "j_bnmin_required": 65, "j_bn0": 0}
+    for symbol, value in by_hand.items():
+        assert stage[f"{symbol}_um"] == pytest.approx(value)
+    for name in ("j_n", "j_bn1", "j_bn2", "j_bn3", "j_bnmax", "j_bnmin", "j_wt_max", "j_wt_min", "E_sns"):
+        assert isinstance(stage[f"{name}_um"], float)
+    # ISO 1328 grade 7, the steps d 5-20 and 50-125, m 0.5-2, b 4-10 mm.
+    printed = {
+        "driver": {"f_pt": 9.5, "F_p": 23, "F_alpha": 9, "F_beta": 12, "F_r": 18, "b_r": 52, "F_i_radial": 21},
+        "driven": {"f_pt": 11, "F_p": 37, "F_alpha": 12, "F_beta": 13, "F_r": 29, "b_r": 74, "F_i_radial": 33},
+    }
+    for role, row in printed.items():
+        for symbol, value in row.items():
+            assert stage[role][f"{symbol}_um"] == pytest.approx(value), (role, symbol)
+        assert stage[role]["F_pk_um"] > stage[role]["f_pt_um"]
+        assert 0 < stage[role]["f_i_radial_um"] < stage[role]["F_i_radial_um"]
+        assert stage[role]["E_sni_um"] == pytest.approx(stage[role]["E_sns_um"] - stage[role]["T_sn_um"])
+
+
+def test_the_distribution_is_told_by_its_quantiles(paper):
+    facts = paper.facts()
+    train = facts["return_error_deg"]
+    values = list(train["quantiles"].values())
+    assert [train["least"], *values, train["greatest"]] == sorted([train["least"], *values, train["greatest"]])
+    assert train["quantiles"]["0.5"] == pytest.approx(train["mean"])
+    # Of so many contributions the sum is nearly normal: 1.645 deviations above the mean.
+    assert train["quantiles"]["0.95"] == pytest.approx(train["mean"] + 1.645 * train["std"], rel=5e-3)
+    for stage in facts["stages"]:
+        assert stage["j_bnmin_um"] < stage["play_um"]["quantiles"]["0.01"] < stage["play_um"]["mean"]
+
+
+def test_span_and_pins_of_every_gear_have_its_own_limits(paper):
+    """The span changes by T_sn cos α: each gear has its own zone, the driver of a stage another than the driven."""
+    found = gears_of(paper)
+    for teeth, (runout, feed) in CUTTING.items():
+        zone = 2 * tan(ALPHA) * hypot(runout, feed) / 1000
+        gear = found[1, teeth]
+        assert gear["span_max_mm"] - gear["span_min_mm"] == pytest.approx(zone * cos(ALPHA), abs=1e-9)
+        assert gear["E_sns_um"] - gear["E_sni_um"] == pytest.approx(1000 * zone)
+        assert gear["span_nominal_mm"] - gear["span_max_mm"] == pytest.approx(-gear["E_sns_um"] / 1000 * cos(ALPHA))
+
+
+def test_a_thinning_outside_its_limits_has_them_about_it_and_one_inside_keeps_them(paper):
+    outside = gears_of(plan_gears(load_design(None, ["train.E_sn_um=-40"])))
+    inside = gears_of(plan_gears(load_design(None, ["train.E_sn_um=-110"])))
+    for key, gear in gears_of(paper).items():
+        middle = (outside[key]["span_max_mm"] + outside[key]["span_min_mm"]) / 2
+        assert middle == pytest.approx(gear["span_nominal_mm"] - 0.04 * cos(ALPHA))
+        width = outside[key]["span_max_mm"] - outside[key]["span_min_mm"]
+        assert width == pytest.approx(gear["span_max_mm"] - gear["span_min_mm"])
+        assert inside[key]["span_max_mm"] == pytest.approx(gear["span_max_mm"])
+        assert inside[key]["span_min_mm"] == pytest.approx(gear["span_min_mm"])
+
+
+def test_pins_chamfer_and_clearance_of_the_design_are_used(paper):
+    plan = plan_gears(load_design(None, ["train.pin_diameter_mm=1.05", "train.tip_chamfer_mm=0.03"]))
+    for key, gear in gears_of(plan).items():
+        assert gear["pin_diameter_mm"] == 1.05
+        assert gear["over_pins_max_mm"] != gears_of(paper)[key]["over_pins_max_mm"]
+    ratios = [next(check.value for check in one.checks if check.name == "contact ratio") for one in (plan, paper)]
+    assert ratios[0] < ratios[1] - 0.05
+    with pytest.raises(DesignError, match="less than the clearance of 1 mm"):
+        plan_gears(load_design(None, ["train.clearance_mm=1"]))
 
 
 def test_a_design_without_a_train_says_what_is_missing():

@@ -1,0 +1,75 @@
+"""Thinning, and what is said of teeth that it destroys: the stage, the limit and what thins most."""
+
+from dataclasses import replace
+from math import pi
+
+import pytest
+
+from cadgen.errors import DesignError
+from cadgen.gears.backlash import train_play
+from cadgen.gears.thinning import thinned
+from cadgen.gears.tolerances import ToleranceOverrides
+from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import Gear, GearPair, Train
+
+
+def pair(z1: int = 30, z2: int = 150, span: float = 80.0, grade: int = 7, f_a: float | None = None, **given: float):
+    driver, driven = (Gear(form=GearForm(teeth=z, normal_module=0.5, width=5.0), grade=grade) for z in (z1, z2))
+    return GearPair(
+        driver=replace(driver, overrides=ToleranceOverrides(**given)),
+        driven=driven,
+        centre_distance=(z1 + z2) / 4,
+        bearing_span=span,
+        centre_distance_deviation=f_a,
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "source"),
+    [
+        (
+            {"span": 5000.0},
+            r"has no flank left.*, cut with E_sn.*most of it for j_n = 69\d\d.*span of 5000 mm",
+        ),
+        ({"grade": 12}, r"bearing span of 80 mm"),
+        ({"f_a": 10.0}, r"most of it for f_a = 10000 µm"),
+        ({"b_r": 10.0}, r"most of it for T_sn = 7279.. µm, from F_r = 18 and b_r = 10000 µm"),
+    ],
+)
+def test_teeth_thinned_away_name_the_stage_and_what_thins_most(changes, source):
+    play = train_play(Train((pair(40, 120), pair(**changes))))
+    with pytest.raises(DesignError, match=rf"in stage 2, the gear with 30 teeth of module 0\.5 .*{source}"):
+        thinned(play, "middle")
+
+
+def test_a_limit_that_cannot_be_cut_is_named_though_the_middle_could():
+    play = train_play(Train((pair(b_r=0.5),)))
+    with pytest.raises(DesignError, match=r"in stage 1, .*at the lower limit of its thickness.*b_r = 500 µm"):
+        thinned(play, "middle")
+
+
+def test_a_given_thinning_is_blamed_itself():
+    with pytest.raises(DesignError, match=r"E_sn = -10000 µm, which is given; give one nearer to 0"):
+        thinned(train_play(Train((pair(),))), -10.0)
+
+
+def test_a_tooth_that_fails_at_full_thickness_is_not_blamed_on_thinning():
+    made = pair()
+    pointed = replace(made.driver, form=replace(made.driver.form, profile_shift=1.6))
+    play = train_play(Train((replace(made, driver=pointed, centre_distance=45.78),)))
+    with pytest.raises(DesignError, match=r"in stage 1, the gear with 30 teeth of module 0\.5 has pointed teeth"):
+        thinned(play, "middle")
+
+
+def test_thinning_goes_from_the_upper_limit_to_the_lower():
+    play = train_play(Train((pair(20, 60),)))
+    found = play.stages[0].driver
+    for choice, wanted in {
+        "least": found.E_sns,
+        "middle": (found.E_sns + found.E_sni) / 2,
+        "greatest": found.E_sni,
+        -0.05: -0.05,
+    }.items():
+        cut = thinned(play, choice).stages[0].driver.form
+        assert cut.tooth_thickness_deviation == pytest.approx(wanted)
+        assert cut.tooth_thickness == pytest.approx(0.5 * pi / 2 + wanted)

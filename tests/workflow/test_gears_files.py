@@ -1,0 +1,112 @@
+"""What is read back is judged: each way in which a file can be wrong is refused. No CAD kernel is needed here."""
+
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from cadgen.design.load import load_design
+from cadgen.errors import FileError
+from cadgen.gears.gear_mesh import body_mesh
+from cadgen.gears.mesh_check import Section, section_of
+from cadgen.gears.thinning import with_deviation
+from cadgen.workflow.gears import plan_gears
+from cadgen.workflow.gears_files import _assembly, _in_mesh, _stl_facts, _tables, table_of
+
+
+@pytest.fixture(scope="module")
+def plan():
+    return plan_gears(load_design())
+
+
+def assembled(plan, **wrong):
+    """The train's parts as its file should have them, the third with something wrong; and what was meant."""
+    wanted = [SimpleNamespace(name=part.name, colour=(0.1, 0.2, part.shaft / 9)) for part in plan.layout.parts]
+    found = [
+        SimpleNamespace(
+            name=part.name, colour=meant.colour, transform=part.transform, valid=True, bodies=1, volume=part.volume
+        )
+        for part, meant in zip(plan.layout.parts, wanted, strict=True)
+    ]
+    vars(found[2]).update(wrong)
+    return found, wanted
+
+
+def test_an_assembly_as_meant_is_taken(plan):
+    assert _assembly(plan, "x.step", *assembled(plan)) == {"bodies": 4, "volume_error_relative": 0.0}
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({"valid": False}, "no valid solid for 3_cluster"),
+        ({"bodies": 2}, "no valid solid for 3_cluster"),
+        ({"name": "part"}, "lost the name of 3_cluster"),
+        ({"colour": None}, "lost the colour of 3_cluster"),
+        ({"colour": (0.1, 0.2, 0.3)}, "lost the colour of 3_cluster"),
+        ({"transform": np.eye(3, 4)}, "mm off its place"),
+        ({"volume": 1.0}, "misses the exact volume"),
+    ],
+)
+def test_an_assembly_with_a_part_that_is_not_as_meant_is_refused(plan, wrong, said):
+    with pytest.raises(FileError, match=rf"x\.step, read back, .*{said}"):
+        _assembly(plan, "x.step", *assembled(plan, **wrong))
+
+
+def test_an_assembly_that_lacks_a_part_is_refused(plan):
+    found, wanted = assembled(plan)
+    with pytest.raises(FileError, match="has lost a part"):
+        _assembly(plan, "x.step", found[:3], wanted)
+
+
+def by_part(plan, change=lambda form: form):
+    return [tuple(section_of(change(form)) for form in part.gears) for part in plan.layout.parts]
+
+
+def test_sections_in_the_files_have_the_play_computed(plan):
+    facts = _in_mesh(plan, "x.step", by_part(plan))
+    assert max(map(abs, facts["play_error_um"])) < 0.06
+    assert abs(facts["return_error_error_um"]) < 0.06
+    thick = [plan.layout.parts[3].gears[0].tooth_thickness_deviation + 1e-3]
+    wrong = [*by_part(plan)[:3], (section_of(with_deviation(plan.layout.parts[3].gears[0], *thick)),)]
+    with pytest.raises(FileError, match=r"has a play 0\.98 µm off the computed one"):
+        _in_mesh(plan, "x.step", wrong)
+
+
+def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(plan):
+    good = by_part(plan)
+    corners = good[0][0].corners
+    radius = np.abs(corners)
+    tooth = np.exp(2j * np.pi / len(corners) * np.arange(len(corners)))[:, None]
+    out = np.clip((radius - (radius.max() - 0.1)) / 0.05, 0.0, 1.0)
+    raised = Section(corners * np.exp(1j * 5e-3 / radius * out * np.sign(np.angle(corners / tooth))))
+    with pytest.raises(FileError, match="has teeth in stage 1 whose play is not the same over a pitch"):
+        _in_mesh(plan, "x.step", [(raised,), *good[1:]])
+
+
+def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
+    part = plan.layout.parts[0]
+    mesh = body_mesh(part.body, 1e-3)
+    assert _stl_facts("x.stl", mesh, part, 1e-3)["watertight"]
+    with pytest.raises(FileError, match="misses the exact volume"):
+        _stl_facts("x.stl", replace(mesh, vertices=mesh.vertices * 1.01), part, 1e-3)
+    twice = replace(
+        mesh,
+        vertices=np.concatenate([mesh.vertices, mesh.vertices + 50.0]),
+        triangles=np.concatenate([mesh.triangles, mesh.triangles + len(mesh.vertices)]),
+    )
+    with pytest.raises(FileError, match="is not one body"):
+        _stl_facts("x.stl", twice, part, 1e-3)
+
+
+def test_the_table_of_parts_has_the_limits_of_every_tooth_and_is_read_back(plan, tmp_path, monkeypatch):
+    for row in table_of(plan):
+        assert row["E_sni_um"] < row["E_sn_um"] < row["E_sns_um"] < 0
+    list(_tables(plan, tmp_path, "x"))
+    assert "E_sns_um,E_sni_um" in (tmp_path / "x_parts.csv").read_text()
+    read = Path.read_text
+    monkeypatch.setattr(Path, "read_text", lambda self, **kwargs: read(self, **kwargs).replace("150", "151"))
+    with pytest.raises(FileError, match=r"x_parts\.csv, read back, has other values"):
+        list(_tables(plan, tmp_path, "x"))
