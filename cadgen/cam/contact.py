@@ -12,6 +12,7 @@ linear in w, so the faces decide.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from cadgen.cam.follower import Follower
@@ -29,7 +30,7 @@ FINEST_STEP = 5e-4
 ROLLING_TOLERANCE = 2e-5
 _POINTS_PER_RADIUS = 20  # of the rod at least, or two steps could agree by chance
 # Stations handled at once, so that the table of candidates stays within the processor's cache.
-_BLOCK = 512
+_BLOCK = 128
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,8 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
 
 def _clearing(u: Array, h: Array, face: float) -> Array:
     """The least tan(beta) at which the rod clears a point in a face plane (see the module's equation)."""
-    return np.asarray((face * u + h * np.sqrt(u**2 + face**2 - h**2)) / (face**2 - h**2))
+    square = h * h
+    return np.asarray((face * u + h * np.sqrt(u * u + (face**2 - square))) / (face**2 - square))
 
 
 def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
@@ -116,6 +118,7 @@ class _Ring:
     follower: Follower
     angle: Array
     radius: Array
+    points: Array
     piece: NDArray[np.intp]
     window: float
 
@@ -139,7 +142,8 @@ class _Ring:
         tiled = (angle + offsets[:, None]).ravel()
         near = (tiled > first - reach - 0.2) & (tiled < first + _TURN + reach + 0.2)
         pieces = outline.piece + (outline.piece.max() + 1) * np.arange(3)[:, None]
-        return cls(follower, tiled[near], np.tile(radius, 3)[near], pieces.ravel()[near], reach)
+        points = np.tile(outline.points.T, 3)[:, near]
+        return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], reach)
 
     def rest(self, theta: Array) -> Array:
         """tan(beta), carrying face, contact's y and pressure angle at each cam angle, shape (4, n)."""
@@ -155,33 +159,36 @@ class _Ring:
             return np.stack([u / carrying, carrying, np.zeros_like(u), np.arctan2(slope, u + follower.base_radius)])
         first = np.searchsorted(self.angle, theta - self.window)
         last = np.searchsorted(self.angle, theta + self.window)
-        index = np.minimum(first[:, None] + np.arange(-1, (last - first).max() + 1), len(self.angle) - 1)
-        off = self.angle[index] - theta[:, None]
-        x, y = self.radius[index] * np.cos(off), self.radius[index] * np.sin(off)
+        # Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
+        width = int((last - first).max()) + 2
+        first = np.clip(first - 1, 0, len(self.angle) - width)
+        ahead, left = (sliding_window_view(values, width)[first] for values in self.points)
+        c, s = np.cos(theta)[:, None], np.sin(theta)[:, None]
+        x, y = ahead * c + left * s, left * c - ahead * s
         under = np.abs(y) < follower.radius
         h = np.sqrt(np.where(under, follower.radius**2 - y**2, 0.0))
         results = []
         for face in (follower.inner, follower.outer):
             needed = np.where(under, _clearing(x - follower.base_radius, h, face), -np.inf)
-            results.append(self._refine(needed, y, index, face))
+            results.append(self._refine(needed, y, first, face))
         inner, outer = results
         return np.where(inner[0] >= outer[0], inner, outer)
 
-    def _refine(self, needed: Array, y: Array, index: NDArray[np.intp], face: float) -> Array:
+    def _refine(self, needed: Array, y: Array, first: NDArray[np.intp], face: float) -> Array:
         """The greatest tan(beta) between the samples: parabolas through three neighbours of one piece."""
-        last = index.shape[1] - 1
-        rows = np.arange(len(index))[:, None]
+        last = needed.shape[1] - 1
+        rows = np.arange(len(needed))[:, None]
         top = np.argmax(needed, axis=1)[:, None]
         # A joint stands twice, and the contact may lie just beside it: look two points to either side.
         centre = np.clip(top + np.arange(-2, 3), 1, last - 1)
         before, at, after = (needed[rows, centre + k] for k in (-1, 0, 1))
-        piece = self.piece[index[rows[..., None], centre[..., None] + np.arange(-1, 2)]]
+        piece = self.piece[first[:, None, None] + centre[..., None] + np.arange(-1, 2)]
         fits = (piece == piece[..., 1:2]).all(axis=2) & np.isfinite(before) & np.isfinite(after)
         before, at, after = (np.where(fits, f, 0.0) for f in (before, at, after))
         slope, bend = (after - before) / 2, np.minimum(before - 2 * at + after, -1e-300)
         shift = np.clip(-slope / bend, -1.0, 1.0)
         value = np.where(fits, at + slope * shift + bend * shift**2 / 2, -np.inf)
-        row, best = np.arange(len(index)), np.argmax(value, axis=1)
+        row, best = np.arange(len(needed)), np.argmax(value, axis=1)
         refined, chosen, shift = value[row, best], centre[row, best], shift[row, best]
         sampled = needed[row, top[:, 0]]
         use = refined >= sampled
@@ -189,4 +196,4 @@ class _Ring:
         beside = np.clip(chosen + np.where(shift >= 0, 1, -1), 0, last)
         across = y[row, chosen] + np.abs(shift) * (y[row, beside] - y[row, chosen])
         angle = np.arcsin(np.clip(across / self.follower.radius, -1.0, 1.0))
-        return np.stack([np.maximum(refined, sampled), np.full(len(index), face), across, angle])
+        return np.stack([np.maximum(refined, sampled), np.full(len(needed), face), across, angle])

@@ -1,6 +1,7 @@
 """The steering that one turn of the cam must give."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import degrees
 
 import numpy as np
@@ -29,6 +30,17 @@ class LiftCurve:
     tan_beta: PPoly
     kinks: Array
     blend_start: float
+
+    @cached_property
+    def stations(self) -> tuple[Array, Array]:
+        """Cam angles from 0 to a turn between which tan(beta) only rises or only falls, and tan(beta) there.
+
+        Found once for each lift: a car that runs with many plays asks again and again.
+        """
+        slope = self.tan_beta.derivative()
+        roots = slope.roots(discontinuity=False, extrapolate=False)
+        nodes = np.unique(np.concatenate([self.tan_beta.x, roots[np.isfinite(roots)]]))
+        return nodes, np.append(self.tan_beta(nodes[:-1]), self.tan_beta(nodes[0]))
 
     def extrema(self) -> tuple[Array, Array]:
         """Cam angles of the peaks and of the valleys of the lift, rad, in order."""

@@ -60,10 +60,7 @@ def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
         Shape (k, 2), rad, in order; starts lie in [0, 2 pi), the last stop may lie beyond 2 pi. Empty if the lift
         is level.
     """
-    slope = lift.tan_beta.derivative()
-    roots = slope.roots(discontinuity=False, extrapolate=False)
-    nodes = np.unique(np.concatenate([lift.tan_beta.x, roots[np.isfinite(roots)]]))
-    value = np.append(lift.tan_beta(nodes[:-1]), lift.tan_beta(nodes[0]))
+    nodes, value = lift.stations
     falling = np.diff(value) < -_ROUNDING
     begins = np.flatnonzero(falling & ~np.roll(falling, 1))
     ends = np.flatnonzero(falling & ~np.roll(falling, -1)) + 1
