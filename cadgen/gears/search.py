@@ -144,8 +144,9 @@ def search_trains(limits: SearchLimits, blanks: Blanks | None = None) -> tuple[T
     )
     if not found:
         (fewest, most), (shortest, longest) = limits.teeth, limits.centre_distance
+        number = "one stage" if limits.stages == 1 else f"{limits.stages} stages"
         raise DesignError(
-            f"no train of {limits.stages} stages with {fewest} to {most} teeth and axes {shortest:g} to"
+            f"no train of {number} with {fewest} to {most} teeth and axes {shortest:g} to"
             f" {longest:g} mm apart has the ratio {limits.ratio} within {limits.ratio_tolerance:g}"
             f"{' and gears that fit their blanks' if blanks else ''}; widen the limits or raise the ratio tolerance"
         )

@@ -33,6 +33,14 @@ def thinned(play: TrainPlay, thinning: Thinning | float) -> Train:
     return Train(tuple(stages))
 
 
+def thickness_zone(form: GearForm, limits: GearPlay[float]) -> tuple[float, float]:
+    """Limits of E_sn for the tooth as it is cut, mm: E_sns and E_sni, or a zone as wide about a thinning outside."""
+    given = form.tooth_thickness_deviation
+    if limits.E_sni <= given <= limits.E_sns:
+        return limits.E_sns, limits.E_sni
+    return given + limits.T_sn / 2, given - limits.T_sn / 2
+
+
 def with_deviations(pair: GearPair, driver: float, driven: float) -> GearPair:
     """The pair with teeth cut to E_sn = `driver` and `driven`, in mm."""
     one, two = (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import degrees
 from typing import Any
 
 from cadgen.cam.check import Check
@@ -15,10 +16,9 @@ from cadgen.gears.backlash import Departure, GearPlay, TrainPlay, departures, tr
 from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.layout import TrainLayout, lay_out
 from cadgen.gears.search import Order, SearchLimits, arrange, search_trains
-from cadgen.gears.thinning import thinned
-from cadgen.gears.tooth import GearForm
+from cadgen.gears.thinning import thickness_zone, thinned
 from cadgen.gears.train import Train
-from cadgen.workflow.gears_checks import gear_checks
+from cadgen.workflow.gears_checks import exact_play, gear_checks
 from cadgen.workflow.gears_facts import plan_facts, teeth_of
 
 Step = Callable[[str], None]
@@ -59,7 +59,7 @@ class GearsPlan:
         skipped: those with less return error.
         standard: play of the train that is made, without the design's overrides; None if not covered.
         departures: the overrides beside the standard's values.
-        notes: what of the design the searched trains do not have, in sentences.
+        notes: what of the design the searched trains do not have, and what a given thinning means, in sentences.
         layout: its parts, teeth thinned, at their places.
         inspection: of every part's gears, in the order of the parts.
         checks: every figure with its verdict.
@@ -141,7 +141,7 @@ def plan_gears(design: Design, order: Order = "as-given", step: Step = lambda te
         skipped=skipped,
         standard=_by_the_standard(made.play.train),
         departures=departures(made.play.train),
-        notes=_notes(design, given) if limits else (),
+        notes=(*_thinning_notes(design, made), *(_notes(design, given) if limits else ())),
         layout=made.layout,
         inspection=made.inspection,
         checks=made.checks,
@@ -233,6 +233,21 @@ def _directions(given: Train, made: Train, wanted: Sequence[float | None]) -> li
     return found
 
 
+def _thinning_notes(design: Design, made: _Made) -> tuple[str, ...]:
+    """What a given E_sn outside the limits of the grade means for the return error."""
+    given = stages.train_keys(design).E_sn_um
+    roles = [role for found in made.play.stages for role in (found.driver, found.driven)]
+    if given is None or all(role.E_sni <= given * 1e-3 <= role.E_sns for role in roles):
+        return ()
+    cut = made.layout.train
+    error = degrees(sum(exact_play(pair) / float(i) for pair, i in zip(cut.stages, cut.output_ratios, strict=True)))
+    cut_so = f"the teeth as cut, without any error, leave {error:.3f}°" if error > 0 else "the teeth as cut jam"
+    return (
+        f"E_sn = {given:g} µm is the design's own and outside E_sns to E_sni of the grade: the return errors from "
+        f"least to greatest are those of the grade; {cut_so}",
+    )
+
+
 def _notes(design: Design, given: Train) -> tuple[str, ...]:
     """What the searched trains do not take over from the stages given."""
     gears = [gear for pair in given.stages for gear in (pair.driver, pair.driven)]
@@ -257,7 +272,7 @@ def _inspections(layout: TrainLayout, play: TrainPlay, pin: float | None) -> tup
         for form, stage in zip(part.gears, part.stages, strict=True):
             role = _role(play, part.shaft, stage)
             try:
-                of_part.append(inspection_of(form, *_zone(form, role.E_sns, role.E_sni), pin))
+                of_part.append(inspection_of(form, *thickness_zone(form, role), pin))
             except DesignError as error:
                 raise DesignError(f"in stage {stage}, {error}") from error
         found.append(tuple(of_part))
@@ -268,11 +283,3 @@ def _role(play: TrainPlay, shaft: int, stage: int) -> GearPlay[float]:
     """A stage's driver sits on the shaft of its number, the driven gear on the next."""
     found = play.stages[stage - 1]
     return found.driven if shaft > stage else found.driver
-
-
-def _zone(form: GearForm, upper: float, lower: float) -> tuple[float, float]:
-    given = form.tooth_thickness_deviation
-    if lower <= given <= upper:
-        return upper, lower
-    half = (upper - lower) / 2
-    return given + half, given - half

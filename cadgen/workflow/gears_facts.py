@@ -11,6 +11,7 @@ from cadgen.errors import DesignError
 from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay, play_distribution
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.inspection import Inspection, Limits
+from cadgen.gears.thinning import thickness_zone
 from cadgen.gears.tolerances import (
     span_pitch_deviation,
     tooth_radial_composite_deviation,
@@ -163,6 +164,7 @@ def _tolerance_facts(gear: Gear, play: GearPlay[float]) -> dict[str, Any]:
 
 def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], found: Inspection) -> dict[str, Any]:
     """What the shop is told of one gear: one row of the table of parts."""
+    upper, lower = thickness_zone(form, play)
     return {
         "stage": stage,
         "teeth": form.teeth,
@@ -173,8 +175,8 @@ def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], found: Inspec
         "tip_diameter_mm": form.tip_diameter,
         "root_diameter_mm": form.root_diameter,
         "E_sn_um": form.tooth_thickness_deviation * 1e3,
-        "E_sns_um": play.E_sns * 1e3,
-        "E_sni_um": play.E_sni * 1e3,
+        "E_sns_um": upper * 1e3,
+        "E_sni_um": lower * 1e3,
         "teeth_spanned": found.span.teeth_spanned if found.span else None,
         **_limits("span", found.span.span if found.span else None),
         "pin_diameter_mm": found.pins.pin_diameter if found.pins else None,

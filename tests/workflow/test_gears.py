@@ -1,7 +1,7 @@
 """From a design to a checked train: the paper's figures, orders, and what is refused."""
 
 from itertools import pairwise
-from math import cos, hypot, radians, tan
+from math import cos, degrees, hypot, radians, tan
 
 import pytest
 
@@ -252,3 +252,28 @@ def test_shallow_roots_fail_the_clearance_check():
     failed = {check.name for check in plan.checks if not check.passed}
     assert "root clearance" in failed
     assert not plan.passed
+
+
+def test_a_thinning_outside_the_grade_is_said_and_inspected_about_itself():
+    """E_sn = -300 um: j_bn = 600 um at the pitch circles of all stages, so 0.6 mm over r_b at each wheel."""
+    plan = plan_gears(load_design(overrides=["train.E_sn_um=-300"]))
+    (note,) = plan.notes
+    base = cos(ALPHA)
+    play = 0.6 * base * (1 / (37.5 * base) / 9 + 1 / (30 * base) / 3 + 1 / (30 * base))
+    assert f"leave {degrees(play):.3f}°" in note
+    for gear in gears_of(plan).values():
+        upper, lower = gear["E_sns_um"], gear["E_sni_um"]
+        assert (upper + lower) / 2 == pytest.approx(-300)
+        # A span shrinks by cos(alpha) of the thickness.
+        for which, deviation in (("max", upper), ("min", lower)):
+            change = gear[f"span_{which}_mm"] - gear["span_nominal_mm"]
+            assert change == pytest.approx(deviation * 1e-3 * cos(ALPHA), rel=1e-6)
+
+
+def test_teeth_that_do_not_overlap_in_action_are_not_blamed_on_the_program():
+    overrides = [
+        "train.stages=[{centre_distance_mm=79.0, driver={teeth=8}, driven={teeth=150}}]",
+        "train.module_mm=1.0",
+    ]
+    overrides += ["train.drive={}", "train.output={}", "train.intermediate={}"]
+    assert list(failed(plan_gears(load_design(overrides=overrides)))) == ["contact ratio"]
