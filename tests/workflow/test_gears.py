@@ -113,9 +113,9 @@ def test_a_direction_goes_with_its_stage_when_the_stages_are_reordered():
     assert teeth_of(plan.play) == "40/120 40/120 30/150"
     axes = [part.axis for part in plan.layout.parts]
     steps = [(two - one) / abs(two - one) for one, two in pairwise(axes)]
-    for step, degrees in ((steps[2], 30), (steps[0], -20)):
-        assert step.real == pytest.approx(cos(radians(degrees)))
-        assert step.imag == pytest.approx(cos(radians(90 - degrees)))
+    for step, direction in ((steps[2], 30), (steps[0], -20)):
+        assert step.real == pytest.approx(cos(radians(direction)))
+        assert step.imag == pytest.approx(cos(radians(90 - direction)))
 
 
 def test_the_search_makes_the_best_train_whose_gears_fit_and_says_why_not_those_before():
