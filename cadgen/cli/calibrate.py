@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from cadgen.cli.options import PROFILES, out_option
+from cadgen.cli.options import PROFILES, Number, out_option
 
 
 @click.command()
@@ -19,10 +19,15 @@ from cadgen.cli.options import PROFILES, out_option
 )
 @click.option(
     "--form-error-um",
-    type=click.FloatRange(0.01, 1000),
+    type=Number(0.01, 1000),
     help="Form error of the disc to be expected, rms.  [default: 2, or 30 if a file says that it is printed]",
 )
-@click.option("--each", is_flag=True, help="Judge every file alone, and print one table.")
+@click.option(
+    "--each",
+    is_flag=True,
+    help="Judge every file alone, as of a car of its own, and print one table; with --out, no pictures and no as-built "
+    "design are written.",
+)
 @click.option(
     "--set",
     "overrides",

@@ -1,6 +1,7 @@
 """Arguments and options that several commands share."""
 
 from collections.abc import Callable
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,16 @@ def play_profile_option(*more: str, meaning: str) -> Callable[[Command], Command
 def out_option(**settings: Any) -> Callable[[Command], Command]:
     """--out, with its default and help."""
     return click.option("--out", type=_Folder(file_okay=False, path_type=Path), **settings)
+
+
+class Number(click.FloatRange):
+    """A number of a range; NaN is in none, though no comparison finds it outside."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """The number; click's own message if it is in no range."""
+        if not isfinite(number := super().convert(value, param, ctx)):
+            self.fail(f"{number} is not a finite number", param, ctx)
+        return number
 
 
 class _Folder(click.Path):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def methods(plan: "CamPlan") -> None:
     """Print every method compared, the bound, and the reasons."""
-    from cadgen.workflow.as_built import as_built_sentences
+    from cadgen.workflow.as_built import as_built_sentences, assumed_play
     from cadgen.workflow.cam import against_of
     from cadgen.workflow.play import PAPER_PERCENT
 
@@ -79,6 +79,7 @@ def methods(plan: "CamPlan") -> None:
     console.print(errors)
     console.print(costs)
     for text in (
+        *assumed_play(plan.design),
         *as_built_sentences(plan.design, against.task.lift.blend_start),
         *against.reasons,
         "The bound: no profile with the same peaks and valleys betters it, to first order.",
@@ -93,11 +94,12 @@ def _share(value: float | None, digits: int = 1) -> str:
 
 def runs(simulation: "Simulation") -> None:
     """Print the events and where the runs end."""
-    from cadgen.workflow.as_built import as_built_sentences
+    from cadgen.workflow.as_built import as_built_sentences, assumed_play
 
     console = Output()
     before, chosen = simulation.against.before, simulation.against.chosen
-    for text in as_built_sentences(simulation.plan.design, float(simulation.planned.motor[-1])):
+    design = simulation.plan.design
+    for text in (*assumed_play(design), *as_built_sentences(design, float(simulation.planned.motor[-1]))):
         console.print(text)
     table = plain_table(
         f"{simulation.plan.design.name}, return error {degrees(simulation.play):.3f}°: events of the {before.title}"
@@ -131,11 +133,11 @@ def runs(simulation: "Simulation") -> None:
 
 def fleet(run: "ToleranceRun") -> None:
     """Print where the cars end, how many pass, and what matters most."""
-    from cadgen.workflow.as_built import as_built_sentences
+    from cadgen.workflow.as_built import as_built_sentences, assumed_play
 
     console = Output()
     facts = run.facts()
-    for text in as_built_sentences(run.plan.design, run.plan.lift.blend_start):
+    for text in (*assumed_play(run.plan.design), *as_built_sentences(run.plan.design, run.plan.lift.blend_start)):
         console.print(text)
     console.print(
         f"{facts['design']}, {facts['profile']} profile: {facts['samples']} cars, seed {facts['seed']}, "

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from cadgen.cli.options import design_options, out_option, play_profile_option
+from cadgen.cli.options import Number, design_options, out_option, play_profile_option
 
 
 @click.command()
@@ -12,7 +12,7 @@ from cadgen.cli.options import design_options, out_option, play_profile_option
 @play_profile_option(meaning="Profile that is compared with the actual one.")
 @click.option(
     "--play-deg",
-    type=click.FloatRange(0, 180, max_open=True),
+    type=Number(0, 180, max_open=True),
     help="Return error of the runs, at the camshaft.  [default: that which the profile is cut for]",
 )
 @out_option(default=Path("exports"), show_default=True, help="Folder for tracks and pictures; it is made if need be.")

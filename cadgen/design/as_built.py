@@ -45,7 +45,7 @@ class Value(Section):
 class Effect(Section):
     """An effect that data were traced to, one table for each; those on the disc act in turn."""
 
-    effect: str = Field(description="its name in the catalogue of that kind of data")
+    effect: str = Field(description="its name in the catalogue of that kind of data, as in [effects.md](effects.md)")
     kind: Kind = Field(description="of the data that it was found in")
     place: Place = Field(
         description="`car`: it stays with the car, and a cam is made for it; `process`: every disc made this way has "

@@ -50,6 +50,15 @@ def measured_play(design: Design) -> float | None:
     return radians(given.measured_deg)
 
 
+def tabled_play(design: Design) -> float | None:
+    """The greatest return error that a car of this design may have as far as nothing was measured on it, rad.
+
+    None if the design says nothing of play.
+    """
+    band = play_bands(design.as_designed()).get(design.optimize.order)
+    return None if band is None else band.ends[1]
+
+
 def half_widths(design: Design) -> dict[str, float]:
     """Half of each tolerance zone by the names of `optimize.fleet.PARAMETERS`, mm or rad; what is 0 is left out."""
     given = design.tolerances

@@ -27,6 +27,11 @@ _SHAFT = re.compile(r"runout of (the motor shaft|the camshaft|shaft \d{1,2})")
 _STAGE = re.compile(r"tooth mesh of stage (\d{1,2})")
 
 
+def entries(kind: Kind) -> tuple[Effect, ...]:
+    """The effects of a kind of data; one nose, order, shaft and stage stands for all of them."""
+    return _EFFECTS[kind]
+
+
 def named(kind: Kind, name: str, given: Mapping[str, float] | None = None) -> Effect:
     """The effect of a kind of data that is written under a name.
 

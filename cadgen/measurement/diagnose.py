@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cadgen.measurement.doubt import doubted, refuse_too_few, resolved
+from cadgen.measurement.doubt import doubted, refuse_too_few, resolved, unfit
 from cadgen.measurement.effects.base import UNITS, Active, Array, Effect
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
-from cadgen.measurement.models.base import Model
+from cadgen.measurement.models.base import Model, per_run, slopes
+from cadgen.measurement.models.profile import ProfileModel
 from cadgen.measurement.names import Kind
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Record
@@ -18,6 +19,9 @@ from cadgen.measurement.verdict import Judgement, judge, registered
 
 Build = Callable[[Record], Model]
 Step = Callable[[str], None]
+# Name of the play in the kinds of data that show it by themselves, and verdicts beside which its absence counts.
+PLAY = {"track": "backlash", "transmission": "return error"}
+SOUND = ("none", "traced", "combination")
 # What the linear datum freedoms of one run are, by kind: name, and each number with its unit.
 DATUM = {
     "lift": ("zero of the dial", (("zero_um", "um"),)),
@@ -110,6 +114,7 @@ class Diagnosis:
         active: the effects found with their values, internal units.
         measured: coordinate of each row of a track, mm; None for what is no track.
         known: effects that another record told, and that this one was judged with.
+        unnamed_play: the play that a sound verdict does not name, fitted beside what it does; None otherwise.
     """
 
     source: str
@@ -129,6 +134,7 @@ class Diagnosis:
     active: Active
     measured: Array | None = None
     known: tuple[str, ...] = ()
+    unnamed_play: Finding | None = None
 
     @property
     def verdict(self) -> str:
@@ -162,7 +168,7 @@ def diagnose(record: Record, build: Build, step: Step = lambda text: None) -> Di
     judgement, best = judge(model, evidence, noise, found)
     none = next(h for h in found if not h.effects)
     before, after = (registered(model, noise, model.residual(h.active)) for h in (none, best))
-    judgement = doubted(judgement, record, model, noise, best, after)
+    judgement = doubted(judgement, record, model, noise, best, after, unfit(model, evidence, noise, best))
     own, repeating = [], []
     for run in range(record.runs) if record.runs > 1 else ():
         step(f"{record.source}: run {run + 1} left out")
@@ -177,7 +183,7 @@ def diagnose(record: Record, build: Build, step: Step = lambda text: None) -> Di
         unit=model.unit,
         judgement=judgement,
         findings=tuple(_finding(best, *entry) for entry in best.values()),
-        datum=(*(_finding(best, *entry) for entry in best.datum()), *_zeros(model, noise, best)),
+        datum=_datum(model, noise, best),
         candidates=tuple(
             Candidate(
                 tuple(e.name for e in h.effects),
@@ -206,7 +212,19 @@ def diagnose(record: Record, build: Build, step: Step = lambda text: None) -> Di
         after=after,
         active=[(e, v) for e, v in best.active if e in best.effects],
         measured=model.measured,
+        unnamed_play=_unnamed_play(model, evidence, judgement, best),
     )
+
+
+def _unnamed_play(model: Model, evidence: Evidence, judgement: Judgement, best: Hypothesis) -> Finding | None:
+    """How much play there could be where several runs and a sound verdict name none."""
+    name = PLAY.get(model.kind)
+    play = next((e for e in model.catalogue if e.name == name), None)
+    if play is None or play in best.effects or model.rows.runs < 2 or judgement.verdict not in SOUND:
+        return None
+    # With the effects found free beside it, what they could hide of it widens its error.
+    beside = fit(model, evidence, (*best.effects, play), best.active, Search(1))
+    return next(_finding(beside, *entry) for entry in beside.values() if entry[0] == play)
 
 
 def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> Finding:
@@ -218,8 +236,10 @@ def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> F
     return Finding(effect.name, told, effect.twins, at_bound, effect.given)
 
 
-def _zeros(model: Model, noise: Noise, best: Hypothesis) -> tuple[Finding, ...]:
-    """The linear datum freedoms of each run, beside the effects."""
+def _datum(model: Model, noise: Noise, best: Hypothesis) -> tuple[Finding, ...]:
+    """The datum freedoms of each run, beside the effects."""
+    if isinstance(model, ProfileModel):
+        return _clocking(model, noise, best)
     if model.kind not in DATUM:
         return ()
     name, numbers = DATUM[model.kind]
@@ -237,6 +257,19 @@ def _zeros(model: Model, noise: Noise, best: Hypothesis) -> tuple[Finding, ...]:
     return tuple(found)
 
 
+def _clocking(model: ProfileModel, noise: Noise, best: Hypothesis) -> tuple[Finding, ...]:
+    """Of each run: what it was turned back by, what all runs share, and what its tangents tell beside."""
+    ((_, common, unsure),) = best.datum()
+    white = slopes(model, model.datum, best.active) * per_run(model.rows.run) / noise.sigma[:, None]
+    left = -np.linalg.lstsq(white, model.residual(best.active) / noise.sigma, rcond=None)[0]
+    angle = (model.own + common[0] + left) / UNITS["deg"]
+    sigma = np.hypot(unsure[0], 1 / np.linalg.norm(white, axis=0)) / UNITS["deg"]
+    return tuple(
+        Finding(f"clocking, run {run + 1}", (Value("clocking_deg", float(a), float(s), "deg"),), (), ())
+        for run, (a, s) in enumerate(zip(angle, sigma, strict=True))
+    )
+
+
 def _held_out(
     record: Record, model: Model, build: Build, noise: Noise, best: Hypothesis, run: int
 ) -> tuple[Array, Array]:
@@ -252,7 +285,9 @@ def _held_out(
     active = _refit(train, evidence, best)
     form = evidence.form_error(evidence.whiten(train.residual(active)), 0)
     own = test.residual(active)
-    return registered(test, judged, own), registered(test, judged, own - test.form @ form)
+    # Of a datum that is no column, the run left out has its own value too.
+    turned = slopes(test, test.datum, active)
+    return registered(test, judged, own, turned), registered(test, judged, own - test.form @ form, turned)
 
 
 def _refit(model: Model, evidence: Evidence, best: Hypothesis) -> Active:

@@ -1,21 +1,33 @@
-"""What speaks against a verdict: values on a physical bound, a residual that dwarfs every effect, too little data."""
+"""What speaks against a verdict: values on a bound or within their error, what is left, no noise, too little data."""
 
 from dataclasses import replace
 
 import numpy as np
+from scipy.stats import f as f_distribution
 
 from cadgen.errors import FileError
-from cadgen.measurement.effects.base import DEG, Array
-from cadgen.measurement.evidence import Spectrum
+from cadgen.measurement.effects.base import DEG, UNITS, Array
+from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import Hypothesis
+from cadgen.measurement.load import instrument
 from cadgen.measurement.models.base import Model, highest_order
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
+from cadgen.measurement.search import LARGEST_SUBSET
 from cadgen.measurement.verdict import Judgement
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
 DWARFED = 10.0
+# Beside a rest of this many times that, the size of an effect is the rest's as much as its own.
+LARGE = 3.0
+# Noise between runs this many times that of the instrument is another thing than the instrument.
+BEYOND_INSTRUMENT = 3.0
+# Neighbours so alike, or so opposite, are no neighbours in time.
+OUT_OF_ORDER = 0.9
+# What a subset of the largest size leaves is significant below this chance.
+UNFIT = 0.01
+SIGMAS = 2.0  # in some number of an effect, or there is none
 # Form error of a middling spectrum, to weigh it in a track, where it is integrated twice.
 TYPICAL = Spectrum(1.0, 6.0, 1.0)
 LEAST_TURN_DEG = 300.0
@@ -55,26 +67,85 @@ def resolved(record: Record, model: Model, noise: Noise) -> Noise:
     return replace(noise, sigma=np.maximum(noise.sigma, least))
 
 
+def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> float:
+    """The chance that noise and form error alone leave so much that repeats, by F-test; 1 if it cannot be told.
+
+    r' C^-1 r is chi-square with as many degrees of freedom as rows less parameters. Those from which the noise was told
+    are left out: they are as large as the noise by definition.
+    """
+    if not noise.freedom:
+        return 1.0
+    residual = evidence.standardise(model.residual(best.active), evidence.grid.index(best.spectrum))
+    fitted = model.offsets.shape[1] + sum(len(e.parameters) for e in (*model.datum, *best.effects))
+    extra = len(residual) - fitted - noise.freedom
+    if extra < 1:
+        return 1.0
+    ratio = (float(residual @ residual) - noise.freedom) / extra
+    return float(f_distribution.sf(ratio, extra, noise.freedom))
+
+
 def doubted(
-    judgement: Judgement, record: Record, model: Model, noise: Noise, best: Hypothesis, after: Array
+    judgement: Judgement,
+    record: Record,
+    model: Model,
+    noise: Noise,
+    best: Hypothesis,
+    after: Array,
+    chance: float = 1.0,
 ) -> Judgement:
-    """A judgement less what the data cannot bear, with what they cannot show said."""
+    """A judgement less what the data cannot bear, with what they cannot show said; `chance` is that of `unfit`."""
     form = np.mean(model.form**2, axis=0) @ TYPICAL.variance(model.order, model.floor)
     allowed = float(np.sqrt(noise.rms**2 + form))
     left = float(np.sqrt(np.mean(after**2)))
-    limits = (*judgement.limits, *_too_little(record, model))
+    judgement = replace(judgement, limits=(*judgement.limits, *_too_little(record, model)))
     if left > DWARFED * allowed:
         sentence = (
             f"What the best effects leave is {left / allowed:.0f} times what noise and the stated form error make, and "
             "dwarfs every effect: check that the design and the profile belong to this file, and the file's units."
         )
-        return replace(judgement, verdict="unexplained", sentence=sentence, claimed=(), limits=limits)
+        return replace(judgement, verdict="unexplained", sentence=sentence, claimed=())
+    if no_noise := _no_noise(record, model, noise):
+        return replace(judgement, verdict="unexplained", sentence=no_noise, claimed=())
+    if not judgement.claimed:
+        return judgement
+    if left > LARGE * allowed:
+        limit = (
+            f"what remains is {left / allowed:.1f} times what noise and the stated form error make: nothing is claimed"
+        )
+        return replace(judgement, claimed=(), limits=(*judgement.limits, limit))
+    if len(best.effects) == LARGEST_SUBSET and chance < UNFIT:
+        sentence = (
+            f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "
+            f"form error: there are more than {LARGEST_SUBSET} effects, so sizes are not sure and nothing is claimed."
+        )
+        return replace(judgement, verdict="ambiguous", sentence=sentence, claimed=())
     stuck = {e.name: p.name for e in best.effects for p in e.parameters if p.name in best.at_bound and not e.shape}
+    none = [e.name for e, values, sigma in best.values() if np.all(np.abs(values) < SIGMAS * sigma) and not e.shape]
+    limits = list(judgement.limits)
     if stuck:
         told = "; ".join(f"{value} of {name}" for name, value in stuck.items())
-        limits = (*limits, f"on the bound of what can be, and so not claimed: {told}")
-    kept = tuple(name for name in judgement.claimed if name not in stuck)
-    return replace(judgement, claimed=kept, limits=limits)
+        limits.append(f"on the bound of what can be, and so not claimed: {told}")
+    if none:
+        limits.append(f"within {SIGMAS:g} standard deviations of nothing, and so not claimed: {'; '.join(none)}")
+    kept = tuple(name for name in judgement.claimed if name not in (*stuck, *none))
+    return replace(judgement, claimed=kept, limits=tuple(limits))
+
+
+def _no_noise(record: Record, model: Model, noise: Noise) -> str:
+    """Why what differs between runs is not the instrument's noise; empty if it may be."""
+    if abs(noise.correlation) > OUT_OF_ORDER:
+        return (
+            f"The noise of neighbouring rows is correlated by {noise.correlation:.2f}, which no instrument's is: write "
+            "the rows in the order in which they were measured."
+        )
+    stated = instrument(record)
+    if noise.runs > 1 and noise.rms > BEYOND_INSTRUMENT * stated.noise * UNITS.get(stated.unit, 1.0):
+        return (
+            f"The runs differ by {noise.rms / UNITS[model.unit]:.3g} {model.unit}, but the file says that the "
+            f"instrument's noise is {stated.noise:g} {stated.unit}: write the rows in the order in which they were "
+            "measured, and give runs of one part in one state."
+        )
+    return ""
 
 
 def _too_little(record: Record, model: Model) -> list[str]:

@@ -67,8 +67,10 @@ def load(path: Path) -> Record:
     if not body:
         raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
     numbers = [n for n, _ in body[1:]]
-    header, *rows = (_cells(line, n, name) for n, line in body)
+    header = _cells(body[0][1], body[0][0], name)
     kind = _kind(header, name)
+    _refuse_many(kind, len(numbers), name)
+    rows = [_cells(line, n, name) for n, line in body[1:]]
     if not rows:
         raise FileError(f"{name}: no row stands under its header; add what was measured")
     for n, row in zip(numbers, rows, strict=True):
@@ -149,12 +151,7 @@ def join(records: Sequence[Record]) -> Record:
     if len(kinds) > 1:
         raise FileError(f"{', '.join(r.source for r in records)}: kinds {sorted(kinds)} cannot be joined as one")
     rows = sum(len(record.run) for record in records)
-    most = MOST_LOGGED if kinds == {"steered track"} else MOST_ROWS
-    if rows > most:
-        raise FileError(
-            f"{' + '.join(r.source for r in records)}: {rows} rows, more than the {most} that can be judged together; "
-            f"keep one row in {-(-rows // most)}, or give fewer files"
-        )
+    _refuse_many(records[0].kind, rows, " + ".join(r.source for r in records))
     if len(records) == 1:
         return records[0]
     before = np.cumsum([0, *(record.runs for record in records)])
@@ -165,6 +162,15 @@ def join(records: Sequence[Record]) -> Record:
         remarks=tuple(remark for record in records for remark in record.remarks),
         source=" + ".join(record.source for record in records),
     )
+
+
+def _refuse_many(kind: Kind, rows: int, name: str) -> None:
+    most = MOST_LOGGED if kind == "steered track" else MOST_ROWS
+    if rows > most:
+        raise FileError(
+            f"{name}: {rows} rows, more than the {most} that can be judged together; "
+            f"keep one row in {-(-rows // most)}, or give fewer files"
+        )
 
 
 def _text(path: Path) -> str:
@@ -245,14 +251,16 @@ def _numbers(
 
 
 def _check(record: Record) -> None:
-    readings = [np.stack([record[c][record.run == k] for c in _numeric(record)]) for k in range(record.runs)]
-    for later in range(1, record.runs):
-        for earlier in range(later):
-            if np.array_equal(readings[earlier], readings[later]):
-                raise FileError(
-                    f"{record.source}: runs {earlier + 1} and {later + 1} are the same to the last digit; a copy is no "
-                    "repetition: give runs that were measured anew"
-                )
+    # One column after the other, rows in the order of runs: a run is a slice, and its digits are its name.
+    readings = np.stack([record[c] for c in _numeric(record)])
+    seen: dict[bytes, int] = {}
+    for later, part in enumerate(np.split(readings, np.flatnonzero(np.diff(record.run)) + 1, axis=1)):
+        earlier = seen.setdefault(part.tobytes(), later)
+        if earlier != later:
+            raise FileError(
+                f"{record.source}: runs {earlier + 1} and {later + 1} are the same to the last digit; a copy is no "
+                "repetition: give runs that were measured anew"
+            )
     for run in range(record.runs):
         mine = record.run == run
         if mine.sum() < LEAST_ROWS:

@@ -28,12 +28,14 @@ class Noise:
         correlation: between neighbours in a run.
         slip: standard deviation of the abscissa's error that a run shares, internal units of the abscissa.
         runs: how many there were; with one, sigma also holds what repeats.
+        freedom: degrees of freedom from which it was told; 0 if that is not known.
     """
 
     sigma: Array
     correlation: float
     slip: float
     runs: int
+    freedom: int = 0
 
     @property
     def rms(self) -> float:
@@ -45,7 +47,7 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
     """Split a residual into what repeats and what does not, and describe the latter.
 
     Rows taken under equal conditions in several runs are compared with their mean; where no conditions repeat,
-    a Fourier series of all orders of the form error stands for the mean.
+    a constant and a Fourier series of all orders of the form error stand for the mean.
     """
     rows = model.rows
     slipping = model.slip.size > 0 and rows.runs > 1
@@ -56,14 +58,16 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
         centred = _less_mean(np.column_stack([free, residual]), rows.cell, count)
         freedom = len(residual) - int(np.count_nonzero(count))
     else:
-        free = np.hstack([model.offsets, model.form, *own])
+        # What all runs share is no noise, the mean least of all: a disc too large all round errs in size.
+        free = np.hstack([model.offsets, np.ones((len(residual), 1)), model.form, *own])
         centred = np.column_stack([free, residual])
         freedom = len(residual)
     basis, target = centred[:, :-1], centred[:, -1]
     fit, _, rank, _ = np.linalg.lstsq(basis, target, rcond=1e-9)
     deviation = np.asarray(target - basis @ fit, dtype=float)
     coefficients: Array = np.asarray(fit, dtype=np.float64)
-    variance = float(np.sum(deviation**2)) / max(freedom - int(rank), 1)
+    freedom = max(freedom - int(rank), 1)
+    variance = float(np.sum(deviation**2)) / freedom
     sigma: Array = np.full(len(residual), variance**0.5)
     if model.slip.size:
         sigma = _scattered_abscissa(deviation, model.slip, variance)
@@ -72,7 +76,7 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
     follows = rows.run[1:] == rows.run[:-1]
     lag = float(np.sum((standard[1:] * standard[:-1])[follows]) / np.sum(standard**2))
     correlation = lag if abs(lag) > CORRELATION_SIGMAS / np.sqrt(len(residual)) else 0.0
-    return Noise(sigma, correlation, slip, rows.runs)
+    return Noise(sigma, correlation, slip, rows.runs, freedom)
 
 
 def _less_mean(columns: Array, cell: Index, count: Index) -> Array:

@@ -2,11 +2,13 @@
 
 An effect has a name of its own in each kind of data (play is *backlash* in a track, a *return error* in a train); what
 they mean is one physical thing. Where two records claim it, their values must agree; where one is ambiguous, the claim
-of another leaves only those of its likely subsets that hold it.
+of another leaves only those of its likely subsets that hold it. What a lift shows beside a disc whose bore is known
+from its profile is the shaft's: a thing of its own, and nothing to compare with the whole.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import hypot
 
 import numpy as np
 from scipy.stats import chi2
@@ -16,6 +18,9 @@ from cadgen.measurement.names import Kind
 
 # Less likely than this, and the values are not those of one effect.
 AGREE = 1e-3
+
+# Play beyond this share of the tabled return error would have been seen: what is certainly less is none.
+NO_PLAY = 0.1
 
 # Physical things -> their names by kind of data, the kind first that shows best what the car does.
 THINGS: dict[str, tuple[tuple[str, str], ...]] = {
@@ -30,20 +35,37 @@ THINGS: dict[str, tuple[tuple[str, str], ...]] = {
     "eccentric bore": (("profile", "eccentric bore"), ("lift", "eccentric bore")),
     "worn nose": (("profile", "worn nose"), ("lift", "worn nose")),
 }
+# What an effect is that shows beside the same one of a known profile.
+BESIDE_PROFILE = {"eccentric bore": "run-out of the shaft"}
 
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """An effect that a record's verdict names: the record's source and kind, and the effect with its values."""
+    """An effect that a record's verdict names.
+
+    Attributes:
+        source, kind: of the record.
+        finding: the effect with its values.
+        remainder: True if an effect of this name was known from the profile, so that this is what it leaves.
+    """
 
     source: str
     kind: Kind
     finding: Finding
+    remainder: bool = False
 
     @property
     def thing(self) -> str:
         """What it is physically."""
-        return _thing(self.kind, self.finding.effect)
+        name = self.finding.effect
+        if self.remainder:
+            return BESIDE_PROFILE.get(name, f"{name} beside the profile's ({self.kind})")
+        return _thing(self.kind, name)
+
+    @property
+    def absent(self) -> bool:
+        """True if what is claimed is that there is none of it."""
+        return all(value.value == 0 for value in self.finding.values)
 
     @property
     def rank(self) -> int:
@@ -92,7 +114,36 @@ class Settled:
 
 def claims(told: Diagnosis) -> tuple[Claim, ...]:
     """What a diagnosis claims."""
-    return tuple(Claim(told.source, told.kind, f) for f in told.findings if f.effect in told.judgement.claimed)
+    return tuple(_claim(told, f) for f in told.findings if f.effect in told.judgement.claimed)
+
+
+def no_play(source: str, kind: Kind, fitted: Finding, tabled_deg: float) -> Claim | None:
+    """The claim that a car has no play, or None where the data would not have shown it.
+
+    Args:
+        source, kind: of a record with a sound verdict that names no play.
+        fitted: the play beside what the verdict names.
+        tabled_deg: return error that would be assumed without this record.
+    """
+    (value,) = fitted.values
+    if not (value.sigma > 0 and abs(value.value) + 2 * value.sigma <= NO_PLAY * tabled_deg):
+        return None
+    none = replace(value, value=0.0, sigma=hypot(value.value, value.sigma))
+    return Claim(source, kind, replace(fitted, values=(none,), at_bound=()))
+
+
+def at_work(found: Sequence[Claim]) -> tuple[Claim, Claim]:
+    """Of the claims of one thing that which stands for all, as it was found and as it is taken.
+
+    Where they agree it is the most accurate one, with the mean of all; where they do not, the one whose kind of data
+    is nearest to what the car drives with, as it was found.
+    """
+    common = shared(found)
+    if not (common and common[0].agrees):
+        best = min(found, key=lambda claim: claim.rank)
+        return best, best
+    best = min(found, key=lambda claim: float(np.prod([value.sigma for value in claim.finding.values])))
+    return best, replace(best, finding=replace(best.finding, values=common[0].values))
 
 
 def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
@@ -121,15 +172,19 @@ def settled(told: Diagnosis, others: Sequence[Claim]) -> Settled | None:
         return None
     left, by = subsets, []
     for claim in others:
-        holding = [c for c in left if any(_same(claim, Claim(told.source, told.kind, f)) for f in c.findings)]
+        holding = [c for c in left if any(_same(claim, _claim(told, f)) for f in c.findings)]
         if holding and len(holding) < len(left):
             left = holding
             by.append(claim)
     common = set(left[0].effects).intersection(*(c.effects for c in left)) - set(told.judgement.claimed)
     if not by or not common:
         return None
-    new = tuple(Claim(told.source, told.kind, f) for f in left[0].findings if f.effect in common)
+    new = tuple(_claim(told, f) for f in left[0].findings if f.effect in common)
     return Settled(new, tuple(by), tuple(c.effects for c in left))
+
+
+def _claim(told: Diagnosis, finding: Finding) -> Claim:
+    return Claim(told.source, told.kind, finding, finding.effect in told.known)
 
 
 def _thing(kind: str, effect: str) -> str:

@@ -162,10 +162,10 @@ def _below_floor(model: Model, noise: Noise, h: Hypothesis) -> bool:
     return False
 
 
-def registered(model: Model, noise: Noise, residual: Array) -> Array:
-    """The residual less the linear datum freedoms."""
+def registered(model: Model, noise: Noise, residual: Array, more: Array | None = None) -> Array:
+    """The residual less the linear datum freedoms, and less further columns, shape (n, m)."""
     weight = 1 / noise.sigma
-    free = model.offsets
+    free = model.offsets if more is None else np.hstack([model.offsets, more])
     if not free.shape[1]:
         return residual
     fit = np.linalg.lstsq(free * weight[:, None], residual * weight, rcond=None)[0]

@@ -63,7 +63,6 @@ class Shortfall:
         speed_rpm: mean motor speed.
         ratio: of the train.
         lost_time_s: at full speed.
-        rival_ratio: another ratio that was named, the turn it gives, and how many standard errors that is off; or None.
     """
 
     expected_deg: float
@@ -71,7 +70,6 @@ class Shortfall:
     speed_rpm: float
     ratio: float
     lost_time_s: float
-    rival_ratio: tuple[float, float, float] | None
 
 
 def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
@@ -129,19 +127,14 @@ def judged(record: Record, zones: Zones) -> tuple[Judgement, Finding]:
     return judgement, finding
 
 
-def shortfall(zones: Zones, *, rpm: float, seconds: float, ratio: float, rival_ratio: float | None = None) -> Shortfall:
+def shortfall(zones: Zones, *, rpm: float, seconds: float, ratio: float) -> Shortfall:
     """Weigh the causes for a turn that is not the expected one; one mean cannot choose between them."""
     expected = rpm / 60 * seconds * 360 / ratio
     share = zones.smooth_deg / expected
-    rival = None
-    if rival_ratio is not None:
-        other = expected * ratio / rival_ratio
-        rival = (rival_ratio, other, (zones.smooth_deg - other) / zones.smooth_sigma_deg)
     return Shortfall(
         expected_deg=expected,
         missing_deg=expected - zones.smooth_deg,
         speed_rpm=rpm * share,
         ratio=ratio / share,
         lost_time_s=seconds * (1 - share),
-        rival_ratio=rival,
     )

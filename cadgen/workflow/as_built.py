@@ -3,7 +3,7 @@
 from math import degrees, radians
 from typing import Any
 
-from cadgen.design import gears, stages
+from cadgen.design import gears, stages, variation
 from cadgen.design.as_built import Effect
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
@@ -34,6 +34,7 @@ def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
             "as_designed_deg": degrees(_stop_as_designed(design)),
             "wheel_turns": None if design.train is None else stop / TURN * float(gears.train(design).ratio),
         },
+        "play_measured": variation.measured_play(design) is not None,
         "phase_deg": degrees(phase),
         "key_turned_deg": -degrees(phase) if stages.has_key(design) else None,
     }
@@ -66,6 +67,19 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
             "measured one stood: without a keyway or D-flat nothing does it for you."
         )
     return lines
+
+
+def assumed_play(design: Design) -> list[str]:
+    """A warning where a car was measured but not its play, and a run or a profile goes by the tabled one."""
+    tabled = variation.tabled_play(design)
+    if design.as_built is None or tabled is None or variation.measured_play(design) is not None:
+        return []
+    least = variation.play_bands(design)[design.optimize.order].least
+    return [
+        "Warning: play was not measured on this car, so the tabled return error is assumed, "
+        f"{degrees(least):.3f} to {degrees(tabled):.3f}°: calibrate with a track, a transmission or zones, or set "
+        "play.measured_deg."
+    ]
 
 
 def _stop_as_designed(design: Design) -> float:

@@ -14,13 +14,13 @@ from cadgen.design.schema import Design
 from cadgen.errors import FileError
 from cadgen.gears.search import arrange
 from cadgen.measurement.catalogue import named
-from cadgen.measurement.diagnose import Diagnosis, Finding
+from cadgen.measurement.diagnose import SOUND, Diagnosis, Finding
 from cadgen.measurement.load import digest, join, load, printed, said
 from cadgen.measurement.names import Kind, Place
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal, calibrate_tricycle
 from cadgen.measurement.nominal import calibrate as judge
 from cadgen.measurement.record import Record
-from cadgen.measurement.together import Claim, Settled, Shared, claims, settled, shared
+from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_play, settled, shared
 from cadgen.measurement.verdict import Judgement
 from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
 from cadgen.motion.sampled import rolled_lift
@@ -69,11 +69,19 @@ class ZoneMeans:
 
 @dataclass(frozen=True, slots=True)
 class Built:
-    """A claim with its place in the as-built design, and the claim that stands for the same thing in its stead."""
+    """A claim with its place in the as-built design.
+
+    Attributes:
+        claim: with the mean of all that agree, if it stands for several.
+        place: what becomes of it.
+        instead: the claim that stands for the same thing in its stead.
+        mean_of: sources of the records whose mean it has; empty if it has its own values.
+    """
 
     claim: Claim
     place: Place
     instead: Claim | None = None
+    mean_of: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,7 +96,7 @@ class Calibration:
         sources: the files.
         told: the verdict on each kind with a forward model.
         zones: on means over zones.
-        shared: things that several kinds of data show.
+        claims: what the verdicts claim, with what is settled, and that there is no play where that was seen.
         settled: source of an ambiguous record -> what others decide in it.
         warnings: what does not fit, but was let pass.
     """
@@ -102,19 +110,27 @@ class Calibration:
     sources: tuple[Source, ...]
     told: tuple[Diagnosis, ...]
     zones: ZoneMeans | None
-    shared: tuple[Shared, ...]
+    claims: tuple[Claim, ...]
     settled: dict[str, Settled]
     warnings: tuple[str, ...]
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
-        """Everything claimed, each physical thing at work once: where the kind of data stands that shows it best."""
-        found = [*_claims(self.told, self.zones), *(c for s in self.settled.values() for c in s.claims)]
+        """Everything claimed, each physical thing at work once."""
         built = []
-        for claim in found:
-            best = min((c for c in found if c.thing == claim.thing), key=lambda c: c.rank)
-            built.append(Built(claim, _place(claim)) if best is claim else Built(claim, "noted", best))
+        for claim in self.claims:
+            alike = [other for other in self.claims if other.thing == claim.thing]
+            best, taken = at_work(alike)
+            if best is not claim:
+                built.append(Built(claim, "noted", best))
+                continue
+            built.append(Built(taken, _place(taken), mean_of=() if taken is best else tuple(c.source for c in alike)))
         return tuple(built)
+
+    @cached_property
+    def shared(self) -> tuple[Shared, ...]:
+        """Things that several kinds of data show."""
+        return shared(self.claims)
 
     def files(self, kind: str) -> tuple[Source, ...]:
         """The files of a kind, in the order given."""
@@ -164,8 +180,9 @@ def calibrate(
 
     Raises:
         DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
-        FileError: files that cannot be judged together, or whose units cannot be.
+        FileError: files that cannot be judged together, whose units cannot be, or that the design has in it already.
     """
+    _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
     told: dict[str, Diagnosis] = {}
     track_length = None
@@ -180,8 +197,9 @@ def calibrate(
         told[STEERED] = calibrate_tricycle(logged, wheelbase[0], step)
     means = [s.record for s in sources if s.kind == ZONES]
     zones = _zone_means(design, join(means)) if means else None
-    found = _claims(told.values(), zones)
+    found = _claims(design, told.values(), zones)
     others = {d.source: [c for c in found if c.source != d.source] for d in told.values()}
+    decided = {d.source: one for d in told.values() if (one := settled(d, others[d.source]))}
     return Calibration(
         design=design,
         profile=profile,
@@ -192,8 +210,8 @@ def calibrate(
         sources=tuple(sources),
         told=tuple(told[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in told),
         zones=zones,
-        shared=shared(found),
-        settled={d.source: one for d in told.values() if (one := settled(d, others[d.source]))},
+        claims=(*found, *(claim for one in decided.values() for claim in one.claims)),
+        settled=decided,
         warnings=tuple(_warnings(design, profile, sources)),
     )
 
@@ -244,11 +262,19 @@ def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
     return tuple(float(pair.ratio) for pair in pairs), tuple(pair.driven.form.teeth for pair in pairs)
 
 
-def _claims(told: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
-    found = [claim for one in told for claim in claims(one)]
+def _claims(design: Design, told: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
+    """What the verdicts name, and that there is no play where they would have named play of the tabled size."""
+    tabled = variation.tabled_play(design)
+    found: list[Claim | None] = []
+    for one in told:
+        found += claims(one)
+        if tabled is not None and one.unnamed_play is not None:
+            found.append(no_play(one.source, one.kind, one.unnamed_play, degrees(tabled)))
     if zones is not None and zones.judgement.claimed:
         found.append(Claim(zones.source, ZONES, zones.finding))
-    return found
+    elif zones is not None and tabled is not None and zones.judgement.verdict in SOUND:
+        found.append(no_play(zones.source, ZONES, zones.finding, degrees(tabled)))
+    return [claim for claim in found if claim is not None]
 
 
 def _place(claim: Claim) -> Place:
@@ -288,8 +314,25 @@ def _zone_means(design: Design, record: Record) -> ZoneMeans:
     )
 
 
+def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
+    """The effects of a file that a design was calibrated with are in it, and would be found a second time."""
+    known = {} if design.as_built is None else {one.sha256: one.file for one in design.as_built.sources}
+    for source in sources:
+        if source.sha256 in known:
+            raise FileError(
+                f"{source.path} is among the files that {design.name} was calibrated with ({known[source.sha256]} in "
+                "[as_built.sources]), so its effects would count twice: judge it against the design that it came from, "
+                "or measure again with the new cam"
+            )
+
+
 def _warnings(design: Design, profile: str, sources: Sequence[Source]) -> list[str]:
     found = []
+    if design.as_built is not None and design.as_built.profile == profile:
+        found.append(
+            f"the design has [as_built] of a car with the {profile} profile, and was judged with --profile {profile}: "
+            "that means a new cam, cut for what [as_built] says; data of the older cam belong to the design without it"
+        )
     for source in sources:
         name = said(source.record, r"^design: *([A-Za-z0-9._-]+)")
         if source.kind != STEERED and name and name[0] != design.name:

@@ -148,6 +148,7 @@ def _record(told: Diagnosis) -> dict[str, Any]:
         "limits": list(j.limits),
         "known_from_profile": list(told.known),
         "effects": [_finding(f, f.effect in j.claimed) for f in told.findings],
+        "unnamed_play": told.unnamed_play and _finding(told.unnamed_play),
         "datum": [_finding(f) for f in told.datum],
         "unit": told.unit,
         "residual": {
@@ -202,6 +203,7 @@ def _built(one: Built) -> dict[str, Any]:
         "source": one.claim.source,
         "kind": one.claim.kind,
         "place": one.place,
+        "mean_of": list(one.mean_of),
         **_finding(one.claim.finding),
     }
 

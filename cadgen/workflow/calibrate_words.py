@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.design.section import listed
+from cadgen.measurement.catalogue import named
 from cadgen.measurement.diagnose import Diagnosis, Finding, Value
+from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
 from cadgen.workflow.calibrate import STEERED, Built, Calibration, Source, ZoneMeans
 
@@ -234,9 +236,11 @@ def _together(c: Calibration) -> list[Block]:
             values = ", ".join(f"{v.name} {' ± '.join(shown(v))}" for v in one.values)
             blocks.append(f"{one.thing} shows in {sources}, and they agree: {values} together.")
         else:
+            best = at_work([claim for claim in c.claims if claim.thing == one.thing])[0]
             blocks.append(
                 f"{one.thing} shows in {sources}, but not with one size (chance {one.chance:.0e}): it is not one "
-                "effect, or something else hides in one of them."
+                f"effect, or something else hides in one of them. That of the {best.kind} is taken, which is nearest "
+                "to what the car drives with."
             )
     return blocks
 
@@ -248,11 +252,16 @@ def _built(c: Calibration) -> list[Block]:
 
 
 def sentence(one: Built) -> str:
-    """A claimed effect and what becomes of it."""
+    """A claimed effect, the sense of its numbers, and what becomes of it."""
     finding, place = one.claim.finding, PLACES[one.place]
     if one.instead is not None:
         place = f"recorded only: the {one.instead.finding.effect} from {one.instead.kind} stands for it"
-    return f"{finding.effect}, from {one.claim.kind}: {_sizes(finding)}. {place[0].upper()}{place[1:]}."
+    name = f"no {finding.effect}" if one.claim.absent else finding.effect
+    if one.claim.remainder:
+        name += f" beside the profile's ({one.claim.thing})"
+    signs = "; ".join(p.meaning for p in named(one.claim.kind, finding.effect, dict(finding.given)).parameters)
+    of = f", the mean of {listed(one.mean_of, 'and')}" if one.mean_of else ""
+    return f"{name}, from {one.claim.kind}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
 
 
 def _number(value: float) -> str:

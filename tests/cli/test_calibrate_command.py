@@ -232,6 +232,7 @@ def test_a_bad_file_is_refused_in_one_sentence_and_nothing_is_written(failing, t
         (["a.toml", "lift.csv"], 2, "there is no design file a.toml"),
         (["lift.csv", "./lift.csv"], 3, "holds the same data as lift.csv: give each file once"),
         (["lift.csv", "--form-error-um", "0"], 2, "--form-error-um"),
+        (["lift.csv", "--form-error-um", "nan"], 2, "'--form-error-um': nan is not a finite number"),
         (["lift.csv", "--profile", "round"], 2, "--profile"),
         (["lift.csv", "--set", "cam.x=1"], 2, "cam.x is not a key"),
         ([str(MEASURED / "transmission_a.csv"), "--set", "train="], 2, "the design has no gear train"),

@@ -123,6 +123,7 @@ def test_tolerance_fits_the_terminal_and_draws_on_request(cadgen, tmp_path):
         ("cam", "straight.toml", [], 2, "no peak and no valley"),
         ("tolerance", "plain.toml", [], 2, "says nothing of the gears' play"),
         ("simulate", "carbon_free_car", ["optimize.max_end_heading_deg=1"], 1, "degrees more than the 1 allowed"),
+        ("simulate", "carbon_free_car --play-deg nan", [], 2, "nan is not a finite number"),
         ("tolerance", "plain.toml", ["play.measured_deg=0.5"], 2, "no dimension of the design varies"),
         (
             "tolerance",

@@ -182,17 +182,27 @@ def profile_record(
     runs: int = 3,
     count: int = 720,
     clock_deg: float | None = None,
+    turn: float | None = None,
+    scatter: float | None = None,
 ) -> Record:
-    """Points at random places to 345 degrees, clocked by up to half a degree."""
+    """Points at random places, clocked by up to half a degree.
+
+    Half of the parts are measured all round, the others to 345 degrees; half are clamped anew for each run, with
+    0.2 degrees of scatter.
+    """
     outline = car.disc(bench)
+    outline = np.concatenate([outline, outline[:1]])
     length = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(outline, axis=0), axis=1))])
     polar = np.unwrap(np.arctan2(outline[:, 1], outline[:, 0]))
-    clock = (rng.uniform(-0.5, 0.5) if clock_deg is None else clock_deg) * DEG
+    common = (rng.uniform(-0.5, 0.5) if clock_deg is None else clock_deg) * DEG
+    turn = (TURN if rng.random() < 0.5 else 345 * DEG) if turn is None else turn
+    scatter = (0.2 * DEG if rng.random() < 0.5 else 0.0) if scatter is None else scatter
     points = []
     for _ in range(runs):
-        wanted = polar[0] + np.sort(rng.uniform(0, 345 * DEG, count))
+        wanted = polar[0] + np.sort(rng.uniform(0, turn, count))
         at = np.interp(wanted, polar, length)
         xy = np.stack([np.interp(at, length, outline[:, k]) for k in (0, 1)], axis=1)
+        clock = common + rng.normal(0, scatter)
         c, s = np.cos(clock), np.sin(clock)
         xy = np.stack([c * xy[:, 0] - s * xy[:, 1], s * xy[:, 0] + c * xy[:, 1]], axis=1)
         points.append(np.round(xy + rng.normal(0, noise_um / 1e3, xy.shape), 4))

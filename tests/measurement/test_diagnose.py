@@ -112,7 +112,43 @@ def test_profile_and_transmission_and_track(synthetic_car, nominal):
     assert train.judgement.claimed == ("return error",)
     assert train.findings[0].values[0].value == pytest.approx(0.8, abs=0.01)
     assert track.judgement.claimed == ("steering zero", "wheel radius")
-    assert {f.effect for f in profile.datum} == {"clocking"}
+    assert [f.effect for f in profile.datum] == [f"clocking, run {k}" for k in (1, 2, 3)]
+
+
+@pytest.mark.parametrize(
+    ("name", "changes", "size"),
+    [("cutter compensation", {"offset": -0.03}, -30.0), ("uniform scale", {"scale": (0.997, 0.997)}, -0.3)],
+)
+def test_an_error_of_size_shows_all_round_however_each_run_was_clamped(name, changes, size, synthetic_car, nominal):
+    rng = np.random.default_rng(32)
+    bench = syn.bench_with(syn.form_error(rng, FORM), changes)
+    record = syn.profile_record(synthetic_car, bench, rng, noise_um=2.0, turn=syn.TURN, scatter=0.3 * syn.DEG)
+    (told,) = calibrate([record], nominal)
+    assert told.verdict == "traced"
+    assert told.judgement.claimed == (name,)
+    assert told.findings[0].values[0].value == pytest.approx(size, rel=0.02)
+    assert told.residual.noise == pytest.approx(2.0, rel=0.06)
+    assert told.residual.held_out_repeating < 1.05 * told.residual.noise
+    # Each run is told as it was clamped: noise is taken off, the clocking is the generator's draw.
+    assert np.ptp([f.values[0].value for f in told.datum]) > 0.1
+
+
+def test_a_dial_that_lags_by_direction_is_its_hysteresis(synthetic_car, nominal):
+    record = _lift(synthetic_car, 33)
+    back = record.columns["direction"] == "reverse"
+    lagging = np.round(record["lift_mm"] + 0.02 * back, 3)
+    record = Record(
+        kind="lift", columns={**record.columns, "lift_mm": lagging}, run=record.run, remarks=(), source="lagging dial"
+    )
+    (told,) = calibrate([record], nominal)
+    assert told.judgement.claimed == ("hysteresis of the dial",)
+    assert told.findings[0].values[0].value == pytest.approx(20.0, abs=1.0)
+
+
+def test_a_dial_with_an_uneven_scale_is_said_beside_its_tilt(synthetic_car, nominal):
+    (told,) = calibrate([_lift(synthetic_car, 34, square=0.0015)], nominal)
+    assert told.judgement.claimed == ("tilted indicator",)
+    assert "cannot tell tilted indicator from a dial whose scale is not even" in told.judgement.sentence
 
 
 def test_a_transmission_needs_a_train(synthetic_car, nominal):

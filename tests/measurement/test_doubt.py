@@ -28,6 +28,9 @@ class _Best:
     effects = ()
     at_bound = ()
 
+    def values(self):
+        return []
+
 
 def _limits(record, nominal):
     model = nominal.model(record)
@@ -53,10 +56,11 @@ def test_a_rest_that_dwarfs_noise_and_form_error_names_nothing(lift, nominal):
     rows = len(model.rows.run)
     noise = Noise(np.full(rows, 4e-3), 0.0, 0.0, 3)
     # Noise of 4 um and form error of 2 um make 4.5 um together.
-    for left, verdict in ((0.040, "traced"), (0.050, "unexplained")):
+    for left, verdict, claimed in ((0.012, "traced", ("x",)), (0.040, "traced", ()), (0.050, "unexplained", ())):
         told = doubted(CLEAR, lift, model, noise, _Best(), np.full(rows, left))
         assert told.verdict == verdict
-        assert told.claimed == (("x",) if verdict == "traced" else ())
+        assert told.claimed == claimed
+        assert any("nothing is claimed" in limit for limit in told.limits) == (left == 0.040)
 
 
 def test_a_value_on_its_physical_bound_is_not_claimed(lift, nominal):
@@ -72,6 +76,63 @@ def test_a_value_on_its_physical_bound_is_not_claimed(lift, nominal):
     told = doubted(judged, lift, model, noise, AtBound(), np.zeros(len(model.rows.run)))
     assert told.claimed == ("phase",)
     assert "gain_percent of lever gain" in told.limits[-1]
+
+
+def _judged(record, nominal, noise, best=None, chance=1.0):
+    rows = len(noise.sigma)
+    return doubted(CLEAR, record, nominal.model(record), noise, best or _Best(), np.zeros(rows), chance)
+
+
+def test_noise_far_beyond_the_instruments_claims_nothing(lift, nominal):
+    # The file says 4 um.
+    for sigma, claimed in ((0.0115, ("x",)), (0.0125, ())):
+        told = _judged(lift, nominal, Noise(np.full(len(lift.run), sigma), 0.0, 0.0, 3))
+        assert told.claimed == claimed
+    assert told.verdict == "unexplained"
+    assert "differ by 12.5 um, but the file says that the instrument's noise is 4 um" in told.sentence
+    silent = replace(lift, remarks=())
+    assert _judged(silent, nominal, Noise(np.full(len(lift.run), 0.0125), 0.0, 0.0, 3)).claimed == ("x",)
+
+
+def test_rows_out_of_order_claim_nothing(measured, nominal):
+    told = diagnose(load(measured / "transmission_a.csv"), nominal.model)
+    assert told.verdict == "combination"
+    record = load(measured / "transmission_a.csv")
+    order = np.lexsort((record["motor_angle_deg"], record.run))
+    shuffled = replace(record, columns={name: values[order] for name, values in record.columns.items()})
+    told = diagnose(replace(shuffled, remarks=()), nominal.model)
+    assert (told.verdict, told.judgement.claimed) == ("unexplained", ())
+    assert "in the order in which they were measured" in told.judgement.sentence
+
+
+def test_a_value_within_its_error_is_not_claimed(lift, nominal):
+    bore = next(e for e in nominal.model(lift).catalogue if e.name == "eccentric bore")
+
+    class Small(_Best):
+        effects = (bore,)
+        x = 0.0
+
+        def values(self):
+            return [(bore, np.array([self.x, -1e-3]), np.array([1e-3, 1e-3]))]
+
+    noise, small = Noise(np.full(len(lift.run), 4e-3), 0.0, 0.0, 3), Small()
+    judged = replace(CLEAR, claimed=("eccentric bore", "phase"))
+    model = nominal.model(lift)
+    for small.x, claimed in ((1.9e-3, ("phase",)), (2.1e-3, ("eccentric bore", "phase"))):
+        assert doubted(judged, lift, model, noise, small, np.zeros(len(lift.run))).claimed == claimed
+
+
+def test_three_effects_that_leave_more_than_noise_are_not_sure(lift, nominal):
+    class Three(_Best):
+        effects = nominal.model(lift).catalogue[:3]
+
+    noise = Noise(np.full(len(lift.run), 4e-3), 0.0, 0.0, 3)
+    for chance, claimed in ((0.02, ("x",)), (0.005, ())):
+        told = _judged(lift, nominal, noise, Three(), chance)
+        assert told.claimed == claimed
+    assert told.verdict == "ambiguous"
+    assert "more than 3 effects, so sizes are not sure" in told.sentence
+    assert _judged(lift, nominal, noise, _Best(), 0.005).claimed == ("x",)
 
 
 def test_runs_at_angles_of_their_own_still_tell_their_noise(lift, nominal):

@@ -136,4 +136,12 @@ def test_too_many_rows_are_refused(tmp_path):
     rows = "".join(f"1,{50 * np.cos(k / 4000)},{50 * np.sin(k / 4000)}\n" for k in range(21_000))
     (tmp_path / "many.csv").write_text("run,x_mm,y_mm\n" + rows)
     with pytest.raises(FileError, match=r"21000 rows, more than the 20000 .* keep one row in 2"):
-        join([load(tmp_path / "many.csv")])
+        load(tmp_path / "many.csv")
+    # Before any of them is read.
+    (tmp_path / "many.csv").write_text("run,x_mm,y_mm\n" + "not a row\n" * 21_000)
+    with pytest.raises(FileError, match=r"21000 rows, more than the 20000"):
+        load(tmp_path / "many.csv")
+    (tmp_path / "half.csv").write_text("run,x_mm,y_mm\n" + "".join(f"{row}\n" for row in rows.splitlines()[:10_500]))
+    half = load(tmp_path / "half.csv")
+    with pytest.raises(FileError, match=r"half.csv \+ half.csv: 21000 rows"):
+        join([half, half])

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import least_squares
 
 from cadgen.measurement.effects.base import Effect
 from cadgen.measurement.models.base import Model, slopes
@@ -58,6 +59,33 @@ def test_profile(name, synthetic_car, nominal):
     active = [_effect(model, name, np.array(PRINTED[name](change)))]
     assert _left(model, []) * 1e3 > 2 * PROFILE_UM
     assert _left(model, active) * 1e3 < PROFILE_UM
+
+
+@pytest.mark.parametrize("shift", [(0.0, 0.0), (0.06, -0.08)])
+def test_each_run_of_a_profile_has_its_own_clocking(shift, synthetic_car, nominal):
+    bench = syn.bench_with(np.zeros(1), {"shift": shift})
+    record = syn.profile_record(
+        synthetic_car,
+        bench,
+        np.random.default_rng(12),
+        noise_um=0.0,
+        clock_deg=0.4,
+        turn=syn.TURN,
+        scatter=0.4 * syn.DEG,
+    )
+    model = nominal.model(record)
+    effect = _effect(model, "eccentric bore", np.array(shift) * 1e3)
+    # What the bore shifts the clocking by is common to all runs: tenths of a degree, so found exactly.
+    (datum,) = model.datum
+    common = least_squares(lambda p: model.residual([(datum, p), effect]), [0.0], x_scale=1e-3).x
+    left = model.residual([(datum, common), effect])
+    columns = np.hstack([model.offsets, slopes(model, model.datum, [(datum, common), effect])])
+    left = left - columns @ np.linalg.lstsq(columns, left, rcond=None)[0]
+    assert np.sqrt(np.mean(left**2)) * 1e3 < PROFILE_UM
+    clocked = np.degrees(model.own + common[0])
+    # The generator's own draws: 0.4 degrees, and three times a scatter of 0.4.
+    assert np.ptp(clocked) > 0.1
+    assert abs(clocked.mean() - 0.4) < 1.0
 
 
 @pytest.mark.parametrize("name", sorted(drive.TRAINS))

@@ -1,10 +1,12 @@
 """Noise and evidence against brute force: dense covariance matrices and drawn noise of known kind."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from cadgen.measurement.doubt import unfit
 from cadgen.measurement.effects.base import Effect, Parameter
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import LEAST_PRICE, Hypothesis, Search, _overlap
@@ -75,6 +77,35 @@ def test_noise_with_its_correlation_is_found_under_what_repeats(correlation):
     found = estimate_noise(model, 4.0 * noise.ravel() + repeats + zero)
     assert found.rms == pytest.approx(4.0, rel=0.06)
     assert found.correlation == pytest.approx(correlation, abs=0.07)
+
+
+def test_a_mean_that_all_runs_share_is_no_noise():
+    # Nothing is measured at the same place twice, and no zero is free: a profile that is too large all round.
+    model, rng = _model(angles=400), np.random.default_rng(9)
+    model.rows = replace(model.rows, cell=np.full(1200, -1))
+    model.offsets = model.offsets[:, :0]
+    found = estimate_noise(model, 30.0 + 5 * np.cos(3 * model.rows.place) + rng.normal(0, 2.0, 1200))
+    assert found.rms == pytest.approx(2.0, rel=0.06)
+    assert found.freedom == 1200 - 1 - model.form.shape[1]
+
+
+def test_chance_of_a_rest_is_even_for_noise_and_form_error_and_small_for_more():
+    model, rng = _model(angles=200), np.random.default_rng(10)
+    model.datum = ()
+    spectrum = Spectrum(1.0, 3.0, 1.0)
+    size = np.sqrt(spectrum.variance(model.order, model.floor))
+    best = SimpleNamespace(active=[], effects=(), spectrum=spectrum)
+
+    def chance(more: float) -> float:
+        drawn = model.form @ (size * rng.normal(size=len(size))) + rng.normal(0, 3.0, 600)
+        model.residual = lambda active: drawn + more * np.sin(20 * model.rows.place)
+        noise = estimate_noise(model, model.residual([]))
+        return unfit(model, Evidence(model, noise, (spectrum,)), noise, best)
+
+    even = [chance(0.0) for _ in range(60)]
+    assert 0.35 < np.mean(even) < 0.65
+    assert np.std(even) == pytest.approx(12**-0.5, rel=0.35)
+    assert chance(3.0) < 1e-4
 
 
 def test_scatter_of_the_abscissa_makes_steep_places_noisier():

@@ -7,8 +7,9 @@ import pytest
 
 from cadgen.measurement.diagnose import Candidate, Finding, Value, diagnose
 from cadgen.measurement.nominal import calibrate
-from cadgen.measurement.together import Claim, claims, settled, shared
+from cadgen.measurement.together import Claim, at_work, claims, no_play, settled, shared
 from tests.measurement import synthetic as syn
+from tests.measurement.synthetic_drive import Train, transmission_record
 
 
 @pytest.fixture(scope="module")
@@ -99,3 +100,54 @@ def test_a_value_that_does_not_agree_decides_nothing(rivals, apart):
     assert settled(rivals, [Claim("train", "transmission", _play("return error", 1.2))]) is None
     assert settled(rivals, []) is None
     assert settled(apart[1], [Claim("train", "transmission", _play("return error", 0.3))]) is None
+
+
+def test_what_a_lift_shows_beside_a_known_profile_is_the_shafts(synthetic_car, nominal):
+    """The disc's bore is off by (30, -15) um, and the shaft under the dial by (40, 20) more."""
+    rng = np.random.default_rng(43)
+    form = syn.form_error(rng, 2e-3)
+    disc, both = (syn.bench_with(form, {"shift": shift}) for shift in ((0.03, -0.015), (0.07, 0.005)))
+    found = [
+        claim
+        for told in calibrate(
+            [
+                syn.lift_record(synthetic_car, both, rng, noise_um=4.0),
+                syn.profile_record(synthetic_car, disc, rng, noise_um=3.0),
+            ],
+            nominal,
+        )
+        for claim in claims(told)
+    ]
+    assert [claim.thing for claim in found] == ["run-out of the shaft", "eccentric bore"]
+    assert shared(found) == ()
+    for value, truth in zip(found[0].finding.values, (40.0, 20.0), strict=True):
+        assert value.value == pytest.approx(truth, abs=4 * value.sigma)
+
+
+def test_kinds_that_agree_have_their_mean_and_those_that_do_not_the_tracks_value():
+    train, zones = (
+        Claim("a", "transmission", _play("return error", 0.80)),
+        Claim("b", "zones", _play("return error", 0.9, 0.1)),
+    )
+    best, taken = at_work([zones, train])
+    assert best is train
+    assert taken.finding.values[0].value == pytest.approx((0.80 / 0.01**2 + 0.9 / 0.1**2) / (1 / 0.01**2 + 1 / 0.1**2))
+    track = Claim("c", "track", _play("backlash", 1.2, 0.02))
+    assert at_work([train, zones, track]) == (track, track)
+
+
+def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_ways(synthetic_car, nominal):
+    rng = np.random.default_rng(44)
+    record = transmission_record(synthetic_car, Train(), rng, noise_deg=0.03)
+    forward = np.tile(np.arange(721) < 361, record.runs)
+    both, one_way = (diagnose(part, nominal.model) for part in (record, record.where(forward)))
+    assert (both.verdict, one_way.verdict) == ("none", "none")
+    claim = no_play(both.source, both.kind, both.unnamed_play, 0.96)
+    assert claim.absent
+    assert (claim.thing, claim.finding.values[0].value) == ("return error", 0.0)
+    assert 0 < claim.finding.values[0].sigma < 0.02
+    assert no_play(one_way.source, one_way.kind, one_way.unnamed_play, 0.96) is None
+    # Against a return error that the scatter hides nothing can be said.
+    assert no_play(both.source, both.kind, both.unnamed_play, 0.02) is None
+    # Where play is named, or a single run names nothing, there is no such claim.
+    assert diagnose(record.only(np.array([0])), nominal.model).unnamed_play is None

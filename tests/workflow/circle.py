@@ -2,10 +2,11 @@
 
     python -m tests.workflow.circle [--cars 3] [--seed 1]
 
-What is wrong with a car (play in its gears, zero of its steering, radius of its wheel) is drawn here and told to
-nobody. The car is driven by the generator of `tests.measurement`: the rod let down on the points of the outline, the
-cam walking downhill in its play, the car going by short arcs. `cadgen calibrate` sees the camera's file alone, `cadgen
-cam` the design that it wrote, and the second run takes the new profile from the DXF file for the workshop.
+What is wrong with a car (zero of its steering, radius of its wheel, and but for every third car play in its gears) is
+drawn here and told to nobody. The car is driven by the generator of `tests.measurement`: the rod let down on the points
+of the outline, the cam walking downhill in its play, the car going by short arcs. `cadgen calibrate` sees the camera's
+file alone, `cadgen cam` the design that it wrote, and the second run takes the new profile from the DXF file for the
+workshop.
 """
 
 import argparse
@@ -59,12 +60,12 @@ class Circle:
         return 1 - self.after / self.before
 
 
-def draw(rng: np.random.Generator) -> Wheels:
-    """A car as workshops make them; the play is a whole number of the generator's steps."""
+def draw(rng: np.random.Generator, *, play: bool = True) -> Wheels:
+    """A car as workshops make them; the play, if any, is a whole number of the generator's steps."""
     return Wheels(
         zero=rng.choice([-1, 1]) * rng.uniform(0.2, 0.8) * DEG,
         radius=1 + rng.choice([-1, 1]) * rng.uniform(0.004, 0.015),
-        play=int(rng.integers(10, 20)) * STEP_DEG * DEG,
+        play=int(rng.integers(10, 20)) * play * STEP_DEG * DEG,
     )
 
 
@@ -129,8 +130,8 @@ def main() -> None:
     def cadgen(*arguments: str) -> None:
         subprocess.run([sys.executable, "-m", "cadgen", *arguments], check=True, stdout=subprocess.DEVNULL)
 
-    for _ in range(given.cars):
-        wheels = draw(rng)
+    for number in range(1, given.cars + 1):
+        wheels = draw(rng, play=number % 3 != 0)
         with tempfile.TemporaryDirectory() as folder:
             circle = go_round(built, wheels, rng, Path(folder), cadgen)
         print(

@@ -187,6 +187,15 @@ def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
     assert entry["as_built"]["phase_deg"] == pytest.approx(0.4)
 
 
+def test_a_play_that_was_not_measured_is_said_to_be_assumed(built, tmp_path):
+    built(TRACK[0])
+    command = ["simulate", str(tmp_path / "mine.toml"), "--profile", "compensated", "--out", str(tmp_path / "out")]
+    told = " ".join(CliRunner().invoke(cli, command).output.split())
+    assert "Warning: play was not measured on this car, so the tabled return error is assumed" in told
+    built(*TRACK)
+    assert "play was not measured" not in " ".join(CliRunner().invoke(cli, command).output.split())
+
+
 def test_an_as_built_return_error_is_a_measured_one(built):
     design = built(*TRACK)
     band = variation.play_bands(design)["as-given"]

@@ -5,13 +5,17 @@ from pathlib import Path
 
 import pytest
 
+from cadgen.design import variation
 from cadgen.design.load import load_design, packaged_designs
+from cadgen.errors import FileError
 from cadgen.measurement.diagnose import Finding, Value
 from cadgen.report.text import Heading, Table, plain
+from cadgen.workflow.as_built import assumed_play
 from cadgen.workflow.as_built_file import as_built_text
 from cadgen.workflow.calibrate import calibrate, read, stated_form_error
 from cadgen.workflow.calibrate_files import write_calibration
-from cadgen.workflow.calibrate_words import shown, sizes
+from cadgen.workflow.calibrate_words import sentence, shown, sizes
+from cadgen.workflow.simulate import simulate
 
 MEASURED = Path(__file__).parents[1] / "data" / "measured"
 
@@ -39,6 +43,60 @@ def test_one_thing_is_at_work_once_and_by_the_data_that_show_it_best(car):
     # 1.66, 0.86 and 0.81 degrees are not one return error.
     (play,) = car.shared
     assert not play.agrees
+
+
+def test_where_they_agree_the_most_accurate_has_the_mean():
+    told = calibrate(
+        load_design(), "actual", read([MEASURED / f"{n}.csv" for n in ("paper_section5", "transmission_a")])
+    )
+    train, _, zones = told.built
+    assert [(one.claim.kind, one.place) for one in (train, zones)] == [("transmission", "car"), ("zones", "noted")]
+    own, alone = told.claims[0].finding.values[0], told.claims[-1].finding.values[0]
+    weights = own.sigma**-2, alone.sigma**-2
+    mean = (own.value * weights[0] + alone.value * weights[1]) / sum(weights)
+    assert train.claim.finding.values[0].value == pytest.approx(mean)
+    assert train.claim.finding.values[0].sigma == pytest.approx(sum(weights) ** -0.5)
+    assert "the mean of transmission_a.csv and paper_section5.csv" in sentence(train)
+
+
+@pytest.fixture(scope="module")
+def without_play(text, tmp_path_factory):
+    """The as-built design of a car with a steering zero and no play."""
+    told = calibrate(load_design(), "actual", read([MEASURED / "track_a.csv"]))
+    file = tmp_path_factory.mktemp("built") / "mine.toml"
+    file.write_text(as_built_text(told, text))
+    return told, load_design(file)
+
+
+def test_a_car_without_play_is_not_assumed_to_have_the_tabled_one(without_play):
+    told, design = without_play
+    assert [(one.claim.finding.effect, one.place) for one in told.built] == [
+        ("steering zero", "car"),
+        ("backlash", "car"),
+    ]
+    assert sentence(told.built[1]).startswith("no backlash, from track: return_error_deg 0.0000 ± 0.00")
+    assert variation.measured_play(design) == 0.0
+    assert assumed_play(design) == []
+    run = simulate(design)
+    assert run.play == 0.0
+    assert run.after_error.end_distance < 1
+    # Nothing is said of the play of a car that a lift alone was measured on.
+    (known, play) = design.as_built.effects
+    silent = design.model_copy(update={"as_built": design.as_built.model_copy(update={"effects": (known,)})})
+    (warning,) = assumed_play(silent)
+    assert "play was not measured on this car" in warning
+    assert "0.962°" in warning
+    assert silent.as_built.effects[0].effect != play.effect
+    assert assumed_play(load_design()) == []
+
+
+def test_data_that_are_in_a_design_already_do_not_count_twice(without_play, tmp_path):
+    _, design = without_play
+    with pytest.raises(FileError, match=r"track_a\.csv is among the files that .* would count twice"):
+        calibrate(design, "optimized", read([MEASURED / "track_a.csv"]))
+    again = calibrate(design, "actual", read([MEASURED / "paper_section5.csv"]))
+    assert "that means a new cam" in again.warnings[0]
+    assert calibrate(design, "optimized", read([MEASURED / "paper_section5.csv"])).warnings == ()
 
 
 def test_an_as_built_design_is_written_over_by_the_next(car, text):

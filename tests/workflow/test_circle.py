@@ -13,6 +13,20 @@ def cadgen(*arguments: str) -> None:
     assert result.exit_code == 0, result.output
 
 
+def test_a_car_without_play_is_not_given_the_tabled_one(carbon_free_car, tmp_path):
+    """Against the tabled return error the new cam would end some 1000 mm off."""
+    rng = np.random.default_rng(8)
+    wheels = circle.draw(rng, play=False)
+    round_ = circle.go_round(carbon_free_car, wheels, rng, tmp_path, cadgen)
+    print(f"{round_.before:.0f} mm -> {round_.after:.1f} mm: {100 * round_.gone:.2f} % gone")
+    assert round_.before > 500
+    assert round_.gone >= 0.95
+    (play,) = (one for one in round_.told["as_built"] if one["effect"] == "backlash")
+    assert play["place"] == "car"
+    assert play["values"][0]["value"] == 0
+    assert 0 < play["values"][0]["sigma"] < 0.02
+
+
 def test_a_measured_car_gets_the_cam_that_it_needs(carbon_free_car, tmp_path):
     rng = np.random.default_rng(7)
     wheels = circle.draw(rng)

@@ -31,6 +31,7 @@ class Parameter:
         lower, upper: what is physically possible.
         step: a small but visible value, for differences.
         start: where a search begins.
+        meaning: of a positive value, or of the number; empty only for forms without a name.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Parameter:
     upper: float
     step: float
     start: float = 0.0
+    meaning: str = ""
 
     @property
     def scale(self) -> float:

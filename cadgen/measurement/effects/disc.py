@@ -40,12 +40,12 @@ LEAST_HOLLOW = 4.0
 _LEAST_TURN = 1e-3  # rad; where the outline is nearly straight
 
 
-def _um(name: str, lower: float = -500.0, upper: float = 500.0) -> Parameter:
-    return Parameter(name=name, unit="um", lower=lower, upper=upper, step=10.0)
+def _um(name: str, meaning: str, lower: float = -500.0, upper: float = 500.0) -> Parameter:
+    return Parameter(name=name, unit="um", lower=lower, upper=upper, step=10.0, meaning=meaning)
 
 
-def _percent(name: str) -> Parameter:
-    return Parameter(name=name, unit="%", lower=-2.0, upper=2.0, step=0.02)
+def _percent(name: str, meaning: str) -> Parameter:
+    return Parameter(name=name, unit="%", lower=-2.0, upper=2.0, step=0.02, meaning=meaning)
 
 
 def _eccentric(disc: Disc, p: Array, at: object) -> Disc:
@@ -110,7 +110,10 @@ def _travel(disc: Disc) -> Array:
 ECCENTRIC_BORE = Effect(
     name="eccentric bore",
     stage="disc",
-    parameters=(_um("eccentric_x_um"), _um("eccentric_y_um")),
+    parameters=(
+        _um("eccentric_x_um", "+: the shaft's axis lies towards +x of the outline"),
+        _um("eccentric_y_um", "+: towards +y"),
+    ),
     act=_eccentric,
     places=("part", "process", "car"),
     confused_with="a wobbling camshaft, or run-out of the shaft, in lift data",
@@ -119,7 +122,7 @@ ECCENTRIC_BORE = Effect(
 CUTTER_COMPENSATION = Effect(
     name="cutter compensation",
     stage="disc",
-    parameters=(_um("cutter_offset_um"),),
+    parameters=(_um("cutter_offset_um", "+: too much stands all round, along the normal"),),
     act=_offset,
     places=("process", "part"),
     confused_with="uniform scale (they differ only where the outline is not a circle)",
@@ -129,7 +132,7 @@ CUTTER_COMPENSATION = Effect(
 UNIFORM_SCALE = Effect(
     name="uniform scale",
     stage="disc",
-    parameters=(_percent("scale_percent"),),
+    parameters=(_percent("scale_percent", "+: the disc is too big"),),
     act=_scale,
     places=("process", "part"),
     family="scale",
@@ -139,7 +142,10 @@ UNIFORM_SCALE = Effect(
 ANISOTROPIC_SCALE = Effect(
     name="anisotropic scale",
     stage="disc",
-    parameters=(_percent("scale_x_percent"), _percent("scale_y_percent")),
+    parameters=(
+        _percent("scale_x_percent", "+: too long in x"),
+        _percent("scale_y_percent", "+: too long in y"),
+    ),
     act=_scale,
     places=("process", "part"),
     family="scale",
@@ -150,7 +156,10 @@ ANISOTROPIC_SCALE = Effect(
 AXIS_REVERSAL = Effect(
     name="machine-axis reversal",
     stage="disc",
-    parameters=(_um("reversal_x_um", -200.0, 200.0), _um("reversal_y_um", -200.0, 200.0)),
+    parameters=(
+        _um("reversal_x_um", "+: the x axis lags by half of it, the cutter running counterclockwise", -200.0, 200.0),
+        _um("reversal_y_um", "+: the y axis likewise", -200.0, 200.0),
+    ),
     act=_reversal,
     places=("process", "part"),
     confused_with="an eccentric bore if only one half was measured",
@@ -176,7 +185,10 @@ def undulation(order: int) -> Effect:
     return Effect(
         name=f"{sort}, order {order}",
         stage="disc",
-        parameters=(_um(f"{sort}_cos_um"), _um(f"{sort}_sin_um")),
+        parameters=(
+            _um(f"{sort}_cos_um", "+: outwards where cos(n phi) = 1, phi the polar angle"),
+            _um(f"{sort}_sin_um", "+: outwards where sin(n phi) = 1"),
+        ),
         act=_harmonic(order),
         places=("part",),
         numerous=True,
@@ -204,8 +216,16 @@ def worn_nose(number: int, width_deg: float) -> Effect:
         name="worn nose",
         stage="disc",
         parameters=(
-            _um("worn_depth_um", 0.0, 300.0),
-            Parameter(name="worn_width_deg", unit="deg", lower=1.5, upper=10.0, step=0.2, start=width_deg),
+            _um("worn_depth_um", "material that is gone at the middle", 0.0, 300.0),
+            Parameter(
+                name="worn_width_deg",
+                unit="deg",
+                lower=1.5,
+                upper=10.0,
+                step=0.2,
+                start=width_deg,
+                meaning="standard deviation of the dent, in polar angle",
+            ),
         ),
         act=act,
         places=("part",),

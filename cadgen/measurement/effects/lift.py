@@ -36,8 +36,13 @@ class Setting:
     wobble: tuple[float, float] = (0.0, 0.0)
 
 
-def _um(name: str, limit: float, lower: float | None = None) -> Parameter:
-    return Parameter(name=name, unit="um", lower=-limit if lower is None else lower, upper=limit, step=limit / 50)
+def _um(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
+    low = -limit if lower is None else lower
+    return Parameter(name=name, unit="um", lower=low, upper=limit, step=limit / 50, meaning=meaning)
+
+
+def _play(meaning: str) -> Parameter:
+    return Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=5.0, step=0.05, meaning=meaning)
 
 
 def _phase(angle: Array, p: Array, at: Readings) -> Array:
@@ -81,6 +86,11 @@ def _friction(reading: Array, p: Array, at: Readings) -> Array:
     return np.asarray(reading - p[0] * at.slope * at.direction)
 
 
+def _hysteresis(reading: Array, p: Array, at: Readings) -> Array:
+    """The dial itself lags by a constant amount, whichever flank the rod is on: half of it either way."""
+    return np.asarray(reading - at.direction * p[0] / 2)
+
+
 def _drift(reading: Array, p: Array, at: Readings) -> Array:
     return np.asarray(reading + p[0] * at.elapsed)
 
@@ -91,7 +101,16 @@ LIFT_EFFECTS = (
     Effect(
         name="phase",
         stage="angle",
-        parameters=(Parameter(name="phase_deg", unit="deg", lower=-5.0, upper=5.0, step=0.05),),
+        parameters=(
+            Parameter(
+                name="phase_deg",
+                unit="deg",
+                lower=-5.0,
+                upper=5.0,
+                step=0.05,
+                meaning="+: the cam stands ahead, in its sense of turning",
+            ),
+        ),
         act=_phase,
         places=("car",),
         twins=("zero of the divider",),
@@ -101,7 +120,7 @@ LIFT_EFFECTS = (
     Effect(
         name="rod radius",
         stage="follower",
-        parameters=(_um("rod_radius_um", 1500.0),),
+        parameters=(_um("rod_radius_um", "+: the rod is too thick", 1500.0),),
         act=_rod,
         places=("car",),
         twins=("cutter compensation",),
@@ -111,7 +130,11 @@ LIFT_EFFECTS = (
     Effect(
         name="lever gain",
         stage="reading",
-        parameters=(Parameter(name="gain_percent", unit="%", lower=-5.0, upper=5.0, step=0.1),),
+        parameters=(
+            Parameter(
+                name="gain_percent", unit="%", lower=-5.0, upper=5.0, step=0.1, meaning="+: the dial shows too much"
+            ),
+        ),
         act=_gain,
         twins=("cosine error of the indicator",),
         confused_with="axial offset of the disc, cosine error of the indicator",
@@ -120,7 +143,7 @@ LIFT_EFFECTS = (
     Effect(
         name="axial offset",
         stage="follower",
-        parameters=(_um("axial_offset_um", 4000.0),),
+        parameters=(_um("axial_offset_um", "+: the disc stands too far from the fork axis", 4000.0),),
         act=_axial,
         places=("car",),
         confused_with="lever gain",
@@ -129,7 +152,10 @@ LIFT_EFFECTS = (
     Effect(
         name="camshaft wobble",
         stage="follower",
-        parameters=(_um("wobble_cos_um", 4000.0), _um("wobble_sin_um", 4000.0)),
+        parameters=(
+            _um("wobble_cos_um", "+: at 0° of cam angle the face stands further from the fork axis", 4000.0),
+            _um("wobble_sin_um", "+: at 90° of cam angle", 4000.0),
+        ),
         act=_wobble,
         confused_with="an eccentric bore, lever gain",
         separated_by="put the dial on the face of the disc and turn the camshaft",
@@ -137,7 +163,7 @@ LIFT_EFFECTS = (
     Effect(
         name="lost motion by friction",
         stage="reading",
-        parameters=(_um("lost_motion_um", 300.0, 0.0),),
+        parameters=(_um("lost_motion_um", "by which the dial lags behind the rod, either way", 300.0, 0.0),),
         act=_friction,
         confused_with="backlash",
         separated_by="tap the lever before each reading: friction lets go, backlash stays",
@@ -145,7 +171,7 @@ LIFT_EFFECTS = (
     Effect(
         name="backlash",
         stage="angle",
-        parameters=(Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=5.0, step=0.05),),
+        parameters=(_play("whole play at the camshaft; the cam lags by half of it either way"),),
         act=_held_by_friction,
         places=("car",),
         family="backlash",
@@ -155,7 +181,7 @@ LIFT_EFFECTS = (
     Effect(
         name="backlash, held by the spring",
         stage="angle",
-        parameters=(Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=5.0, step=0.05),),
+        parameters=(_play("whole play at the camshaft; the spring turns the cam downhill by half of it"),),
         act=_held_by_spring,
         places=("car",),
         family="backlash",
@@ -163,9 +189,17 @@ LIFT_EFFECTS = (
         separated_by="hold the drive still and turn the camshaft to and fro by hand",
     ),
     Effect(
+        name="hysteresis of the dial",
+        stage="reading",
+        parameters=(_um("hysteresis_um", "+: it reads less by half of it going forward, more in reverse", 300.0),),
+        act=_hysteresis,
+        confused_with="drift, as each run goes forward first and then back",
+        separated_by="move the dial up to a gauge block and down to it, and read both",
+    ),
+    Effect(
         name="drift",
         stage="reading",
-        parameters=(_um("drift_um_per_run", 200.0),),
+        parameters=(_um("drift_um_per_run", "+: the reading grows from a run's first row to its last", 200.0),),
         act=_drift,
         confused_with="runs that disagree",
         separated_by="let the dial and the car warm up, and read the zero again at the end of each run",
@@ -173,8 +207,18 @@ LIFT_EFFECTS = (
     Effect(
         name="tilted indicator",
         stage="reading",
-        parameters=(Parameter(name="indicator_tilt_deg", unit="deg", lower=-20.0, upper=20.0, step=0.5),),
+        parameters=(
+            Parameter(
+                name="indicator_tilt_deg",
+                unit="deg",
+                lower=-20.0,
+                upper=20.0,
+                step=0.5,
+                meaning="+: its tip points away from the fork axis, so that it reads more on a lifted rod",
+            ),
+        ),
         act=_tilt,
+        twins=("a dial whose scale is not even",),
         confused_with="axial offset of the disc, wear",
         separated_by="set the spindle square to the rod with a precision square and measure again",
     ),

@@ -69,7 +69,16 @@ TRACK_EFFECTS = (
     Effect(
         name="steering zero",
         stage="steering",
-        parameters=(Parameter(name="steering_zero_deg", unit="deg", lower=-5.0, upper=5.0, step=0.005),),
+        parameters=(
+            Parameter(
+                name="steering_zero_deg",
+                unit="deg",
+                lower=-5.0,
+                upper=5.0,
+                step=0.005,
+                meaning="+: the wheel points right where the rod is straight",
+            ),
+        ),
         act=_zero,
         places=("car",),
         twins=("yaw of the axle",),
@@ -79,7 +88,16 @@ TRACK_EFFECTS = (
     Effect(
         name="lever gain",
         stage="lever",
-        parameters=(Parameter(name="gain_percent", unit="%", lower=-20.0, upper=20.0, step=0.05),),
+        parameters=(
+            Parameter(
+                name="gain_percent",
+                unit="%",
+                lower=-20.0,
+                upper=20.0,
+                step=0.05,
+                meaning="+: the wheel turns more than the rod, in its tangent",
+            ),
+        ),
         act=_gain,
         places=("car",),
         twins=("wheelbase",),
@@ -89,7 +107,16 @@ TRACK_EFFECTS = (
     Effect(
         name="wheel radius",
         stage="drive",
-        parameters=(Parameter(name="wheel_radius_percent", unit="%", lower=-10.0, upper=10.0, step=0.02),),
+        parameters=(
+            Parameter(
+                name="wheel_radius_percent",
+                unit="%",
+                lower=-10.0,
+                upper=10.0,
+                step=0.02,
+                meaning="+: the car goes too far for a turn of the cam",
+            ),
+        ),
         act=_length,
         places=("car",),
         twins=("ratio of cam and wheel",),
@@ -99,7 +126,16 @@ TRACK_EFFECTS = (
     Effect(
         name="driven wheel's offset",
         stage="drive",
-        parameters=(Parameter(name="drive_wheel_offset_mm", unit="mm", lower=-30.0, upper=30.0, step=0.1),),
+        parameters=(
+            Parameter(
+                name="drive_wheel_offset_mm",
+                unit="mm",
+                lower=-30.0,
+                upper=30.0,
+                step=0.1,
+                meaning="+: the driven wheel stands further left of the fork axis",
+            ),
+        ),
         act=_offset,
         places=("car",),
         confused_with="lever gain where the turns all go one way",
@@ -108,7 +144,16 @@ TRACK_EFFECTS = (
     Effect(
         name="slip with curvature",
         stage="drive",
-        parameters=(Parameter(name="slip_percent", unit="%", lower=-20.0, upper=50.0, step=0.2),),
+        parameters=(
+            Parameter(
+                name="slip_percent",
+                unit="%",
+                lower=-20.0,
+                upper=50.0,
+                step=0.2,
+                meaning="+: travel lost, for each unit of |tan(beta)|",
+            ),
+        ),
         act=_slip,
         places=("car",),
         confused_with="wheel radius",
@@ -117,7 +162,16 @@ TRACK_EFFECTS = (
     Effect(
         name="cam phase",
         stage="cam",
-        parameters=(Parameter(name="phase_deg", unit="deg", lower=-10.0, upper=10.0, step=0.02),),
+        parameters=(
+            Parameter(
+                name="phase_deg",
+                unit="deg",
+                lower=-10.0,
+                upper=10.0,
+                step=0.02,
+                meaning="+: the cam stands ahead, in its sense of turning",
+            ),
+        ),
         act=_phase,
         places=("car",),
         confused_with="backlash",
@@ -126,7 +180,16 @@ TRACK_EFFECTS = (
     Effect(
         name="backlash",
         stage="drive",
-        parameters=(Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=4.0, step=0.02),),
+        parameters=(
+            Parameter(
+                name="return_error_deg",
+                unit="deg",
+                lower=0.0,
+                upper=4.0,
+                step=0.02,
+                meaning="whole play at the camshaft, between two stops",
+            ),
+        ),
         act=_play,
         places=("car",),
         confused_with="cam phase, steering zero",

@@ -33,8 +33,9 @@ class Play:
     width: float = 0.0
 
 
-def _deg(name: str, limit: float, lower: float | None = None) -> Parameter:
-    return Parameter(name=name, unit="deg", lower=-limit if lower is None else lower, upper=limit, step=limit / 200)
+def _deg(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
+    low = -limit if lower is None else lower
+    return Parameter(name=name, unit="deg", lower=low, upper=limit, step=limit / 200, meaning=meaning)
 
 
 def _play(play: Play, p: Array, at: Turns) -> Play:
@@ -59,7 +60,7 @@ def _periodic(order: float) -> Callable[[Array, Array, Turns], Array]:
 RETURN_ERROR = Effect(
     name="return error",
     stage="play",
-    parameters=(_deg("return_error_deg", 5.0, 0.0),),
+    parameters=(_deg("return_error_deg", "whole play at the camshaft, between two stops", 5.0, 0.0),),
     act=_play,
     places=("car",),
     twins=("wind-up under friction", "lag at one speed"),
@@ -69,7 +70,16 @@ RETURN_ERROR = Effect(
 RATE = Effect(
     name="rate",
     stage="ratio",
-    parameters=(Parameter(name="rate_percent", unit="%", lower=-20.0, upper=20.0, step=0.05),),
+    parameters=(
+        Parameter(
+            name="rate_percent",
+            unit="%",
+            lower=-20.0,
+            upper=20.0,
+            step=0.05,
+            meaning="+: the camshaft turns too far for the motor",
+        ),
+    ),
     act=_rate,
     twins=("wrong gear ratio", "scale of an encoder"),
     confused_with="a gear with one tooth more or less, an encoder with another count",
@@ -78,7 +88,7 @@ RATE = Effect(
 WIND_UP = Effect(
     name="wind-up",
     stage="mesh",
-    parameters=(_deg("wind_up_deg", 5.0),),
+    parameters=(_deg("wind_up_deg", "+: the camshaft lags where the cam is steepest up", 5.0),),
     act=_wind_up,
     confused_with="runout of the camshaft",
     separated_by="lift the rod off the cam and measure again",
@@ -90,7 +100,10 @@ def runout(shaft: str, order: float) -> Effect:
     return Effect(
         name=f"runout of {shaft}",
         stage="mesh",
-        parameters=(_deg("runout_cos_deg", 5.0), _deg("runout_sin_deg", 5.0)),
+        parameters=(
+            _deg("runout_cos_deg", "+: the camshaft is ahead where that shaft has turned by 0°", 5.0),
+            _deg("runout_sin_deg", "+: where it has turned by 90°", 5.0),
+        ),
         act=_periodic(order),
         twins=(f"eccentric encoder on {shaft}",),
         confused_with="an eccentric encoder on the same shaft",
@@ -103,7 +116,10 @@ def tooth_mesh(stage: int, order: float) -> Effect:
     return Effect(
         name=f"tooth mesh of stage {stage}",
         stage="mesh",
-        parameters=(_deg("mesh_cos_deg", 2.0), _deg("mesh_sin_deg", 2.0)),
+        parameters=(
+            _deg("mesh_cos_deg", "+: the camshaft is ahead at the start of each tooth", 2.0),
+            _deg("mesh_sin_deg", "+: a quarter of a tooth later", 2.0),
+        ),
         act=_periodic(order),
         confused_with="a count error of the encoder at the same order",
         separated_by="shift the wheel by half a tooth on its shaft and measure again",

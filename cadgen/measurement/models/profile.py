@@ -3,11 +3,13 @@
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
 
 from cadgen.measurement.effects.base import Active, Array, Effect, Parameter, through
 from cadgen.measurement.effects.disc import NOSE_WIDTHS_DEG, PROFILE_EFFECTS, Disc, undulation, worn_nose
 from cadgen.measurement.effects.shapes import shapes
-from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run
+from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run, slopes
 from cadgen.measurement.record import Record, Rows
 
 _TURN = 2 * np.pi
@@ -28,7 +30,16 @@ CLOCKING = Effect(
 
 
 class ProfileModel:
-    """Distance of each point from the outline along the normal, outwards positive; clocking is a datum."""
+    """Distance of each point from the outline along the normal, outwards positive; clocking is a datum of each run.
+
+    A part may be clamped anew for each run or file. Every run is first turned back by the clocking that it has against
+    the bare design. What an effect adds to that is common to all runs, and `CLOCKING` fits it exactly beside the
+    effect. What then remains between runs is so small that tangents do: these are `offsets`, for all runs but one,
+    since one is the common one.
+
+    Attributes:
+        own: clocking of each run against the bare design, shape (runs,), rad.
+    """
 
     kind = "profile"
     unit = "um"
@@ -42,7 +53,9 @@ class ProfileModel:
         self._forward = np.concatenate([[True], np.diff(self._disc.angle) > 0])
         radial = np.stack([np.cos(self._disc.angle), np.sin(self._disc.angle)], axis=1)
         self._slant = np.sum(self._disc.normal * radial, axis=1)
-        place = np.arctan2(points[:, 1], points[:, 0]) % _TURN
+        seen = np.arctan2(points[:, 1], points[:, 0]) % _TURN
+        self.own = np.array([self._clocked(seen, record.run == k) for k in range(record.runs)])
+        place = (seen - self.own[record.run]) % _TURN
         self.rows = Rows(
             run=record.run, place=place, elapsed=elapsed(record.run), cell=np.full(len(place), -1, dtype=np.intp)
         )
@@ -53,7 +66,8 @@ class ProfileModel:
             *(undulation(order) for order in range(2, min(UNDULATIONS, last) + 1)),
         )
         self.datum: tuple[Effect, ...] = (CLOCKING,)
-        self.offsets = per_run(record.run)[:, :0]
+        turned = slopes(self, self.datum, [])
+        self.offsets = (turned * per_run(record.run))[:, 1:]
         # Form is what departs from the mean: a disc too large all round errs in size, which is an effect.
         self.form, self.order = fourier(place, min(FORM_ORDERS, last))
         self.floor = floor
@@ -69,12 +83,26 @@ class ProfileModel:
         disc = through("disc", self._disc, active, self.rows)
         angle = through("clock", self.rows.place, active, self.rows)
         offset = through("reading", np.zeros(len(angle)), active, self.rows)
+        return self._distance(disc, angle, self._radius) - offset
+
+    def _clocked(self, seen: Array, mine: NDArray[np.bool_]) -> float:
+        """Clocking of one run against the bare design."""
+
+        def off(clocking: Array) -> Array:
+            return self._distance(self._disc, seen[mine] - clocking[0], self._radius[mine])
+
+        lower, upper = CLOCKING.bounds
+        found = least_squares(off, CLOCKING.start, bounds=(lower, upper), x_scale=CLOCKING.steps)
+        return float(found.x[0])
+
+    def _distance(self, disc: Disc, angle: Array, radius: Array) -> Array:
+        """Of points at polar angles and radii from a disc, along its normal."""
         points = disc.points[self._forward]
         where = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
         slant = self._slant[self._forward]
         # One point beyond the turn closes the table; chords fall short of the curve by under 0.01 um.
         where = np.append(where, where[0] + _TURN)
-        radius = np.linalg.norm(points, axis=1)
+        reach = np.linalg.norm(points, axis=1)
         at = where[0] + (angle - where[0]) % _TURN
-        distance = self._radius - np.interp(at, where, np.append(radius, radius[0]))
-        return np.asarray(distance * np.interp(at, where, np.append(slant, slant[0])) - offset)
+        distance = radius - np.interp(at, where, np.append(reach, reach[0]))
+        return np.asarray(distance * np.interp(at, where, np.append(slant, slant[0])))
