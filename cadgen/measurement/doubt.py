@@ -133,7 +133,8 @@ def doubted(
 
 def _no_noise(record: Record, model: Model, noise: Noise) -> str:
     """Why what differs between runs is not the instrument's noise; empty if it may be."""
-    if abs(noise.correlation) > OUT_OF_ORDER:
+    # With one run noise also holds what repeats, which neighbours share.
+    if noise.runs > 1 and abs(noise.correlation) > OUT_OF_ORDER:
         return (
             f"The noise of neighbouring rows is correlated by {noise.correlation:.2f}, which no instrument's is: write "
             "the rows in the order in which they were measured."
