@@ -17,7 +17,14 @@ from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.curves.moved import moved
 from cadgen.errors import DesignError
 from cadgen.measurement.effects.base import Effect
-from cadgen.measurement.effects.disc import AXIS_REVERSAL, ECCENTRIC_BORE, Disc, lost_motion, ramped_reversal
+from cadgen.measurement.effects.disc import (
+    AXIS_REVERSAL,
+    ECCENTRIC_BORE,
+    Disc,
+    joined_normals,
+    lost_motion,
+    ramped_reversal,
+)
 from cadgen.measurement.models.lift import nominal_disc
 from cadgen.measurement.names import Place
 from cadgen.steering.car import Car
@@ -29,7 +36,6 @@ _Act = Callable[[Disc, Array, Any], Disc]
 _NODE_STEP = 0.1
 _CONVERGED = 1e-10  # mm
 _MOST_STEPS = 50  # each leaves 2 % at most, the greatest scale, of what was left before
-_JOINT = 1e-9  # distance of a joint's two points at most, mm
 # An offset of 0.5 mm makes the sides of a corner of 8 degrees overlap by this angle, rad; more is an overhang.
 _OVERLAP = 1e-3
 
@@ -229,9 +235,4 @@ def _disc_of(outline: Outline) -> Disc:
     tangent = np.concatenate(
         [np.gradient(points[outline.piece == k], axis=0, edge_order=2) for k in np.unique(outline.piece)]
     )
-    normal = -left_normal(tangent)
-    joint = np.flatnonzero(np.linalg.norm(np.diff(points, axis=0, append=points[:1]), axis=1) < _JOINT)
-    after = (joint + 1) % len(points)
-    shared = normal[joint] + normal[after]
-    normal[joint] = normal[after] = shared / np.linalg.norm(shared, axis=1)[:, None]
-    return Disc(points, normal, outline.angle, np.empty(0), outline.piece)
+    return Disc(points, joined_normals(points, -left_normal(tangent)), outline.angle, np.empty(0), outline.piece)

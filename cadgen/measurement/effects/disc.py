@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from cadgen.measurement.effects.base import Array, Effect, Parameter
 
+_JOINT = 1e-9  # distance of a joint's two points at most, mm
+
 
 @dataclass(frozen=True)
 class Disc:
@@ -38,6 +40,21 @@ class Disc:
 # Radius of the hollow at the foot of a ramp that takes a reversal back, where the outline itself is straight, mm.
 LEAST_HOLLOW = 4.0
 _LEAST_TURN = 1e-3  # rad; where the outline is nearly straight
+
+
+def joined_normals(points: Array, normal: Array) -> Array:
+    """Normals of which the two points of a joint share one, so that a moved outline stays closed there.
+
+    Args:
+        points: of an outline, a joint between two pieces twice, shape (n, 2), mm.
+        normal: of each point's own piece, shape (n, 2).
+    """
+    joint = np.flatnonzero(np.linalg.norm(np.diff(points, axis=0, append=points[:1]), axis=1) < _JOINT)
+    after = (joint + 1) % len(normal)
+    shared = normal[joint] + normal[after]
+    out = normal.copy()
+    out[joint] = out[after] = shared / np.linalg.norm(shared, axis=1)[:, None]
+    return out
 
 
 def _um(name: str, meaning: str, lower: float = -500.0, upper: float = 500.0) -> Parameter:

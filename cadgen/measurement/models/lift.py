@@ -12,7 +12,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.errors import DesignError
 from cadgen.measurement.effects.base import Active, Array, Effect, through
-from cadgen.measurement.effects.disc import Disc
+from cadgen.measurement.effects.disc import Disc, joined_normals
 from cadgen.measurement.effects.lift import Readings, Setting, lift_effects
 from cadgen.measurement.effects.shapes import shapes
 from cadgen.measurement.models.base import elapsed, fourier, per_run
@@ -32,12 +32,7 @@ def nominal_disc(curve: ClosedCurve, step: float = OUTLINE_STEP) -> Disc:
     for number, piece in enumerate(curve.pieces):
         t = np.linspace(piece.start, piece.stop, int(np.sum(outline.piece == number)))
         normals.append(-left_normal(piece.jet(t).velocity))
-    normal = np.concatenate(normals)
-    # The two points of a joint get one normal, so that a moved outline stays closed there.
-    joint = np.flatnonzero(np.linalg.norm(np.diff(outline.points, axis=0, append=outline.points[:1]), axis=1) < 1e-9)
-    after = (joint + 1) % len(normal)
-    shared = normal[joint] + normal[after]
-    normal[joint] = normal[after] = shared / np.linalg.norm(shared, axis=1)[:, None]
+    normal = joined_normals(outline.points, np.concatenate(normals))
     radius, angle = np.linalg.norm(outline.points, axis=1), outline.angle
     grid = angle[0] + np.linspace(0, _TURN, 1440, endpoint=False)
     around = np.interp(grid, angle, radius)

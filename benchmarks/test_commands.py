@@ -1,4 +1,4 @@
-"""The whole of `cadgen gears`, six gears, all files and mesh checks, against importing build123d in the same run.
+"""The whole of `cadgen cam` and `cadgen gears`, all files and checks, against importing build123d in the same run.
 
 Run by `pytest benchmarks -s`.
 """
@@ -8,8 +8,9 @@ import subprocess
 import sys
 import time
 
+import pytest
+
 ROUNDS = 5
-LIMIT = 4.0
 
 
 def seconds(arguments, cwd):
@@ -18,13 +19,14 @@ def seconds(arguments, cwd):
     return time.perf_counter() - start
 
 
-def test_gears_command_against_importing_build123d(benchmark, tmp_path):
-    command = ["-c", "from cadgen.cli import main; main()", "gears", "--out", "out"]
+@pytest.mark.parametrize(("verb", "limit"), [("cam", 2.0), ("gears", 4.0)])
+def test_command_against_importing_build123d(benchmark, tmp_path, verb, limit):
+    command = ["-c", "from cadgen.cli import main; main()", verb, "--out", "out"]
     imports = ["-c", "import build123d"]
     benchmark.pedantic(seconds, args=(command, tmp_path), rounds=1, warmup_rounds=1)
     # Alternating, so that whatever else the machine does falls on both.
     pairs = [(seconds(command, tmp_path), seconds(imports, tmp_path)) for _ in range(ROUNDS)]
     ratio = statistics.median(ours / theirs for ours, theirs in pairs)
     benchmark.extra_info["ratio"] = ratio
-    print(f"\ncadgen gears / import build123d = {ratio:.2f} (limit {LIMIT})")
-    assert ratio <= LIMIT
+    print(f"\ncadgen {verb} / import build123d = {ratio:.2f} (limit {limit:g})")
+    assert ratio <= limit
