@@ -15,6 +15,11 @@ Array = NDArray[np.float64]
 
 _TURN = 2 * np.pi
 _KINK = 1e-6  # a jump of d tan(beta)/d theta below this turns the outline by less than 1e-6 rad: no kink
+# A stretch of at least this angle over which tan(beta) stays within the second figure is level: the second is 0.01 um
+# of lift, what rolling an outline errs by, and a smooth peak stays within it over so wide an angle only if its second
+# derivative is below 0.042, a tenth of what a gentle turn has.
+_LEVEL_ANGLE = np.radians(0.5)
+_LEVEL_RANGE = 4e-7
 
 
 @dataclass(frozen=True)
@@ -25,11 +30,14 @@ class LiftCurve:
         tan_beta: periodic piecewise quintic, cam angle (rad) -> tan(beta).
         kinks: cam angles at which the slope jumps, shape (k,), rad.
         blend_start: cam angle from which the closing blend, and not the path, steers, rad.
+        known_level: level stretches, shape (m, 2), rad, of a lift whose samples are too rough to show them; None
+            where the lift itself shows them.
     """
 
     tan_beta: PPoly
     kinks: Array
     blend_start: float
+    known_level: Array | None = None
 
     @cached_property
     def stations(self) -> tuple[Array, Array]:
@@ -41,6 +49,40 @@ class LiftCurve:
         roots = slope.roots(discontinuity=False, extrapolate=False)
         nodes = np.unique(np.concatenate([self.tan_beta.x, roots[np.isfinite(roots)]]))
         return nodes, np.append(self.tan_beta(nodes[:-1]), self.tan_beta(nodes[0]))
+
+    @cached_property
+    def level(self) -> Array:
+        """Stretches of at least 0.5 degrees over which the lift is level to rounding: straight runs and dwells.
+
+        Returns:
+            Cam angles at which each begins, in [0, 2 pi), and ends, perhaps beyond 2 pi; shape (m, 2), rad.
+        """
+        if self.known_level is not None:
+            return self.known_level
+        nodes, value = self.stations
+        # Twice round, so that a stretch across the start is met whole.
+        angle, height = np.concatenate([nodes[:-1], nodes + _TURN]), np.concatenate([value[:-1], value])
+        across = np.searchsorted(angle, angle[: len(nodes) - 1] + _LEVEL_ANGLE)
+        close = np.flatnonzero(np.abs(height[across] - height[: len(across)]) <= _LEVEL_RANGE)
+        found: list[list[float]] = []
+        for first in close:
+            last = across[first]
+            if found and angle[last] <= found[-1][1]:
+                continue
+            if np.ptp(height[first : last + 1]) > _LEVEL_RANGE:
+                continue
+            # The stretch goes on as long as all of it stays within the range.
+            rest = height[first : first + len(nodes)]
+            outside = np.maximum.accumulate(rest) - np.minimum.accumulate(rest) > _LEVEL_RANGE
+            last = first + (int(np.argmax(outside)) if outside.any() else len(rest)) - 1
+            if found and angle[first] <= found[-1][1]:
+                found[-1][1] = float(angle[last])
+            else:
+                found.append([float(angle[first]), float(angle[last])])
+        # A stretch across the start is found once from 0 and once from where it really begins.
+        if len(found) > 1 and found[-1][1] >= found[0][0] + _TURN:
+            found = found[1:]
+        return np.array([[a, min(b, a + _TURN)] for a, b in found]).reshape(-1, 2)
 
     def extrema(self) -> tuple[Array, Array]:
         """Cam angles of the peaks and of the valleys of the lift, rad, in order."""

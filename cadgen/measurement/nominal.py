@@ -103,7 +103,7 @@ class Nominal:
             roll(Outline(one.points, one.piece), self.follower, angle).tan_beta for one in (self.disc, disc)
         )
         steering = self.lift.tan_beta(angle) + after - before
-        lift = sampled_lift(angle, steering, blend_start=self.lift.blend_start)
+        lift = sampled_lift(angle, steering, blend_start=self.lift.blend_start, level=self.lift.level)
         return replace(self, lift=lift, known=(*self.known, *known))
 
 

@@ -107,7 +107,7 @@ def drive(
         least: rises and falls of tan(beta) smaller than this are noise, not events.
 
     Raises:
-        DesignError: the play does not fit the events (see `follow`), or there are no steps.
+        DesignError: the play is negative or no number, or there are no steps.
     """
     if steps < 1:
         raise DesignError(f"a run of {steps} steps goes nowhere: ask for at least 1")

@@ -7,7 +7,6 @@ reverse zones after the valley, where eq. 29-30 have the part before it, and wit
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from math import degrees
 from typing import Literal
 
 import numpy as np
@@ -62,8 +61,8 @@ def deflections(
     """The events up to the start of the closing blend, in order, each with its deflection error.
 
     A jump skips the cam from the peak p to p + B (eq. 28); a reverse repeats it from v - B to the valley v (eq.
-    29-30). Both integrals run over the whole of B. The wait in the valley really adds B kappa(v), which differs
-    from eq. 30 in the third power of B; `drive` has it so.
+    29-30). Both integrals run over the whole of B, or over the whole fall if that is shorter. The wait in the valley
+    really adds B kappa(v), which differs from eq. 30 in the third power of B; `drive` has it so.
 
     Args:
         lift: the cam's.
@@ -73,8 +72,11 @@ def deflections(
         play: return error B, rad.
         least: rises and falls of tan(beta) smaller than this are noise, not events.
 
+    Returns:
+        None of them if the lift does not fall before its closing blend: then play does nothing.
+
     Raises:
-        DesignError: the lift has no events, or the play does not fit between them.
+        DesignError: the play is negative or no number.
     """
 
     def event(kind: Literal["jump", "reverse"], angle: float, deflection: float) -> Event:
@@ -83,16 +85,12 @@ def deflections(
 
     events = []
     for peak, valley in follow(lift, play, least=least).falls.tolist():
+        skipped = min(play, valley - peak)
         events += [
-            event("jump", peak, -turning(lift, car, length, peak, peak + play)),
-            event("reverse", valley % TURN, turning(lift, car, length, valley - play, valley)),
+            event("jump", peak, -turning(lift, car, length, peak, peak + skipped)),
+            event("reverse", valley % TURN, turning(lift, car, length, valley - skipped, valley)),
         ]
     events = [one for one in events if one.cam_angle < lift.blend_start]
-    if not events:
-        raise DesignError(
-            f"the lift has no peak and no valley before its closing blend at {degrees(lift.blend_start):.1f} degrees, "
-            f"so play has nothing to act on: give a path that turns more than once, or use the actual profile as it is"
-        )
     return tuple(sorted(events, key=lambda one: one.cam_angle))
 
 

@@ -3,12 +3,13 @@
 The gears leave the cam free between motor position phi (in cam units) and phi + B, B the return error. The
 spring turns it downhill as far as that window and the shape of the lift allow, inertia and friction left aside:
 
-- where the lift rises, the gears push: theta = phi;
-- at a peak the cam **jumps** ahead and then leads: theta = phi + B;
-- in a valley v it **waits**, theta = v, until the gears have taken up the play at phi = v.
+- where the lift rises or is level, the gears push: theta = phi;
+- at a peak, or where a level stretch ends, the cam **jumps** ahead and then leads: theta = phi + B;
+- in a valley v, or where a level stretch begins, it **waits**, theta = v, until the gears have taken up the play at
+  phi = v.
 
 So over a fall from p to v, theta(phi) = min(phi + B, v) for p <= phi < v, and theta = phi elsewhere: exact for any
-lift and any B, for the cam never climbs.
+lift and any B, also where events are closer together than B, for the cam never climbs.
 
 The least lift within the window, its erosion, is not quite this: it would have the cam cross a peak as soon as the
 far side is lower, at phi_1 < p where s(phi_1) = s(phi_1 + B). The two agree outside [phi_1, p] as long as every
@@ -27,18 +28,6 @@ from cadgen.errors import DesignError
 Array = NDArray[np.float64]
 
 
-class WidePlayError(DesignError):
-    """A return error that does not fit between the events of a lift.
-
-    Attributes:
-        what: is wrong, without what to change.
-    """
-
-    def __init__(self, what: str, cure: str) -> None:
-        super().__init__(f"{what}: {cure}")
-        self.what = what
-
-
 TURN = 2 * np.pi
 
 # Rises and falls of tan(beta) below this are noise, not events: 0.01 um of lift, what rolling an outline errs by.
@@ -49,8 +38,9 @@ _ROUNDING = 1e-15  # of tan(beta): a stretch that falls by less is level
 def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
     """Where the lift falls: cam angles of the peak that begins and of the valley that ends each fall.
 
-    A level stretch at a peak belongs to the rise before it (nothing pulls the cam off it), one within a fall to
-    the fall.
+    A fall begins where a level stretch at its peak ends, for nothing pulls the cam off that; it ends where one in
+    its valley begins; and a level stretch within it ends one fall and begins another. Level is what `lift.level` says
+    and, shorter, what is level to rounding beside a rise.
 
     Args:
         lift: any closed lift.
@@ -80,7 +70,30 @@ def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
             angle, height = np.roll(angle, 1), np.roll(height, 1)
     pairs = angle.reshape(-1, 2) % TURN
     pairs[:, 1] = pairs[:, 0] + (pairs[:, 1] - pairs[:, 0]) % TURN
+    pairs = _without_level(pairs, lift.level)
+    pairs -= TURN * np.floor(pairs[:, :1] / TURN)
     return pairs[np.argsort(pairs[:, 0])]
+
+
+def _without_level(pairs: Array, level: Array) -> Array:
+    """Falls less their level stretches; both of shape (n, 2), rad."""
+    for begin, end in level:
+        left = []
+        for peak, valley in pairs:
+            # The stretch as it lies from the peak on, perhaps begun before it.
+            start = peak + (begin - peak) % TURN
+            spans = [(start, start + end - begin), (start - TURN, start - TURN + end - begin)]
+            parts = [(peak, valley)]
+            for a, b in spans:
+                parts = [
+                    part
+                    for p, v in parts
+                    for part in ([(p, v)] if b <= p or a >= v else [(p, min(a, v)), (max(b, p), v)])
+                    if part[1] > part[0]
+                ]
+            left += parts
+        pairs = np.array(left).reshape(-1, 2)
+    return pairs
 
 
 @dataclass(frozen=True)
@@ -132,40 +145,8 @@ def follow(lift: LiftCurve, play: float, *, least: float = LEAST_SWING) -> Follo
             tolerance over the faces' distance.
 
     Raises:
-        DesignError: the play is negative, or not less than the distance between two events up to the start of the
-            closing blend.
+        DesignError: the play is negative or no number.
     """
     if not play >= 0:
         raise DesignError(f"the return error is {degrees(play):g} degrees; it must be 0 or more")
-    found = falls(lift, least)
-    refuse_wide_play(lift, play, found)
-    return Following(lift, play, found)
-
-
-def refuse_wide_play(lift: LiftCurve, play: float, found: Array, *, whole_turn: bool = False) -> None:
-    """Refuse a play that does not fit between the events.
-
-    Args:
-        lift: the cam's.
-        play: B, rad.
-        found: where the lift falls, shape (k, 2), rad.
-        whole_turn: look at events in the closing blend too, which a run up to its start never meets.
-
-    Raises:
-        WidePlayError: the play is above 0 and not less than the distance between two neighbouring events.
-    """
-    if play == 0 or not len(found):
-        return
-    events = np.append(found.ravel(), found[0, 0] + TURN)
-    gaps = np.diff(events)
-    met = (events[:-1] < lift.blend_start) | (events[1:] > TURN) | whole_turn
-    worst = int(np.argmin(np.where(met, gaps, np.inf)))
-    if met[worst] and gaps[worst] <= play:
-        first, second = np.degrees(events[worst : worst + 2]) % 360
-        names = ("valley", "peak") if worst % 2 else ("peak", "valley")
-        cure = "move the waypoints there" if events[worst] < lift.blend_start else "change cam.blend_deg"
-        raise WidePlayError(
-            f"the return error of {degrees(play):.3f} degrees is not less than the {degrees(gaps[worst]):.3f} degrees "
-            f"between the {names[0]} at {first:.1f} degrees and the {names[1]} at {second:.1f} degrees of cam angle",
-            f"take a train with less backlash, or {cure}",
-        )
+    return Following(lift, play, falls(lift, least))

@@ -16,7 +16,7 @@ _INSIDE = 1e-12  # rad; keeps rounding from picking the piece before
 _OVERLAP = 4  # samples repeated at either end, so that slopes at the seam see both sides
 
 
-def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float) -> LiftCurve:
+def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float, level: Array | None = None) -> LiftCurve:
     """Interpolate steering known at cam angles round the turn.
 
     The interpolant is monotone between samples (Fritsch & Carlson 1980), so it has no event that the samples do
@@ -26,6 +26,7 @@ def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float) -> Li
         cam_angle: shape (n,), rad, increasing, within less than one turn.
         tan_beta: steering there, shape (n,).
         blend_start: cam angle from which the path no longer steers, rad.
+        level: where the lift is known to be level, shape (m, 2), rad; what the samples show if left out.
 
     Raises:
         DesignError: too few samples, not increasing, over more than a turn, or not finite.
@@ -51,18 +52,22 @@ def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float) -> Li
     factorials = np.array([6.0, 2.0, 1.0, 1.0])
     taylor = np.stack([curve(at, nu=order) for order in (3, 2, 1, 0)]) / factorials[:, None]
     return LiftCurve(
-        tan_beta=PPoly(taylor, breaks, extrapolate="periodic"), kinks=np.array([]), blend_start=blend_start
+        tan_beta=PPoly(taylor, breaks, extrapolate="periodic"),
+        kinks=np.array([]),
+        blend_start=blend_start,
+        known_level=level,
     )
 
 
-def rolled_lift(contact: Contact, *, blend_start: float) -> LiftCurve:
+def rolled_lift(contact: Contact, wanted: LiftCurve, *, blend_start: float) -> LiftCurve:
     """Lift that a disc really gives: of the rod rolled on its outline.
 
     Args:
         contact: the rod on the outline, at increasing cam angles of one turn.
+        wanted: the lift that the outline was made for; where that is level, what rolling or facets leave is noise.
         blend_start: cam angle from which the path no longer steers, rad.
 
     Raises:
         DesignError: as `sampled_lift`.
     """
-    return sampled_lift(contact.cam_angle, contact.tan_beta, blend_start=blend_start)
+    return sampled_lift(contact.cam_angle, contact.tan_beta, blend_start=blend_start, level=wanted.level)

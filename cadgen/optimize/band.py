@@ -19,6 +19,7 @@ from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.motion.play import LEAST_SWING, TURN, falls
 from cadgen.optimize.compensation import compensated_lift
+from cadgen.optimize.dilation import lost_dips
 from cadgen.steering.car import Car, pace, track_curvature
 
 Array = NDArray[np.float64]
@@ -26,6 +27,7 @@ Array = NDArray[np.float64]
 BAND_PLAYS = 5  # of the band at which errors are reported; the worst lies at an end unless the band is very wide
 _STEPS = 720  # of a run while searching: the end errs by 1e-5 mm
 _TOLERANCE = 1e-6  # rad of play; it moves the worst error by less than a millimetre's hundredth
+_NO_BETTER = 0.1  # mm; where the ends meet they do so within this
 _DIRECTIONS = 720  # in which the bound is taken; each alone is a bound
 
 
@@ -112,15 +114,17 @@ def best_for_band(
         wanted: the lift that the run is compared with; `lift` itself if left out.
 
     Raises:
-        DesignError: the band is not one, or the profile cannot be made for it (see `compensated_lift`).
+        DesignError: the band is not one.
     """
     low, high = _checked(band)
+    tried: list[float] = []
 
     def at(made_for: float, plays: Array) -> BandResult:
         return over_band(compensated_lift(lift, follower, made_for), wanted or lift, car, length, plays, made_for)
 
     @cache
     def ends(made_for: float) -> tuple[float, float]:
+        tried.append(made_for)
         lower, upper = at(made_for, np.array([low, high])).distance.tolist()
         return lower, upper
 
@@ -132,6 +136,10 @@ def best_for_band(
         made_for = (low + high) / 2
     elif lower_end_worse(low) < 0 < lower_end_worse(high):
         made_for = float(brentq(lower_end_worse, low, high, xtol=_TOLERANCE))
+        # Where a dip of the lift is lost to a slightly wider play, the two ends may jump past each other.
+        best = min(tried, key=lambda play: max(ends(play)))
+        if max(ends(best)) < max(ends(made_for)) - _NO_BETTER:
+            made_for = best
     else:
         made_for = min((low, high), key=lambda end: max(ends(end)))
     return at(made_for, np.linspace(low, high, BAND_PLAYS))
@@ -177,7 +185,8 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     """A lower bound, to first order in the band's width, on the worst end of run of one profile for all plays.
 
     It holds for profiles whose lift rises and falls where the wanted one does and which reach its peaks, its valleys
-    and its values where the run starts and stops, and for no others: a flatter profile depends less on play.
+    and its values where the run starts and stops, and for no others: a flatter profile depends less on play, and so
+    does one for another path. Dips narrower than the greatest play count as filled, since no profile gives them back.
     Let f be the turning rate that the profile gives over a fall. With play B the car meets f(phi + B) there; the rises
     it meets unchanged. So between the plays at the band's ends, D apart, the turning differs by f(phi + D) - f(phi),
     whose integral over fall k is D M_k, M_k the rise of the turning rate from peak to valley, whatever f does in
@@ -196,9 +205,10 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     low, high = _checked(band)
     run = drive(lift, car, length)
     stop = lift.blend_start
+    events = _events(lift, high)
     rate = length / TURN
     rises, places = [], []
-    for peak, valley in np.concatenate([falls(lift) - TURN, falls(lift)]):
+    for peak, valley in np.concatenate([events - TURN, events]):
         start, end = max(peak, 0.0), min(valley, stop)
         if start < end:
             tan_beta = lift.tan_beta(np.array([start, end]))
@@ -212,6 +222,21 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
         total += rise * ((run.drive_wheel[-1] - place) @ direction).min(axis=0)
     half = (high - low) / 2
     return Bound(heading=half * sum(rises), distance=half * max(float(total.max()), 0.0))
+
+
+def _events(lift: LiftCurve, play: float) -> Array:
+    """Where the lift falls once the dips narrower than a play are filled, shape (k, 2), rad."""
+    events = falls(lift)
+    while any(whole := [dip.whole for dip in lost_dips(lift, play, events)]) and len(events) > 1:
+        # A filled dip takes the lower of its two peaks with it.
+        number = whole.index(True)
+        after = (number + 1) % len(events)
+        first, second = lift.tan_beta(events[[number, after], 0])
+        turn = TURN if after == 0 else 0.0
+        joined = (events[number, 0], events[after, 1] + turn) if first >= second else events[after]
+        events = np.delete(np.where(np.arange(len(events))[:, None] == after, joined, events), number, axis=0)
+        events = events[np.argsort(events[:, 0])]
+    return events
 
 
 def _checked(band: tuple[float, float]) -> tuple[float, float]:

@@ -14,6 +14,7 @@ cutter cannot take as they are:
   of 0 the kink stays and the rod's own section rounds the profile there.
 """
 
+from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -23,7 +24,8 @@ from scipy.optimize import brentq
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.play import TURN, falls, follow, refuse_wide_play
+from cadgen.motion.play import TURN, falls
+from cadgen.optimize.dilation import rounded_dilation
 from cadgen.optimize.nodes import KINK, SIDE, closed_lift, nodes_between
 
 Array = NDArray[np.float64]
@@ -36,6 +38,29 @@ VALLEY_SHARE = 0.25
 _ROOT = 1e-15  # rad; roots are found to rounding
 # No plateau takes more than this share of the fall that follows it.
 _GREATEST_SHARE = 1 / 16
+# A plateau after a peak that is nearly level itself falls less steeply; below this slope of tan(beta) it would be level
+# (`LiftCurve.level`) and hold the cam.
+_LEAST_TILT = 1e-4
+# A rise of tan(beta) of less than this, 0.2 um of lift, must be level for so wide an angle to end a fall.
+_LEAST_RISE = 1e-5
+_LEAST_LEVEL = np.radians(0.6)
+
+
+@dataclass(frozen=True)
+class _Valley:
+    """How the profile goes from a peak over its plateau, down the shifted fall and up again.
+
+    Attributes:
+        plateau: its nodes and jets.
+        joined: cam angle from which on the profile is the shifted fall, rad.
+        crossing: cam angle at which the shifted fall meets the rise, rad.
+        next_peak: rad.
+    """
+
+    plateau: tuple[Array, Array]
+    joined: float
+    crossing: float
+    next_peak: float
 
 
 def compensated_lift(
@@ -48,77 +73,83 @@ def compensated_lift(
 ) -> LiftCurve:
     """Lift of the cam that gives `lift` back when its train has the return error `play`.
 
-    The closing blend is treated like the rest of the turn, so the result closes as smoothly as `lift` does.
+    Where events are too close together for a plateau and a blend each, the whole lift is dilated on samples
+    (`rounded_dilation`); dips narrower than the play are lost there, since no cam gives them back (`lost_dips`). The
+    closing blend is treated like the rest of the turn, so the result closes as smoothly as `lift` does.
 
     Args:
         lift: the lift wanted, by motor position.
         follower: for the plateau's fall in lift.
-        play: B that the cam is made for, rad; 0 gives `lift` itself.
+        play: B that the cam is made for, rad; 0 gives `lift` itself, and so does a lift that never falls.
         plateau_fall: how far the lift falls over each plateau, mm.
         valley_blend: half the angle over which a quintic rounds each valley, rad; a quarter of the play if left
-            out, and 0 leaves a hollow kink.
+            out, and 0 leaves a hollow kink where there is room for one.
 
     Returns:
         A lift by cam angle. Its blend_start is that of `lift`: the motor position up to which it serves the path.
 
     Raises:
-        DesignError: the lift has no events, the play is not less than the distance between two of them, a fall or
-            rise is too short to hold its plateau or blend, or these are out of range.
+        DesignError: the play is negative or no number, or plateau or blend are out of range.
     """
-    following = follow(lift, play)  # refuses a play that does not fit
-    if not len(following.falls):
-        raise DesignError(
-            "the lift has no peak and no valley, so there is no play to compensate: use the actual profile"
-        )
-    if play == 0:
-        return lift
+    if not play >= 0:
+        raise DesignError(f"the return error is {degrees(play):g} degrees; it must be 0 or more")
     blend = VALLEY_SHARE * play if valley_blend is None else valley_blend
     if not (plateau_fall > 0 and blend >= 0):
         raise DesignError(
             f"a plateau's fall of {plateau_fall:g} mm with a valley blend of {degrees(blend):g} degrees makes no "
             f"profile: the fall must be above 0 and the blend 0 or more"
         )
-    refuse_wide_play(lift, play, following.falls, whole_turn=True)
+    pairs = falls(lift)
+    if play == 0 or not len(pairs):
+        return lift
     cycles = []
-    for number, (peak, valley) in enumerate(following.falls):
-        crossing = _crossing(lift, play, valley)
-        wrapped = number + 1 == len(following.falls)
-        next_peak = following.falls[0, 0] + TURN if wrapped else following.falls[number + 1, 0]
-        joined, plateau = _plateau(lift, follower, play, peak, valley, plateau_fall)
-        if joined >= crossing - blend or crossing + blend >= next_peak:
-            raise DesignError(
-                f"around the valley at {degrees(valley) % 360:.1f} degrees of cam angle there is no room for a "
-                f"return error of {degrees(play):.3f} degrees with a blend of {degrees(2 * blend):.3f} degrees: "
-                f"take a train with less backlash or a smaller blend"
-            )
+    for number in range(len(pairs)):
+        valley = _valley(lift, follower, play, pairs, number, plateau_fall, blend)
+        if valley is None:
+            return rounded_dilation(lift, play, fall=plateau_fall / follower.outer, half_width=VALLEY_SHARE * play)
         cycles += [
-            plateau,
-            nodes_between(lift, joined - play, crossing - blend - play, ahead=play),
-            nodes_between(lift, crossing + blend, next_peak),
+            valley.plateau,
+            nodes_between(lift, valley.joined - play, valley.crossing - blend - play, ahead=play),
+            nodes_between(lift, valley.crossing + blend, valley.next_peak),
         ]
     x, jets = (np.concatenate(part) for part in zip(*cycles, strict=True))
-    result = closed_lift(x, jets, lift.blend_start)
-    if len(falls(result)) != len(following.falls):
-        raise DesignError(
-            f"compensating a return error of {degrees(play):.3f} degrees gives the lift {len(falls(result))} falls "
-            f"where the path has {len(following.falls)}: lower the plateau's fall or the valley's blend"
-        )
-    return result
+    return closed_lift(x, jets, lift.blend_start)
 
 
-def _crossing(lift: LiftCurve, play: float, valley: float) -> float:
-    """Cam angle at which the fall turned ahead by the play meets the rise."""
+def _valley(
+    lift: LiftCurve, follower: Follower, play: float, pairs: Array, number: int, fall: float, blend: float
+) -> _Valley | None:
+    """The profile around a valley, from the peak before it to the one after it; None if there is no room."""
+    peak, valley = (float(angle) for angle in pairs[number])
+    wrapped = number + 1 == len(pairs)
+    next_peak = float(pairs[0, 0]) + TURN if wrapped else float(pairs[number + 1, 0])
+    crossing = _crossing(lift, play, peak, valley, next_peak)
+    if crossing is None:
+        return None
+    joined, plateau, tilted = _plateau(lift, follower, play, peak, valley, fall)
+    risen = float(lift.tan_beta(next_peak) - lift.tan_beta(crossing + blend))
+    ends_fall = risen >= _LEAST_RISE or next_peak - crossing - blend >= _LEAST_LEVEL
+    if tilted and joined < crossing - blend and crossing + blend < next_peak and ends_fall:
+        return _Valley(plateau, joined, crossing, next_peak)
+    return None
+
+
+def _crossing(lift: LiftCurve, play: float, peak: float, valley: float, next_peak: float) -> float | None:
+    """Cam angle at which the fall turned ahead by the play meets the rise; None if it meets none before a peak."""
+    first, last = max(valley, peak + play), min(valley + play, next_peak)
 
     def above(angle: float) -> float:
         return float(lift.tan_beta(angle) - lift.tan_beta(angle - play))
 
-    return float(brentq(above, valley, valley + play, xtol=_ROOT))
+    if first >= last or above(first) >= 0 or above(last) < 0:
+        return None
+    return float(brentq(above, first, last, xtol=_ROOT))
 
 
 def _plateau(
     lift: LiftCurve, follower: Follower, play: float, peak: float, valley: float, fall: float
-) -> tuple[float, tuple[Array, Array]]:
-    """Nodes from the peak over the plateau, and the cam angle at which the shifted fall takes over.
+) -> tuple[float, tuple[Array, Array], bool]:
+    """Cam angle at which the shifted fall takes over, nodes of the plateau, and whether it falls enough.
 
     From a smooth peak with second derivative -k the slope eases to -m as a parabola over 2 m / k, so it never
     turns up. The line then runs to p + B. With tau where the wanted fall has come down as far, a quintic over
@@ -142,4 +173,4 @@ def _plateau(
             [edge, -steepness, 0.0],
         ]
     )
-    return peak + play + 2 * tau, (x, jets)
+    return peak + play + 2 * tau, (x, jets), steepness > _LEAST_TILT

@@ -21,6 +21,7 @@ from cadgen.motion.play import LEAST_SWING, TURN
 from cadgen.motion.sampled import rolled_lift
 from cadgen.optimize.band import BAND_PLAYS, BandResult, Bound, PlayBand, best_for_band, fixed_profile_bound, over_band
 from cadgen.optimize.compensation import compensated_lift
+from cadgen.optimize.dilation import LostDip, lost_dips
 from cadgen.optimize.smoothing import smooth_to
 from cadgen.steering.car import Car
 
@@ -84,6 +85,7 @@ class Judged:
         band: ends of such runs over the train's band.
         lift_error: lift with play beyond the lift wanted along the run, shape (n,), mm.
         least: rises and falls of tan(beta) on `rolled` that are smaller are no events.
+        lost: dips of the lift wanted that are narrower than the play of a compensated profile.
         measured: True for the cam that was on the car when it was measured.
     """
 
@@ -101,6 +103,7 @@ class Judged:
     band: BandResult
     lift_error: Array
     least: float = LEAST_SWING
+    lost: tuple[LostDip, ...] = ()
     measured: bool = False
 
     @property
@@ -133,7 +136,7 @@ def play_to_cut_for(task: Task, band: PlayBand, lift: LiftCurve | None = None) -
         lift: that is to be compensated; the one wanted if left out.
 
     Raises:
-        DesignError: the lift has no events, or a play of the band does not fit them.
+        DesignError: the band is not one.
     """
     if band.measured is not None:
         return band.measured
@@ -155,7 +158,7 @@ def judge(
         play: of `compensated`, if it is known already, rad; `play_to_cut_for` if left out.
 
     Raises:
-        DesignError: the lift has no events, a play of the band does not fit them, or a method cannot be used.
+        DesignError: the band is not one, or a method cannot be used.
     """
     cut_for = play_to_cut_for(task, band) if play is None else play
     planned = task.planned()
@@ -224,12 +227,18 @@ def _judged(task: Task, profile: str, train: str, play: float, band: PlayBand, p
     return _judgement(task, _Cam(profile, train, play, lift, cut, made, contact), band, planned)
 
 
+def _lost(task: Task, cam: _Cam) -> tuple[LostDip, ...]:
+    if not cam.profile.endswith("compensated") or cam.measured:
+        return ()
+    return tuple(dip for dip in lost_dips(task.lift, cam.play) if dip.whole)
+
+
 def _stations() -> Array:
     return np.linspace(0.0, TURN, STATIONS, endpoint=False)
 
 
 def _judgement(task: Task, cam: _Cam, band: PlayBand, planned: Run) -> Judged:
-    rolled = rolled_lift(cam.contact, blend_start=task.lift.blend_start)
+    rolled = rolled_lift(cam.contact, cam.lift, blend_start=task.lift.blend_start)
     least = max(LEAST_SWING, task.as_built.unevenness(measured=cam.measured) / task.follower.inner)
     run = task.run(rolled, cam.play, least=least)
     wanted, got = (task.follower.lift(tangents) for tangents in (planned.tan_beta, run.tan_beta))
@@ -249,5 +258,6 @@ def _judgement(task: Task, cam: _Cam, band: PlayBand, planned: Run) -> Judged:
         band=over_band(rolled, task.lift, task.car, task.length, plays, cam.play, least=least),
         lift_error=got - wanted,
         least=least,
+        lost=_lost(task, cam),
         measured=cam.measured,
     )

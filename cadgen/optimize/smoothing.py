@@ -45,13 +45,13 @@ def smoothed_lift(lift: LiftCurve, depth: float) -> LiftCurve:
             0.45 of that.
 
     Raises:
-        DesignError: the depth is out of range, or the lift has no events.
+        DesignError: the depth is out of range.
     """
     if not 0 <= depth <= _DEEPEST:
         raise DesignError(f"a smoothing depth of {depth:g} is not between 0 and {_DEEPEST:g}: choose one that is")
     events = falls(lift).ravel()
     if not len(events):
-        raise DesignError("the lift has no peak and no valley to bring down: use the actual profile")
+        return lift
     x, jets = nodes_between(lift, events[0], events[0] + TURN, widest=_STEP)
     height = lift.tan_beta(events)
     for number, top in enumerate(height):
@@ -80,10 +80,12 @@ def smooth_to(
         aim: share to take off, such as the paper's 0.2715.
 
     Raises:
-        DesignError: no depth reaches the aim, or the play does not fit the events.
+        DesignError: no depth reaches the aim.
     """
     play = max(play, _LEAST_PLAY)
     plain = deflection_sum(deflections(lift, follower, car, length, play))
+    if plain == 0:
+        return lift
 
     @cache
     def short_of_aim(depth: float) -> float:

@@ -241,7 +241,7 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
     if design.as_built is not None or profile not in _EXACT:
         # What is cut gives the rod of the designed car another lift than the planned one.
         angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
-        lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], blend_start=lift.blend_start)
+        lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
     ratios, teeth = _train(design)
     return Nominal(
         lift=lift,

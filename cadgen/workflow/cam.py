@@ -200,7 +200,7 @@ def plan_cam(
 
     Raises:
         DesignError: the path cannot be driven, the rod leaves no disc, there is no such profile, or nothing is
-            known of the play that it is for, or that play does not fit the path.
+            known of the play that it is for.
         CheckError: no profile keeps the limits of [optimize].
     """
     profile = profile or default_profile(design)

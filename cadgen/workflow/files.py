@@ -132,7 +132,7 @@ class _Job:
             rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
         # Rises and falls within what the file may err by are no events of the path.
         least = max(against.chosen.least, lift_limit_um * 1e-3 / self.plan.rod.inner)
-        lift = rolled_lift(rolled, blend_start=self.plan.lift.blend_start)
+        lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
         heading, distance = against.end_of(lift, least)
         return {"end_heading_deg": degrees(heading), "end_position_mm": distance}
 

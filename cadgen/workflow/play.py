@@ -16,7 +16,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
 from cadgen.motion.drive import Run, start_pose
 from cadgen.motion.errors import run_error
-from cadgen.motion.play import LEAST_SWING
+from cadgen.motion.play import LEAST_SWING, TURN, falls
 from cadgen.optimize.band import Bound, PlayBand
 from cadgen.optimize.choice import Candidate, Limit, choose
 from cadgen.optimize.judge import PROFILES, Judged, Task, bound, judge, judge_measured
@@ -204,7 +204,7 @@ def against_play(
         measured: the cam to compare with on a car as built; the actual profile if left out.
 
     Raises:
-        DesignError: no play is known, or it does not fit the path.
+        DesignError: no play is known.
         CheckError: no profile keeps the limits of [optimize]; says whether one would with the stages in another order.
     """
     bands = known_trains(design)
@@ -225,6 +225,7 @@ def against_play(
             others = {name: band for name, band in bands.items() if name != own}
             raise CheckError(f"{error}{_other_order(design, task, others, check)}") from error
         reasons += choice
+    reasons += _lost_sentences(task, chosen)
     judged = tuple(one for several in found.values() for one in several)
     before = judged[0]
     if measured is not None:
@@ -243,6 +244,13 @@ def against_play(
 
 def _judged(task: Task, profile: str, train: str, band: PlayBand, reasons: list[str]) -> tuple[Judged, ...]:
     """The actual profile and one other, or with `optimized` all that can be made; tells why another cannot."""
+    blend = task.lift.blend_start
+    if profile == "optimized" and not (falls(task.lift) % TURN < blend).any():
+        reasons.append(
+            f"the lift has no peak and no valley before its closing blend at {degrees(blend):.1f}°, so play changes "
+            f"nothing: the actual profile is made"
+        )
+        return judge(task, train, band, PROFILES[:1])
     if profile != "optimized":
         return judge(task, train, band, tuple(dict.fromkeys((PROFILES[0], profile))))
     judged = judge(task, train, band, _ALWAYS)
@@ -251,6 +259,19 @@ def _judged(task: Task, profile: str, train: str, band: PlayBand, reasons: list[
     except DesignError as error:
         reasons.append(f"smoothed refused: {error}")
         return judged
+
+
+def _lost_sentences(task: Task, one: Judged) -> list[str]:
+    """What a profile cannot give back because events are closer together than the play, in words."""
+    if not one.lost:
+        return []
+    worst = max(one.lost, key=lambda dip: dip.tan_beta)
+    missed = worst.tan_beta * task.follower.outer
+    return [
+        f"{len(one.lost)} of the lift's dips {'is' if len(one.lost) == 1 else 'are'} narrower than the return error of "
+        f"{degrees(one.play):.3f}° and cannot be driven: the rod misses at most {missed:.3g} mm of "
+        f"lift there, at cam angle {degrees(worst.cam_angle):.2f}°"
+    ]
 
 
 def _other_order(design: Design, task: Task, bands: dict[str, PlayBand], check: Checker) -> str:

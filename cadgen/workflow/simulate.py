@@ -9,13 +9,11 @@ from typing import Any
 import numpy as np
 
 from cadgen.design.schema import Design
-from cadgen.errors import DesignError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_facts, versions, write_manifest
 from cadgen.export.tracks import write_tracks
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflected, deflection_sum, deflections, run_error
-from cadgen.motion.play import WidePlayError
 from cadgen.optimize.judge import Judged
 from cadgen.report.errors import draw_events
 from cadgen.report.lift import LiftPicture, draw_lift
@@ -100,7 +98,7 @@ def simulate(
         step: told what is being done.
 
     Raises:
-        DesignError: as `plan_cam`, or the play does not fit the path.
+        DesignError: as `plan_cam`, or the play is negative.
         CheckError: no profile keeps the limits of [optimize].
     """
     plan = plan_cam(design, profile, step)
@@ -108,11 +106,8 @@ def simulate(
     play = against.chosen.play if play_deg is None else radians(play_deg)
     task = against.task
     step("running the car")
-    try:
-        before, after = (against.run(one, play) for one in (against.before, against.chosen))
-        events = deflections(against.before.lift, task.follower, task.car, task.length, play)
-    except WidePlayError as error:
-        raise error if play_deg is None else DesignError(f"{error.what}: lower --play-deg") from error
+    before, after = (against.run(one, play) for one in (against.before, against.chosen))
+    events = deflections(against.before.lift, task.follower, task.car, task.length, play)
     return Simulation(plan, against, play, task.planned(), before, after, events)
 
 

@@ -118,9 +118,6 @@ def test_tolerance_fits_the_terminal_and_draws_on_request(cadgen, tmp_path):
 @pytest.mark.parametrize(
     ("command", "design", "overrides", "code", "words"),
     [
-        ("cam", "carbon_free_car", ["play.measured_deg=27"], 2, "the valley at 240.6 degrees and the peak at 266.5"),
-        ("simulate", "straight.toml", [], 2, "no peak and no valley"),
-        ("cam", "straight.toml", [], 2, "no peak and no valley"),
         ("tolerance", "plain.toml", [], 2, "says nothing of the gears' play"),
         ("simulate", "carbon_free_car", ["optimize.max_end_heading_deg=1"], 1, "degrees more than the 1 allowed"),
         ("simulate", "carbon_free_car --play-deg nan", [], 2, "nan is not a finite number"),

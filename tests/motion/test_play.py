@@ -129,15 +129,25 @@ def test_refuses_a_play_that_is_none(carbon_free_car, play):
         follow(carbon_free_car.lift, play)
 
 
-def test_refuses_a_play_wider_than_the_events(carbon_free_car):
-    """The valley at 240.6 and the peak at 266.5 degrees are the closest."""
-    follow(carbon_free_car.lift, np.radians(25.9))
-    with pytest.raises(
-        DesignError, match=r"25\.961 degrees between the valley at 240\.6 degrees and the peak at 266\.5"
-    ):
-        follow(carbon_free_car.lift, np.radians(26.0))
+def test_a_level_stretch_ends_a_fall():
+    """A straight run between two turns: nothing pulls the cam across it, so the gears take it up and it jumps after."""
+    lift = stepped([1.0, 0.5, 0.5, 0.0, 0.5])
+    fifth = TURN / 5
+    np.testing.assert_allclose(falls(lift), [[0.0, fifth], [2 * fifth, 3 * fifth]], atol=1e-12)
+    stands = follow(lift, 0.1).cam_angle(np.array([0.5 * fifth, fifth - 0.01, 1.5 * fifth, 2 * fifth + 1e-9]))
+    np.testing.assert_allclose(stands, [0.5 * fifth + 0.1, fifth, 1.5 * fifth, 2 * fifth + 0.1], atol=1e-8)
 
 
-def test_events_within_the_blend_bind_nothing_the_run_meets(appendix_car):
-    """Its blend has a valley at 349.9 and a peak at 358.5 degrees, 8.6 apart; the run ends before them."""
-    follow(appendix_car.lift, np.radians(10.0))
+def test_a_level_stretch_across_the_start_is_met_once():
+    lift = stepped([0.5, 0.0, 1.0, 0.5])
+    np.testing.assert_allclose(lift.level, [[TURN * 3 / 4, TURN]], atol=1e-12)
+    np.testing.assert_allclose(falls(lift), [[0.0, TURN / 4], [TURN / 2, TURN * 3 / 4]], atol=1e-12)
+
+
+def test_a_play_wider_than_events_are_apart(carbon_free_car):
+    """The valley at 240.6 and the peak at 266.5 degrees are the closest: 26 degrees of play reach over both."""
+    lift, play, steps = carbon_free_car.lift, np.radians(30.0), 36000
+    motor, cam = step_by_step(lift, play, steps, turns=2)
+    mine = follow(lift, play).cam_angle(motor)
+    apart = np.abs(mine - cam)[steps:] > 1.5 * TURN / steps
+    assert apart.sum() <= len(falls(lift))
