@@ -275,7 +275,7 @@ def _blend(
     off = list(zip(np.abs(error[within]).tolist(), contact.cam_angle[within].tolist(), strict=True))
     if lost or off:
         value, angle = max(lost + off)
-        place = f"{_at(angle)}, not driven"
+        place = f"{_at(angle)}, where the car does not drive"
     checks = [Check("lift not given, blend", value * 1e3, "µm", inf, "max", place)]
     rising = lift.tan_beta(contact.cam_angle, nu=1) >= 0
     angles = np.abs(contact.pressure_angle)
@@ -292,7 +292,7 @@ def _blend(
                 "°",
                 float(np.degrees(max(LOCKING_ANGLE, usual))),
                 "max",
-                f"{_at(contact.cam_angle[worst])}, not driven" if mine.any() else "none",
+                _at(contact.cam_angle[worst]) if mine.any() else "none",
                 "on so steep a flank the rod locks when the cam is turned on to its start: "
                 f"{_soften(lift, lift.blend_start)} or raise cam.base_radius_mm",
             )
