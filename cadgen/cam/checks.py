@@ -264,9 +264,7 @@ def _contact(
     return checks
 
 
-def _blend(
-    lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], limits: CheckLimits
-) -> list[Check]:
+def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], limits: CheckLimits) -> list[Check]:
     """What the closing blend does, where the car does not drive: refused only where the rod would lock."""
     within = lift.in_blend(contact.cam_angle)
     place, value = _at(lift.blend_start), 0.0
@@ -301,7 +299,7 @@ def _blend(
 
 
 def _rod_reach(follower: Follower, theta: Array, steering: Array, limits: CheckLimits) -> Check:
-    """The rod must cross the whole rim: its end lies beyond the outer face at every steering angle, tan shape (2, n)."""
+    """The rod must cross the whole rim: its end lies beyond the outer face at every steering, shape (2, n)."""
     T = np.abs(steering).max(axis=0)
     # Of the end's rim, the point nearest to the fork lies r sin(beta) nearer than its centre.
     beyond = limits.rod_length / np.sqrt(1 + T**2) - follower.radius * T / np.sqrt(1 + T**2)
@@ -318,7 +316,7 @@ def _rod_reach(follower: Follower, theta: Array, steering: Array, limits: CheckL
 
 
 def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: CamBlank) -> list[Check]:
-    """The rod passes above the hub as well as above the disc, at tan(beta) of shape (2, n)."""
+    """The rod passes above the hub as well as above the disc, at every steering, shape (2, n)."""
     if blank.hub is None:
         return []
     ends = {

@@ -160,7 +160,9 @@ class _Ring:
             ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
             slope = (ahead - behind) / (2 * step)
             angle = np.arctan2(slope, u + follower.base_radius)
-            return np.stack([u / carrying, carrying, np.zeros_like(u), angle, follower.thickness * np.abs(u / carrying)])
+            return np.stack(
+                [u / carrying, carrying, np.zeros_like(u), angle, follower.thickness * np.abs(u / carrying)]
+            )
         first = np.searchsorted(self.angle, theta - self.window)
         last = np.searchsorted(self.angle, theta + self.window)
         # Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.

@@ -55,7 +55,7 @@ class Exact:
         return roll(self.outline, self.follower, self.stations).lift
 
     def greatest_difference(self, outline: Outline) -> float:
-        """The greatest difference of lift of another outline, in size, mm: true within a hundredth and what rolling errs.
+        """The greatest difference of lift of another outline, in size, mm: within a hundredth and what rolling errs.
 
         Raises:
             DesignError: the outline does not enclose the camshaft or is not star-shaped about it.
