@@ -12,7 +12,7 @@ class Check:
         name: what is checked.
         value: the figure, in `unit`.
         unit: of value and limit.
-        limit: the bound.
+        limit: the bound; infinite for a figure that is shown and not judged.
         bound: `max` if the value must not exceed the limit, `min` if it must reach it.
         place: where the figure occurs.
         advice: what to change if it fails; empty if there is nothing to say.

@@ -4,13 +4,14 @@ Values here are for people: each carries its own unit (mm, degrees, micrometres)
 """
 
 from dataclasses import dataclass
+from math import inf, radians
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.cam.blank import CamBlank
 from cadgen.cam.check import Check
-from cadgen.cam.contact import Contact, roll, roll_curve
+from cadgen.cam.contact import ROLLING_TOLERANCE, Contact, roll, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
@@ -27,6 +28,11 @@ STATIONS = 3600  # one per 0.1 degree of cam angle
 # Where the exact envelope is not trimmed, the rod must neither be pushed out (the wanted place would cut into the
 # disc) nor fall short (there would be a gap); this is ten times what rolling errs.
 CONTACT_LIMIT_UM = 0.2
+# In the closing blend the car does not drive, so a blend is only refused where it would lock: a rod that a flank drives
+# outwards is held by friction from arctan(1 / mu) on, 73 degrees at mu = 0.3, the greatest of metal on metal with a
+# trace of oil. Where the spring drives it back nothing locks, and the 70 degrees are the strict end of the return
+# stroke's limits.
+LOCKING_ANGLE = radians(70)
 # Relative to the curve's own largest value; the second derivative carries rounding of some 1e-8 where nodes are
 # close together, and a jump above this would turn the outline by a microradian.
 CLOSURE_LIMIT = 1e-6
@@ -55,11 +61,19 @@ class CheckLimits:
 
 @dataclass(frozen=True)
 class Loss:
-    """Lift that the profile cannot give near a trim: mm at the worst cam angle, rad."""
+    """Lift that the profile cannot give near a trim.
+
+    Attributes:
+        trim: where the envelope was trimmed.
+        lift: that is missing at the worst cam angle, mm.
+        cam_angle: the worst one, rad.
+        driven: whether the path steers there, and not the closing blend.
+    """
 
     trim: Trim
     lift: float
     cam_angle: float
+    driven: bool
 
 
 def cam_angles(lift: LiftCurve) -> Array:
@@ -70,6 +84,8 @@ def cam_angles(lift: LiftCurve) -> Array:
 
 def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outline: Outline) -> list[Loss]:
     """The greatest lift missing between the two cam angles of each trim, by rolling the rod there.
+
+    A trim that reaches from the path into the closing blend counts in each of the two.
 
     Args:
         lift: the steering wanted.
@@ -83,8 +99,11 @@ def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outl
         inside = lift.kinks[(lift.kinks - trim.before) % _TURN < width]
         theta = np.concatenate([trim.before + np.linspace(0.0, 1.0, 65) * width, inside])
         missing = follower.lift(lift.tan_beta(theta)) - roll(outline, follower, theta).lift
-        worst = int(np.argmax(missing))
-        losses.append(Loss(trim, float(missing[worst]), float(theta[worst] % _TURN)))
+        blended = lift.in_blend(theta)
+        for driven, mine in ((True, ~blended), (False, blended)):
+            if mine.any():
+                worst = int(np.argmax(np.where(mine, missing, -inf)))
+                losses.append(Loss(trim, float(missing[worst]), float(theta[worst] % _TURN), driven))
     return losses
 
 
@@ -113,14 +132,18 @@ def check_cam(
     contact, step = roll_curve(curve, follower, theta)
     outline = curve.outline(step)
     losses = lost_lift(lift, follower, trims, outline)
+    driven = [loss for loss in losses if loss.driven]
     wanted = follower.lift(lift.tan_beta(theta))
+    # Where the blend does not give its lift the rod stands elsewhere, and must be held there as well.
+    steering = np.stack([lift.tan_beta(theta), np.where(lift.in_blend(theta), contact.tan_beta, lift.tan_beta(theta))])
     return (
         *_pressure(lift, contact, limits),
-        *_curvature(lift, follower, curve, losses, limits),
-        *_undercut(lift, losses, limits),
+        *_curvature(lift, follower, curve, driven, limits),
+        *_undercut(lift, driven, limits),
         *_contact(lift, follower, contact, contact.lift - wanted, trims),
-        _rod_reach(lift, follower, theta, limits),
-        *_hub_clearance(lift, follower, theta, blank),
+        *_blend(lift, contact, contact.lift - wanted, losses, limits),
+        _rod_reach(follower, theta, steering, limits),
+        *_hub_clearance(follower, theta, steering, blank),
         _cutter(cut or curve, limits),
         _wall(blank, outline, limits),
         *_closure(lift),
@@ -128,12 +151,12 @@ def check_cam(
 
 
 def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Check]:
-    rising = lift.tan_beta(contact.cam_angle, nu=1) >= 0
+    rising, driven = lift.tan_beta(contact.cam_angle, nu=1) >= 0, ~lift.in_blend(contact.cam_angle)
     angle = np.degrees(np.abs(contact.pressure_angle))
     checks = []
     for name, mine, limit in (
-        ("pressure angle, rise", rising, limits.pressure_angle.rise),
-        ("pressure angle, return", ~rising, limits.pressure_angle.fall),
+        ("pressure angle, rise", rising & driven, limits.pressure_angle.rise),
+        ("pressure angle, return", ~rising & driven, limits.pressure_angle.fall),
     ):
         value = np.where(mine, angle, 0.0)
         worst = int(np.argmax(value))
@@ -205,8 +228,9 @@ def _undercut(lift: LiftCurve, losses: list[Loss], limits: CheckLimits) -> list[
 def _contact(
     lift: LiftCurve, follower: Follower, contact: Contact, error: Array, trims: tuple[Trim, ...]
 ) -> list[Check]:
-    # Where the envelope is trimmed lift is lost, which has checks of its own, and either face may carry.
-    trimmed = np.zeros(len(error), dtype=bool)
+    # Where the envelope is trimmed lift is lost, and the blend does not drive: both have checks of their own.
+    trimmed = lift.in_blend(contact.cam_angle)
+    error = np.where(trimmed, 0.0, error)
     for trim in trims:
         trimmed |= (contact.cam_angle - trim.before) % _TURN <= (trim.after - trim.before) % _TURN
     checks = []
@@ -224,7 +248,7 @@ def _contact(
             )
         )
     due = follower.contact_face(lift.tan_beta(contact.cam_angle))
-    wrong = (contact.face != due) & ~trimmed
+    wrong = (contact.face != due) & (contact.margin > ROLLING_TOLERANCE) & ~trimmed
     inner = float(np.mean(contact.face == follower.inner)) * 100
     checks.append(
         Check(
@@ -240,11 +264,45 @@ def _contact(
     return checks
 
 
-def _rod_reach(lift: LiftCurve, follower: Follower, theta: Array, limits: CheckLimits) -> Check:
-    """The rod must cross the whole rim: its end lies beyond the outer face at every steering angle."""
-    T = lift.tan_beta(theta)
+def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], limits: CheckLimits) -> list[Check]:
+    """What the closing blend does, where the car does not drive: refused only where the rod would lock."""
+    within = lift.in_blend(contact.cam_angle)
+    place, value = _at(lift.blend_start), 0.0
+    # Corners lie between the stations.
+    lost = [(loss.lift, loss.cam_angle) for loss in losses if not loss.driven]
+    off = list(zip(np.abs(error[within]).tolist(), contact.cam_angle[within].tolist(), strict=True))
+    if lost or off:
+        value, angle = max(lost + off)
+        place = f"{_at(angle)}, where the car does not drive"
+    checks = [Check("lift not given, blend", value * 1e3, "µm", inf, "max", place)]
+    rising = lift.tan_beta(contact.cam_angle, nu=1) >= 0
+    angles = np.abs(contact.pressure_angle)
+    for name, mine, usual in (
+        ("pressure angle, blend rise", within & rising, limits.pressure_angle.rise),
+        ("pressure angle, blend return", within & ~rising, limits.pressure_angle.fall),
+    ):
+        size = np.where(mine, angles, 0.0)
+        worst = int(np.argmax(size))
+        checks.append(
+            Check(
+                name,
+                float(np.degrees(size[worst])),
+                "°",
+                float(np.degrees(max(LOCKING_ANGLE, usual))),
+                "max",
+                _at(contact.cam_angle[worst]) if mine.any() else "none",
+                "on so steep a flank the rod locks when the cam is turned on to its start: "
+                f"{_soften(lift, lift.blend_start)} or raise cam.base_radius_mm",
+            )
+        )
+    return checks
+
+
+def _rod_reach(follower: Follower, theta: Array, steering: Array, limits: CheckLimits) -> Check:
+    """The rod must cross the whole rim: its end lies beyond the outer face at every steering, shape (2, n)."""
+    T = np.abs(steering).max(axis=0)
     # Of the end's rim, the point nearest to the fork lies r sin(beta) nearer than its centre.
-    beyond = limits.rod_length / np.sqrt(1 + T**2) - follower.radius * np.abs(T) / np.sqrt(1 + T**2)
+    beyond = limits.rod_length / np.sqrt(1 + T**2) - follower.radius * T / np.sqrt(1 + T**2)
     worst = int(np.argmin(beyond))
     return Check(
         "rod past the rim",
@@ -257,16 +315,16 @@ def _rod_reach(lift: LiftCurve, follower: Follower, theta: Array, limits: CheckL
     )
 
 
-def _hub_clearance(lift: LiftCurve, follower: Follower, theta: Array, blank: CamBlank) -> list[Check]:
-    """The rod passes above the hub as well as above the disc."""
+def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: CamBlank) -> list[Check]:
+    """The rod passes above the hub as well as above the disc, at every steering, shape (2, n)."""
     if blank.hub is None:
         return []
-    T = lift.tan_beta(theta)
     ends = {
         "outer": (follower.outer, follower.outer + blank.hub.length),
         "inner": (follower.inner - blank.hub.length, follower.inner),
     }[blank.hub.side]
-    nearest = np.min([follower.base_radius + w * T for w in ends], axis=0) - follower.radius * np.sqrt(1 + T**2)
+    nearest = np.min([follower.base_radius + w * steering for w in ends], axis=0)
+    nearest = (nearest - follower.radius * np.sqrt(1 + steering**2)).min(axis=0)
     worst = int(np.argmin(nearest))
     return [
         Check(

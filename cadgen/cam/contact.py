@@ -42,6 +42,8 @@ class Contact:
         tan_beta: of the steering angle that results.
         lift: s, mm.
         face: lateral distance of the face that carries the rod, mm.
+        margin: lift by which that face lifts the rod further than the other face alone would, mm; where it is no
+            more than `ROLLING_TOLERANCE` either face may be the one that carries.
         across: y of the contact point, mm, ahead in the sense of growing polar angle.
         pressure_angle: between the force on the rod and the velocity of its axis, rad; positive where the
             outline rises under the rod. The axis moves horizontally and the force is square to it, so
@@ -52,6 +54,7 @@ class Contact:
     tan_beta: Array
     lift: Array
     face: Array
+    margin: Array
     across: Array
     pressure_angle: Array
 
@@ -76,7 +79,7 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
         step /= 2
         finer = roll(curve.outline(step), follower, cam_angle[pending])
         changed = np.abs(finer.lift - contact.lift[pending]) > ROLLING_TOLERANCE
-        for name in ("tan_beta", "lift", "face", "across", "pressure_angle"):
+        for name in ("tan_beta", "lift", "face", "margin", "across", "pressure_angle"):
             getattr(contact, name)[pending] = getattr(finer, name)
         pending = pending[changed]
     return contact, step
@@ -107,8 +110,8 @@ def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
     best = np.concatenate(
         [ring.rest(block) for block in np.split(cam_angle, range(_BLOCK, len(cam_angle), _BLOCK))], axis=1
     )
-    tan_beta, face, across, pressure_angle = best
-    return Contact(cam_angle, tan_beta, follower.lift(tan_beta), face, across, pressure_angle)
+    tan_beta, face, across, pressure_angle, margin = best
+    return Contact(cam_angle, tan_beta, follower.lift(tan_beta), face, margin, across, pressure_angle)
 
 
 @dataclass(frozen=True)
@@ -146,7 +149,7 @@ class _Ring:
         return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], reach)
 
     def rest(self, theta: Array) -> Array:
-        """tan(beta), carrying face, contact's y and pressure angle at each cam angle, shape (4, n)."""
+        """tan(beta), carrying face, contact's y, pressure angle and margin at each cam angle, shape (5, n)."""
         theta = self.angle[0] + (theta - self.angle[0]) % _TURN
         theta = np.where(theta < self.angle[0] + self.window, theta + _TURN, theta)
         follower = self.follower
@@ -156,7 +159,10 @@ class _Ring:
             step = 1e-4  # rad; well above rounding, well below any feature
             ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
             slope = (ahead - behind) / (2 * step)
-            return np.stack([u / carrying, carrying, np.zeros_like(u), np.arctan2(slope, u + follower.base_radius)])
+            angle = np.arctan2(slope, u + follower.base_radius)
+            return np.stack(
+                [u / carrying, carrying, np.zeros_like(u), angle, follower.thickness * np.abs(u / carrying)]
+            )
         first = np.searchsorted(self.angle, theta - self.window)
         last = np.searchsorted(self.angle, theta + self.window)
         # Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
@@ -172,7 +178,8 @@ class _Ring:
             needed = np.where(under, _clearing(x - follower.base_radius, h, face), -np.inf)
             results.append(self._refine(needed, y, first, face))
         inner, outer = results
-        return np.where(inner[0] >= outer[0], inner, outer)
+        best = np.where(inner[0] >= outer[0], inner, outer)
+        return np.vstack([best, best[1] * np.abs(inner[0] - outer[0])])
 
     def _refine(self, needed: Array, y: Array, first: NDArray[np.intp], face: float) -> Array:
         """The greatest tan(beta) between the samples: parabolas through three neighbours of one piece."""

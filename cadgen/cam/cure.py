@@ -41,7 +41,7 @@ class Change:
 
 
 def worst_loss(lift: LiftCurve, follower: Follower) -> float:
-    """Greatest lift that the exact envelope for this rod cannot give, mm."""
+    """Greatest lift that the exact envelope for this rod cannot give where the path steers, mm."""
     try:
         profile = actual_profile(lift, follower)
     except DesignError:
@@ -49,7 +49,8 @@ def worst_loss(lift: LiftCurve, follower: Follower) -> float:
     if not profile.trims:
         return 0.0
     outline = profile.curve.outline(min(COARSEST_STEP, follower.radius / _POINTS_PER_RADIUS))
-    return max(loss.lift for loss in lost_lift(lift, follower, profile.trims, outline))
+    losses = lost_lift(lift, follower, profile.trims, outline)
+    return max((loss.lift for loss in losses if loss.driven), default=0.0)
 
 
 def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[Change, ...]:

@@ -8,7 +8,8 @@ sec. 6.1):
     (d' - A' cos eta + r sin eta) r cos eta + (d - A cos eta) A sin eta = 0.
 At a kink of the lift that is hollow, the rod's own section joins the two envelopes; at one that is convex the two
 cross and the part beyond the crossing is lost. The disc that no section cuts is the smallest of all branches at
-each polar angle.
+each polar angle (`cadgen.cam.lowest`). Where beta is zero over a stretch both faces' envelopes coincide, and neither
+is left for the other by rounding alone.
 """
 
 from dataclasses import dataclass, replace
@@ -17,9 +18,11 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.lowest import SAME, lowest_branches
 from cadgen.cam.theoretical import rod_half_width, span_jets
 from cadgen.curves.closed import ClosedCurve, Jet, cross, piece_at_angle, polar_angle
 from cadgen.errors import DesignError
@@ -29,9 +32,11 @@ Array = NDArray[np.float64]
 _TURN = 2 * np.pi
 _SAMPLES = 3600  # of a turn: folds and crossings closer together than 0.1 degree count as one
 _NEWTON_STEPS = 20
-_MEET = 1e-6  # mm; branches that cross do so to rounding
 _CONVERGED = 1e-13  # rad; Newton's method has doubled its digits past rounding
 _JOINT = 1e-9  # rad; two branches that end and begin within this meet, they do not cross
+# rad; between cam angles closer together than this no lift can be lost that would show: the curvature of the lift
+# times the square of it, 1e-10 mm.
+_NO_TRIM = 1e-6
 
 
 @dataclass(frozen=True)
@@ -168,33 +173,44 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
         if covered.size:
             t = piece_at_angle(branch, cells[covered])
             radii[number, covered] = np.linalg.norm(branch.jet(t).point, axis=1)
-    owner = np.argmin(radii, axis=0)
-
-    # Walk once round from a cell where the owner changes; each change is a joint or a crossing.
-    changes = np.flatnonzero(owner != np.roll(owner, 1))
-    if not changes.size:
-        return ActualProfile(ClosedCurve((branches[owner[0]],)), ())
-    stops: dict[int, float] = {}
-    begins: list[tuple[int, float]] = []
+    runs = lowest_branches(radii, _continuations(branches, starts, spans))
+    if len(runs) == 1:
+        return ActualProfile(ClosedCurve((branches[runs[0].branch],)), ())
+    begins: list[float] = []
+    stops: list[float] = []
     trims = []
-    for place, cell in enumerate(changes):
-        before, after = branches[owner[cell - 1]], branches[owner[cell]]
+    for left, run in zip(runs[-1:] + runs, runs, strict=False):
+        before, after, near = branches[left.branch], branches[run.branch], edges[run.cell]
         ends = np.array([_angle(before, before.stop), _angle(after, after.start)])
-        gaps = (ends - edges[cell] + np.pi) % _TURN - np.pi
+        gaps = (ends - near + np.pi) % _TURN - np.pi
         if np.abs(gaps).max() < 2 * _JOINT:
             leave, enter = before.stop, after.start
         else:
-            leave, enter = _crossing(before, after, edges[cell])
+            low = cells[run.cell - 1] if np.isfinite(radii[run.branch, run.cell - 1]) else near
+            high = cells[run.cell] if np.isfinite(radii[left.branch, run.cell]) else near
+            # The last cell comes before the first one.
+            leave, enter = _crossing(before, after, (near - (near - low) % _TURN, near + (high - near) % _TURN), near)
             _refuse_overhang(lift, before, after, leave, enter)
-            trims.append(_trim(lift, before, after, leave, enter))
-        stops[(place - 1) % len(changes)] = leave
-        begins.append((owner[cell], enter))
+            if (trim := _trim(lift, before, after, leave, enter)) is not None:
+                trims.append(trim)
+        begins.append(enter)
+        stops.append(leave)
     pieces = []
-    for place, (number, enter) in enumerate(begins):
-        stop = stops[place]
-        # Without kinks one branch covers the whole turn, and a piece of it may run through its end.
-        pieces.append(replace(branches[number], start=enter, stop=stop if stop > enter else stop + _TURN))
+    for run, enter, stop in zip(runs, begins, stops[1:] + stops[:1], strict=True):
+        branch = branches[run.branch]
+        if stop <= enter and branch.stop - branch.start > _TURN - _JOINT:
+            stop += _TURN  # without kinks one branch covers the whole turn, and a piece of it may run through its end
+        if stop > enter:
+            pieces.append(replace(branch, start=enter, stop=stop))
     return ActualProfile(ClosedCurve(tuple(pieces)), tuple(trims))
+
+
+def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[int, int]:
+    """For each branch the one of the same face that begins where it ends."""
+    apart = ((starts + spans)[:, None] - starts + np.pi) % _TURN - np.pi
+    faces = np.array([branch.face for branch in branches])
+    follows = (np.abs(apart) < 2 * _JOINT) & (faces[:, None] == faces)
+    return {int(number): int(after) for number, after in zip(*np.nonzero(follows), strict=True)}
 
 
 def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
@@ -233,22 +249,50 @@ def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
     return [replace(span, start=float(a), stop=float(b)) for a, b, k in zip(edges, edges[1:], keep, strict=False) if k]
 
 
-def _crossing(before: Branch, after: Branch, near: float) -> tuple[float, float]:
-    """Parameters at which two branches meet, by Newton's method from a polar angle nearby."""
+def _crossing(before: Branch, after: Branch, bracket: tuple[float, float], near: float) -> tuple[float, float]:
+    """Parameters at which two branches meet between two polar angles.
+
+    Newton's method, or, where that fails because they are nearly parallel, a bracketing search on the difference of
+    their radii; where there is no crossing either, the end of the bracket at which they are closest.
+    """
     t = np.array([piece_at_angle(b, np.array([near]))[0] for b in (before, after)])
     for _ in range(_NEWTON_STEPS):
         a, b = before.jet(t[:1]), after.jet(t[1:])
-        step = np.linalg.solve(np.stack([a.velocity[0], -b.velocity[0]], axis=1), (a.point - b.point)[0])
+        system = np.stack([a.velocity[0], -b.velocity[0]], axis=1)
+        if np.linalg.det(system) == 0:
+            break
+        step = np.linalg.solve(system, (a.point - b.point)[0])
         t = np.clip(t - step, [before.start, after.start], [before.stop, after.stop])
         if np.abs(step).max() < _CONVERGED:
+            points = np.concatenate([before.jet(t[:1]).point, after.jet(t[1:]).point])
+            off = (polar_angle(points) - bracket[0] + np.pi) % _TURN - np.pi
+            inside = np.all((off > -_JOINT) & (off < bracket[1] - bracket[0] + _JOINT))
+            if inside and np.abs(points[0] - points[1]).max() < SAME:
+                return float(t[0]), float(t[1])
             break
-    return float(t[0]), float(t[1])
+    return _bisected(before, after, bracket)
+
+
+def _bisected(before: Branch, after: Branch, bracket: tuple[float, float]) -> tuple[float, float]:
+    """Parameters of the one polar angle in a bracket at which the radii of two branches agree best."""
+
+    def parameters(angle: float) -> tuple[float, float]:
+        return tuple(float(piece_at_angle(branch, np.array([angle]))[0]) for branch in (before, after))
+
+    def difference(angle: float) -> float:
+        points = [b.jet(np.array([t])).point[0] for b, t in zip((before, after), parameters(angle), strict=True)]
+        return float(np.linalg.norm(points[0]) - np.linalg.norm(points[1]))
+
+    ends = [difference(angle) for angle in bracket]
+    if ends[0] < 0 < ends[1]:
+        return parameters(float(brentq(difference, *bracket, xtol=_CONVERGED)))
+    return parameters(bracket[int(np.argmin(np.abs(ends)))])
 
 
 def _refuse_overhang(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> None:
     """Branches that do not meet leave a wall along the ray between them, which no rod can climb."""
     points = [b.jet(np.array([t])).point[0] for b, t in ((before, leave), (after, enter))]
-    if np.abs(points[0] - points[1]).max() < _MEET:
+    if np.abs(points[0] - points[1]).max() < 2 * SAME:
         return
     theta = (after.theta if isinstance(after, RodArc) else enter) % _TURN
     in_blend = theta >= lift.blend_start
@@ -259,8 +303,12 @@ def _refuse_overhang(lift: LiftCurve, before: Branch, after: Branch, leave: floa
     )
 
 
-def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> Trim:
+def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> Trim | None:
+    """The trim at a crossing; None where nothing is lost because the branches coincide."""
     angles = [b.theta if isinstance(b, RodArc) else t for b, t in ((before, leave), (after, enter))]
+    width = (angles[1] - angles[0] + np.pi) % _TURN - np.pi
+    if width < _NO_TRIM:
+        return None
     point = before.jet(np.array([leave])).point[0]
     kind: Literal["face change", "local", "global"] = "local"
     if before.face != after.face:

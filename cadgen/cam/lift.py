@@ -14,6 +14,9 @@ from cadgen.path.hermite import quintic_hermite
 Array = NDArray[np.float64]
 
 _TURN = 2 * np.pi
+# rad; a shorter piece before the blend is a share of the open curve's own polynomial: from values and derivatives at
+# its two ends its second derivative would err by the rounding of a value over the square of its length, 1e-8 here.
+_SHORT = 1e-4
 _KINK = 1e-6  # a jump of d tan(beta)/d theta below this turns the outline by less than 1e-6 rad: no kink
 # A stretch of at least this angle over which tan(beta) stays within the second figure is level: the second is 0.01 um
 # of lift, what rolling an outline errs by, and a smooth peak stays within it over so wide an angle only if its second
@@ -38,6 +41,10 @@ class LiftCurve:
     kinks: Array
     blend_start: float
     known_level: Array | None = None
+
+    def in_blend(self, cam_angle: Array) -> NDArray[np.bool_]:
+        """Whether the closing blend, where the car does not drive, steers at cam angles, rad."""
+        return np.asarray(np.asarray(cam_angle) % _TURN > self.blend_start)
 
     @cached_property
     def stations(self) -> tuple[Array, Array]:
@@ -119,9 +126,14 @@ def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftC
     open_curve = quintic_hermite(theta, jets)
     start = _TURN - blend
     driven = theta < start
-    at_start = np.stack([open_curve(start, nu=order) for order in range(3)])
+    # On a kink the blend goes on from what the path steers before it.
+    just = np.nextafter(start, 0.0) if start in theta else start
+    at_start = np.stack([open_curve(just, nu=order) for order in range(3)])
     nodes = np.concatenate([theta[driven], [start, _TURN]])
     closed = quintic_hermite(nodes, np.vstack([jets[driven], at_start, jets[0]]), periodic=True)
+    last = int(np.searchsorted(closed.x, start)) - 1
+    if start - closed.x[last] < _SHORT:
+        closed.c[:, last] = open_curve.c[:, int(np.searchsorted(open_curve.x, start)) - 1]
     doubled = np.flatnonzero((np.diff(theta) == 0) & (np.abs(np.diff(jets[:, 1])) > _KINK))
     kinks = theta[doubled]
     return LiftCurve(tan_beta=closed, kinks=kinks[kinks < start], blend_start=start)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.lowest import SAME
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
 
 Array = NDArray[np.float64]
@@ -73,11 +74,30 @@ def published_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
 
 
 def _polar_profile(lift: LiftCurve, follower: Follower, *, rod_radius: float) -> ClosedCurve:
-    changes = lift.tan_beta.roots(extrapolate=False)
-    changes = changes[np.isfinite(changes)]
-    joints = np.unique(np.concatenate([[0.0], lift.kinks, changes[(changes > 0) & (changes < _TURN)], [_TURN]]))
+    inside = _face_changes(lift, follower)
+    joints = np.unique(np.concatenate([[0.0], lift.kinks, inside[(inside > 0) & (inside < _TURN)], [_TURN]]))
+    nodes, _ = lift.stations
     pieces: list[Piece] = []
     for start, stop in pairwise(joints):
-        face = float(follower.contact_face(lift.tan_beta((start + stop) / 2)))
+        theta = np.append(nodes[(nodes > start) & (nodes < stop)], (start + stop) / 2)
+        tan_beta = lift.tan_beta(theta)
+        face = float(follower.contact_face(tan_beta[np.argmax(np.abs(tan_beta))]))
         pieces.append(PolarPiece(lift, follower.base_radius, face, rod_radius, float(start), float(stop)))
     return ClosedCurve(tuple(pieces))
+
+
+def _face_changes(lift: LiftCurve, follower: Follower) -> Array:
+    """Cam angles at which the rod goes over to the other face, rad.
+
+    Where the steering is straight over a stretch tan(beta) changes its sign by rounding: a change counts if between
+    it and the next one the two faces' radii differ by more than `SAME`.
+    """
+    roots = lift.tan_beta.roots(extrapolate=False)
+    roots = np.unique(roots[np.isfinite(roots)])
+    nodes, T = lift.stations
+    clear = np.flatnonzero(np.abs(T) * follower.thickness > SAME)
+    changed = np.flatnonzero(np.diff(np.sign(T[clear])) != 0)
+    before, after = nodes[clear[changed]], nodes[clear[changed + 1]]
+    # Of several roots in a row the last one before the steering is clear again.
+    last = np.searchsorted(roots, after) - 1
+    return roots[last[(last >= 0) & (roots[last] > before)]]

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.curves.closed import ClosedCurve, Piece, left_normal
+from cadgen.curves.closed import ClosedCurve, Outline, Piece, left_normal
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 Array = NDArray[np.float64]
@@ -22,6 +22,20 @@ def polygon(curve: ClosedCurve, chord_tolerance: float) -> Array:
         Points in order, counterclockwise, shape (n, 2), mm; the first is not repeated.
     """
     return np.concatenate([_piece_points(piece, chord_tolerance) for piece in curve.pieces])
+
+
+def polyline(corners: Array, step: float) -> Outline:
+    """The closed chain of straight lines through points, each a piece of at least five points.
+
+    Args:
+        corners: counterclockwise, the first not repeated, shape (n, 2), mm.
+        step: greatest distance between the points of the result, mm.
+    """
+    chords = np.roll(corners, -1, axis=0) - corners
+    counts = np.maximum(5, np.ceil(np.linalg.norm(chords, axis=1) / step).astype(int) + 1)
+    piece = np.repeat(np.arange(len(corners)), counts)
+    share = (np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts)) / (counts[piece] - 1)
+    return Outline(corners[piece] + share[:, None] * chords[piece], piece)
 
 
 def _piece_points(piece: Piece, tolerance: float) -> Array:

@@ -10,6 +10,8 @@ from pydantic import Field, model_validator
 
 from cadgen.design.section import Section
 
+_WIDEST_SCREW = 0.998  # of the bore
+
 
 class Keyway(Section):
     """A keyway in the bore."""
@@ -101,10 +103,11 @@ class Blank(Section):
                     f"{2 * key_reach:.4g}, or {core} cut through the hub's wall"
                 )
             screw = self.hub.set_screw
-            if screw and screw.hole_diameter_mm >= self.bore_diameter_mm:
+            # The edge of a hole as wide as the bore has two sharp bends, which no CAD kernel follows exactly.
+            if screw and screw.hole_diameter_mm > _WIDEST_SCREW * self.bore_diameter_mm:
                 raise ValueError(
-                    f"blank.hub.set_screw.hole_diameter_mm is {screw.hole_diameter_mm:g}; it must be less "
-                    f"than blank.bore_diameter_mm, which is {self.bore_diameter_mm:g}"
+                    f"blank.hub.set_screw.hole_diameter_mm is {screw.hole_diameter_mm:g}; it must be at least 0.2 % "
+                    f"less than blank.bore_diameter_mm, which is {self.bore_diameter_mm:g}"
                 )
             core, reach = "hub", self.hub.diameter_mm / 2
         ring = self.lightening

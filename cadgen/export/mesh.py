@@ -25,7 +25,7 @@ from trimesh.exchange.stl import export_stl
 from cadgen.cam.blank import CamBlank, Hub
 from cadgen.curves.closed import ClosedCurve, Outline, cross
 from cadgen.curves.contour import Contour, circle
-from cadgen.curves.polygon import polygon
+from cadgen.curves.polygon import polygon, polyline
 from cadgen.errors import FileError
 
 Array = NDArray[np.float64]
@@ -226,11 +226,7 @@ def _rim(mesh: Mesh, step: float) -> Outline:
     corners = mesh.vertices[loop][:, :2]
     if np.sum(cross(corners, np.roll(corners, -1, axis=0))) < 0:
         corners = corners[::-1]
-    chords = np.roll(corners, -1, axis=0) - corners
-    counts = np.maximum(5, np.ceil(np.linalg.norm(chords, axis=1) / step).astype(int) + 1)
-    piece = np.repeat(np.arange(len(corners)), counts)
-    share = (np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts)) / (counts[piece] - 1)
-    return Outline(corners[piece] + share[:, None] * chords[piece], piece)
+    return polyline(corners, step)
 
 
 def _read(path: Path) -> bytes:

@@ -2,6 +2,7 @@
 
 import csv
 from collections.abc import Iterable
+from dataclasses import fields, replace
 from math import ceil
 from pathlib import Path
 
@@ -9,12 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from cadgen.cam.contact import Contact
+from cadgen.cam.contact import Contact, roll_curve
 from cadgen.cam.follower import Follower
-from cadgen.curves.closed import ClosedCurve, Outline, left_normal
+from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
+from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
 
 Array = NDArray[np.float64]
+
+_TURN = 2 * np.pi
 
 # A smooth spline through even points bulges beside a corner by up to a twelfth of the corner's angle times their
 # distance, and beside a jump of curvature by a share of its size times their distance squared. Closer points on
@@ -22,9 +26,14 @@ Array = NDArray[np.float64]
 # every CAD system.
 _BESIDE_JOINTS = np.array([1 / 64, 1 / 16, 1 / 4])
 _SAME_CURVATURE = 1e-6  # mm^-1; a smaller jump moves no spline
+# mm; closer points than this are one in a cloud: six decimals, half a nanometre of rounding, would tilt a spline
+# between them by more than a milliradian, and it would bulge by 0.02 um over the next distance.
+_LEAST_DISTANCE = 5e-4
 _TABLE = 2049  # samples of a piece from which its length is summed
 _STRAIGHT = 1e-6  # mm^-1; a curvature below this (a radius of a kilometre) is written as a straight line
-_SAME_ANGLE = 1e-7  # rad; at a corner the contact rests, and rounding moves it by 1e-8
+_ALONG = np.linspace(0.0, 1.0, 5)  # shares of the polar angle between two rows at which their chord is tried
+_JUMP = 1e-9  # rad; where the contact moves within less cam angle than this it jumps along the rod's section
+_ROUNDS = 40  # halvings of a row's step of 6 degrees (60 rows) until it is a jump
 
 COLUMNS = (
     "cam_angle_deg",
@@ -46,7 +55,8 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
     """Write a closed cloud: "x y z" in mm on each line, z = 0, no header, the first point again last.
 
     The points are evenly spaced along each smooth piece. Where direction or curvature jumps between two pieces,
-    the joint is one of them, and three more stand close by on either side of it.
+    the joint is one of them, and three more stand close by on either side of it. Points closer together than half a
+    micrometre are one, that of a joint if one is among them.
 
     Args:
         path: the file to write.
@@ -64,7 +74,8 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
         if jumps[(number + 1) % len(curve.pieces)]:
             places = np.append(places, arc[-1] - step * _BESIDE_JOINTS)
         points.append(piece.jet(np.interp(np.sort(places)[:-1], arc, t)).point)
-    closed = np.concatenate([*points, points[0][:1]])
+    apart = _apart(points)
+    closed = np.concatenate([apart, apart[:1]])
     _write(path, (f"{x:.6f} {y:.6f} 0.000000" for x, y in (closed + 0.0).tolist()))
 
 
@@ -96,8 +107,92 @@ def read_xyz(path: Path, step: float = 0.05) -> Outline:
     return Outline(dense.reshape(-1, 2), np.repeat(np.arange(len(chords)), within))
 
 
+def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: float) -> Contact:
+    """The rod's contacts at even cam angles, and more of them where straight lines between would leave the profile.
+
+    Where the rod's own section rounds a hollow corner, the contact runs along it at one cam angle.
+
+    Args:
+        curve: the profile.
+        follower: the rod.
+        count: of even cam angles.
+        tolerance: distance that a straight line from contact to contact may stray from the profile, mm.
+
+    Returns:
+        Contacts by increasing polar angle.
+    """
+    rows, _ = roll_curve(curve, follower, np.linspace(0.0, _TURN, count, endpoint=False))
+    for _ in range(_ROUNDS):
+        theta, place = _closed_angles(rows, follower)
+        wide = _stray(curve, place) > tolerance
+        halved = np.flatnonzero(wide & (np.diff(theta) > _JUMP))
+        if not halved.size:
+            break
+        between, _ = roll_curve(curve, follower, (theta[halved] + theta[halved + 1]) / 2)
+        rows = _inserted(rows, between, halved)
+    rows = _along_jumps(rows, curve, follower, tolerance)
+    return _needed(rows, curve, follower, count, tolerance)
+
+
+def _closed_angles(rows: Contact, follower: Follower) -> tuple[Array, Array]:
+    """Cam angles and polar angles of the contacts, the first ones again a turn later, shape (n + 1,)."""
+    place = rows.cam_angle + np.arctan2(rows.across, _ahead(rows, follower))
+    place = np.maximum.accumulate(place)
+    return np.append(rows.cam_angle, rows.cam_angle[0] + _TURN), np.append(place, place[0] + _TURN)
+
+
+def _ahead(rows: Contact, follower: Follower) -> Array:
+    """How far ahead of the camshaft the contacts lie, mm."""
+    half = np.sqrt(np.maximum(follower.radius**2 - rows.across**2, 0.0) * (1 + rows.tan_beta**2))
+    return np.asarray(follower.base_radius + rows.face * rows.tan_beta - half)
+
+
+def _stray(curve: ClosedCurve, place: Array) -> Array:
+    """How far the curve strays from straight lines between polar angles, shape (n - 1,), mm."""
+    step = np.diff(place)
+    inside = (place[:-1, None] + step[:, None] * _ALONG).ravel()
+    points = curve.at_angle(inside)[0].point.reshape(len(step), -1, 2)
+    chords = points[:, -1] - points[:, 0]
+    length = np.maximum(np.linalg.norm(chords, axis=1), 1e-12)
+    return np.asarray(np.abs(cross(chords[:, None], points - points[:, :1])).max(axis=1) / length)
+
+
+def _inserted(rows: Contact, more: Contact, after: NDArray[np.intp]) -> Contact:
+    columns = (np.insert(getattr(rows, field.name), after + 1, getattr(more, field.name)) for field in fields(Contact))
+    return Contact(*columns)
+
+
+def _along_jumps(rows: Contact, curve: ClosedCurve, follower: Follower, tolerance: float) -> Contact:
+    """Contacts on the rod's section where the contact jumps along it at one cam angle."""
+    for _ in range(_ROUNDS):
+        _, place = _closed_angles(rows, follower)
+        wide = np.flatnonzero(_stray(curve, place) > tolerance)
+        if not wide.size:
+            break
+        middle = (place[wide] + place[wide + 1]) / 2
+        points = curve.at_angle(middle)[0].point
+        first = Contact(*(getattr(rows, field.name)[wide] for field in fields(Contact)))
+        c, s = np.cos(first.cam_angle), np.sin(first.cam_angle)
+        across = points[:, 1] * c - points[:, 0] * s
+        angle = np.arcsin(np.clip(across / follower.radius, -1.0, 1.0)) if follower.radius else first.pressure_angle
+        rows = _inserted(rows, replace(first, across=across, pressure_angle=angle), wide)
+    return rows
+
+
+def _needed(rows: Contact, curve: ClosedCurve, follower: Follower, count: int, tolerance: float) -> Contact:
+    """The even rows and those of the others without which a line between two rows would stray too far."""
+    even = np.isclose((rows.cam_angle * count / _TURN + 0.5) % 1, 0.5, rtol=0, atol=1e-7)
+    _, place = _closed_angles(rows, follower)
+    kept = [0]
+    for number in range(1, len(even)):
+        following = place[number + 1]
+        if even[number] or _stray(curve, np.array([place[kept[-1]], following]))[0] > tolerance:
+            kept.append(number)
+    return Contact(*(getattr(rows, field.name)[kept] for field in fields(Contact)))
+
+
 def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Contact) -> None:
-    """Write one row per cam angle: where the rod touches the profile, and how.
+    """Write one row per contact: where the rod touches the profile, and how.
 
     The normal points out of the disc; the radius of curvature is positive where the profile is convex and
     empty where it is straight. Where the rod rests on a corner, both are those of one of its sides.
@@ -109,9 +204,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         contact: the rod rolled on the profile.
     """
     T, y = contact.tan_beta, contact.across
-    half = np.sqrt((follower.radius**2 - y**2) * (1 + T**2))
-    ahead = follower.base_radius + contact.face * T - half
-    jet, _ = curve.at_angle(contact.cam_angle + np.arctan2(y, ahead))
+    jet, _ = curve.at_angle(contact.cam_angle + np.arctan2(y, _ahead(contact, follower)))
     normal = -left_normal(jet.velocity)
     polar = np.degrees(np.arctan2(jet.point[:, 1], jet.point[:, 0])) % 360
     with np.errstate(divide="ignore"):
@@ -157,17 +250,16 @@ def read_csv(path: Path) -> dict[str, Array]:
         raise FileError(f"{path.name} is not a complete table of contacts: write it again") from error
 
 
-def contact_outline(table: dict[str, Array]) -> Outline:
-    """The points at which the rod touches: an outline that gives the table's lift at the table's cam angles.
+def contact_outline(table: dict[str, Array], step: float) -> Outline:
+    """The contacts joined by straight lines, as a reader of the table joins them.
 
-    Each point is a piece of its own, so that nothing is assumed between them.
+    Args:
+        table: as `read_csv` gives it.
+        step: greatest distance between the points of the result, mm.
     """
     points = np.stack([table["x_mm"], table["y_mm"]], axis=1)
-    points = np.concatenate([points, points[:1]])
-    angle = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
-    fresh = np.append(np.diff(np.maximum.accumulate(angle)) > _SAME_ANGLE, True)
-    points = points[fresh]
-    return Outline(points, np.arange(len(points)))
+    # On a corner the contact rests while the cam turns.
+    return polyline(points[np.any(points != np.roll(points, 1, axis=0), axis=1)], step)
 
 
 def _jumps(curve: ClosedCurve) -> list[bool]:
@@ -186,6 +278,22 @@ def _arc_length(curve: ClosedCurve, number: int) -> tuple[Array, Array]:
     t = np.linspace(piece.start, piece.stop, _TABLE)
     chords = np.linalg.norm(np.diff(piece.jet(t).point, axis=0), axis=1)
     return t, np.concatenate([[0.0], np.cumsum(chords)])
+
+
+def _apart(pieces: list[Array]) -> Array:
+    """The points of all pieces, closed, without those that stand too close to others; a piece begins with its joint."""
+    points, joint = np.concatenate(pieces), np.zeros(sum(len(piece) for piece in pieces), dtype=bool)
+    joint[np.cumsum([0] + [len(piece) for piece in pieces[:-1]])] = True
+    kept: list[int] = []
+    for number, point in enumerate(points):
+        near = bool(kept) and float(np.hypot(*(point - points[kept[-1]]))) < _LEAST_DISTANCE
+        if near and joint[number] and not joint[kept[-1]]:
+            kept[-1] = number
+        elif not near:
+            kept.append(number)
+    while len(kept) > 1 and float(np.hypot(*(points[kept[-1]] - points[kept[0]]))) < _LEAST_DISTANCE:
+        kept.pop()
+    return np.asarray(points[kept])
 
 
 def _write(path: Path, lines: Iterable[str]) -> None:

@@ -12,6 +12,7 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.spline import Degree, splines
 from cadgen.errors import FileError
+from cadgen.solids.crossing import with_exact_crossings
 from cadgen.solids.kernel import Part, contour_edges, is_valid, prism, solids, spline_edges
 
 # How far the splines may stray from the profile, mm: a fiftieth of what the lift is allowed in a STEP file.
@@ -65,7 +66,7 @@ def _with_hub(disc: TopoDS_Shape, hub: Hub, bore: Contour, thickness: float) -> 
         axis = gp_Ax2(start, gp_Dir(np.cos(screw.angle), np.sin(screw.angle), 0.0))
         reach = hub.diameter / 2 + _OVERSHOOT
         tools.append(BRepPrimAPI_MakeCylinder(axis, screw.diameter / 2, reach).Shape())
-    return _boolean(BRepAlgoAPI_Cut(), _boolean(BRepAlgoAPI_Fuse(), disc, [boss]), tools)
+    return with_exact_crossings(_boolean(BRepAlgoAPI_Cut(), _boolean(BRepAlgoAPI_Fuse(), disc, [boss]), tools))
 
 
 def _boolean(operation: BRepAlgoAPI_BooleanOperation, shape: TopoDS_Shape, tools: list[TopoDS_Shape]) -> TopoDS_Shape:

@@ -22,6 +22,7 @@ from cadgen.errors import FileError
 from cadgen.gears.bezier import bezier_poles
 from cadgen.gears.body import Body, Cap, RadialHole, Wall, caps_of, walls_of
 from cadgen.gears.outline import Arc, Curve, GearOutline, Involute, Line, Points
+from cadgen.solids.crossing import with_exact_crossings
 from cadgen.solids.kernel import TOLERANCE, Edge, closed_wire
 
 # Fit of the tooth curves, in mm: half of the 0.001 µm and 0.01 µm that flank and root are allowed.
@@ -145,4 +146,4 @@ def _drilled(sides: list[TopoDS_Shape], ends: list[TopoDS_Shape], hole: RadialHo
     cut = BRepAlgoAPI_Cut(slab, drill.Shape())
     if not cut.IsDone():
         raise FileError(f"the kernel cannot drill the set screw of {hole.diameter:g} mm; change its diameter")
-    return [face for face in _faces(cut.Shape()) if not any(face.IsSame(end) for end in ends)]
+    return [face for face in _faces(with_exact_crossings(cut.Shape())) if not any(face.IsSame(end) for end in ends)]

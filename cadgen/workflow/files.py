@@ -1,7 +1,7 @@
 """From a checked cam to files on disk, each read back and rolled against the rod before it is published."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees
 from pathlib import Path
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from cadgen.cam.checks import cam_angles
 from cadgen.cam.contact import Contact, roll, roll_curve
 from cadgen.cam.cutter import CutterLimit, largest_cutter
+from cadgen.cam.difference import Exact, dense_stations
 from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import Outline
 from cadgen.curves.spline import splines
@@ -98,6 +99,21 @@ class _Job:
         return self.rolled[1]
 
     @cached_property
+    def exact(self) -> Exact:
+        """What a file's lift is compared with: the exact curve, in points as close together as on what is read back."""
+        follower = self.plan.follower
+        return Exact(self.plan.curve.outline(self.step), follower, dense_stations(follower, self.rolled[0]))
+
+    @cached_property
+    def rim_share(self) -> float:
+        """Share of what the lift may err that a chord of the rim may stray along its normal.
+
+        A chord that strays by e shifts the lift by e / cos(pressure angle).
+        """
+        steepest = float(np.cos(self.rolled[0].pressure_angle).min())
+        return max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
+
+    @cached_property
     def part(self) -> "Part":
         """The solid, for STEP, and for its volume."""
         from cadgen.solids.cam import cam_part
@@ -120,7 +136,9 @@ class _Job:
     def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
         """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play."""
         rolled = roll(outline, self.plan.follower, self.cam_angle)
-        error = float(np.abs(rolled.lift - self.rolled[0].lift).max() * 1e3)
+        at_stations = float(np.abs(rolled.lift - self.rolled[0].lift).max())
+        between = self.exact.greatest_difference(outline)
+        error = max(at_stations, between) * 1e3
         return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(outline, rolled, lift_limit_um)})
 
     def _end_of_run(self, outline: Outline, rolled: Contact, lift_limit_um: float) -> dict[str, float]:
@@ -228,10 +246,7 @@ def _meshes(job: _Job) -> Iterator[_Result]:
     from cadgen.export.mesh import Mesh, cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
 
     chord = job.plan.design.export.mesh_chord_um * 1e-3
-    # A chord that strays by e along the normal shifts the lift by e / cos(pressure angle).
-    steepest = float(np.cos(job.rolled[0].pressure_angle).min())
-    rim_share = max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
-    mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord, rim_share)
+    mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord, job.rim_share)
 
     def read(name: str, again: Mesh) -> _Result:
         content = inspect(again, job.step)
@@ -297,7 +312,7 @@ def _gcode(job: _Job) -> Iterator[_Result]:
 
 
 def _points(job: _Job) -> Iterator[_Result]:
-    from cadgen.export.points import contact_outline, read_csv, read_xyz, write_csv, write_xyz
+    from cadgen.export.points import contact_outline, contact_rows, read_csv, read_xyz, write_csv, write_xyz
 
     plan = job.plan
     count = plan.design.export.point_count
@@ -307,14 +322,12 @@ def _points(job: _Job) -> Iterator[_Result]:
     yield job.result(name, cloud, POINTS_LIMIT_UM, {"points": count})
 
     name = f"{job.stem}.csv"
-    cam_angle = np.linspace(0.0, 2 * np.pi, count, endpoint=False)
-    contact, _ = roll_curve(plan.curve, plan.follower, cam_angle)
+    contact = contact_rows(plan.curve, plan.follower, count, job.rim_share * POINTS_LIMIT_UM * 1e-3)
     write_csv(job.staging / name, plan.curve, plan.follower, contact)
     table = read_csv(job.staging / name)
-    # The table's points touch the rod at the table's angles, so rolling them there must give the table's lift.
-    rolled = roll(contact_outline(table), plan.follower, np.radians(table["cam_angle_deg"])).lift
-    error = float(np.abs(np.stack([rolled, table["lift_mm"]]) - contact.lift).max() * 1e3)
-    yield _Result(name, error, POINTS_LIMIT_UM, {"rows": count})
+    result = job.result(name, contact_outline(table, job.step), POINTS_LIMIT_UM, {"rows": len(contact.lift)})
+    column = float(np.abs(table["lift_mm"] - contact.lift).max() * 1e3)
+    yield replace(result, lift_error_um=max(result.lift_error_um, column))
 
 
 _FORMATS: dict[str, Callable[[_Job], Iterator[_Result]]] = {
