@@ -38,7 +38,7 @@ def profile_option(command: Command) -> Command:
         help="actual: the exact envelope of the rod; optimized: the best against the gears' play, of actual and the "
         "next three; compensated: cut so that the play takes itself out; smoothed: the paper's; theoretical: the "
         "rod's axis; published: the paper's formula.  [default: optimized, or actual if the design has neither "
-        "\\[train] nor \\[play]]",
+        "[train] nor [play]]",
     )(command)
 
 
