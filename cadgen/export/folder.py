@@ -186,7 +186,10 @@ def _is_half_moved(staging: Path) -> bool:
 
 def _is_own(folder: Path) -> bool:
     """Whether this user made it; others could have planted it."""
-    return os.name != "posix" or folder.lstat().st_uid == os.geteuid()
+    try:
+        return os.name != "posix" or folder.lstat().st_uid == os.geteuid()
+    except FileNotFoundError:  # its run has just cleared it away
+        return False
 
 
 def _publish(staging: Path, out: Path) -> None:
