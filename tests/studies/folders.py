@@ -166,7 +166,7 @@ def random_job(rng: random.Random, letters: str, *, commands: bool) -> Job:
     part = rng.choice(letters)
     if commands:
         options = ("--profile", "actual", "--samples", "3", "--processes", "1", "--seed", str(rng.randrange(3)))
-        return Job(part, arguments=("tolerance", *options, "--set", f"name={part}"))
+        return Job(f"{part}_actual_tolerance", arguments=("tolerance", *options, "--set", f"name={part}"))
     names = [f"{part}{n}" for n in range(rng.randint(1, 5))] + rng.sample(["shared1", "shared2"], rng.randint(0, 2))
     return Job(part, {name: bytes(f"{name} {rng.randrange(3)}\n", "ascii") * rng.randint(1, 400) for name in names})
 
@@ -201,9 +201,7 @@ def judged(out: Path, done: Iterable[Job]) -> list[str]:
         and (not job.files or listed[job.part] == {n: hashlib.sha256(c).hexdigest() for n, c in job.files.items()})
         for job in jobs
     ]
-    apart = all(
-        a.part != b.part and not set(a.files) & set(b.files) for n, a in enumerate(jobs) for b in jobs[n + 1 :]
-    )
+    apart = all(a.part != b.part and not set(a.files) & set(b.files) for n, a in enumerate(jobs) for b in jobs[n + 1 :])
     if not (all(whole) if apart else any(whole)):
         wrong.append("a run that is done is not listed whole")
     return wrong
@@ -264,7 +262,9 @@ def killed(rng: random.Random, folder: Path, scale: tuple[int, float], *, comman
 def _holds(files: Mapping[str, bytes], job: Job) -> bool:
     """Whether all of a run is there and listed."""
     listed = parts(files).get(job.part, {})
-    return bool(listed) and (set(listed) == set(job.files) or bool(job.arguments)) and job.files.items() <= files.items()
+    return (
+        bool(listed) and (set(listed) == set(job.files) or bool(job.arguments)) and job.files.items() <= files.items()
+    )
 
 
 def case(seed: int, number: int, scale: tuple[int, float], *, commands: bool = False) -> tuple[str, list[str]]:
@@ -284,12 +284,12 @@ def scale(*, commands: bool) -> tuple[int, float]:
         begun = time.perf_counter()
         run(random_job(rng, "a", commands=commands), Path(folder) / "out")
         took = time.perf_counter() - begun
-        low, high = 1, 4096
-        while not commands and low < high:
+        low, high = 1, 512
+        while low < high:
             middle = (low + high) // 2
             code = run(random_job(rng, "a", commands=commands), Path(folder) / "out", Killed(operation=middle))
             low, high = (low, middle) if code == 0 else (middle + 1, high)
-        return (80 if commands else low), took
+        return low, took
 
 
 def main() -> None:
@@ -328,9 +328,6 @@ def _load(*, commands: bool) -> None:
 
     if commands:
         os.environ["OPENBLAS_NUM_THREADS"] = "1"
-        import matplotlib.backends.backend_agg
-        import matplotlib.backends.backend_svg
-        import matplotlib.figure
 
         import cadgen.workflow.tolerance  # noqa: F401
 
@@ -346,8 +343,8 @@ def report(cases: int, seed: int, commands: bool, states: Mapping[str, int], fai
 
 cadgen {__version__}: {cases} pairs of concurrent {kind} and {cases} kills (seven
 in ten before an operation on files, the others at a random instant), each followed by further runs, some of them killed
-too. Judged after every kill and at the end: every file that the manifest lists is there with its hash; `cadgen verify` names what is mixed; the next run
-puts it back, and its own files are listed whole.
+too. Judged after every kill and at the end: every file that the manifest lists is there with its hash; `cadgen
+verify` names what is mixed; the next run puts it back, and its own files are listed whole.
 
 - Right after the kill the folder was: {how}.
 - Cases that failed: {len(failed)}.
