@@ -82,8 +82,8 @@ class AsBuilt:
             )
         if radius >= inner:
             raise DesignError(
-                f"as built the rod's radius is {radius:g} mm and the disc's inner face {inner:g} mm from the fork "
-                f"axis; the radius must be less than that distance: {correct}"
+                f"as built the rod's radius is {radius:g} mm and the disc's inner face {abs(inner):g} mm "
+                f"{'from' if inner >= 0 else 'behind'} the fork axis; the rod must swing clear of it: {correct}"
             )
         return replace(nominal, inner=inner, outer=outer, radius=radius)
 
