@@ -5,6 +5,7 @@ The rooms, in walking order; each imports only those before it.
 | room       | what happens there                                                              |
 |------------|---------------------------------------------------------------------------------|
 | `errors`   | what can go wrong, with the exit codes                                          |
+| `reading`  | files that a user names, refused by kind and size                               |
 | `curves`   | closed plane curves: arcs, splines, chords and offsets within a tolerance        |
 | `path`     | waypoints -> spline -> the drive wheel's track by arc length                     |
 | `steering` | curvature of the track <-> steering angle                                        |

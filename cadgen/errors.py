@@ -26,3 +26,22 @@ class FileError(CadgenError):
     """A file that cannot be read, written or trusted, or a kernel that failed (exit code 3)."""
 
     exit_code = 3
+
+
+MOST_REPEATED = 200  # characters of what was given, in a message
+
+
+def brief(text: str, most: int = MOST_REPEATED) -> str:
+    """What was given, as a message may repeat it: on one line, control characters escaped, its middle left out."""
+    if len(text) > 2 * most:  # escapes only make it longer
+        text = f"{text[:most]}{text[-most:]}"
+    line = escaped(text)
+    if len(line) <= most:
+        return line
+    tail = most // 4
+    return f"{line[: most - 3 - tail]}...{line[-tail:]}"
+
+
+def escaped(text: str) -> str:
+    """The same with every character that a terminal could take for more than a sign written as Python escapes it."""
+    return "".join(sign if sign.isprintable() else sign.encode("unicode_escape").decode() for sign in text)

@@ -328,9 +328,10 @@ def _refuse_thick_rod(lift: LiftCurve, follower: Follower) -> None:
     room = follower.base_radius + follower.lift(T) - follower.radius * np.sqrt(1 + T**2)
     worst = int(np.argmin(room))
     if room[worst] <= 0:
+        reach = follower.base_radius + follower.lift(T)[worst]
         raise DesignError(
-            f"at cam angle {np.degrees(theta[worst]):.1f} degrees the rod's axis is "
-            f"{follower.base_radius + follower.lift(T)[worst]:.2f} mm from the camshaft, but the rod's radius is "
+            f"at cam angle {np.degrees(theta[worst]):.1f} degrees the rod's axis is {abs(reach):.2f} mm "
+            f"{'from' if reach >= 0 else 'beyond'} the camshaft, but the rod's radius is "
             f"{follower.radius:g} mm, so nothing is left of the disc: lower follower.radius_mm or raise "
             f"cam.base_radius_mm"
         )

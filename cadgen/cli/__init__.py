@@ -8,7 +8,6 @@ import json
 import os
 import sys
 import traceback
-from contextlib import suppress
 from typing import NoReturn
 
 import click
@@ -22,7 +21,8 @@ from cadgen.cli.gears import gears
 from cadgen.cli.optimize import optimize
 from cadgen.cli.simulate import simulate
 from cadgen.cli.tolerance import tolerance
-from cadgen.errors import CadgenError, DesignError
+from cadgen.cli.verify import verify
+from cadgen.errors import CadgenError, DesignError, brief
 
 USAGE, FILE = 2, 3
 _LAST_SECOND = 253402300799  # of the year 9999
@@ -52,11 +52,13 @@ cli.add_command(simulate)
 cli.add_command(optimize)
 cli.add_command(tolerance)
 cli.add_command(calibrate)
+cli.add_command(verify)
 
 
 def main() -> NoReturn:
     """Run a command and turn every failure into one sentence and an exit code."""
     interrupt.install()
+    output.tell_warnings()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # for terminals that know no µ
@@ -77,9 +79,11 @@ def main() -> NoReturn:
     except Exception as error:
         if os.environ.get("CADGEN_DEBUG"):
             traceback.print_exc()
-        summary = f"{type(error).__name__}: {error}".replace("\n", " ")
+        summary = brief(f"{type(error).__name__}: {error}", 400)
         code = _fail(f"a fault in cadgen, please report it with your design file ({summary})", FILE)
-    sys.exit(_flushed(code))
+    code = _flushed(code)
+    interrupt.ignore()
+    sys.exit(code)
 
 
 def _require_epoch() -> None:
@@ -87,22 +91,18 @@ def _require_epoch() -> None:
     text = os.environ.get("SOURCE_DATE_EPOCH")
     if text is not None and not (text.isdecimal() and text.isascii() and int(text[:20]) <= _LAST_SECOND):
         raise DesignError(
-            f'SOURCE_DATE_EPOCH is "{text[:40]}"; it must be seconds since 1970, a whole number of at most '
+            f'SOURCE_DATE_EPOCH is "{brief(text, 40)}"; it must be seconds since 1970, a whole number of at most '
             f"{_LAST_SECOND}: correct or unset this environment variable"
         )
 
 
 def _fail(message: str, code: int) -> int:
+    message = output.sentence(message, sys.argv[1:])
     if "--json" in sys.argv:
         print(json.dumps({"error": message, "exit_code": code}))
     else:
-        _tell(message)
+        output.tell(message)
     return code
-
-
-def _tell(message: str) -> None:
-    with suppress(OSError):  # nobody listens
-        click.echo(f"cadgen: {message}", err=True)
 
 
 def _flushed(code: int | str | None) -> int | str | None:
@@ -120,5 +120,6 @@ def _unwritable(error: OSError, code: int | str | None) -> int | str | None:
     output.hush()
     if isinstance(error, BrokenPipeError):
         return code
-    _tell(f"{error.filename or 'the output'} cannot be written ({error.strerror}): make room, or choose another place")
+    place = brief(str(error.filename or "the output"))
+    output.tell(f"{place} cannot be written ({error.strerror}): make room, or choose another place")
     return FILE

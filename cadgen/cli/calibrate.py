@@ -13,9 +13,10 @@ from cadgen.cli.options import PROFILES, Number, out_option
 @click.option(
     "--profile",
     type=click.Choice(PROFILES),
+    metavar="PROFILE",
     default=PROFILES[0],
     show_default=True,
-    help="Of the cam that was measured, or was on the car.",
+    help=f"Of the cam that was measured, or was on the car. One of {', '.join(PROFILES)}.",
 )
 @click.option(
     "--form-error-um",

@@ -27,7 +27,7 @@ REASONS_SHOWN = 3
     default="as-given",
     show_default=True,
     help="Stages as the design has them; the order with the least return error; or the best teeth within "
-    "\\[train.search].",
+    "[train.search].",
 )
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
 @click.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")

@@ -18,13 +18,24 @@ _MESSAGE = "interrupted: nothing was written"
 _SHOW_CURSOR = "\r\x1b[K\x1b[?25h"  # and wipe the line: progress may be on show
 
 
+_ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+
+
 def install() -> None:
     """Handle what ends a process, but for what the caller has chosen to ignore, as `nohup` does."""
     handler = partial(_interrupted, os.getpid())
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)
-        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+    for number in _ENDING:
+        if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, handler)
+
+
+def ignore() -> None:
+    """Let a run that has done everything end with its own exit code.
+
+    Python takes its handlers down before it ends, and from then on a signal would end the process by itself.
+    """
+    for number in _ENDING:
+        signal.signal(number, signal.SIG_IGN)
 
 
 def _interrupted(main: int, number: int, frame: FrameType | None) -> None:

@@ -35,21 +35,24 @@ def profile_option(command: Command) -> Command:
     return click.option(
         "--profile",
         type=click.Choice(PROFILES),
+        metavar="PROFILE",
         help="actual: the exact envelope of the rod; optimized: the best against the gears' play, of actual and the "
-        "next three; compensated: cut so that the play takes itself out; smoothed: the paper's; theoretical: the "
-        "rod's axis; published: the paper's formula.  [default: optimized, or actual if the design has neither "
-        "\\[train] nor \\[play]]",
+        "next three; compensated: cut so that the play takes itself out; smoothed: the paper's; smoothed+compensated: "
+        "both; theoretical: the rod's axis; published: the paper's formula.  [default: optimized, or actual if the "
+        "design has neither [train] nor [play]]",
     )(command)
 
 
 def play_profile_option(*more: str, meaning: str) -> Callable[[Command], Command]:
     """--profile of a cam that is to run with play: the four against it, and others."""
+    profiles = (*PLAY_PROFILES, *more)
     return click.option(
         "--profile",
-        type=click.Choice((*PLAY_PROFILES, *more)),
+        type=click.Choice(profiles),
+        metavar="PROFILE",
         default=PLAY_PROFILES[0],
         show_default=True,
-        help=meaning,
+        help=f"{meaning} One of {', '.join(profiles)}.",
     )
 
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -29,6 +30,8 @@ class Output(Console):
 
     def __init__(self, *, stderr: bool = False) -> None:
         super().__init__(stderr=stderr, markup=False, emoji=False, highlight=False)
+        if self.width < 1:  # COLUMNS=0 says that the width is not known
+            self.width = shutil.get_terminal_size().columns
 
     def on_broken_pipe(self) -> None:
         """Say nothing more, but let the command end with its own exit code."""

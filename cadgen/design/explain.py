@@ -1,37 +1,45 @@
 """What is wrong with a design's values, as sentences: the key, its value, what is allowed."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from pydantic import ValidationError
 
-from cadgen.design.keys import dotted, is_unit_slip, keys, last, nearest, shown, tables
+from cadgen.design.keys import dotted, elsewhere, is_unit_slip, keys, last, nearest, shown, tables
 from cadgen.design.section import listed
+from cadgen.errors import brief
 
 # A key's parts from the top, items of lists counted from 0.
 Place = tuple[str | int, ...]
 
 _WRONG_TYPE = {"float_type", "int_type", "int_from_float", "string_type", "tuple_type", "missing", "too_long"}
+_MOST_COMPARED = 100  # unknown keys with the known ones: nobody mistypes more
 
 
-def explain(error: ValidationError) -> Iterator[tuple[Place, str]]:
-    """Yield the place of each error and one sentence about it; unknown keys come first.
+def explain(error: ValidationError, most: int) -> tuple[list[tuple[Place, str]], int]:
+    """Return the places of the first errors, with one sentence about each, and how many more there are.
 
-    What only follows from another error is left out: a required key that stands there under a wrong name,
-    and a list that counts as too short because its items are wrong.
+    Unknown keys come first. What only follows from another error is left out: a required key that stands there under
+    a wrong name, and a list that counts as too short because its items are wrong.
     """
     found = error.errors(include_url=False)
     unknown = [item["loc"] for item in found if item["type"] == "extra_forbidden"]
-    places = [item["loc"] for item in found]
-    meant = {nearest(section(place[:-1]), str(place[-1])) for place in unknown}
-    for place in unknown:
-        yield place, unknown_key(place)
-    for item in found:
-        place, kind = item["loc"], item["type"]
-        renamed = kind == "missing" and dotted(*place) in meant
-        emptied = kind == "too_short" and any(other[:-1][: len(place)] == place for other in places)
-        if not renamed and not emptied and kind != "extra_forbidden":
-            yield place, _sentence(kind, place, item["input"], item.get("ctx", {}))
+    holders = {item["loc"][:-1] for item in found}
+    inside = {place[:depth] for place in holders for depth in range(len(place) + 1)}
+    meant = {nearest(section(place[:-1]), str(place[-1])) for place in unknown[:_MOST_COMPARED]}
+    rest = [
+        item
+        for item in found
+        if item["type"] != "extra_forbidden"
+        and not (item["type"] == "missing" and dotted(*item["loc"]) in meant)
+        and not (item["type"] == "too_short" and item["loc"] in inside)
+    ]
+    sentences = [(place, unknown_key(place)) for place in unknown[:most]]
+    sentences += [
+        (item["loc"], _sentence(item["type"], item["loc"], item["input"], item.get("ctx", {})))
+        for item in rest[: most - len(sentences)]
+    ]
+    return sentences, len(unknown) + len(rest) - len(sentences)
 
 
 def section(place: Place) -> str:
@@ -43,10 +51,11 @@ def unknown_key(place: Place) -> str:
     """Say that there is no such key, which one was most likely meant, and what its section takes."""
     parent, wrong = section(place[:-1]), str(place[-1])
     right = nearest(parent, wrong)
-    name = dotted(spoken(place[:-1]), wrong or '""')
+    name = dotted(spoken(place[:-1]), brief(wrong) or '""')
     if right and is_unit_slip(wrong, right):
         return f"{name} is not a key: write {right}, in {keys()[right].unit}"
-    hint = f"did you mean {right}? " if right else ""
+    meant = [right] if right else elsewhere(parent, wrong)
+    hint = f"did you mean {listed(meant, 'or')}? " if meant else ""
     where = f"[{parent}]" if parent else "a design"
     return f"{name} is not a key: {hint}{where} takes {listed(tables()[parent].names, 'and')}"
 

@@ -13,6 +13,7 @@ from pydantic.fields import FieldInfo
 
 from cadgen.design.schema import DesignFile
 from cadgen.design.section import Section, listed
+from cadgen.errors import escaped
 
 # How the ends of key names read in a sentence.
 _UNITS = {"_mm_per_min": "mm/min", "_mm": "mm", "_um": "µm", "_deg": "degrees", "_rpm": "rev/min", "_percent": "%"}
@@ -24,6 +25,7 @@ _UNIT_ENDING = re.compile(
 )
 _KINDS = {float: "a number", int: "a whole number", str: "text"}
 _PAIR = "a pair [x, y]"
+_LONGEST_SHOWN = 60
 _PLURALS = {"a number": "numbers", "a whole number": "whole numbers", "text": "texts", _PAIR: "pairs [x, y]"}
 
 
@@ -90,14 +92,25 @@ def keys() -> dict[str, Key]:
 
 
 def nearest(parent: str, wrong: str) -> str | None:
-    """Dotted name of the key or section that an unknown one was most likely meant for."""
+    """Dotted name of the key or section, in the same section, that an unknown one was most likely meant for."""
     names = tables()[parent].names
     stem = _stem(wrong)
     found = [name for name in names if _stem(name) == stem] or get_close_matches(wrong.lower(), names, 1)
-    if found:
-        return dotted(parent, found[0])
-    # The right key in the wrong section, or with its section left out.
-    return next((name for name in (*keys(), *tables()) if _stem(last(name)) == stem), None)
+    return dotted(parent, found[0]) if found else None
+
+
+def elsewhere(parent: str, wrong: str) -> list[str]:
+    """Dotted names of keys and sections of exactly this name in other sections, where they can be meant.
+
+    With its section left out, a key may be that of any section of the first rank. In a wrong section it is meant for
+    another only if no third has it: the width of a car is not that of a keyway.
+    """
+    holders = [table.name for table in tables().values() if table.name and wrong in table.names]
+    first = [dotted(holder, wrong) for holder in holders if "." not in holder]
+    if not parent:
+        return first
+    sole = len(first) == 1 and (len(holders) == 1 or first[0] in tables())
+    return first if sole else []
 
 
 def is_unit_slip(wrong: str, right: str) -> bool:
@@ -118,7 +131,8 @@ def last(name: str) -> str:
 def shown(value: object) -> str:
     """A value as TOML writes it, cut short if it is long."""
     text = repr(value) if isinstance(value, float) else json.dumps(value, ensure_ascii=False, default=str)
-    return text if len(text) <= 60 else text[:57] + "..."
+    text = escaped(text[:_LONGEST_SHOWN]) + text[_LONGEST_SHOWN:]
+    return text if len(text) <= _LONGEST_SHOWN else text[: _LONGEST_SHOWN - 3] + "..."
 
 
 def _unit(name: str) -> str:

@@ -1,7 +1,6 @@
 """A design by name or file, with overrides, checked."""
 
 import re
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -10,12 +9,15 @@ from pydantic import ValidationError
 
 from cadgen.design.explain import Place, explain
 from cadgen.design.override import override, quoted
+from cadgen.design.parse import DeepError, parse
 from cadgen.design.schema import Design, DesignFile
 from cadgen.design.section import listed
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, brief
+from cadgen.reading import read_given
 
 DEFAULT_DESIGN = "carbon_free_car"
 MAX_ERRORS_SHOWN = 5
+MOST_BYTES = 500_000  # of a file: ten thousand waypoints with every digit
 
 # Beside this package in a wheel, beside `cadgen/` in a working copy.
 _PACKAGE = Path(__file__).parent.parent
@@ -79,52 +81,53 @@ def design_file(source: str | Path | None = None) -> Path:
     here = next((name for name in (source, f"{source}.toml") if Path(name).is_file()), None)
     hint = f"the file in this folder is ./{here}" if here else "give a file by its path, such as ./my_car.toml"
     names = listed(list(packaged), "and")
-    raise DesignError(f'there is no packaged design "{source}": the packaged ones are {names}; {hint}')
+    raise DesignError(f'there is no packaged design "{brief(source)}": the packaged ones are {names}; {hint}')
 
 
 def _read(file: Path) -> dict[str, Any]:
+    name = brief(str(file))
     try:
-        text = file.read_bytes().decode("utf-8-sig")
+        text = read_given(file, MOST_BYTES).decode("utf-8-sig")
     except FileNotFoundError:
         raise DesignError(
-            f"there is no design file {file}: correct the path, or name a packaged design "
+            f"there is no design file {name}: correct the path, or name a packaged design "
             f"({listed(list(packaged_designs()), 'or')})"
         ) from None
     except IsADirectoryError:
-        raise DesignError(f"{file} is a folder: give the path of a design file in it") from None
+        raise DesignError(f"{name} is a folder: give the path of a design file in it") from None
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        raise DesignError(f"{file}, line {line}: not UTF-8 text: save the file again as UTF-8") from None
+        raise DesignError(f"{name}, line {line}: not UTF-8 text: save the file again as UTF-8") from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
-        raise DesignError(f"{file} cannot be read ({reason}): give a design file that can") from None
+        raise DesignError(f"{name} cannot be read ({reason}): give a design file that can") from None
     try:
-        return tomllib.loads(text)
-    except RecursionError:
-        raise DesignError(f"{file}: brackets are nested too deeply for TOML: correct the file") from None
+        return parse(text)
+    except DeepError:
+        raise DesignError(f"{name}: keys or brackets are nested too deeply for a design: correct the file") from None
     except ValueError as error:
-        raise DesignError(_syntax(str(error), file, text)) from None
+        raise DesignError(_syntax(str(error), name, text)) from None
 
 
-def _syntax(problem: str, file: Path, text: str) -> str:
+def _syntax(problem: str, file: str, text: str) -> str:
     """Turn tomllib's message into file, line, column, problem and the line's own text."""
     lines = text.replace("\r\n", "\n").rstrip("\n").split("\n")
     found = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", problem, re.DOTALL)
     if not found:  # Python's own limit on the digits of a whole number
         return f"{file}: a whole number has more digits than can be read: correct the file"
     line, column = (int(found[2]), int(found[3])) if found[2] else (len(lines), len(lines[-1]) + 1)
-    quoted_line = lines[min(line, len(lines)) - 1].strip()[:80]
+    quoted_line = brief(lines[min(line, len(lines)) - 1].strip()[:80])
     where = f"{file}, line {line}, column {column}"
     if problem.startswith(("Cannot overwrite", "Cannot declare")):
         return f"{where}: `{quoted_line}` is given a second time: remove one of the two"
-    return f"{where}: not TOML ({found[1][:1].lower()}{found[1][1:]}): correct `{quoted_line}`"
+    return f"{where}: not TOML ({brief(found[1][:1].lower() + found[1][1:])}): correct `{quoted_line}`"
 
 
 def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]]) -> str:
     """One line for each error, after the file or the override that it comes from."""
-    lines = [f"{_blame(place, source, applied)}: {sentence}" for place, sentence in explain(error)]
-    more = len(lines) - MAX_ERRORS_SHOWN
-    return "\n".join([*lines[:MAX_ERRORS_SHOWN], *([f"and {more} more like these"] if more > 0 else [])])
+    sentences, more = explain(error, MAX_ERRORS_SHOWN)
+    lines = [f"{_blame(place, source, applied)}: {sentence}" for place, sentence in sentences]
+    return "\n".join([*lines, *([f"and {more} more like these"] if more else [])])
 
 
 def _blame(place: Place, source: str, applied: Sequence[tuple[Place, str]]) -> str:
@@ -133,4 +136,4 @@ def _blame(place: Place, source: str, applied: Sequence[tuple[Place, str]]) -> s
         if place[: len(where)] == where:
             return quoted(text)
     inside = [quoted(text) for where, text in applied if where[: len(place)] == place]
-    return f"{source} with {' '.join(inside)}" if inside else source
+    return f"{brief(source)} with {brief(' '.join(inside))}" if inside else brief(source)

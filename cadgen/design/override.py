@@ -1,14 +1,15 @@
 """`--set key=value`: change, add or remove one value of a design before it is checked."""
 
-import tomllib
 from itertools import pairwise
 from typing import Any
 
 from cadgen.design.explain import Place, depth_in_key, section, spoken, unknown_key
 from cadgen.design.keys import keys, shown, tables
-from cadgen.errors import DesignError
+from cadgen.design.parse import parse
+from cadgen.errors import DesignError, brief, escaped
 
 _MOST_DIGITS = 6  # of an item's number
+_LONGEST_QUOTED = 80
 
 
 def override(values: dict[str, Any], text: str) -> Place:
@@ -34,8 +35,8 @@ def override(values: dict[str, Any], text: str) -> Place:
 
 def quoted(text: str) -> str:
     """An override as it stands at the head of an error: on one line, cut short if it is long."""
-    line = " ".join(f"--set {text}".split())
-    return line if len(line) <= 80 else line[:77] + "..."
+    line = escaped(" ".join(f"--set {text[:_LONGEST_QUOTED]}".split()))
+    return line if len(line) <= _LONGEST_QUOTED else line[: _LONGEST_QUOTED - 3] + "..."
 
 
 def _place(name: str) -> Place:
@@ -45,7 +46,9 @@ def _place(name: str) -> Place:
         key, table = keys().get(section(place)), tables().get(section(place))
         if table and table.many and isinstance(place[-1], str):
             if not (part.isdecimal() and len(part) <= _MOST_DIGITS):
-                raise DesignError(f"{spoken(place)} is a list: write the number of one of its items before {part}")
+                raise DesignError(
+                    f"{spoken(place)} is a list: write the number of one of its items before {brief(part)}"
+                )
             place = (*place, int(part) - 1)
         elif key is None:
             place = (*place, part)
@@ -55,7 +58,9 @@ def _place(name: str) -> Place:
             place = (*place, int(part) - 1)
         else:
             items = ", or the number of one of its items" if len(key.kinds) > 1 else ""
-            raise DesignError(f"{name} is not a key: {spoken(place)} has no {part}; set {key.name} itself{items}")
+            raise DesignError(
+                f"{brief(name)} is not a key: {spoken(place)} has no {brief(part)}; set {key.name} itself{items}"
+            )
     return place
 
 
@@ -89,8 +94,8 @@ def _refuse_absent(holder: object, step: str | int) -> None:
 def _value(written: str) -> object:
     """Read a TOML value; what is none but could be a bare word is text."""
     try:
-        read = tomllib.loads(f"value = {written}")
-    except (ValueError, RecursionError):
+        read = parse(f"value = {written}")
+    except ValueError:
         read = {}
     if set(read) == {"value"}:
         return read["value"]

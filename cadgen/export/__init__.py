@@ -8,6 +8,8 @@
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
 | `tracks`       | the three wheels' tracks as a table                                         |
 | `folder`       | files appear all together and complete, or not at all                         |
+| `lock`         | one run at a time moves files into a folder                                  |
+| `verify`       | whether a folder still is what its manifest says                             |
 | `manifest`     | `manifest.json`: hashes, versions, checks, measured errors                    |
 
 STEP is written and read in `cadgen.solids`, since only the CAD kernel knows it.

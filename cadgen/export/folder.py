@@ -1,19 +1,42 @@
-"""Files appear in the output folder all together and complete, or not at all."""
+"""Files appear in the output folder all together and complete, or not at all.
+
+A run writes into a staging folder of its own inside the output folder. When all is written and read back it takes the
+folder's lock and moves its files into place, in an order in which the folder's manifest is true after every step:
+
+1. a record of what is to be moved, with a copy of the manifest as it was, appears in the staging folder;
+2. the manifest without the parts that are about to be replaced takes the manifest's place;
+3. file by file, what was there is moved into the staging folder, and the new one into its place;
+4. the new manifest takes the manifest's place. From here on the run is done.
+
+A run that fails or is killed between 1 and 4 is undone: by itself, or by the next run into that folder. Undoing goes
+the same way back, and may be killed and begun again at any point too.
+"""
 
 import errno
+import json
 import os
-import platform
+import re
+import secrets
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from cadgen.errors import FileError
+from cadgen.errors import FileError, brief
+from cadgen.export.lock import drop, held, hold, locked
+from cadgen.export.manifest import NAME as MANIFEST
+from cadgen.export.manifest import earlier_parts, is_plain_name, manifest_text, unchanged
 
-_LAST = "manifest.json"  # it vouches for the other files, so it is moved after them
 _PREFIX = ".cadgen-"
-_REPLACED = "replaced"
+_STAGING = re.compile(rf"{re.escape(_PREFIX)}[0-9a-f]{{16}}")
+# Names of files begin with a letter or digit, so these can meet none.
+_ALIVE = ".alive"  # locked as long as the run lives
+_PREPARED = ".prepared"
+_REPLACED = ".replaced"
+_RECORD = ".record.json"
+_KEPT = ".kept.json"
+_MOST_TRIES = 10
 
 
 @dataclass
@@ -23,16 +46,22 @@ class _Run:
     Attributes:
         staging: the folder that its files are written to.
         made: folders on the way to `out` that were not there, the innermost first.
+        alive: descriptor of the staging folder's lock.
         settled: True once files are being moved into place: from then on the run must be let to finish.
     """
 
     staging: Path
     made: tuple[Path, ...]
+    alive: int | None = None
     settled: bool = False
 
     def clear(self) -> None:
-        """Remove everything but what others have put there."""
-        shutil.rmtree(self.staging, ignore_errors=True)
+        """Remove everything but what others have put there, and what is needed to undo a half-done move."""
+        if self.alive is not None:
+            os.close(self.alive)
+            self.alive = None
+        if not _is_half_moved(self.staging):
+            shutil.rmtree(self.staging, ignore_errors=True)
         for folder in self.made:
             with suppress(OSError):
                 folder.rmdir()
@@ -44,11 +73,11 @@ _run: _Run | None = None
 
 def abandon() -> bool:
     """Clear away what an unfinished run has written; False if its files are already in place, or on their way."""
-    if _run is None:
-        return True
-    if _run.settled:
+    if _run is not None and _run.settled:
         return False
-    _run.clear()
+    drop()
+    if _run is not None:
+        _run.clear()
     return True
 
 
@@ -56,83 +85,185 @@ def abandon() -> bool:
 def publishing(out: Path) -> Iterator[Path]:
     """Yield a staging folder inside `out`; when the block ends well, move its files to `out`.
 
-    Files already there under the same names are replaced. If the block, or the moving, fails or is abandoned,
-    `out` is left as it was. What a killed run has left in `out` is cleared away.
+    The block writes the files and, by `write_manifest`, the entry that lists them. Files already there under the same
+    names are replaced, links and not what they point to. If the block, or the moving, fails or is abandoned, `out` is
+    left as it was. What killed runs have left in `out` is undone and cleared away.
 
     Raises:
-        FileError: the folder cannot be made or written to, or the disk is full.
+        FileError: the folder cannot be made or written to, the disk is full, or another run does not let go of it.
     """
     global _run
     try:
         made = tuple(folder for folder in (out, *out.parents) if not folder.exists())
-        # Known before anything is made, so that no moment is left in which it could not be cleared away.
-        _run = _Run(out / f"{_PREFIX}{os.getpid()}-{platform.node()}", made)
-        out.mkdir(parents=True, exist_ok=True)
-        _sweep(out)
-        _run.staging.mkdir()
-        yield _run.staging
-        _run.settled = True
-        _move(_run.staging, out)
+    except OSError as error:
+        raise FileError(_why(error, out)) from error
+    # Known before anything is made, so that no moment is left in which it could not be cleared away.
+    _run = run = _Run(out / f"{_PREFIX}{secrets.token_hex(8)}", made)
+    try:
+        _begin(run, out)
+        yield run.staging
+        with locked(out) as sure:
+            undo_killed(out, sure=sure)
+            run.settled = True
+            _publish(run.staging, out)
     except BaseException as error:
-        run, _run = _run, None
-        if run:
-            run.clear()
+        _run = None
+        run.clear()
         if isinstance(error, OSError):
             raise FileError(_why(error, out)) from error
         raise
-    # The record stays: the files are in place.
-    shutil.rmtree(_run.staging, ignore_errors=True)
+    # Its record stays: the files are in place.
+    run.clear()
 
 
-def _sweep(out: Path) -> None:
-    """Remove the staging folders of runs on this machine that were killed."""
-    for folder in out.glob(f"{_PREFIX}*-{platform.node()}"):
-        number = folder.name.removeprefix(_PREFIX).partition("-")[0]
-        if not folder.is_dir() or not number.isdecimal() or _lives(int(number)):
+def _begin(run: _Run, out: Path) -> None:
+    """Make both folders; another run that fails may remove the outer one as fast as it is made."""
+    for tries in range(_MOST_TRIES):
+        out.mkdir(parents=True, exist_ok=True)
+        try:
+            with locked(out) as sure:
+                undo_killed(out, sure=sure)
+                run.staging.mkdir()
+                run.alive = hold(run.staging / _ALIVE)
+            return
+        except FileNotFoundError:
+            if tries == _MOST_TRIES - 1:
+                raise
+
+
+def left_by_killed(out: Path) -> tuple[list[Path], list[Path]]:
+    """Staging folders in `out` whose run is not known to live: those of half-done moves, and all others.
+
+    Raises:
+        OSError: `out` cannot be read.
+    """
+    half: list[Path] = []
+    other: list[Path] = []
+    for folder in sorted(out.iterdir()):
+        if not _STAGING.fullmatch(folder.name) or folder.is_symlink() or not folder.is_dir():
             continue
-        # If it was killed amid moving its files, those that they replaced are put back.
-        if any(file.is_file() for file in folder.iterdir()):
-            for file in folder.glob(f"{_REPLACED}/*"):
-                os.replace(file, out / file.name)
+        with suppress(OSError):
+            if held(folder / _ALIVE):
+                continue
+        (half if _is_half_moved(folder) else other).append(folder)
+    return half, other
+
+
+def undo_killed(out: Path, *, sure: bool) -> list[str]:
+    """Undo the half-done moves of killed runs, and remove what they have left; call it with the folder locked.
+
+    Args:
+        out: the output folder.
+        sure: True if no other run can be at work in it: then whatever is left was left by runs that were killed.
+
+    Returns:
+        Names of the files that were put back or removed by that.
+
+    Raises:
+        FileError: a half-done move is another user's, or may be still under way.
+        OSError: a file cannot be moved.
+    """
+    half, other = left_by_killed(out)
+    back: list[str] = []
+    for folder in half:
+        if not sure or not _is_own(folder):
+            whose = "of another user" if sure else "that may still be at work, since this folder cannot be locked"
+            raise FileError(
+                f"{brief(str(out))} holds the half of what a run {whose} was to move there ({folder.name}): when no "
+                f"run is at work, let that user run cadgen verify --restore on it, or choose another --out"
+            )
+        back += _undo(folder, out)
         shutil.rmtree(folder, ignore_errors=True)
+    for folder in other:
+        if sure and _is_own(folder):
+            shutil.rmtree(folder, ignore_errors=True)
+    return back
 
 
-def _lives(process: int) -> bool:
-    """Whether another process with this number runs."""
-    if process == os.getpid():
-        return False
-    if os.name != "posix":  # there signal 0 would end it
-        return True
+def _is_half_moved(staging: Path) -> bool:
+    return (staging / _REPLACED).is_dir() and (staging / MANIFEST).is_file()
+
+
+def _is_own(folder: Path) -> bool:
+    """Whether this user made it; others could have planted it."""
     try:
-        os.kill(process, 0)
-    except (ProcessLookupError, OverflowError):
+        return os.name != "posix" or folder.lstat().st_uid == os.geteuid()
+    except FileNotFoundError:  # its run has just cleared it away
         return False
-    except OSError:  # it belongs to somebody else
-        pass
-    return True
 
 
-def _move(staging: Path, out: Path) -> None:
-    """Rename every staged file into place; on any failure put back what was there."""
-    files = sorted((f for f in staging.iterdir() if f.is_file()), key=lambda f: (f.name == _LAST, f.name))
-    backup = staging / _REPLACED
-    backup.mkdir()
-    done: list[Path] = []
+def _publish(staging: Path, out: Path) -> None:
+    """Move what the staged manifest lists into place; on any failure put back what was there."""
+    new = earlier_parts(staging / MANIFEST)
+    files = {name: facts["sha256"] for entry in new.values() for name, facts in entry["files"].items()}
+    if set(os.listdir(staging)) - {_ALIVE} != {*files, MANIFEST}:
+        raise ValueError("a run writes files that its manifest does not list")
+    for name in (*files, MANIFEST):
+        if (out / name).is_dir() and not (out / name).is_symlink():
+            raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another --out")
+    kept = {
+        name: entry
+        for name, entry in earlier_parts(out / MANIFEST).items()
+        if name not in new
+        and not set(entry["files"]) & set(files)
+        and all(unchanged(out / file, facts) for file, facts in entry["files"].items())
+    }
+    _prepare(staging, out, files, manifest_text(kept))
+    _write(staging / MANIFEST, manifest_text({**kept, **new}))
+    (staging / _PREPARED).rename(staging / _REPLACED)
     try:
-        for file in files:
-            target = out / file.name
-            if target.is_dir():
-                raise FileError(f"{target} is a folder where a file must go: remove it or choose another --out")
-            if target.exists():
-                os.replace(target, backup / file.name)
-            done.append(target)
-            os.replace(file, target)
+        if (staging / _KEPT).exists():
+            os.replace(staging / _KEPT, out / MANIFEST)
+        for name in sorted(files):
+            if os.path.lexists(out / name):
+                os.replace(out / name, staging / _REPLACED / name)
+            os.replace(staging / name, out / name)
+        os.replace(staging / MANIFEST, out / MANIFEST)
     except BaseException:
-        for target in done:
-            target.unlink(missing_ok=True)
-            if (backup / target.name).exists():
-                os.replace(backup / target.name, target)
+        _undo(staging, out)
         raise
+
+
+def _prepare(staging: Path, out: Path, files: Mapping[str, str], kept: str) -> None:
+    """Write down what is to be moved, and what is to stand in the manifest's place meanwhile."""
+    prepared = staging / _PREPARED
+    prepared.mkdir()
+    (prepared / _RECORD).write_text(json.dumps(files), encoding="utf-8")
+    if os.path.lexists(out / MANIFEST):
+        shutil.copyfile(out / MANIFEST, prepared / MANIFEST, follow_symlinks=False)
+        (staging / _KEPT).write_text(kept, encoding="utf-8")
+
+
+def _undo(staging: Path, out: Path) -> list[str]:
+    """Go back to what was there before a move, from wherever it, or its undoing, has stopped.
+
+    A new file goes back to the staging folder, if it is still that file; then the one before it, if its place is free,
+    to the output folder. What others have put there since stays.
+    """
+    replaced = staging / _REPLACED
+    files = json.loads((replaced / _RECORD).read_text(encoding="utf-8"))
+    back = []
+    for name, digest in files.items():
+        if not is_plain_name(name):
+            continue
+        target = out / name
+        if not os.path.lexists(staging / name) and unchanged(target, {"sha256": digest}):
+            os.replace(target, staging / name)
+            back.append(name)
+        if os.path.lexists(replaced / name) and not os.path.lexists(target):
+            os.replace(replaced / name, target)
+            back.append(name)
+    if os.path.lexists(replaced / MANIFEST):
+        os.replace(replaced / MANIFEST, out / MANIFEST)
+    (staging / MANIFEST).unlink()  # from here on nothing is left to be undone
+    return sorted(set(back))
+
+
+def _write(file: Path, text: str) -> None:
+    """Replace a file's content at once."""
+    beside = file.with_name(f".new-{file.name}")
+    beside.write_text(text, encoding="utf-8")
+    os.replace(beside, file)
 
 
 def _why(error: OSError, out: Path) -> str:
@@ -148,4 +279,4 @@ def _why(error: OSError, out: Path) -> str:
         errno.ENAMETOOLONG: "the path is too long: choose a shorter --out",
     }
     reason = reasons.get(error.errno or 0, f"{error.strerror or error}: choose another --out")
-    return f"nothing was written to {out}: {reason}"
+    return f"nothing was written to {brief(str(out))}: {reason}"

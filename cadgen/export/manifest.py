@@ -2,14 +2,19 @@
 
 import hashlib
 import json
+import stat
+from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
 from cadgen import __version__
+from cadgen.errors import brief
+from cadgen.reading import read_given
 
 NAME = "manifest.json"
 FORMAT = 1
+MOST_BYTES = 64_000_000  # of a manifest: thousands of parts
 _LIBRARIES = (
     "build123d",
     "cadquery-ocp-novtk",
@@ -25,7 +30,8 @@ _LIBRARIES = (
 
 def file_hash(file: Path) -> str:
     """SHA-256 of a file's bytes, hexadecimal."""
-    return hashlib.sha256(file.read_bytes()).hexdigest()
+    with file.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
 
 
 def file_facts(file: Path) -> dict[str, Any]:
@@ -44,36 +50,65 @@ def versions() -> dict[str, str]:
     return found
 
 
-def write_manifest(staging: Path, out: Path, part: str, entry: dict[str, Any]) -> None:
-    """Write the folder's manifest into the staging folder.
-
-    Parts made earlier keep their entries as long as all their files are still there unchanged.
+def write_manifest(staging: Path, part: str, entry: dict[str, Any]) -> None:
+    """Write the entry of a run's part into its staging folder; `publishing` adds those of earlier parts.
 
     Args:
-        staging: where the new files are.
-        out: where they will go, with the manifest of earlier parts.
-        part: name of the new part, the key of its entry.
-        entry: its facts; `entry["files"]` maps file names to facts with a `sha256`.
+        staging: where the files are.
+        part: name of the part, the key of its entry.
+        entry: its facts; `entry["files"]` maps the name of every staged file to facts with a `sha256`.
     """
-    kept = {
-        name: earlier
-        for name, earlier in _earlier_parts(out / NAME).items()
-        if name != part
-        and not set(earlier["files"]) & set(entry["files"])
-        and all(_unchanged(out / file, facts) for file, facts in earlier["files"].items())
-    }
-    content = {"format": FORMAT, "parts": {**kept, part: entry}}
-    (staging / NAME).write_text(json.dumps(content, indent=2, allow_nan=False) + "\n", encoding="utf-8")
+    (staging / NAME).write_text(manifest_text({part: entry}), encoding="utf-8")
 
 
-def _earlier_parts(manifest: Path) -> dict[str, Any]:
-    """The sound entries of an earlier manifest; a file that is not ours, or is damaged, has none."""
+def manifest_text(parts: Mapping[str, Any]) -> str:
+    """Content of a manifest with these parts."""
+    return json.dumps({"format": FORMAT, "parts": dict(parts)}, indent=2, allow_nan=False) + "\n"
+
+
+def earlier_parts(manifest: Path) -> dict[str, Any]:
+    """The sound entries of a manifest; a file that is not ours, or is damaged, has none."""
     try:
-        content = json.loads(manifest.read_text(encoding="utf-8"))
-        parts = content["parts"] if content["format"] == FORMAT else {}
-        return {name: part for name, part in parts.items() if _sound(part)}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return {name: part for name, part in read_parts(manifest).items() if _sound(part)}
+    except (OSError, ValueError):
         return {}
+
+
+def read_parts(manifest: Path) -> dict[str, Any]:
+    """The entries of a manifest as they stand.
+
+    Raises:
+        OSError: it cannot be read.
+        ValueError: it is no manifest of this format.
+    """
+    try:
+        content = json.loads(read_given(manifest, MOST_BYTES).decode("utf-8"))
+        if content["format"] != FORMAT:
+            raise ValueError(f"its format is {brief(str(content['format']), 40)}, not {FORMAT}")
+        return dict(content["parts"].items())
+    except (KeyError, TypeError, AttributeError, RecursionError):
+        raise ValueError("it is no manifest of cadgen") from None
+
+
+def is_plain_name(name: str) -> bool:
+    """Whether a name means a file in the folder itself."""
+    return name not in ("", ".", "..") and not set(name) & {"/", "\\", "\0"} and Path(name).name == name
+
+
+def is_file(file: Path) -> bool:
+    """Whether this is a file itself, not a link to one, a pipe or a device."""
+    try:
+        return stat.S_ISREG(file.lstat().st_mode)
+    except ValueError:  # no file can have that name
+        return False
+
+
+def unchanged(file: Path, facts: dict[str, Any]) -> bool:
+    """Whether a file is there with the hash that its entry has."""
+    try:
+        return is_file(file) and file_hash(file) == facts.get("sha256")
+    except (OSError, ValueError):  # it cannot be read, or no file can have that name
+        return False
 
 
 def _sound(part: Any) -> bool:
@@ -83,11 +118,6 @@ def _sound(part: Any) -> bool:
     except ValueError:
         return False
     files = part.get("files") if isinstance(part, dict) else None
-    return isinstance(files, dict) and all(isinstance(facts, dict) for facts in files.values())
-
-
-def _unchanged(file: Path, facts: dict[str, Any]) -> bool:
-    try:
-        return file.is_file() and file_hash(file) == facts.get("sha256")
-    except (OSError, ValueError):  # it cannot be read, or no file can have that name
-        return False
+    return isinstance(files, dict) and all(
+        is_plain_name(name) and isinstance(facts, dict) for name, facts in files.items()
+    )

@@ -37,6 +37,7 @@ _STEP = 0.1  # mm between the profile's points when the walls are measured
 _STL_HEADER = 80
 _STL_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _MODEL = "3D/3dmodel.model"
+_DATE = (1980, 1, 1, 0, 0, 0)  # the first that a ZIP file can have; equal parts give equal bytes
 _CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 
 
@@ -161,7 +162,19 @@ def threemf_bytes(mesh: Mesh, name: str, description: str) -> bytes:
     item = model.AddBuildItem(body, wrapper.GetIdentityTransform())
     for role, identify in (("body", body.SetUUID), ("item", item.SetUUID), ("build", model.SetBuildUUID)):
         identify(str(uuid.uuid5(uuid.NAMESPACE_OID, f"cadgen {role} {content}")))
-    return bytes(model.QueryWriter("3mf").WriteToBuffer())
+    return _dated(bytes(model.QueryWriter("3mf").WriteToBuffer()))
+
+
+def _dated(package: bytes) -> bytes:
+    """The same package with a date that exists: lib3mf leaves month and day at 0."""
+    file = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(package)) as old, zipfile.ZipFile(file, "w") as new:
+        for entry in old.infolist():
+            dated = zipfile.ZipInfo(entry.filename, _DATE)
+            dated.compress_type = entry.compress_type
+            dated.create_system = entry.create_system
+            new.writestr(dated, old.read(entry))
+    return file.getvalue()
 
 
 def read_3mf(path: Path) -> tuple[Mesh, str]:

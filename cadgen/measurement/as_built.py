@@ -73,11 +73,17 @@ class AsBuilt:
         """
         away, radius = self._of_car("axial_offset_um"), nominal.radius + self._of_car("rod_radius_um")
         inner, outer = nominal.inner + away, nominal.outer + away
-        if not 0 < radius < inner:
+        correct = "correct rod_radius_um or axial_offset_um in [as_built]"
+        if radius <= 0:
+            less = 1e3 * (nominal.radius - radius)
             raise DesignError(
-                f"as built the rod's radius is {radius:g} mm and the disc's inner face {inner:g} mm from the fork "
-                "axis; the radius must be above 0 and less than that distance: correct rod_radius_um or "
-                "axial_offset_um in [as_built]"
+                f"as built nothing is left of the rod: its radius of {nominal.radius:g} mm is to be {less:g} µm less: "
+                f"{correct}"
+            )
+        if radius >= inner:
+            raise DesignError(
+                f"as built the rod's radius is {radius:g} mm and the disc's inner face {abs(inner):g} mm "
+                f"{'from' if inner >= 0 else 'behind'} the fork axis; the rod must swing clear of it: {correct}"
             )
         return replace(nominal, inner=inner, outer=outer, radius=radius)
 

@@ -9,8 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from cadgen.errors import FileError
+from cadgen.errors import FileError, brief, escaped
 from cadgen.measurement.record import Kind, Record
+from cadgen.reading import read_given
 
 # Columns of each kind beside `run`, and the range that each value can have.
 COLUMNS: dict[Kind, tuple[str, ...]] = {
@@ -42,7 +43,7 @@ LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
 # Of one kind: the catalogue has some 2000 columns of them, and must fit into memory. Logs of steering are thinned.
 MOST_ROWS, MOST_LOGGED = 20_000, 200_000
 MOST_TURN_DEG = 400.0  # of a camshaft that is to turn once and come back
-_SHOWN = 200  # characters of a file's own text in a message
+MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ def load(path: Path) -> Record:
         FileError: no such file, no or a mixed header, columns that are missing, a value that is not a number or
             cannot be in its unit, angles that go round twice, or too few rows.
     """
-    name = path.name
+    name = escaped(path.name)
     lines = _text(path).splitlines()
     remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
     body = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
@@ -86,9 +87,8 @@ def load(path: Path) -> Record:
         if column == "direction":
             bad = [k for k, cell in enumerate(cells) if cell not in ("forward", "reverse")]
             if bad:
-                raise FileError(
-                    f"{name}, line {numbers[bad[0]]}: direction is {cells[bad[0]]!r}; write forward or reverse"
-                )
+                wrong = brief(repr(cells[bad[0]]))
+                raise FileError(f"{name}, line {numbers[bad[0]]}: direction is {wrong}; write forward or reverse")
             columns[column] = np.array(cells)
         else:
             columns[column] = _numbers(cells, column, numbers, name, LIMITS[kind].get(column, (-np.inf, np.inf)))
@@ -174,21 +174,22 @@ def _refuse_many(kind: Kind, rows: int, name: str) -> None:
 
 
 def _text(path: Path) -> str:
+    name = brief(str(path))
     try:
-        content = path.read_bytes()
+        content = read_given(path, MOST_BYTES)
     except FileNotFoundError:
-        raise FileError(f"there is no file {path}: correct its name") from None
+        raise FileError(f"there is no file {name}: correct its name") from None
     except IsADirectoryError:
-        raise FileError(f"{path} is a folder: give the files in it") from None
+        raise FileError(f"{name} is a folder: give the files in it") from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
-        raise FileError(f"{path} cannot be read ({reason}): give a CSV file that can") from None
+        raise FileError(f"{name} cannot be read ({reason}): give a CSV file that can") from None
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = "\0"
     if "\0" in text:
-        raise FileError(f"{path} is not text in UTF-8: give a CSV file")
+        raise FileError(f"{name} is not text in UTF-8: give a CSV file")
     return text
 
 
@@ -203,7 +204,7 @@ def _kind(header: list[str], name: str) -> Kind:
     """The most demanding kind whose columns are all there; columns of two kinds are a mixture."""
     if len(set(header)) < len(header):
         twice = next(c for c in header if header.count(c) > 1)
-        raise FileError(f"{name}: column {twice} stands twice; keep one")
+        raise FileError(f"{name}: column {brief(twice)} stands twice; keep one")
     if len(header) == 1 and (mark := next((m for m in ";\t" if m in header[0]), None)):
         told = "semicolons" if mark == ";" else "tabs"
         raise FileError(f"{name}: its columns are set apart by {told}; save it with commas, and with decimal points")
@@ -217,14 +218,10 @@ def _kind(header: list[str], name: str) -> Kind:
         "lacks": [c for c in wanted if c not in header],
         "does not have": [c for c in header if c not in wanted],
     }
-    told = " and ".join(f"{verb} {_short(', '.join(columns))}" for verb, columns in parts.items() if columns)
+    told = " and ".join(f"{verb} {brief(', '.join(columns))}" for verb, columns in parts.items() if columns)
     raise FileError(
-        f"{name}: the columns {_short(', '.join(header))} are no kind of measured data; nearest is {near}, which {told}"
+        f"{name}: the columns {brief(', '.join(header))} are no kind of measured data; nearest is {near}, which {told}"
     )
-
-
-def _short(text: str) -> str:
-    return text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
 
 
 def _numbers(
@@ -238,7 +235,7 @@ def _numbers(
             values[k] = np.nan
         if not np.isfinite(values[k]):
             raise FileError(
-                f"{name}, line {lines[k]}: {column} is {_short(repr(cell))}; every value must be a finite number"
+                f"{name}, line {lines[k]}: {column} is {brief(repr(cell))}; every value must be a finite number"
             )
     low, high = limits
     bad = np.flatnonzero((values < low) | (values > high))

@@ -141,8 +141,9 @@ def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k:
     if shrink[worst] > 0 and np.isfinite(k).all():
         return
     span = int(np.clip(np.searchsorted(path.knots, u[worst], side="right"), 1, len(path.knots) - 1))
+    side = "left" if k[worst] > 0 else "right"
     raise DesignError(
-        f"the path turns left with a radius of {1 / k[worst]:.1f} mm at ({position[worst, 0]:.0f}, "
+        f"the path turns {side} with a radius of {1 / abs(k[worst]):.1f} mm at ({position[worst, 0]:.0f}, "
         f"{position[worst, 1]:.0f}) mm, between waypoints {span} and {span + 1}, but the drive wheel runs "
-        f"{offset:.1f} mm inside it, so its track has a cusp there: move the waypoints to a wider turn"
+        f"{abs(offset):.1f} mm inside it, so its track has a cusp there: move the waypoints to a wider turn"
     )

@@ -114,7 +114,7 @@ def _documents(staging: Path, stem: str, facts: dict[str, Any], text: str) -> li
 
 def _published(staging: Path, out: Path, stem: str, facts: dict[str, Any], names: list[str]) -> Written:
     entry = {**facts, "files_written": names, "files": {name: file_facts(staging / name) for name in names}}
-    write_manifest(staging, out, stem, entry)
+    write_manifest(staging, stem, entry)
     return Written(stem, entry)
 
 

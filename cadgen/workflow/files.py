@@ -190,7 +190,7 @@ def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None) -> Writt
             "warnings": warnings,
             "files": files,
         }
-        write_manifest(staging, out, job.stem, entry)
+        write_manifest(staging, job.stem, entry)
     return Written(job.stem, entry)
 
 

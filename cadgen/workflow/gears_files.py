@@ -72,7 +72,7 @@ def write_gears(plan: GearsPlan, out: Path, step: Step = lambda text: None) -> G
                 file = staging / name
                 files[name] = {"bytes": file.stat().st_size, "sha256": file_hash(file), **facts}
         entry = {**plan.facts(), "frame": FRAME, "versions": versions(), "omitted": {}, "files": files}
-        write_manifest(staging, out, f"{stem}_train", entry)
+        write_manifest(staging, f"{stem}_train", entry)
     return GearsWritten(f"{stem}_train", entry)
 
 

@@ -151,7 +151,7 @@ def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text
             "versions": versions(),
             "files": {name: file_facts(staging / name) for name in names},
         }
-        write_manifest(staging, out, stem, entry)
+        write_manifest(staging, stem, entry)
     return Written(stem, entry)
 
 
@@ -184,7 +184,7 @@ def write_comparison(plan: CamPlan, out: Path, step: Step = lambda text: None) -
         names += draw_tracks(panels, planned, _field(plan.design), staging, f"{stem}_tracks")
         names += draw_tracks(_alone(against), planned, _field(plan.design), staging, f"{stem}_tracks_by_event")
         entry = {**plan.facts(), "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
-        write_manifest(staging, out, stem, entry)
+        write_manifest(staging, stem, entry)
     return Written(stem, entry)
 
 

@@ -163,7 +163,7 @@ def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None
         )
         names = draw_fleet(picture, staging, stem)
         entry = {**run.facts(), "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
-        write_manifest(staging, out, stem, entry)
+        write_manifest(staging, stem, entry)
     return Written(stem, entry)
 
 

@@ -1,5 +1,7 @@
 """The exact envelope against closed forms and against a search that knows no calculus."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.interpolate import PPoly
@@ -166,6 +168,8 @@ def test_nothing_left_of_the_disc():
     follower = Follower(base_radius=8.0, inner=23.5, outer=26.5, radius=4.0)
     with pytest.raises(DesignError, match="nothing is left of the disc"):
         actual_profile(harmonic_lift(0.2, 3), follower)
+    with pytest.raises(DesignError, match=r"axis is \d+\.\d+ mm beyond the camshaft"):
+        actual_profile(harmonic_lift(0.2, 3), replace(follower, base_radius=2.0, radius=1.0))
 
 
 def test_theoretical_profile_is_base_plus_lift(carbon_free_car):

@@ -1,15 +1,19 @@
 """What is printed, wherever it goes: full disks, closed pipes, old terminals, narrow ones."""
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from click.testing import CliRunner
 
 from cadgen.cam.check import Check
-from cadgen.cli import show
+from cadgen.cli import cli, show
+from cadgen.cli.output import sentence
+from cadgen.errors import MOST_REPEATED, brief
 from cadgen.workflow.files import Written
 from tests.cli.conftest import one_sentence
 
@@ -124,3 +128,88 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
     printed = capsys.readouterr().out
     for text in ("car[1], actual", "hole :smile: [blank]", "wall [red]: move it (the design's [blank]).", "[x] cures"):
         assert text in printed
+
+
+@pytest.mark.parametrize("columns", ["0", "00"])
+def test_a_width_that_is_not_known_prints_all_the_same(capsys, monkeypatch, columns):
+    known = files_table(capsys, monkeypatch, 80)
+    assert files_table(capsys, monkeypatch, columns) == known
+
+
+@pytest.mark.parametrize("width", [60, 80])
+@pytest.mark.parametrize("name", ["", *sorted(cli.commands)])
+def test_help_fits_and_shows_no_escapes(name, width):
+    result = CliRunner().invoke(cli, [*name.split(), "--help"], terminal_width=width)
+    assert result.exit_code == 0
+    assert "\\" not in result.output
+    assert max(map(len, result.output.splitlines())) <= width
+
+
+LONG_TEXTS = {
+    "words": "some words " * 9000,
+    "a word": "x" * 100_000,
+    "signs": "\x1b[31m\x07\u202e" * 9000,
+    "parts": "a." * 40_000 + "b",
+    "lines": "a\nb " * 20_000,
+}
+PLACES = {
+    "design": ["check", "{}"],
+    "path": ["check", "./{}.toml"],
+    "override": ["check", "--set", "{}"],
+    "key": ["check", "--set", "cam.{}=1"],
+    "item": ["check", "--set", "path.waypoints_mm.{}=1"],
+    "value": ["check", "--set", "cam.thickness_mm={}"],
+    "inline table": ["check", "--set", "path={{{}=1}}"],
+    "name": ["check", "--set", "name={}"],
+    "choice": ["check", "--profile", "{}"],
+    "number": ["simulate", "--play-deg", "{}"],
+    "option": ["check", "--{}"],
+    "rest": ["check", "carbon_free_car", "{}"],
+    "command": ["{}"],
+    "measured": ["calibrate", "{}"],
+    "folder": ["verify", "{}"],
+}
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_messages_repeat_at_most_a_line_of_what_was_given(place, monkeypatch, capsys):
+    from cadgen.cli import interrupt, main
+
+    monkeypatch.setattr(interrupt, "install", lambda: None)
+    monkeypatch.setattr(interrupt, "ignore", lambda: None)
+    for text in LONG_TEXTS.values():
+        monkeypatch.setattr(sys, "argv", ["cadgen", *(part.format(text) for part in PLACES[place])])
+        with pytest.raises(SystemExit) as leave:
+            main()
+        printed = capsys.readouterr().err
+        assert leave.value.code in (2, 3)
+        assert all(sign.isprintable() or sign == "\n" for sign in printed)
+        assert len(printed.splitlines()) <= 2  # an unknown key and a missing one
+        assert not any(text[n : n + MOST_REPEATED + 1] in printed for n in range(40))
+        assert len(printed) < 700
+
+
+def test_a_message_of_click_repeats_at_most_a_line():
+    given = 'say "x"\t' * 1000
+    assert len(sentence(f"No such option: {given!r} or {given}", [f"--set={given}"])) < 3 * MOST_REPEATED
+    assert brief("a\tb\x1b") == "a\\tb\\x1b"
+    assert len(brief("x" * 10**6)) == len(brief("\x00" * 10**6)) == MOST_REPEATED
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no such signals there")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_while_python_shuts_down_changes_nothing(number, tmp_path):
+    """Python has taken its handlers down by the time that the last object of a module is cleared away."""
+    script = f"""
+import os, sys
+class Last:
+    def __del__(self, kill=os.kill, process=os.getpid()):
+        kill(process, {int(number)})
+sys.modules["last"] = Last()
+sys.modules["sys"].last_object = Last()
+from cadgen.cli import main
+main()
+"""
+    command = [sys.executable, "-c", script, "no_such_command"]
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert result.returncode == 2, result.stderr

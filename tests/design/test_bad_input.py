@@ -1,5 +1,6 @@
 """A design that cannot be understood gives one clear sentence a line: the key, its value, what is allowed."""
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -38,6 +39,10 @@ VALUES = [
     ("cam.thicknes_mm", 3, ["cam.thicknes_mm", "did you mean cam.thickness_mm?", "[cam] takes", "blend_deg"]),
     ("cam.colour", "red", ["cam.colour is not a key", "[cam] takes base_radius_mm", "blend_deg"]),
     ("cams.x", 3, ["cams is not a key", "did you mean cam?", "a design takes name, path", "export"]),
+    ("car.width_mm", 3, ["car.width_mm is not a key: [car] takes wheelbase_mm"]),
+    ("machining.thickness_mm", 3, ["machining.thickness_mm is not a key: [machining] takes"]),
+    ("car.blend_deg", 3, ["car.blend_deg is not a key: did you mean cam.blend_deg? [car] takes"]),
+    ("base_radius_mm", 3, ["did you mean cam.base_radius_mm or tolerances.base_radius_mm? a design takes"]),
     ("cam.keyway", {"width_mm": 3}, ["cam.keyway is not a key", "did you mean blank.keyway?"]),
     ("cam.blend_deg", 0, ["cam.blend_deg is 0", "at least 0.5 and at most 180"]),
     ("cam.blend_deg", 359.999999, ["cam.blend_deg is 359.999999", "at least 0.5 and at most 180"]),
@@ -142,9 +147,33 @@ def test_a_hub_that_reaches_the_fork_axis(minimal: Tables, written: Write) -> No
         (b'name = "caf\xe9"\n', ["line 1", "UTF-8"]),
         ("name = 'x'\n".encode("utf-16"), ["line 1", "UTF-8"]),
         ("x = " + "[" * 100_000, ["nested too deeply"]),
+        ("x = " + "[" * 300 + "]" * 300, ["nested too deeply"]),
+        ("x = " + "{a.b.c.d.e.f.g=" * 60 + "1" + "}" * 60, ["nested too deeply"]),
+        ("a" + ".a" * 200_000 + " = 1", ["nested too deeply"]),
+        ("[ a" + " . 'b.c'" * 50_000 + " ]", ["nested too deeply"]),
+        ("".join(f"[a{n}]\n" for n in range(300_000)), ["larger than 0.5 MB"]),
+        ("name = 'a\x1b[31m", ["not TOML", r"\x1b[31m"]),
+        (b"name = 'a\x00'", ["not TOML", r"`name = 'a\x00'`"]),
         ("x = " + "9" * 10_000, ["more digits than can be read"]),
     ],
-    ids=["statement", "value", "array", "key twice", "section twice", "latin-1", "utf-16", "deep", "digits"],
+    ids=[
+        "statement",
+        "value",
+        "array",
+        "key twice",
+        "section twice",
+        "latin-1",
+        "utf-16",
+        "deep",
+        "lists",
+        "tables",
+        "parts",
+        "heading",
+        "sections",
+        "escape",
+        "nul",
+        "digits",
+    ],
 )
 def test_a_file_that_is_not_toml(written: Write, content: str | bytes, words: list[str]) -> None:
     file = written(content)
@@ -165,6 +194,26 @@ def test_no_such_file(tmp_path: Path) -> None:
 
 def test_a_folder(tmp_path: Path) -> None:
     assert refusal(tmp_path) == f"{tmp_path} is a folder: give the path of a design file in it"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no such files there")
+def test_what_is_no_regular_file(tmp_path: Path) -> None:
+    """Nothing is opened that could wait or go on for ever."""
+    os.mkfifo(tmp_path / "pipe.toml")
+    (tmp_path / "zero.toml").symlink_to("/dev/zero")
+    (tmp_path / "huge.toml").touch()
+    os.truncate(tmp_path / "huge.toml", 10**12)
+    assert "it is a pipe and no regular file" in refusal(tmp_path / "pipe.toml")
+    assert "it is a device and no regular file" in refusal(tmp_path / "zero.toml")
+    assert "larger than 0.5 MB" in refusal(tmp_path / "huge.toml")
+
+
+def test_very_many_errors_are_counted_and_not_written_out(minimal: Tables, written: Write) -> None:
+    text = "".join(f'"k\\u001b{n}" = {n}\n' for n in range(20_000)) + written(minimal).read_text()
+    lines = refusal(written(text)).splitlines()
+    assert lines[0].startswith(r"mine.toml: ")
+    assert r"k\x1b0 is not a key" in lines[0]
+    assert lines[-1] == f"and {20_000 - MAX_ERRORS_SHOWN} more like these"
 
 
 def test_a_file_that_the_system_refuses(tmp_path: Path) -> None:

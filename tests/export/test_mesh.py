@@ -287,6 +287,14 @@ def test_a_damaged_stl_is_one_clear_error(tmp_path, damage, message):
         read_stl(path)
 
 
+def test_entries_of_a_3mf_have_a_date_that_exists(tmp_path):
+    path = tmp_path / "cam.3mf"
+    path.write_bytes(threemf_bytes(washer(), "cam", ""))
+    with zipfile.ZipFile(path) as package:
+        assert package.testzip() is None
+        assert {entry.date_time for entry in package.infolist()} == {(1980, 1, 1, 0, 0, 0)}
+
+
 def test_a_damaged_3mf_is_one_clear_error(tmp_path):
     path = tmp_path / "cam.3mf"
     data = threemf_bytes(washer(), "disc", "test")

@@ -1,10 +1,12 @@
 """Reading measured files: kinds by their columns, and a clear error for each way to get it wrong."""
 
+import os
+
 import numpy as np
 import pytest
 
 from cadgen.errors import FileError
-from cadgen.measurement.load import digest, instrument, join, load, printed
+from cadgen.measurement.load import MOST_BYTES, digest, instrument, join, load, printed
 
 LIFT = "run,direction,cam_angle_deg,lift_mm\n" + "".join(f"1,forward,{k}.0,{0.01 * k:.3f}\n" for k in range(30))
 
@@ -145,3 +147,19 @@ def test_too_many_rows_are_refused(tmp_path):
     half = load(tmp_path / "half.csv")
     with pytest.raises(FileError, match=r"half.csv \+ half.csv: 21000 rows"):
         join([half, half])
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no such files there")
+def test_only_regular_files_of_a_sensible_size_are_read(tmp_path):
+    os.mkfifo(tmp_path / "pipe.csv")
+    (tmp_path / "zero.csv").symlink_to("/dev/zero")
+    (tmp_path / "huge.csv").touch()
+    os.truncate(tmp_path / "huge.csv", MOST_BYTES + 1)
+    (tmp_path / "escape\x1b[31m.csv").write_text("\x1b[31m" * 1000)
+    for name, words in (("pipe", "a pipe and no"), ("zero", "a device and no"), ("huge", "larger than 32 MB")):
+        with pytest.raises(FileError, match=words):
+            load(tmp_path / f"{name}.csv")
+    with pytest.raises(FileError) as caught:
+        load(tmp_path / "escape\x1b[31m.csv")
+    assert str(caught.value).isprintable()
+    assert len(str(caught.value)) < 800

@@ -69,3 +69,9 @@ def test_cusp_is_refused_with_its_place():
     with pytest.raises(DesignError, match=r"cusp.*waypoints to a wider turn") as caught:
         offset_track(plan_path(tight, "quintic"), 117.5)
     assert "between waypoints" in str(caught.value)
+
+
+def test_a_cusp_on_the_other_side_is_told_with_lengths_above_zero():
+    tight = np.array([[0, 0], [500, 0], [600, -60], [500, -120], [0, -120.0]])
+    with pytest.raises(DesignError, match=r"turns right with a radius of \d.* runs 117.5 mm inside it"):
+        offset_track(plan_path(tight, "quintic"), -117.5)

@@ -1,0 +1,78 @@
+"""`cadgen verify`: a folder's files against its manifest."""
+
+import errno
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from cadgen.errors import FileError, brief, escaped
+
+if TYPE_CHECKING:
+    from cadgen.export.verify import FolderState
+
+UNLISTED_SHOWN = 20
+
+
+@click.command()
+@click.argument("folder", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path))
+@click.option("--restore", is_flag=True, help="First put back what killed runs have left half moved into the folder.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a table.")
+def verify(folder: Path, restore: bool, as_json: bool) -> None:
+    """Compare the files in DIR with its manifest.
+
+    Each is as listed, changed, missing, unreadable or not listed. The exit code is 1 if one that the manifest lists is
+    not as listed, or if a run was killed while it moved its files into DIR; the next command that writes there, or
+    --restore, undoes that.
+    """
+    from cadgen.cli import show
+    from cadgen.export import verify as work
+    from cadgen.export.folder import undo_killed
+    from cadgen.export.lock import locked
+
+    restored: list[str] = []
+    try:
+        with locked(folder):
+            if restore:
+                restored = undo_killed(folder, sure=True)
+            state = work.verify(folder)
+    except OSError as error:
+        if restore or error.errno not in (errno.EACCES, errno.EPERM, errno.EROFS):
+            raise FileError(f"{brief(str(folder))} cannot be written to ({error.strerror}): make it writable") from None
+        state = work.verify(folder)  # this user cannot lock it
+    if as_json:
+        show.document({**state.facts(folder), "restored": restored})
+    else:
+        _report(folder, state, restored)
+    sys.exit(0 if state.is_true else 1)
+
+
+def _report(folder: Path, state: "FolderState", restored: list[str]) -> None:
+    from cadgen.cli.show import Output, plain_table
+
+    console = Output()
+    table = plain_table(escaped(str(folder)))
+    table.add_column("file", overflow="fold")
+    table.add_column("state", no_wrap=True)
+    unlisted = [file for file in state.files if file.state == "not listed"]
+    for file in [*(file for file in state.files if file.part), *unlisted[:UNLISTED_SHOWN]]:
+        table.add_row(escaped(file.name), file.state)
+    console.print(table)
+    if len(unlisted) > UNLISTED_SHOWN:
+        console.print(f"And {len(unlisted) - UNLISTED_SHOWN} more that are not listed.")
+    if restored:
+        console.print(f"Put back as before a run that was killed: {', '.join(map(escaped, restored))}.")
+    for name in state.half_moved:
+        console.print(
+            f"A run was killed while it moved its files into this folder ({name}): the next command that writes here, "
+            f"or cadgen verify --restore, puts back what was there before."
+        )
+    for name in state.left:
+        console.print(f"A run that was killed has left {name}: the next command that writes here removes it.")
+    wrong = sum(file.state not in ("as listed", "not listed") for file in state.files)
+    listed = sum(bool(file.part) for file in state.files)
+    if wrong:
+        console.print(f"{wrong} of {listed} listed files are not as listed: do not use them, and export again.")
+    elif state.is_true:
+        console.print(f"All {listed} listed files are the ones that were read back.")

@@ -1,0 +1,182 @@
+"""Locks between runs: files that the operating system locks for a process, and frees when it ends, however it ends.
+
+They are advisory: they keep runs of this program apart, on one machine and, where the file system passes locks on (as
+NFS does), on several. Links are never followed, and nothing is ever written into a lock's file.
+"""
+
+import errno
+import logging
+import os
+import stat
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from cadgen.errors import FileError
+
+if sys.platform == "win32":
+    import msvcrt
+else:
+    import fcntl
+
+NAME = ".cadgen-lock"
+PATIENCE_S = 60.0  # files are moved in milliseconds; whoever takes longer has been stopped
+_UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL}
+_OPEN = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+_log = logging.getLogger(__name__)
+
+# A signal's handler has no other way to learn of it.
+_taken: Path | None = None
+
+
+@contextmanager
+def locked(folder: Path, patience_s: float = PATIENCE_S) -> Iterator[bool]:
+    """Hold a folder's lock; its file is there only as long as a run holds the lock or waits for it.
+
+    Yields False, after a warning, where the file system knows no locks.
+
+    Raises:
+        FileError: another run kept the lock for longer than `patience_s`, or something else has the lock's name.
+        OSError: the folder cannot be written to.
+    """
+    global _taken
+    descriptor = _acquire(folder / NAME, time.monotonic() + patience_s)
+    _taken = folder / NAME
+    try:
+        yield descriptor is not None
+    finally:
+        _taken = None
+        _release(folder / NAME, descriptor)
+
+
+def drop() -> None:
+    """Remove the file of the lock that this process holds: it is about to end."""
+    if _taken is not None:
+        with suppress(OSError):
+            _taken.unlink()
+
+
+def hold(file: Path) -> int | None:
+    """Make a file and lock it for as long as the returned descriptor is open; None if locks are not known there."""
+    descriptor = os.open(file, _OPEN | os.O_EXCL, 0o666)
+    try:
+        _lock(descriptor, wait=False)
+    except OSError as error:
+        os.close(descriptor)
+        if error.errno not in _UNSUPPORTED:
+            raise
+        return None
+    return descriptor
+
+
+def held(file: Path) -> bool:
+    """Whether a process holds the lock of a file; a file that is not there nobody holds."""
+    try:
+        descriptor = os.open(file, _OPEN & ~os.O_CREAT)
+    except FileNotFoundError:
+        return False
+    try:
+        return not _lock(descriptor, wait=False)
+    finally:
+        os.close(descriptor)
+
+
+def _acquire(file: Path, deadline: float) -> int | None:
+    while True:
+        descriptor = _opened(file)
+        try:
+            if not _lock(descriptor, wait=False):
+                _wait(descriptor, file, deadline)
+            # The run before may have removed the file that was waited for, and the next one made another.
+            if _still_there(descriptor, file):
+                return descriptor
+        except OSError as error:
+            if error.errno in _UNSUPPORTED:
+                os.close(descriptor)
+                with suppress(OSError):
+                    file.unlink()
+                _log.warning(
+                    "%s cannot be locked (%s): let no other run write into it at the same time",
+                    file.parent,
+                    error.strerror,
+                )
+                return None
+            os.close(descriptor)
+            raise
+        except BaseException:
+            os.close(descriptor)
+            raise
+        os.close(descriptor)
+
+
+def _opened(file: Path) -> int:
+    try:
+        descriptor = os.open(file, _OPEN, 0o666)
+        if stat.S_ISREG(os.fstat(descriptor).st_mode):
+            return descriptor
+        os.close(descriptor)
+    except OSError as error:
+        if error.errno not in (errno.ELOOP, errno.EISDIR, errno.ENXIO):
+            raise
+    raise FileError(f"{file} is a link or no file, but the folder's lock must go there: remove it")
+
+
+def _release(file: Path, descriptor: int | None) -> None:
+    if descriptor is None:
+        return
+    if sys.platform == "win32":  # there an open file cannot be removed
+        os.close(descriptor)
+    with suppress(OSError):
+        file.unlink()
+    if sys.platform != "win32":
+        os.close(descriptor)
+
+
+def _still_there(descriptor: int, file: Path) -> bool:
+    try:
+        return os.path.samestat(os.fstat(descriptor), os.stat(file, follow_symlinks=False))
+    except FileNotFoundError:
+        return False
+
+
+def _wait(descriptor: int, file: Path, deadline: float) -> None:
+    """Wait for a lock that another process holds, in a thread, so that the wait can have an end."""
+    left = deadline - time.monotonic()
+    _log.warning("another run is moving its files into %s: waiting for it, at most %.0f s", file.parent, max(left, 0.0))
+    done = threading.Event()
+    own = os.dup(descriptor)  # of the same lock, and still open if the wait is given up
+
+    def acquire() -> None:
+        try:
+            while not _lock(own, wait=True):
+                pass
+            done.set()
+        finally:
+            os.close(own)
+
+    threading.Thread(target=acquire, daemon=True).start()
+    if not done.wait(left):
+        raise FileError(
+            f"another run still holds {file} after the wait, so nothing was written: end that run, or choose another "
+            "--out"
+        )
+
+
+def _lock(descriptor: int, *, wait: bool) -> bool:
+    """Lock an open file; False if another process has it locked."""
+    if sys.platform == "win32":
+        try:
+            msvcrt.locking(descriptor, msvcrt.LK_LOCK if wait else msvcrt.LK_NBLCK, 1)
+        except OSError as error:
+            if error.errno in (errno.EACCES, errno.EDEADLK):
+                return False
+            raise
+    else:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+        except BlockingIOError:
+            return False
+    return True
