@@ -30,7 +30,7 @@ FINEST_STEP = 5e-4
 ROLLING_TOLERANCE = 2e-5
 _POINTS_PER_RADIUS = 20  # of the rod at least, or two steps could agree by chance
 # What a disc of any size may take: points on its outline, and points under the rod. The least rod on the largest disc
-# that the schema allows still has a dozen points under it.
+# that the schema allows still has some points under it.
 _MOST_POINTS = 1_500_000
 _MOST_UNDER = 10_000
 # Stations handled at once, so that the table of candidates stays within the processor's cache; fewer if it is wide.

@@ -136,7 +136,7 @@ class Follower(Section):
     """The straight round rod on the fork that rides on the disc."""
 
     radius_mm: float = Field(
-        ge=0.1, le=100, description="r_t, of the rod: half its diameter; a thinner one would bend, and is not followed"
+        ge=0.05, le=100, description="r_t, of the rod: half its diameter; a thinner one would bend, and is not followed"
     )
     length_mm: float | None = Field(
         default=None,
