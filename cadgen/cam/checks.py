@@ -36,6 +36,7 @@ LOCKING_ANGLE = radians(70)
 # Relative to the curve's own largest value; the second derivative carries rounding of some 1e-8 where nodes are
 # close together, and a jump above this would turn the outline by a microradian.
 CLOSURE_LIMIT = 1e-6
+_WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,17 +94,24 @@ def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outl
         trims: where the envelope was trimmed.
         outline: of the trimmed envelope; a corner is one of its points, so the rod rests on it exactly.
     """
-    losses = []
+    if not trims:
+        return []
+    stations = []
     for trim in trims:
         width = (trim.after - trim.before) % _TURN
         inside = lift.kinks[(lift.kinks - trim.before) % _TURN < width]
-        theta = np.concatenate([trim.before + np.linspace(0.0, 1.0, 65) * width, inside])
-        missing = follower.lift(lift.tan_beta(theta)) - roll(outline, follower, theta).lift
-        blended = lift.in_blend(theta)
-        for driven, mine in ((True, ~blended), (False, blended)):
+        stations.append(np.concatenate([trim.before + np.linspace(0.0, 1.0, 65) * width, inside]))
+    theta = np.concatenate(stations)
+    missing = follower.lift(lift.tan_beta(theta)) - roll(outline, follower, theta).lift
+    blended = lift.in_blend(theta)
+    losses, last = [], 0
+    for trim, angles in zip(trims, stations, strict=True):
+        first, last = last, last + len(angles)
+        own, at, off = blended[first:last], theta[first:last], missing[first:last]
+        for driven, mine in ((True, ~own), (False, own)):
             if mine.any():
-                worst = int(np.argmax(np.where(mine, missing, -inf)))
-                losses.append(Loss(trim, float(missing[worst]), float(theta[worst] % _TURN), driven))
+                worst = int(np.argmax(np.where(mine, off, -inf)))
+                losses.append(Loss(trim, float(off[worst]), float(at[worst] % _TURN), driven))
     return losses
 
 
@@ -145,7 +153,7 @@ def check_cam(
         _rod_reach(follower, theta, steering, limits),
         *_hub_clearance(follower, theta, steering, blank),
         _cutter(cut or curve, limits),
-        _wall(blank, outline, limits),
+        _wall(blank, curve.outline(max(step, curve.length() / _WALL_POINTS)), limits),
         *_closure(lift),
     )
 

@@ -29,8 +29,13 @@ COARSEST_STEP = 0.06
 FINEST_STEP = 5e-4
 ROLLING_TOLERANCE = 2e-5
 _POINTS_PER_RADIUS = 20  # of the rod at least, or two steps could agree by chance
-# Stations handled at once, so that the table of candidates stays within the processor's cache.
+# What a disc of any size may take: points on its outline, and points under the rod. The least rod on the largest disc
+# that the schema allows still has some points under it.
+_MOST_POINTS = 1_500_000
+_MOST_UNDER = 10_000
+# Stations handled at once, so that the table of candidates stays within the processor's cache; fewer if it is wide.
 _BLOCK = 128
+_TABLE = 500_000
 
 
 @dataclass(frozen=True)
@@ -72,10 +77,11 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
         DesignError: as `roll`.
     """
     cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
-    step = min(COARSEST_STEP, follower.radius / _POINTS_PER_RADIUS) if follower.radius > 0 else COARSEST_STEP
+    step = rolling_step(curve, follower)
+    finest = max(FINEST_STEP, curve.length() / _MOST_POINTS, 2 * follower.radius / _MOST_UNDER)
     contact = roll(curve.outline(step), follower, cam_angle)
     pending = np.arange(len(cam_angle))
-    while pending.size and step > FINEST_STEP:
+    while pending.size and step > finest:
         step /= 2
         finer = roll(curve.outline(step), follower, cam_angle[pending])
         changed = np.abs(finer.lift - contact.lift[pending]) > ROLLING_TOLERANCE
@@ -83,6 +89,13 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
             getattr(contact, name)[pending] = getattr(finer, name)
         pending = pending[changed]
     return contact, step
+
+
+def rolling_step(curve: ClosedCurve, follower: Follower, coarsest: float = COARSEST_STEP) -> float:
+    """The step of an outline at which a rod can be rolled on it, mm: the coarsest, or less for a thin rod."""
+    if follower.radius == 0:
+        return coarsest
+    return max(min(coarsest, follower.radius / _POINTS_PER_RADIUS), curve.length() / _MOST_POINTS)
 
 
 def _clearing(u: Array, h: Array, face: float) -> Array:
@@ -107,8 +120,9 @@ def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
     """
     cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
     ring = _Ring.of(outline, follower)
+    rows = ring.rows(cam_angle)
     best = np.concatenate(
-        [ring.rest(block) for block in np.split(cam_angle, range(_BLOCK, len(cam_angle), _BLOCK))], axis=1
+        [ring.rest(block) for block in np.split(cam_angle, range(rows, len(cam_angle), rows))], axis=1
     )
     tan_beta, face, across, pressure_angle, margin = best
     return Contact(cam_angle, tan_beta, follower.lift(tan_beta), face, margin, across, pressure_angle)
@@ -148,10 +162,25 @@ class _Ring:
         points = np.tile(outline.points.T, 3)[:, near]
         return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], reach)
 
+    def rows(self, theta: Array) -> int:
+        """How many of these cam angles `rest` may be asked for at once."""
+        if self.follower.radius == 0:
+            return _BLOCK
+        first, last = self._window(self._within(theta))
+        return int(np.clip(_TABLE // max(int((last - first).max(initial=1)), 1), 1, _BLOCK))
+
+    def _within(self, theta: Array) -> Array:
+        """Cam angles of the turn that is laid out."""
+        theta = self.angle[0] + (theta - self.angle[0]) % _TURN
+        return np.where(theta < self.angle[0] + self.window, theta + _TURN, theta)
+
+    def _window(self, theta: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """The points under the rod at each cam angle: the first, and the one after the last."""
+        return np.searchsorted(self.angle, theta - self.window), np.searchsorted(self.angle, theta + self.window)
+
     def rest(self, theta: Array) -> Array:
         """tan(beta), carrying face, contact's y, pressure angle and margin at each cam angle, shape (5, n)."""
-        theta = self.angle[0] + (theta - self.angle[0]) % _TURN
-        theta = np.where(theta < self.angle[0] + self.window, theta + _TURN, theta)
+        theta = self._within(theta)
         follower = self.follower
         if follower.radius == 0:
             u = np.interp(theta, self.angle, self.radius) - follower.base_radius
@@ -163,8 +192,7 @@ class _Ring:
             return np.stack(
                 [u / carrying, carrying, np.zeros_like(u), angle, follower.thickness * np.abs(u / carrying)]
             )
-        first = np.searchsorted(self.angle, theta - self.window)
-        last = np.searchsorted(self.angle, theta + self.window)
+        first, last = self._window(theta)
         # Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
         width = int((last - first).max()) + 2
         first = np.clip(first - 1, 0, len(self.angle) - width)

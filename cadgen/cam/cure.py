@@ -7,7 +7,7 @@ from math import exp, log
 from scipy.optimize import brentq
 
 from cadgen.cam.checks import lost_lift
-from cadgen.cam.contact import COARSEST_STEP
+from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
@@ -16,7 +16,6 @@ from cadgen.errors import DesignError
 # The change is found to this share of itself; a shop rounds further than that.
 _PRECISION = 0.01
 _LARGEST_FACTOR = 64.0  # a change beyond this is no cure
-_POINTS_PER_RADIUS = 20  # of the rod; the corners that it rests on are exact at any step
 _NOTHING = 1e-12  # mm; keeps the logarithm finite where nothing at all is lost
 
 
@@ -48,7 +47,8 @@ def worst_loss(lift: LiftCurve, follower: Follower) -> float:
         return float("inf")
     if not profile.trims:
         return 0.0
-    outline = profile.curve.outline(min(COARSEST_STEP, follower.radius / _POINTS_PER_RADIUS))
+    # The corners that the rod rests on are exact at any step.
+    outline = profile.curve.outline(rolling_step(profile.curve, follower))
     losses = lost_lift(lift, follower, profile.trims, outline)
     return max((loss.lift for loss in losses if loss.driven), default=0.0)
 

@@ -1,6 +1,7 @@
 """A closed plane curve made of smooth pieces, star-shaped about the origin and run counterclockwise."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -107,12 +108,19 @@ class ClosedCurve:
 
     def parameters(self, step: float) -> tuple[Array, ...]:
         """For each piece, the parameters of the points that `outline` takes."""
-        even = []
-        for piece in self.pieces:
-            coarse = piece.jet(np.linspace(piece.start, piece.stop, 65)).point
-            length = np.linalg.norm(np.diff(coarse, axis=0), axis=1).sum()
-            even.append(np.linspace(piece.start, piece.stop, max(5, int(np.ceil(length / step)) + 1)))
-        return tuple(even)
+        return tuple(
+            np.linspace(piece.start, piece.stop, max(5, int(np.ceil(length / step)) + 1))
+            for piece, length in zip(self.pieces, self._lengths, strict=True)
+        )
+
+    def length(self) -> float:
+        """Length round the curve, mm, as `outline` reckons it: by 64 chords on each piece."""
+        return float(sum(self._lengths))
+
+    @cached_property
+    def _lengths(self) -> list[float]:
+        along = [piece.jet(np.linspace(piece.start, piece.stop, 65)).point for piece in self.pieces]
+        return [float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()) for points in along]
 
     def begun_at(self, number: int, t: float) -> "ClosedCurve":
         """The same curve, begun inside piece `number` at its parameter t."""

@@ -135,7 +135,9 @@ class Cam(Section):
 class Follower(Section):
     """The straight round rod on the fork that rides on the disc."""
 
-    radius_mm: float = Field(gt=0, le=100, description="r_t, of the rod: half its diameter")
+    radius_mm: float = Field(
+        ge=0.05, le=100, description="r_t, of the rod: half its diameter; a thinner one would bend, and is not followed"
+    )
     length_mm: float | None = Field(
         default=None,
         gt=0,

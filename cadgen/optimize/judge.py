@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.cam.contact import Contact
+from cadgen.cam.contact import Contact, rolling_step
 from cadgen.cam.envelope import ActualProfile, actual_profile
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
@@ -201,7 +201,7 @@ def judge_measured(task: Task, profile: str, train: str, band: PlayBand, lift: L
     Raises:
         DesignError: as `judge`.
     """
-    contact = task.as_built.roll_measured(made, task.follower, _stations(), _OUTLINE_STEP)
+    contact = task.as_built.roll_measured(made, task.follower, _stations(), _step(made, task))
     cam = _Cam(profile, train, play_to_cut_for(task, band), lift, ActualProfile(made, ()), made, contact, measured=True)
     return _judgement(task, cam, band, task.planned())
 
@@ -223,7 +223,7 @@ class _Cam:
 def _judged(task: Task, profile: str, train: str, play: float, band: PlayBand, planned: Run, lift: LiftCurve) -> Judged:
     cut = actual_profile(lift, task.follower)
     made = task.as_built.precompensated(cut.curve)
-    contact = task.as_built.roll_new(made, task.follower, _stations(), _OUTLINE_STEP)
+    contact = task.as_built.roll_new(made, task.follower, _stations(), _step(made, task))
     return _judgement(task, _Cam(profile, train, play, lift, cut, made, contact), band, planned)
 
 
@@ -231,6 +231,10 @@ def _lost(task: Task, cam: _Cam) -> tuple[LostDip, ...]:
     if not cam.profile.endswith("compensated") or cam.measured:
         return ()
     return tuple(dip for dip in lost_dips(task.lift, cam.play) if dip.whole)
+
+
+def _step(made: ClosedCurve, task: Task) -> float:
+    return rolling_step(made, task.follower, _OUTLINE_STEP)
 
 
 def _stations() -> Array:

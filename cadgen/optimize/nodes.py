@@ -36,7 +36,10 @@ def nodes_between(
     inner = breaks[(breaks > start + 2 * SIDE) & (breaks < stop - 2 * SIDE)]
     ends = np.concatenate([[start], inner, [stop]])
     parts = np.ceil(np.diff(ends) / widest).astype(int)
-    inner = np.concatenate([np.linspace(a, b, n + 1)[1:] for a, b, n in zip(ends, ends[1:], parts, strict=False)])[:-1]
+    span = np.repeat(np.arange(len(parts)), parts)
+    part = np.arange(len(span)) - np.repeat(np.cumsum(parts) - parts, parts) + 1
+    within = part * (np.diff(ends) / parts)[span] + ends[span]
+    inner = np.where(part == parts[span], ends[span + 1], within)[:-1]
     x = np.concatenate([[start], np.repeat(inner, 2), [stop]])
     side = np.concatenate([[SIDE], np.tile([-SIDE, SIDE], len(inner)), [-SIDE]])
     jets = np.stack([lift.tan_beta(x + side, nu=order) for order in range(3)], axis=1)

@@ -1,0 +1,288 @@
+"""Fuzzed designs and measured data through the command line: every run ends in the contract and within its bounds.
+
+    python -m tests.studies.fuzz --command check --cases 10000 --seed 1 [--first N] [--log FILE] [--record] [--show N]
+
+Every case runs in a fork of a process that has the program's modules loaded, through `cadgen.cli.main`, and is judged
+by what a user sees: exit code, sentences, processor time, memory. With `--log` each outcome is kept in a file as it
+comes; the same command again does what is missing, and `--record` writes what the log holds to `docs/studies`. A fault
+is reproduced by `--show NUMBER`, which leaves the case's files in the folder `fuzz_case` and prints its command.
+"""
+
+import argparse
+import json
+import os
+import random
+import re
+import resource
+import shlex
+import signal
+import sys
+import tempfile
+import time
+import traceback
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict, dataclass
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+
+from tests.studies import fuzz_data, fuzz_designs
+
+COMMANDS = ("check", "cam", "gears", "optimize", "simulate", "tolerance", "calibrate")
+CPU_SECONDS, MEMORY_KB, WALL_SECONDS = 60, 2_000_000, 900
+ADDRESS_SPACE = 6 * 2**30  # beyond which a run is ended; libraries reserve more than they use
+LONGEST_LINE, MOST_LINES = 900, 7
+PROFILES = ("actual", "optimized", "compensated", "smoothed", "smoothed+compensated", "theoretical", "published")
+# Loaded before the first fork.
+MODULES = {
+    "calibrate": ("cadgen.workflow.calibrate", "cadgen.workflow.calibrate_files", "cadgen.cli.show_calibrate"),
+    "cam": ("cadgen.workflow.files", "cadgen.solids.kernel"),
+    "check": (),
+    "gears": ("cadgen.workflow.gears", "cadgen.workflow.gears_files", "cadgen.solids.kernel"),
+    "optimize": (),
+    "simulate": ("cadgen.workflow.simulate", "cadgen.report.tracks"),
+    "tolerance": ("cadgen.workflow.tolerance",),
+}
+DOCS = Path(__file__).parents[2] / "docs" / "studies"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a run did, and what of that is a fault."""
+
+    number: int
+    code: int
+    seconds: float
+    megabytes: float
+    said: str
+    changes: tuple[str, ...]
+    faults: tuple[str, ...]
+
+
+def arguments(command: str, seed: int, number: int, folder: Path) -> tuple[list[str], tuple[str, ...]]:
+    """Write a case's files and return its command line, and what was changed."""
+    rng = random.Random(f"{seed}/{command}/{number}")
+    if command == "calibrate":
+        made = fuzz_data.data(seed, number)
+        for name, content in made.files.items():
+            (folder / name).write_bytes(content)
+        out = ["--out", str(folder / "out")] if rng.random() < 0.3 else []
+        return [command, *(str(folder / name) for name in made.files), *made.options, *out], made.changes
+    order = rng.choice(["as-given", "reordered", "search"]) if command == "gears" else ""
+    one = fuzz_designs.case(seed, number, searching=order == "search")
+    file = folder / "design.toml"
+    file.write_bytes(one.content)
+    args = [command, str(file), *(part for text in one.overrides for part in ("--set", text))]
+    if rng.random() < 0.5:
+        args.append("--json")
+    if command in ("cam", "gears", "simulate"):
+        args += ["--out", str(folder / "out")]
+    match command:
+        case "check" | "cam":
+            args += ["--profile", rng.choice(PROFILES)] if rng.random() < 0.4 else []
+        case "gears":
+            args += ["--order", order]
+        case "simulate":
+            args += ["--play-deg", f"{rng.choice([0, 1e-9, 0.5, 30, 179.9])}"] if rng.random() < 0.2 else []
+        case "tolerance":
+            args += ["--samples", f"{rng.choice([1, 2, 50])}", "--processes", "1"]
+    return args, one.changes
+
+
+def run(command: str, seed: int, number: int) -> Outcome:
+    """Run a case in a fork of this process and judge it."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        args, changes = arguments(command, seed, number, folder)
+        child = os.fork()
+        if child == 0:
+            _run_in_child(args, folder)
+        _, status, used = os.wait4(child, 0)
+        said, printed = (_tail(folder / stream) for stream in ("stderr", "stdout"))
+    code = os.waitstatus_to_exitcode(status)
+    seconds, kilobytes = used.ru_utime + used.ru_stime, used.ru_maxrss
+    faults = tuple(judge(command, code, said, printed, seconds, kilobytes, as_json="--json" in args))
+    return Outcome(number, code, round(seconds, 2), round(kilobytes / 1000), said[:400], changes, faults)
+
+
+def judge(
+    command: str, code: int, said: str, printed: str, seconds: float, kilobytes: float, *, as_json: bool
+) -> Iterator[str]:
+    """What of a run is outside the contract."""
+    if code < 0:
+        yield f"ended by {signal.Signals(-code).name}"
+    elif code not in (0, 1, 2, 3):
+        yield f"exit code {code}"
+    message = said
+    if as_json and code >= 0:
+        try:
+            document = json.loads(printed)
+            message += document.get("error", "") if isinstance(document, dict) else ""
+        except ValueError:
+            if not said:
+                yield "no JSON document"
+    if "a fault in cadgen" in message or "Traceback" in message or "report this design" in message:
+        yield "internal fault"
+    elif code == 3 and command in ("check", "optimize", "tolerance"):
+        yield "exit code 3 of a command that reads and writes no other file"
+    if "out of memory" in message:
+        yield "out of memory"
+    if "Warning" in said:
+        yield "warning of a library"
+    lines = message.splitlines()
+    if code in (2, 3) and not lines:
+        yield "no sentence"
+    if code == 0 and said:
+        yield "something said beside success"
+    if len(lines) > MOST_LINES or any(len(line) > LONGEST_LINE for line in lines):
+        yield f"{len(lines)} lines, the longest of {max(map(len, lines))} characters"
+    if seconds > CPU_SECONDS:
+        yield f"{seconds:.0f} s of processor time"
+    if kilobytes > MEMORY_KB:
+        yield f"{kilobytes / 1e6:.1f} GB"
+
+
+def _run_in_child(args: list[str], folder: Path) -> None:
+    """Never returns: what the process says goes to two files, and its limits end it."""
+    code = 99
+    try:
+        for number, name in ((1, "stdout"), (2, "stderr")):
+            os.dup2(os.open(folder / name, os.O_CREAT | os.O_WRONLY), number)
+        resource.setrlimit(resource.RLIMIT_CPU, (CPU_SECONDS + 5, CPU_SECONDS + 8))
+        resource.setrlimit(resource.RLIMIT_AS, (ADDRESS_SPACE, ADDRESS_SPACE))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        signal.alarm(WALL_SECONDS)
+        sys.argv = ["cadgen", *args]
+        from cadgen.cli import main
+
+        try:
+            main()
+        except SystemExit as leave:
+            code = leave.code if isinstance(leave.code, int) else 0 if leave.code is None else 98
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except BaseException:
+        os.write(2, traceback.format_exc().encode())
+    finally:
+        os._exit(code)
+
+
+def _tail(file: Path) -> str:
+    return file.read_bytes().decode(errors="replace").strip()[:2_000_000] if file.exists() else ""
+
+
+def load_modules(command: str) -> None:
+    """Load what a command will, before any fork."""
+    os.environ.update(COLUMNS="200", TERM="dumb", PYTHONWARNINGS="default")
+    os.environ.setdefault("MPLBACKEND", "agg")
+    for name in ("cadgen.cli", "cadgen.cli.show_play", "cadgen.workflow.cam", *MODULES[command]):
+        import_module(name)
+
+
+def outcomes(command: str, seed: int, numbers: Sequence[int], processes: int = 1) -> Iterator[Outcome]:
+    """Run the cases of these numbers, as they are done."""
+    work = partial(run, command, seed)
+    if processes == 1:
+        load_modules(command)
+        yield from map(work, numbers)
+        return
+    with ProcessPoolExecutor(processes, initializer=load_modules, initargs=(command,)) as pool:
+        yield from pool.map(work, numbers, chunksize=4)
+
+
+def main() -> None:
+    """Run, print and record."""
+    parser = argparse.ArgumentParser(description="Fuzz a command.")
+    parser.add_argument("--command", choices=COMMANDS, default="check")
+    parser.add_argument("--cases", type=int, default=200)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--log", type=Path, help="keep each outcome here, and skip what it holds already")
+    parser.add_argument("--record", action="store_true", help="write docs/studies/fuzz_COMMAND.md")
+    parser.add_argument("--show", type=int, metavar="NUMBER", help="only write this case and print its command")
+    given = parser.parse_args()
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    if given.show is not None:
+        folder = Path("fuzz_case")
+        folder.mkdir(exist_ok=True)
+        args, changes = arguments(given.command, given.seed, given.show, folder)
+        print("; ".join(changes))
+        print(shlex.join(["python", "-m", "cadgen", *args]))
+        return
+    done = _logged(given.log)
+    numbers = [n for n in range(given.first, given.first + given.cases) if n not in done]
+    begun = time.monotonic()
+    for one in outcomes(given.command, given.seed, numbers, given.processes):
+        done[one.number] = one
+        if given.log:
+            with given.log.open("a") as log:
+                log.write(json.dumps(asdict(one)) + "\n")
+        if one.faults:
+            print(f"{one.number}: {', '.join(one.faults)} ({'; '.join(one.changes)[:300]})\n    {one.said[:300]}", flush=True)
+    every = [done[n] for n in sorted(done) if given.first <= n < given.first + given.cases]
+    print(table(every))
+    print(f"{time.monotonic() - begun:.0f} s", file=sys.stderr)
+    if given.record:
+        DOCS.mkdir(parents=True, exist_ok=True)
+        (DOCS / f"fuzz_{given.command}.md").write_text(report(given.command, given.seed, every))
+
+
+def _logged(log: Path | None) -> dict[int, Outcome]:
+    lines = log.read_text().splitlines() if log and log.exists() else []
+    found = (json.loads(line) for line in lines)
+    return {
+        one["number"]: Outcome(**{**one, "changes": tuple(one["changes"]), "faults": tuple(one["faults"])})
+        for one in found
+    }
+
+
+def table(every: Sequence[Outcome]) -> str:
+    """Counts by exit code, and the greatest time and memory."""
+    codes = Counter(one.code for one in every)
+    rows = [f"| cases | {len(every)} |", *(f"| exit code {code} | {count} |" for code, count in sorted(codes.items()))]
+    if every:
+        slow, large = max(every, key=lambda one: one.seconds), max(every, key=lambda one: one.megabytes)
+        rows += [
+            f"| longest | {slow.seconds:.1f} s of processor time (case {slow.number}) |",
+            f"| largest | {large.megabytes:.0f} MB (case {large.number}) |",
+            f"| mean | {sum(one.seconds for one in every) / len(every):.2f} s |",
+        ]
+    rows.append(f"| faults | {sum(bool(one.faults) for one in every)} |")
+    return "\n".join(["| figure | value |", "|---|---|", *rows])
+
+
+def report(command: str, seed: int, every: Sequence[Outcome]) -> str:
+    """The record of a study."""
+    from cadgen import __version__
+
+    first, count = min(one.number for one in every), len(every)
+    option = f" --first {first}" if first else ""
+    about = fuzz_data if command == "calibrate" else fuzz_designs
+    faulty = [
+        f"- {one.number}: {', '.join(one.faults)} ({_plain('; '.join(one.changes))})" for one in every if one.faults
+    ]
+    return "\n\n".join(
+        [
+            f"# Fuzz of `cadgen {command}`",
+            " ".join((about.__doc__ or "").split()),
+            "A fault is: a traceback or an internal fault; an exit code or a message outside the contract; exit code 3 "
+            "of a command that neither reads nor writes other files; a warning of a library; more than "
+            f"{CPU_SECONDS} s of processor time; more than {MEMORY_KB / 1e6:g} GB, with all that Python and the "
+            "libraries need themselves.",
+            f"    python -m tests.studies.fuzz --command {command} --cases {count} --seed {seed}{option} --record",
+            f"cadgen {__version__}",
+            table(every),
+            "\n".join(faulty) if faulty else "No case failed.",
+        ]
+    ) + "\n"
+
+
+def _plain(text: str) -> str:
+    return re.sub(r"[^\x20-\x7e]", "?", text)[:200]
+
+
+if __name__ == "__main__":
+    main()
