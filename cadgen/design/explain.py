@@ -18,16 +18,23 @@ def explain(error: ValidationError) -> Iterator[tuple[Place, str]]:
     """Yield the place of each error and one sentence about it; unknown keys come first.
 
     What only follows from another error is left out: a required key that stands there under a wrong name,
-    and a list that counts as too short because its items are wrong.
+    and a list that counts as too short because its items are wrong. Several missing sections make one sentence.
     """
     found = error.errors(include_url=False)
     unknown = [item["loc"] for item in found if item["type"] == "extra_forbidden"]
     places = [item["loc"] for item in found]
     meant = {nearest(section(place[:-1]), str(place[-1])) for place in unknown}
+    missing = [item["loc"] for item in found if item["type"] == "missing" and len(item["loc"]) == 1]
+    absent = [place for place in missing if section(place) in tables() and section(place) not in meant]
     for place in unknown:
         yield place, unknown_key(place)
+    if len(absent) > 1:
+        headings = listed([tables()[section(place)].heading for place in absent], "and")
+        yield absent[0], f"the sections {headings} are missing: add them (`cadgen gears` needs [train] alone)"
     for item in found:
         place, kind = item["loc"], item["type"]
+        if len(absent) > 1 and place in absent:
+            continue
         renamed = kind == "missing" and dotted(*place) in meant
         emptied = kind == "too_short" and any(other[:-1][: len(place)] == place for other in places)
         if not renamed and not emptied and kind != "extra_forbidden":

@@ -227,7 +227,7 @@ def _step(job: _Job) -> Iterator[_Result]:
 def _meshes(job: _Job) -> Iterator[_Result]:
     from cadgen.export.mesh import Mesh, cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
 
-    chord = job.plan.design.export.mesh_chord_um * 1e-3
+    chord = job.plan.design.export.cam_chord_um * 1e-3
     # A chord that strays by e along the normal shifts the lift by e / cos(pressure angle).
     steepest = float(np.cos(job.rolled[0].pressure_angle).min())
     rim_share = max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
