@@ -20,26 +20,36 @@ def explain(error: ValidationError, most: int) -> tuple[list[tuple[Place, str]],
     """Return the places of the first errors, with one sentence about each, and how many more there are.
 
     Unknown keys come first. What only follows from another error is left out: a required key that stands there under
-    a wrong name, and a list that counts as too short because its items are wrong.
+    a wrong name, and a list that counts as too short because its items are wrong. Several missing sections make one
+    sentence.
     """
     found = error.errors(include_url=False)
     unknown = [item["loc"] for item in found if item["type"] == "extra_forbidden"]
     holders = {item["loc"][:-1] for item in found}
     inside = {place[:depth] for place in holders for depth in range(len(place) + 1)}
     meant = {nearest(section(place[:-1]), str(place[-1])) for place in unknown[:_MOST_COMPARED]}
+    missing = [item["loc"] for item in found if item["type"] == "missing" and len(item["loc"]) == 1]
+    absent = [place for place in missing if section(place) in tables() and section(place) not in meant]
+    if len(absent) < 2:
+        absent = []
     rest = [
         item
         for item in found
         if item["type"] != "extra_forbidden"
+        and item["loc"] not in absent
         and not (item["type"] == "missing" and dotted(*item["loc"]) in meant)
         and not (item["type"] == "too_short" and item["loc"] in inside)
     ]
     sentences = [(place, unknown_key(place)) for place in unknown[:most]]
+    if absent:
+        headings = listed([tables()[section(place)].heading for place in absent], "and")
+        text = f"the sections {headings} are missing: add them (`cadgen gears` needs [train] alone)"
+        sentences.append((absent[0], text))
     sentences += [
         (item["loc"], _sentence(item["type"], item["loc"], item["input"], item.get("ctx", {})))
-        for item in rest[: most - len(sentences)]
+        for item in rest[: max(most - len(sentences), 0)]
     ]
-    return sentences, len(unknown) + len(rest) - len(sentences)
+    return sentences[:most], len(unknown) + bool(absent) + len(rest) - len(sentences[:most])
 
 
 def section(place: Place) -> str:

@@ -1,9 +1,11 @@
 """From a design's [train] to what the gear rooms work on: mm and rad."""
 
+from collections.abc import Sequence
 from math import radians
 from typing import TypeVar
 
-from cadgen.design.schema import Design
+from cadgen.design.schema import TrainDesign
+from cadgen.design.section import listed
 from cadgen.design.train import Blank, GearKeys, Stage
 from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
@@ -17,10 +19,14 @@ from cadgen.gears.train import Gear, GearPair, Train
 T = TypeVar("T", int, float)
 
 _UM = 1e-3
+# Chord error of a gear's mesh where the design gives none, per mm of module: the teeth of all sizes then have as many
+# facets, and the volume errs by less than 3e-4. No coarser than the cam's own default, in mm.
+CHORD_PER_MODULE = 2e-3
+COARSEST_CHORD = 5e-3
 _OVERRIDES = ("f_pt", "F_beta", "F_r", "b_r", "F_i_radial")
 
 
-def train_keys(design: Design) -> TrainKeys:
+def train_keys(design: TrainDesign) -> TrainKeys:
     """The section [train].
 
     Raises:
@@ -34,7 +40,7 @@ def train_keys(design: Design) -> TrainKeys:
     return design.train
 
 
-def train(design: Design) -> Train:
+def train(design: TrainDesign) -> Train:
     """The stages of the design, from the drive to the camshaft, as nominal gears with their tolerances.
 
     Raises:
@@ -50,19 +56,19 @@ def train(design: Design) -> Train:
     return Train(tuple(stages))
 
 
-def blanks(design: Design) -> Blanks:
+def blanks(design: TrainDesign) -> Blanks:
     """What the gears have besides their teeth, by their place in the train."""
     keys = train_keys(design)
     return Blanks(drive=_blank(keys.drive), intermediate=_blank(keys.intermediate), output=_blank(keys.output))
 
 
-def directions(design: Design) -> tuple[float | None, ...]:
+def directions(design: TrainDesign) -> tuple[float | None, ...]:
     """Direction of every stage's line of centres in rad; None where any will do."""
     given = (stage.direction_deg for stage in train_keys(design).stages)
     return tuple(None if angle is None else radians(angle) for angle in given)
 
 
-def search_limits(design: Design, given: Train) -> SearchLimits:
+def search_limits(design: TrainDesign, given: Train) -> SearchLimits:
     """Limits of the search: those of [train.search], and where it says nothing the sizes of the `given` train.
 
     Raises:
@@ -80,9 +86,25 @@ def search_limits(design: Design, given: Train) -> SearchLimits:
         bearing_span=spans.bearing_span,
         pattern=spans.pattern,
         stage_ratio=_range(spans.stage_ratio, keys.stage_ratio_min, keys.stage_ratio_max),
+        contact_ratio=spans.contact_ratio if keys.contact_ratio_min is None else keys.contact_ratio_min,
+        undercut=spans.undercut if keys.undercut_max is None else keys.undercut_max,
         ratio_tolerance=keys.ratio_tolerance,
         keep=keys.keep,
     )
+
+
+def limits_left_out(design: TrainDesign) -> str:
+    """The limits of [train.search] that are not in the design, listed."""
+    keys = train_keys(design).search
+    return listed([name for name, value in keys.model_dump().items() if value is None], "and")
+
+
+def mesh_chord(design: TrainDesign, gears: Sequence[GearForm]) -> float:
+    """Greatest chord error of a part's mesh in mm: the design's, or in proportion to the least module of its gears."""
+    given = design.export.mesh_chord_um
+    if given is not None:
+        return given * _UM
+    return min(CHORD_PER_MODULE * min(gear.normal_module for gear in gears), COARSEST_CHORD)
 
 
 def _range(spans: tuple[T, T], low: T | None, high: T | None) -> tuple[T, T]:
@@ -114,7 +136,12 @@ def _gear(gear: GearKeys, train: TrainKeys) -> Gear:
     )
     given = {name: getattr(gear, f"{name}_um") for name in _OVERRIDES}
     overrides = {name: value * _UM for name, value in given.items() if value is not None}
-    return Gear(form=form, grade=gear.grade or train.grade, overrides=ToleranceOverrides(**overrides))
+    return Gear(
+        form=form,
+        grade=gear.grade or train.grade,
+        overrides=ToleranceOverrides(**overrides),
+        thinning=train.thinning if train.E_sn_um is None else train.E_sn_um * _UM,
+    )
 
 
 def _blank(keys: Blank) -> GearBlank:

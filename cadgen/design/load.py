@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from cadgen.design.explain import Place, explain
 from cadgen.design.override import override, quoted
 from cadgen.design.parse import DeepError, parse
-from cadgen.design.schema import Design, DesignFile
+from cadgen.design.schema import Design, DesignFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
 from cadgen.reading import read_given
@@ -42,9 +42,14 @@ def load_design(source: str | Path | None = None, overrides: Sequence[str] = ())
         DesignError: no such design, a file that cannot be read or is not TOML in UTF-8, or values that cannot
             be; one sentence for each of up to five errors, on a line of its own.
     """
-    file = design_file(source)
-    values = _read(file)
-    return _checked(values, file.name, overrides)
+    values, name = _read(design_file(source))
+    return Design(**_checked(DesignFile, values, name, overrides), overrides=tuple(overrides))
+
+
+def load_train(source: str | Path | None = None, overrides: Sequence[str] = ()) -> TrainDesign:
+    """The same for a gear train, for which [train] alone is enough."""
+    values, name = _read(design_file(source))
+    return TrainDesign(**_checked(TrainFile, values, name, overrides), overrides=tuple(overrides))
 
 
 def with_overrides(design: Design, overrides: Sequence[str]) -> Design:
@@ -53,17 +58,19 @@ def with_overrides(design: Design, overrides: Sequence[str]) -> Design:
     Raises:
         DesignError: the result is no design.
     """
-    return _checked(design.values(), design.source, overrides, design.overrides)
+    checked = _checked(DesignFile, design.values(), design.source, overrides)
+    return Design(**checked, overrides=(*design.overrides, *overrides))
 
 
-def _checked(values: dict[str, Any], source: str, overrides: Sequence[str], earlier: tuple[str, ...] = ()) -> Design:
+def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overrides: Sequence[str]) -> dict[str, Any]:
+    """The values after the overrides, checked, with their source."""
     applied = [(override(values, text), text) for text in overrides]
     values.setdefault("name", re.sub(r"[^A-Za-z0-9._-]+", "_", Path(source).stem).lstrip("._-")[:64] or "design")
     try:
-        checked = DesignFile.model_validate(values)
+        checked = schema.model_validate(values)
     except ValidationError as error:
         raise DesignError(_report(error, source, applied)) from None
-    return Design(**dict(checked), source=source, overrides=(*earlier, *overrides))
+    return {**dict(checked), "source": source}
 
 
 def design_file(source: str | Path | None = None) -> Path:
@@ -84,7 +91,8 @@ def design_file(source: str | Path | None = None) -> Path:
     raise DesignError(f'there is no packaged design "{brief(source)}": the packaged ones are {names}; {hint}')
 
 
-def _read(file: Path) -> dict[str, Any]:
+def _read(file: Path) -> tuple[dict[str, Any], str]:
+    """The values in a file, and its name."""
     name = brief(str(file))
     try:
         text = read_given(file, MOST_BYTES).decode("utf-8-sig")
@@ -102,7 +110,7 @@ def _read(file: Path) -> dict[str, Any]:
         reason = error.strerror if isinstance(error, OSError) else error
         raise DesignError(f"{name} cannot be read ({reason}): give a design file that can") from None
     try:
-        return parse(text)
+        return parse(text), file.name
     except DeepError:
         raise DesignError(f"{name}: keys or brackets are nested too deeply for a design: correct the file") from None
     except ValueError as error:

@@ -22,6 +22,8 @@ from cadgen.design.train import Train
 # What may be part of a file's name on every system, and of STEP's product data.
 _FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 THINNEST_DISC_MM = 0.1
+# Chord error of the cam's mesh where the design gives none.
+CAM_CHORD_UM = 5.0
 
 
 class Path(Section):
@@ -183,7 +185,13 @@ class Checks(Section):
 class Export(Section):
     """How finely the files follow the exact outline."""
 
-    mesh_chord_um: float = Field(default=5.0, ge=0.1, le=1000, description="greatest chord error of STL and 3MF")
+    mesh_chord_um: float | None = Field(
+        default=None,
+        ge=0.1,
+        le=1000,
+        description="greatest chord error of STL and 3MF; left out, 5 for the cam, and for gears 2 per mm of module, "
+        "at most 5",
+    )
     arc_tolerance_um: float = Field(
         default=0.2,
         ge=0.01,
@@ -192,19 +200,24 @@ class Export(Section):
     )
     point_count: int = Field(default=3600, ge=360, le=36_000, description="points of the xyz and CSV clouds")
 
+    @property
+    def cam_chord_um(self) -> float:
+        """Greatest chord error of the cam's mesh."""
+        return CAM_CHORD_UM if self.mesh_chord_um is None else self.mesh_chord_um
 
-class DesignFile(Section):
-    """A design as its file gives it, checked, with the defaults filled in."""
+
+class TrainFile(Section):
+    """A design file of which only the gear train is wanted: the sections of the cam may be left out."""
 
     name: str = Field(
         default="",
         description="what the exported files are named after; left out, the design file's own name",
     )
-    path: Path
+    path: Path | None = None
     field: Arena | None = None
-    car: Car
-    cam: Cam
-    follower: Follower
+    car: Car | None = None
+    cam: Cam | None = None
+    follower: Follower | None = None
     blank: Blank = Blank()
     machining: Machining = Machining()
     checks: Checks = Checks()
@@ -224,6 +237,15 @@ class DesignFile(Section):
                 "underscores, and begin with a letter or digit"
             )
         return name
+
+
+class DesignFile(TrainFile):
+    """A design as its file gives it, checked, with the defaults filled in."""
+
+    path: Path
+    car: Car
+    cam: Cam
+    follower: Follower
 
     @model_validator(mode="after")
     def _rod_fits_the_disc(self) -> "DesignFile":
@@ -257,8 +279,8 @@ class DesignFile(Section):
         return self
 
 
-class Design(DesignFile):
-    """A design with where it comes from.
+class TrainDesign(TrainFile):
+    """A design with where it comes from, as far as its gear train needs it.
 
     Attributes:
         source: name of the file it was read from, without its folder.
@@ -267,15 +289,6 @@ class Design(DesignFile):
 
     source: str
     overrides: tuple[str, ...] = ()
-
-    def as_designed(self) -> "Design":
-        """The same without what is known of the car as it was built."""
-        return self.model_copy(update={"as_built": None})
-
-    def as_cut(self) -> "Design":
-        """What the measured cam was made from: this design with what was known of the car by then."""
-        known = self.as_built.cut_for if self.as_built else ()
-        return self.model_copy(update={"as_built": AsBuilt(effects=known) if known else None})
 
     def values(self) -> dict[str, object]:
         """What the file would say with every default written out, as plain TOML or JSON values."""
@@ -286,3 +299,16 @@ class Design(DesignFile):
         """SHA-256 of the canonical JSON of `values()`: of what the design says, not of how it is written."""
         canonical = json.dumps(self.values(), sort_keys=True, separators=(",", ":"), allow_nan=False)
         return hashlib.sha256(canonical.encode()).hexdigest()
+
+
+class Design(DesignFile, TrainDesign):
+    """A whole design: path, car, cam and follower are there."""
+
+    def as_designed(self) -> "Design":
+        """The same without what is known of the car as it was built."""
+        return self.model_copy(update={"as_built": None})
+
+    def as_cut(self) -> "Design":
+        """What the measured cam was made from: this design with what was known of the car by then."""
+        known = self.as_built.cut_for if self.as_built else ()
+        return self.model_copy(update={"as_built": AsBuilt(effects=known) if known else None})

@@ -59,7 +59,12 @@ class GearKeyway(Section):
 
 
 class GearHub(Section):
-    """A round hub on the outer face of a gear. Between the two gears of an intermediate shaft it is their collar."""
+    """A round hub on the outer face of a gear. Between the two gears of an intermediate shaft it is their collar.
+
+    Without one there, they get a collar as thick as their roots allow, so that the wheels of neighbouring stages do
+    not rub: 1 mm long, or twice clearance_mm if that is more, and longer where gears stand out over those in mesh with
+    them.
+    """
 
     diameter_mm: float = Field(gt=0, le=1000, description="outer")
     length_mm: float = Field(default=0.0, ge=0, le=200, description="how far it stands out of the face")
@@ -93,7 +98,7 @@ class Blank(Section):
 
 
 class Search(Section):
-    """Within what limits `--order search` looks for trains. What is left out spans the sizes of the given stages."""
+    """Within what limits `--order search` looks for trains. Sizes left out span those of the given stages."""
 
     stages: int | None = Field(default=None, ge=1, le=6, description="how many stages; left out, as many as given")
     teeth_min: int | None = Field(default=None, ge=4, le=1000, description="fewest teeth of a gear")
@@ -102,8 +107,31 @@ class Search(Section):
     widths_mm: Lengths | None = Field(default=None, min_length=1, description="face widths to choose from")
     centre_distance_min_mm: float | None = Field(default=None, gt=0, le=2000, description="least centre distance")
     centre_distance_max_mm: float | None = Field(default=None, gt=0, le=2000, description="greatest centre distance")
-    stage_ratio_min: float | None = Field(default=None, gt=0, le=1000, description="least ratio of a stage")
-    stage_ratio_max: float | None = Field(default=None, gt=0, le=1000, description="greatest ratio of a stage")
+    stage_ratio_min: float | None = Field(
+        default=None,
+        gt=0,
+        le=1000,
+        description="least ratio of a stage; left out, 1, so that none speeds up, or that of a given stage that does",
+    )
+    stage_ratio_max: float | None = Field(
+        default=None,
+        gt=0,
+        le=1000,
+        description="greatest ratio of a stage; left out, 10, or that of a given stage if it has more",
+    )
+    contact_ratio_min: float | None = Field(
+        default=None,
+        ge=1.1,
+        le=3,
+        description="least contact ratio of a stage, as cut; left out, 1.2, or that of a given stage if it has less",
+    )
+    undercut_max: float | None = Field(
+        default=None,
+        ge=0,
+        le=2,
+        description="greatest undercut of a gear, as cut: the profile shift, in modules, that it lacks to be free of "
+        "it; 0 for none; left out, 0.5, or that of a given gear if it has more",
+    )
     ratio_tolerance: float = Field(default=0.0, ge=0, lt=1, description="relative error allowed for the total ratio")
     keep: int = Field(default=10, ge=1, le=1000, description="how many trains are reported")
 
@@ -117,10 +145,15 @@ class Train(Section):
     bearing_span_mm: float = Field(gt=0, le=5000, description="l, between the bearings of a shaft")
     grade: int = Field(default=7, ge=3, le=12, description="tolerance grade of ISO 1328")
     thinning: Literal["least", "middle", "greatest"] = Field(
-        default="middle", description="teeth are made to E_sns, to the middle between both limits, or to E_sni"
+        default="middle",
+        description="what the teeth are cut to: E_sns, the middle between both limits, or E_sni; their zone, T_sn "
+        "wide, lies about it",
     )
     E_sn_um: float | None = Field(
-        default=None, ge=-1e4, le=1e4, description="tooth thickness deviation of all gears instead; 0 for none"
+        default=None,
+        ge=-1e4,
+        le=1e4,
+        description="tooth thickness deviation that all gears are cut to instead, negative for thinner teeth",
     )
     addendum_factor: float = Field(default=1.0, gt=0, le=3, description="h_aP*, in modules")
     dedendum_factor: float = Field(default=1.25, gt=0, le=3, description="h_fP*, of the basic rack, in modules")

@@ -31,7 +31,8 @@ def play_bands(design: Design) -> dict[str, PlayBand]:
         DesignError: as `train_plays`.
     """
     bands = {
-        order: PlayBand(least=train.return_error_min, greatest=train.return_error_max)
+        # Teeth that may jam have no play then, and not less than none.
+        order: PlayBand(least=max(train.return_error_min, 0.0), greatest=max(train.return_error_max, 0.0))
         for order, train in train_plays(design).items()
     }
     given, own, measured = design.play, design.optimize.order, measured_play(design)

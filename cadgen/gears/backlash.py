@@ -10,8 +10,12 @@ factor cos α / cos α_w, and axes further apart than the teeth need add the nom
 pairs at a = m Σz / 2 the factor is 1, j_bn0 is 0, and every line is the paper's.
 
 The least play is that of the closest axes (a − f_a), the thickest teeth (E_sns on both gears) and gears
-without composite error: j_bnmin = j_bn0 − j_bn1 + |2 E_sns|. By eq. 7 that is (j_bnmin_required + j_n)/cos α
+without composite error: j_bnmin = j_bn0 − j_bn1 − ΣE_sns. By eq. 7 that is (j_bnmin_required + j_n)/cos α
 for unshifted pairs: what eq. 6 asks for, and the room j_n for the errors that eq. 3 reckons with.
+
+The thickness to which a gear is cut is the middle of its zone, which is T_sn wide: by default the zone from E_sni to
+E_sns. A gear that is to be cut to another thickness (`Gear.thinning`) has the same zone about that thickness. Where its
+upper limit leaves less than the axes may close, the least play is negative: the teeth may jam.
 """
 
 from __future__ import annotations
@@ -31,7 +35,7 @@ from cadgen.gears.tolerances import (
     gear_tolerance,
     gear_tolerances,
 )
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Gear, GearPair, Thinning, Train
 
 # The paper's "end face angle" of eq. 3 and 12, and the base helix angle of spur gears (see above).
 ALPHA_T = 0.0
@@ -49,8 +53,9 @@ CONTRIBUTIONS = (
 class GearPlay(Generic[T]):
     """One gear's part of a stage's play, in mm.
 
-    E_sns (eq. 7), E_sni (eq. 9) and T_sn (eq. 8) are on the reference circle; `thickness_min` and
-    `thickness_max` are what E_sns and E_sni open, `composite_max` what F_i'' opens, on the pitch circle.
+    E_sns (eq. 7), E_sni (eq. 9) and T_sn (eq. 8) are on the reference circle, E_sns and E_sni as the gear is made:
+    about the thickness that it is cut to. `thickness_min` and `thickness_max` are what E_sns and E_sni open,
+    `composite_max` what F_i'' opens, on the pitch circle.
     """
 
     tolerances: GearTolerances[T]
@@ -151,10 +156,11 @@ def play_equations(
     centre_distance: T,
     span_to_widths: tuple[T, T],
     driven_pitch_radius: T,
+    thinning: tuple[Thinning | float, Thinning | float] = ("middle", "middle"),
 ) -> StagePlay[T]:
     """Eq. 1-13 on given tolerances, in mm and rad; the sizes may be arrays of one shape.
 
-    `span_to_widths` is l/b of the driver's and of the driven gear's face width.
+    `span_to_widths` is l/b of the driver's and of the driven gear's face width, `thinning` what both are cut to.
     """
     tan_n, tan_w, cos_n, cos_t = np.tan(alpha_n), np.tan(alpha_w), np.cos(alpha_n), np.cos(ALPHA_T)
     onto_pitch_circle = cos_n / np.cos(alpha_w)
@@ -169,17 +175,18 @@ def play_equations(
     j_bnmin_required = 2 / 3 * (0.06 + 0.0005 * centre_distance + 0.03 * module)
     E_sns = -(f_a * tan_w + (j_bnmin_required + j_n) / (2 * cos_n)) / onto_pitch_circle
     plays = []
-    for gear, f_own in zip(gears, parallelism, strict=True):
+    for gear, f_own, aim in zip(gears, parallelism, thinning, strict=True):
         T_sn = 2 * tan_n * np.hypot(gear.F_r, gear.b_r)
+        upper = E_sns + _zone_shift(aim, E_sns, T_sn)
         plays.append(
             GearPlay(
                 tolerances=gear,
                 f_sigma_beta=f_own,
                 T_sn=T_sn,
-                E_sns=E_sns,
-                E_sni=E_sns - T_sn,
-                thickness_min=onto_pitch_circle * abs(E_sns),
-                thickness_max=onto_pitch_circle * abs(E_sns - T_sn),
+                E_sns=upper,
+                E_sni=upper - T_sn,
+                thickness_min=-onto_pitch_circle * upper,
+                thickness_max=-onto_pitch_circle * (upper - T_sn),
                 composite_max=2 * gear.F_i_radial * tan_w,
             )
         )
@@ -228,6 +235,7 @@ def stage_play(pair: GearPair) -> StagePlay[float]:
         centre_distance=pair.centre_distance,
         span_to_widths=(pair.bearing_span / form.width, pair.bearing_span / pair.driven.form.width),
         driven_pitch_radius=pair.driven_pitch_radius,
+        thinning=(pair.driver.thinning, pair.driven.thinning),
     )
 
 
@@ -271,6 +279,15 @@ def departures(train: Train) -> tuple[Departure, ...]:
             used = pair.centre_distance_deviation
             found.append(Departure(where=f"stage {number}", symbol="f_a", used=used, standard=standard))
     return tuple(found)
+
+
+def _zone_shift(aim: Thinning | float, E_sns: T, T_sn: T) -> T | float:
+    """How far the zone of the thickness lies above that of the grade, in mm; its middle is what the gear is cut to."""
+    if aim == "middle":
+        return 0.0
+    if isinstance(aim, str):
+        return T_sn / 2 if aim == "least" else -T_sn / 2
+    return aim - (E_sns - T_sn / 2)
 
 
 def _standard(rule: Callable[..., Any], *arguments: Any) -> float | None:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import asin, cos, hypot, isfinite, pi
+from dataclasses import dataclass, replace
+from math import asin, cos, floor, hypot, isfinite, pi
 
 import numpy as np
 
@@ -102,10 +102,8 @@ def gear_body(form: GearForm, blank: GearBlank | None = None) -> Body:
     """
     blank = blank or GearBlank()
     teeth = tooth_of(form).outline
-    _check_bore(blank, form)
-    _check_hub(blank, form)
-    _check_web(blank, form)
-    bore, holes = _bore(blank), _lightening_holes(blank, form)
+    holes = _checked_features(blank, form)
+    bore = _bore(blank)
     hub = (circle(blank.hub.diameter),) if blank.hub else ()
     width = form.width
     slabs = [Slab(0.0, width, (teeth, *bore), holes)]
@@ -122,6 +120,31 @@ def gear_body(form: GearForm, blank: GearBlank | None = None) -> Body:
     middle = width + blank.hub.length / 2
     screw = RadialHole(len(slabs) - 1, blank.hub.set_screw_diameter, middle, reach=blank.hub.diameter)
     return Body(tuple(slabs), screw)
+
+
+def _checked_features(blank: GearBlank, form: GearForm) -> tuple[GearOutline, ...]:
+    """The lightening holes of a gear, after the checks of all its features."""
+    _check_bore(blank, form)
+    _check_hub(blank, form)
+    _check_web(blank, form)
+    return _lightening_holes(blank, form)
+
+
+def with_collar(blank: GearBlank, lower: GearForm, upper: GearForm, length: float) -> GearBlank:
+    """The blank of two gears on one shaft with a collar of `length` (mm) between them, if it has no hub of its own.
+
+    The collar is as thick as the roots of both gears allow, to a tenth of a millimetre, and no thinner than bore and
+    keyway need. Raises `DesignError` where there is no room for it.
+    """
+    if blank.hub:
+        return blank
+    least, room = _least_hub(blank), min(lower.root_diameter, upper.root_diameter) - 2 * LEAST_WALL
+    _require(
+        least <= room,
+        f"{lower if lower.root_diameter < upper.root_diameter else upper} has no room for a collar between"
+        f" {least:.4g} mm over its bore and {room:.4g} mm under its root; give a smaller bore",
+    )
+    return replace(blank, hub=Hub(diameter=max(floor(room * 10) / 10, least), length=length))
 
 
 def cluster_body(lower: GearForm, upper: GearForm, blank: GearBlank | None = None, turn: float = 0.0) -> Body:
@@ -145,14 +168,21 @@ def cluster_body(lower: GearForm, upper: GearForm, blank: GearBlank | None = Non
     return Body((*body.slabs, Slab(top, top + upper.width, (teeth, *_bore(blank)))), body.radial_hole)
 
 
-def fits(form: GearForm, blank: GearBlank, *, on_collar: bool = False) -> bool:
-    """Whether a gear can have this blank, or as the upper of two, stand on its collar."""
+def fits(form: GearForm, blank: GearBlank, *, upper: bool | None = None) -> bool:
+    """Whether a gear, as cut, has room for this blank: alone, or as the `upper` or lower of two on a shaft.
+
+    Its teeth are not looked at.
+    """
+    if upper is not None and blank.hub is None:
+        if form.root_diameter - 2 * LEAST_WALL < _least_hub(blank):
+            return False
+        # The collar that two gears get by default; for this one alone the web and the holes have most room.
+        blank = replace(blank, hub=Hub(diameter=_least_hub(blank), length=1.0))
     try:
-        if on_collar:
-            tooth_of(form)
+        if upper:
             _check_upper(blank, form)
         else:
-            gear_body(form, blank)
+            _checked_features(blank, form)
     except DesignError:
         return False
     return True
@@ -186,6 +216,11 @@ def _reach(blank: GearBlank) -> float:
     if blank.keyway:
         radius = hypot(radius + blank.keyway.depth, blank.keyway.width / 2)
     return 2 * radius
+
+
+def _least_hub(blank: GearBlank) -> float:
+    """Diameter of the thinnest hub over bore and keyway."""
+    return _reach(blank) + 2 * LEAST_WALL
 
 
 def _check_bore(blank: GearBlank, form: GearForm) -> None:
@@ -254,7 +289,7 @@ def _check_hub(blank: GearBlank, form: GearForm) -> None:
         isfinite(hub.length) and (hub.length > 0 or (hub.length == 0 and blank.web is not None)),
         f"{form} has a hub of {hub.length:g} mm length; give more than 0, or 0 and a web",
     )
-    least = _reach(blank) + 2 * LEAST_WALL
+    least = _least_hub(blank)
     largest = form.root_diameter - 2 * LEAST_WALL
     _require(
         least <= hub.diameter <= largest,

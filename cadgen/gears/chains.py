@@ -4,15 +4,15 @@ A chain's cost is eq. 25: each pair's own cost divided by the ratios of the pair
 output. Pairs are chosen from the output backwards. A branch is left once its cost, with the least that the
 missing pairs can add, reaches that of the worst of the `keep` best chains found so far. What a number of pairs
 adds at least is tabled over the logarithm of their ratio: as if the ratios of the table's classes, and not only
-those of whole teeth, could be combined. Pairs of one ratio differ only in their cost and in the places where
-they may stand, so the `keep` cheapest of them suffice. The two pairs next to the drive are found together, for
-all pairs at once, by looking up the ratio that is still missing.
+those of whole teeth, could be combined. Pairs that have one ratio and may stand at the same places are one
+class, and classes are chosen first, at the cost of their cheapest pair. The two classes next to the drive are
+found together, for all at once, by looking up the ratio that is still missing.
 """
 
 from __future__ import annotations
 
 from bisect import insort
-from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil, inf, log
 
@@ -24,9 +24,12 @@ from cadgen.errors import DesignError
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
+Rows = NDArray[np.intp] | slice | int
 
 # More pairs than this overflow the 64-bit products of tooth numbers that decide an exact ratio.
 LONGEST_CHAIN = 6
+# Of heights that add up to the greatest but for rounding.
+HEIGHT_SLACK = 1e-9
 # Relative width of the window in which floating-point ratios are looked up before they are compared exactly.
 RATIO_SLACK = 1e-12
 # Classes of the table over the range of one pair's ratios; bounds are short by a class, some 0.2 %, for each pair more.
@@ -39,6 +42,42 @@ EDGE_SLACK = 1e-6
 MOST_TRIED = 300_000_000
 
 
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Fit:
+    """Where pairs may stand and what they leave to each other; `n` pairs, `length` places from drive to output.
+
+    Attributes:
+        allowed: which pairs may stand at each place, shape (length, n).
+        wheel, pinion: size of the driven gear and of the driver, shape (n,).
+        after: at each junction of two places, what the wheel before a pair may have at most, shape (length − 1, n).
+        before: what the pinion behind a pair may have at most, shape (length − 1, n).
+        height: of a pair along the axes, shape (n,).
+        most_height: of all pairs together.
+    """
+
+    allowed: BoolArray
+    wheel: FloatArray
+    pinion: FloatArray
+    after: FloatArray
+    before: FloatArray
+    height: FloatArray
+    most_height: float
+
+    @classmethod
+    def anywhere(cls, length: int, pairs: int, allowed: BoolArray | None = None) -> Fit:
+        """Pairs that suit every neighbour, and every place if `allowed` is left out."""
+        open_ended, none = np.full((max(length - 1, 0), pairs), inf), np.zeros(pairs)
+        places = np.ones((length, pairs), dtype=np.bool_) if allowed is None else np.array(allowed)
+        return cls(
+            allowed=places, wheel=none, pinion=none, after=open_ended, before=open_ended, height=none, most_height=inf
+        )
+
+    def join(self, junction: int, earlier: Rows, later: Rows) -> BoolArray:
+        """Whether pairs clear each other as neighbours at a junction."""
+        clear = self.wheel[earlier] <= self.after[junction, later]
+        return np.asarray(clear & (self.pinion[later] <= self.before[junction, earlier]))
+
+
 def best_chains(
     driver: IntArray,
     driven: IntArray,
@@ -48,52 +87,66 @@ def best_chains(
     tolerance: float,
     length: int,
     keep: int,
-    allowed: Sequence[BoolArray] | None = None,
+    fit: Fit | None = None,
 ) -> list[tuple[int, ...]]:
     """Rows, from drive to output, of the `keep` cheapest chains of `length` pairs, cheapest first.
 
     `driver`, `driven` (teeth) and `cost` > 0 have the shape (n,), one row per pair. The ratio is met exactly
-    if `tolerance` is 0, else within it, relatively. `allowed` has `length` arrays of the shape (n,), from drive
-    to output: which pairs may stand there. Raises `DesignError` if the search has no end (`MOST_TRIED`).
+    if `tolerance` is 0, else within it, relatively. Without `fit` every pair may stand everywhere. Raises
+    `DesignError` if the search has no end (`MOST_TRIED`).
     """
-    may = np.ones((length, driver.size), dtype=np.bool_) if allowed is None else np.array(allowed)
-    rows = _cheapest_of_each_ratio(driven / driver, cost, may, keep)
-    if not rows.size:
+    fit = Fit.anywhere(length, driver.size) if fit is None else fit
+    classes = _classes(driven / driver, cost, fit.allowed)
+    if not classes:
         return []
-    search = _Search(driver[rows], driven[rows], cost[rows], may[:, rows], tolerance, keep)
+    search = _Search(driver, driven, cost, fit, classes, tolerance, keep)
     search.choose(length, ratio, 1.0, 0.0, ())
-    return [tuple(int(rows[row]) for row in chain) for _, chain in search.best]
+    return [chain for _, chain in search.best]
 
 
-def _cheapest_of_each_ratio(ratio: FloatArray, cost: FloatArray, may: BoolArray, keep: int) -> NDArray[np.intp]:
-    """Rows by rising ratio, at most `keep` of one ratio and the same places (equal fractions divide to equal floats).
+def _classes(ratio: FloatArray, cost: FloatArray, allowed: BoolArray) -> list[NDArray[np.intp]]:
+    """Pairs of one ratio and the same places, cheapest first, by rising ratio (equal fractions divide to equal floats).
 
-    Rows that may stand nowhere are left out.
+    Pairs that may stand nowhere are left out.
     """
-    places = (1 << np.arange(len(may))) @ may
+    places = (1 << np.arange(len(allowed))) @ allowed
     rows = np.lexsort((cost, places, ratio))
     rows = rows[places[rows] > 0]
-    position = np.arange(rows.size)
-    starts = np.diff(ratio[rows], prepend=-inf) > 0
-    starts |= np.diff(places[rows], prepend=-1) != 0
-    return rows[position - np.maximum.accumulate(np.where(starts, position, 0)) < keep]
+    if not rows.size:
+        return []
+    starts = (np.diff(ratio[rows]) > 0) | (np.diff(places[rows]) != 0)
+    return np.split(rows, np.flatnonzero(starts) + 1)
 
 
 class _Search:
-    """The search's state: the pairs, by rising ratio, and the best chains so far as (cost, rows)."""
+    """The search's state: the classes of pairs, by rising ratio, and the best chains so far as (cost, rows).
+
+    A class stands for its pairs with the teeth, the ratio and the cost of the cheapest. Whether pairs clear each other
+    and how high they are together is seen when the classes of a chain are known, and their pairs are chosen.
+    """
 
     def __init__(
-        self, driver: IntArray, driven: IntArray, cost: FloatArray, may: BoolArray, tolerance: float, keep: int
+        self,
+        driver: IntArray,
+        driven: IntArray,
+        cost: FloatArray,
+        fit: Fit,
+        classes: list[NDArray[np.intp]],
+        tolerance: float,
+        keep: int,
     ) -> None:
-        self.driver, self.driven, self.cost, self.may = driver, driven, cost, may
-        self.ratio = driven / driver
+        first = np.array([rows[0] for rows in classes])
+        self.driver, self.driven, self.cost, self.may = driver[first], driven[first], cost[first], fit.allowed[:, first]
+        self.classes, self.pair_cost, self.fit = classes, cost, fit
+        self.lowest = float(fit.height.min())
+        self.ratio = self.driven / self.driver
         self.tolerance, self.keep = tolerance, keep
         self.best: list[tuple[float, tuple[int, ...]]] = []
         self.tried = 0
-        self.table = _LeastCosts(self.ratio, cost, tolerance)
+        self.table = _LeastCosts(self.ratio, self.cost, tolerance)
 
     def choose(self, missing: int, wanted: Fraction, weight: float, spent: float, chain: tuple[int, ...]) -> None:
-        """Put every pair in front of `chain`, which costs `spent`; `missing` pairs are to give `wanted`."""
+        """Put every class in front of `chain`, which costs `spent`; `missing` classes are to give `wanted`."""
         slack = self.tolerance + RATIO_SLACK
         window = float(wanted) * (1 - slack), float(wanted) * (1 + slack)
         if missing == 1:
@@ -102,7 +155,7 @@ class _Search:
             exact = self._exact(self.driver[rows], self.driven[rows], wanted)
             self._enter(spent + weight * self.cost[rows[exact]], rows[None, exact], chain)
             return
-        self.tried += self.ratio.size
+        self._count(self.ratio.size)
         left = float(wanted) / self.ratio
         bound = spent + weight * (self.cost + self.table.of(missing - 1, left) / self.ratio)
         rows = np.flatnonzero(self.may[missing - 1] & (bound < self.worst))
@@ -121,6 +174,14 @@ class _Search:
         """Cost that a chain must stay below to be among the best."""
         return self.best[-1][0] if len(self.best) == self.keep else inf
 
+    def _count(self, tried: int) -> None:
+        self.tried += tried
+        if self.tried > MOST_TRIED:
+            raise DesignError(
+                f"the search has not ended after {MOST_TRIED // 1_000_000} million pairs of stages; narrow the teeth,"
+                " the stage ratios or the ratio tolerance, or ask for fewer stages or trains"
+            )
+
     def _choose_two(
         self,
         rows: NDArray[np.intp],
@@ -130,15 +191,10 @@ class _Search:
         spent: float,
         chain: tuple[int, ...],
     ) -> None:
-        """Complete the chain with each of `rows` and every pair that has the ratio then missing."""
+        """Complete the chain with each of `rows` and every class that has the ratio then missing."""
         first = np.searchsorted(self.ratio, window[0] / self.ratio[rows], side="left")
         count = np.searchsorted(self.ratio, window[1] / self.ratio[rows], side="right") - first
-        self.tried += int(count.sum())
-        if self.tried > MOST_TRIED:
-            raise DesignError(
-                f"the search has not ended after {MOST_TRIED // 1_000_000} million pairs of stages; narrow the teeth,"
-                " the stage ratios or the ratio tolerance, or ask for fewer stages or trains"
-            )
+        self._count(int(count.sum()))
         later = np.repeat(rows, count)
         earlier = np.arange(later.size) + np.repeat(first - np.cumsum(count) + count, count)
         driver = self.driver[later] * self.driver[earlier]
@@ -153,12 +209,49 @@ class _Search:
         return np.asarray(driven * wanted.denominator == driver * wanted.numerator)
 
     def _enter(self, cost: FloatArray, rows: NDArray[np.intp], chain: tuple[int, ...]) -> None:
-        """Put `chain` behind each of the columns of `rows`, and keep those whose cost is among the best."""
-        for column in np.argsort(cost, kind="stable")[: self.keep].tolist():
+        """Put `chain` behind each of the columns of `rows`, and keep the chains of pairs that are among the best."""
+        near = np.flatnonzero(cost < self.worst)
+        for column in near[np.argsort(cost[near], kind="stable")].tolist():
             if cost[column] >= self.worst:
                 break
-            insort(self.best, (float(cost[column]), (*rows[:, column].tolist(), *chain)))
-            del self.best[self.keep :]
+            whole = (*rows[:, column].tolist(), *chain)
+            least, weight = [], 1.0
+            for row in reversed(whole):  # the least that this and the places before it cost, from the output on
+                least.append((weight, weight * self.cost[row]))
+                weight /= self.ratio[row]
+            weights = [entry[0] for entry in reversed(least)]
+            before = np.cumsum([0.0, *(entry[1] for entry in reversed(least))]).tolist()
+            self._pick(whole, weights, before, 0.0, ())
+
+    def _pick(
+        self,
+        classes: tuple[int, ...],
+        weights: list[float],
+        before: list[float],
+        spent: float,
+        chain: tuple[int, ...],
+    ) -> None:
+        """Put pairs of the last of the `classes` that have none yet in front of `chain`, which costs `spent`.
+
+        `weights` are those of the places, `before` the least cost of all places in front of each.
+        """
+        place = len(classes) - 1 - len(chain)
+        rows = self.classes[classes[place]]
+        cost = spent + weights[place] * self.pair_cost[rows]
+        room = self.fit.most_height - self.fit.height[list(chain)].sum() - place * self.lowest + HEIGHT_SLACK
+        fits = (cost + before[place] < self.worst) & (self.fit.height[rows] <= room)
+        if chain:
+            fits &= self.fit.join(place, rows, chain[0])
+        self._count(rows.size)
+        for index in np.flatnonzero(fits).tolist():
+            if cost[index] + before[place] >= self.worst:
+                break
+            whole = (int(rows[index]), *chain)
+            if place:
+                self._pick(classes, weights, before, float(cost[index]), whole)
+            else:
+                insort(self.best, (float(cost[index]), whole))
+                del self.best[self.keep :]
 
 
 class _LeastCosts:

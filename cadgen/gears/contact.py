@@ -10,7 +10,7 @@ formula knows an involute.
 
 from __future__ import annotations
 
-from math import cos, pi, sin, sqrt
+from math import cos, pi, sqrt
 
 import numpy as np
 
@@ -18,6 +18,10 @@ from cadgen.gears.outline import Points
 from cadgen.gears.tooth import GearForm, Tooth, tooth_of
 from cadgen.gears.train import GearPair
 
+# Least contact ratio: with less than one pair in mesh the motion is passed on in jerks; the rest is for errors.
+LEAST_CONTACT_RATIO = 1.1
+# Least gap between tips and roots, in modules: half of what ISO 53 profile A leaves with the least thinning.
+LEAST_ROOT_CLEARANCE = 0.12
 # Nodes of a flank, between which its polar angle is taken as straight: within 1e-8 rad.
 NODES = 4001
 # Positions of a gear, over `PITCHES` to either side of the line of centres, at which its flank's ends are looked at.
@@ -26,9 +30,13 @@ POSITIONS, PITCHES = 16001, 4
 TOGETHER = 2e-3
 
 
-def contact_ratio(pair: GearPair) -> float:
-    """ε_α of the formula: the part of the line of action on both gears' usable flanks, in base pitches; 0 if none."""
-    line = pair.centre_distance * sin(pair.working_pressure_angle)
+def contact_ratio(pair: GearPair, centre_distance: float | None = None) -> float:
+    """ε_α of the formula: the part of the line of action on both gears' usable flanks, in base pitches; 0 if none.
+
+    At the pair's own centre distance or at another one, in mm.
+    """
+    apart = pair.centre_distance if centre_distance is None else centre_distance
+    line = sqrt(max(apart**2 - ((pair.driver.form.base_diameter + pair.driven.form.base_diameter) / 2) ** 2, 0.0))
     one, two = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
 
     def along(diameter: float, form: GearForm) -> float:

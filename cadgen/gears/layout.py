@@ -1,8 +1,9 @@
 """Where the parts of a train go: parts on shafts, shafts that keep clear of each other, teeth in phase.
 
-All axes are parallel to z. The wheel of a stage and the pinion of the next one are one part on one shaft, the
-stages are stacked along z, and every pair meshes in a plane of its own. The drive's pinion lies with its hub
-below the stack, the output's wheel with its hub above.
+All axes are parallel to z. The wheel of a stage and the pinion of the next one are one part on one shaft, with a
+collar between them, so that the wheels of neighbouring stages do not rub. The stages are stacked along z, and every
+pair meshes in a plane of its own. The drive's pinion lies with its hub below the stack, the output's wheel with its
+hub above.
 
 Seen along z a stage's line of centres has a direction. Given ones are kept; for the others the train is folded
 as tightly as it goes without one body coming closer than the clearance to another on a neighbouring or any
@@ -15,20 +16,25 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, pairwise, product, takewhile
 from math import asin, ceil, degrees, pi, radians
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
-from cadgen.gears.blank import GearBlank, cluster_body, gear_body
+from cadgen.gears.blank import GearBlank, cluster_body, gear_body, with_collar
 from cadgen.gears.body import Body
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import GearPair, Train
+
+M = TypeVar("M", Body, GearBlank)
 
 # Gauss-Legendre nodes of a set screw's hole, to either side of the keyway's edge: its integrand is analytic there.
 _SCREW_NODES = 40
 # Directions tried are this far apart, in rad: finer ones move a shaft by less than 5 % of the centre distance.
 DIRECTION_STEP = radians(5.0)
+# Least length in mm of the collar between two gears on a shaft that are given none.
+COLLAR = 1.0
 # Axes nearer than this, in mm, are one.
 ONE_AXIS = 1e-6
 
@@ -141,7 +147,7 @@ def lay_out(
     different shafts collide however they are laid out.
     """
     wanted = tuple(directions or (None,) * len(train.stages))
-    parts = _stacked(train, blanks)
+    parts = _stacked(train, blanks, clearance)
     discs = _discs(parts, train)
     for pair, one, two in zip(train.stages, discs, discs[1:], strict=False):
         # Neighbours are as far apart in every direction: what collides there needs no search.
@@ -163,7 +169,19 @@ def lay_out(
     return TrainLayout(train=train, parts=tuple(placed), directions=found)
 
 
-def _stacked(train: Train, blanks: Blanks) -> list[TrainPart]:
+def collar_length(clearance: float) -> float:
+    """Length in mm of a collar that is not given, between gears as wide as those that they mesh with."""
+    return max(COLLAR, 2 * clearance)
+
+
+def _collar_length(before: GearPair, after: GearPair, clearance: float) -> float:
+    """The same for gears of any widths: what the gears in mesh with both stand out towards each other comes on top."""
+    above = (before.driver.form.width - before.driven.form.width) / 2
+    below = (after.driven.form.width - after.driver.form.width) / 2
+    return collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
+
+
+def _stacked(train: Train, blanks: Blanks, clearance: float) -> list[TrainPart]:
     """The parts, all on one axis, at their heights."""
     stages = train.stages
     first, last = stages[0].driver.form, stages[-1].driven.form
@@ -190,9 +208,11 @@ def _stacked(train: Train, blanks: Blanks) -> list[TrainPart]:
     parts = [part("1_pinion", 1, (first,), blanks.drive, drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.driven.form, after.driver.form
-        body = _made(shaft, "intermediate", cluster_body, lower, upper, blanks.intermediate)
+        length = _collar_length(before, after, clearance)
+        blank = _made(shaft, "intermediate", with_collar, blanks.intermediate, lower, upper, length)
+        body = _made(shaft, "intermediate", cluster_body, lower, upper, blank)
         start = plane - lower.width / 2
-        parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blanks.intermediate, body, start))
+        parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blank, body, start))
         plane = start + body.slabs[-1].end - upper.width / 2
     shaft = len(stages) + 1
     output = _made(shaft, "output", gear_body, last, blanks.output)
@@ -200,7 +220,7 @@ def _stacked(train: Train, blanks: Blanks) -> list[TrainPart]:
     return parts
 
 
-def _made(shaft: int, place: str, make: Callable[..., Body], *arguments: GearForm | GearBlank) -> Body:
+def _made(shaft: int, place: str, make: Callable[..., M], *arguments: GearForm | GearBlank | float) -> M:
     try:
         return make(*arguments)
     except DesignError as error:

@@ -1,23 +1,18 @@
-"""Teeth as they are cut: thinned within their limits or as told, and what to do about teeth that this destroys."""
+"""Teeth as they are cut, in the middle of their thickness limits, and what to do about teeth that this destroys."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from math import cos, tan
-from typing import Literal
 
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay
 from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.gears.train import Gear, GearPair, Train
 
-Thinning = Literal["least", "middle", "greatest"]
-# Share of the way from E_sns to E_sni.
-THINNING_SHARES: dict[Thinning, float] = {"least": 0.0, "middle": 0.5, "greatest": 1.0}
 
-
-def thinned(play: TrainPlay, thinning: Thinning | float) -> Train:
-    """The train with every tooth thinned: within its limits E_sns to E_sni, or by a given E_sn in mm.
+def thinned(play: TrainPlay) -> Train:
+    """The train with every tooth thinned to the middle of its limits E_sns and E_sni.
 
     Raises `DesignError`, with the stage and what thins most, for a tooth that cannot be cut so or at its limits.
     """
@@ -26,19 +21,11 @@ def thinned(play: TrainPlay, thinning: Thinning | float) -> Train:
         deviations = []
         for gear, limits in ((pair.driver, found.driver), (pair.driven, found.driven)):
             try:
-                deviations.append(_deviation(gear, limits, pair, found, thinning))
+                deviations.append(_deviation(gear, limits, pair, found))
             except DesignError as error:
                 raise DesignError(f"in stage {number}, {error}") from error
         stages.append(with_deviations(pair, *deviations))
     return Train(tuple(stages))
-
-
-def thickness_zone(form: GearForm, limits: GearPlay[float]) -> tuple[float, float]:
-    """Limits of E_sn for the tooth as it is cut, mm: E_sns and E_sni, or a zone as wide about a thinning outside."""
-    given = form.tooth_thickness_deviation
-    if limits.E_sni <= given <= limits.E_sns:
-        return limits.E_sns, limits.E_sni
-    return given + limits.T_sn / 2, given - limits.T_sn / 2
 
 
 def with_deviations(pair: GearPair, driver: float, driven: float) -> GearPair:
@@ -55,12 +42,11 @@ def with_deviation(form: GearForm, deviation: float) -> GearForm:
     return replace(form, tooth_thickness_deviation=deviation)
 
 
-def _deviation(
-    gear: Gear, limits: GearPlay[float], pair: GearPair, found: StagePlay[float], thinning: Thinning | float
-) -> float:
+def _deviation(gear: Gear, limits: GearPlay[float], pair: GearPair, found: StagePlay[float]) -> float:
     """E_sn of one gear in mm, after its tooth has been tried at full thickness, as cut and at both limits."""
     tooth_of(with_deviation(gear.form, 0.0))
-    asked = limits.E_sns - THINNING_SHARES[thinning] * limits.T_sn if isinstance(thinning, str) else thinning
+    prescribed = None if isinstance(gear.thinning, str) else gear.thinning
+    asked = limits.E_sns - 0.5 * limits.T_sn if prescribed is None else prescribed
     for deviation, what in (
         (asked, "cut"),
         (limits.E_sns, "at the upper limit of its thickness"),
@@ -70,8 +56,13 @@ def _deviation(
             tooth_of(with_deviation(gear.form, deviation))
         except DesignError as error:
             fault, _, cure = str(error).partition("; ")
-            given = deviation == asked and not isinstance(thinning, str)
-            source = "which is given; give one nearer to 0" if given else _source(gear, limits, pair, found)
+            source = (
+                _source(gear, limits, pair, found)
+                if prescribed is None
+                else f"for E_sn = {prescribed * 1e3:.5g} µm, which is given; give one nearer to 0"
+                if deviation != asked
+                else "which is given; give one nearer to 0"
+            )
             shifted = f", or {cure}" if gear.form.profile_shift else ""
             raise DesignError(f"{fault}, {what} with E_sn = {deviation * 1e3:.5g} µm, {source}{shifted}") from error
     return asked

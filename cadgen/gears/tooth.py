@@ -204,7 +204,7 @@ def tooth_of(form: GearForm) -> Tooth:
     """
     module, angle = form.transverse_module, form.transverse_pressure_angle
     radius = form.reference_diameter / 2
-    flat, tip_radius = _rack_tip(form)
+    flat, tip_radius = rack_tip(form)
     centre_depth = module * (form.dedendum_factor - form.generating_profile_shift) - tip_radius
     if form.root_diameter <= 0:
         raise DesignError(
@@ -255,7 +255,7 @@ def involute(angle: float) -> float:
     return tan(angle) - angle
 
 
-def _rack_tip(form: GearForm) -> tuple[float, float]:
+def rack_tip(form: GearForm) -> tuple[float, float]:
     """Half the flat at the rack's tip and the tip radius, in mm."""
     angle, module = form.normal_pressure_angle, form.normal_module
     half_width = pi / 4 - form.dedendum_factor * tan(angle)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import acos, cos, degrees, inf, prod, tan
-from typing import Self
+from typing import Literal, Self
 
 from scipy.optimize import brentq
 
@@ -17,6 +17,9 @@ from cadgen.errors import DesignError
 from cadgen.gears.tolerances import GRADES, ToleranceOverrides
 from cadgen.gears.tooth import GearForm, involute
 
+# Where in its zone the thickness of a tooth is aimed at: its upper limit E_sns by eq. 7, the middle, or the lower limit
+# E_sni by eq. 9.
+Thinning = Literal["least", "middle", "greatest"]
 # Centre distances are stated to the micrometre: one this much short, in mm, is rounded and not too small.
 CENTRE_DISTANCE_ROUNDING = 0.5e-3
 # Greatest working pressure angle that profile shifts may ask for, in rad (80°).
@@ -27,12 +30,14 @@ STEEPEST_MESH = 1.4
 class Gear:
     """A spur gear and the tolerance grade it is made to; `overrides` stand in for the standards' values.
 
-    Raises `DesignError` for a grade outside 3 to 12.
+    `thinning` is the thickness that the teeth are cut to: a place in the zone of the grade, or E_sn in mm. Raises
+    `DesignError` for a grade outside 3 to 12.
     """
 
     form: GearForm
     grade: int = 7
     overrides: ToleranceOverrides = field(default_factory=ToleranceOverrides)
+    thinning: Thinning | float = "middle"
 
     def __post_init__(self) -> None:
         if self.grade not in GRADES:

@@ -245,7 +245,7 @@ def _step(job: _Job) -> Iterator[_Result]:
 def _meshes(job: _Job) -> Iterator[_Result]:
     from cadgen.export.mesh import Mesh, cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
 
-    chord = job.plan.design.export.mesh_chord_um * 1e-3
+    chord = job.plan.design.export.cam_chord_um * 1e-3
     mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord, job.rim_share)
 
     def read(name: str, again: Mesh) -> _Result:

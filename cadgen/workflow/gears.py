@@ -2,31 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
-from math import degrees
 from typing import Any
 
 from cadgen.cam.check import Check
 from cadgen.design import gears as stages
-from cadgen.design.schema import Design
+from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import Departure, GearPlay, TrainPlay, departures, train_play
 from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.layout import TrainLayout, lay_out
-from cadgen.gears.search import Order, SearchLimits, arrange, search_trains
-from cadgen.gears.thinning import thickness_zone, thinned
-from cadgen.gears.train import Train
-from cadgen.workflow.gears_checks import exact_play, gear_checks
+from cadgen.gears.search import Order, SearchLimits, TrainSearch, arrange
+from cadgen.gears.thinning import thinned
+from cadgen.gears.train import GearPair, Train
+from cadgen.gears.undercut import missing_shift
+from cadgen.workflow.gears_checks import failing_stages, gear_checks
 from cadgen.workflow.gears_facts import plan_facts, teeth_of
 
 Step = Callable[[str], None]
 
 # If none of the trains that a search reports can be made, so many of those whose gears fit their blanks are tried.
-DEPTHS = (100, 1000)
-# Trains whose teeth are measured in mesh before a search is content with the best that fails a check.
-MOST_MEASURED = 12
+DEPTHS = (100, 1000, 4000)
+# Trains whose teeth are measured in mesh before a search is content with the best that fails a check. Each costs the
+# search the pairs that fail, and the limits of the search keep nearly all such pairs out.
+MOST_MEASURED = 200
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ class GearsPlan:
         checks: every figure with its verdict.
     """
 
-    design: Design
+    design: TrainDesign
     order: Order
     given: TrainPlay
     given_standard: TrainPlay | None
@@ -110,7 +111,7 @@ class _Made:
     checks: tuple[Check, ...]
 
 
-def plan_gears(design: Design, order: Order = "as-given", step: Step = lambda text: None) -> GearsPlan:
+def plan_gears(design: TrainDesign, order: Order = "as-given", step: Step = lambda text: None) -> GearsPlan:
     """Compute the train of a design in an order, lay it out, and measure its teeth in mesh.
 
     Args:
@@ -129,8 +130,8 @@ def plan_gears(design: Design, order: Order = "as-given", step: Step = lambda te
     given_play, given_standard = train_play(given), _by_the_standard(given)
     limits = stages.search_limits(design, given) if order == "search" else None
     ranked = arrange(given, order, limits)
-    trains = _trains(ranked, limits, design)
-    made, skipped = _first_made(design, given, trains, ranked, _baseline(order, given_play, given_standard), step)
+    trains = _Candidates(ranked, limits, design)
+    made, skipped = _first_made(design, given, trains, _baseline(order, given_play, given_standard), step)
     return GearsPlan(
         design=design,
         order=order,
@@ -141,7 +142,11 @@ def plan_gears(design: Design, order: Order = "as-given", step: Step = lambda te
         skipped=skipped,
         standard=_by_the_standard(made.play.train),
         departures=departures(made.play.train),
-        notes=(*_thinning_notes(design, made), *(_notes(design, given) if limits else ())),
+        notes=(
+            *_thinning_notes(design, made),
+            *_undercut_notes(made.layout),
+            *(_notes(design, given, limits) if limits else ()),
+        ),
         layout=made.layout,
         inspection=made.inspection,
         checks=made.checks,
@@ -159,30 +164,55 @@ def _by_the_standard(train: Train) -> TrainPlay | None:
         return None
 
 
-def _trains(ranked: Sequence[TrainPlay], limits: SearchLimits | None, design: Design) -> Iterator[TrainPlay]:
-    """The trains to be tried, best first: those ranked, and of a search then those whose gears fit their blanks."""
-    yield from ranked
-    if limits is None:
-        return
-    seen = {play.train for play in ranked}
-    for keep in DEPTHS:
-        try:
-            deeper = search_trains(replace(limits, keep=keep), stages.blanks(design))
-        except DesignError:
+class _Candidates:
+    """The trains to be tried, best first: those ranked, and of a search then those whose gears fit their blanks.
+
+    Attributes:
+        told: why a search ended, if it did before a train was found.
+    """
+
+    def __init__(self, ranked: tuple[TrainPlay, ...], limits: SearchLimits | None, design: TrainDesign) -> None:
+        self.ranked, self.limits, self.told = ranked, limits, ""
+        self._blanks, self._clearance = stages.blanks(design), stages.train_keys(design).clearance_mm
+        self._failing: dict[GearPair, None] = {}
+
+    def exclude(self, pairs: Iterable[GearPair]) -> None:
+        """Try no train with any of these pairs from here on."""
+        self._failing.update(dict.fromkeys(pairs))
+
+    def __iter__(self) -> Iterator[TrainPlay]:
+        yield from filter(self._open, self.ranked)
+        if self.limits is None:
             return
-        for play in deeper:
-            if play.train not in seen:
-                seen.add(play.train)
-                yield play
+        seen = {play.train for play in self.ranked}
+        try:
+            search = TrainSearch(self.limits, self._blanks, self._clearance)
+            excluded = 0
+            for keep in DEPTHS:
+                while True:
+                    failing = list(self._failing)
+                    for pair in failing[excluded:]:
+                        search.exclude(pair)
+                    excluded = len(failing)
+                    found = search.best(keep)
+                    for play in found:
+                        if play.train not in seen and self._open(play):
+                            seen.add(play.train)
+                            yield play
+                    if len(self._failing) == excluded:
+                        break
+                if len(found) < keep:
+                    return
+            self.told = f"the best {keep} whose gears fit their blanks were tried"
+        except DesignError as error:
+            self.told = str(error)
+
+    def _open(self, play: TrainPlay) -> bool:
+        return self._failing.keys().isdisjoint(play.train.stages)
 
 
 def _first_made(
-    design: Design,
-    given: Train,
-    trains: Iterator[TrainPlay],
-    ranked: tuple[TrainPlay, ...],
-    baseline: TrainPlay,
-    step: Step,
+    design: TrainDesign, given: Train, trains: _Candidates, baseline: TrainPlay, step: Step
 ) -> tuple[_Made, tuple[Skipped, ...]]:
     """The first train that can be made and passes its checks, else the first that can be made; and those before it."""
     skipped: list[Skipped] = []
@@ -193,33 +223,53 @@ def _first_made(
             made = _make(design, given, play)
         except DesignError as error:
             skipped.append(Skipped(play, str(error)))
+            if trains.limits:
+                trains.exclude(pair for pair in play.train.stages if not _can_be_cut(design, pair))
             continue
         wrong = [check.name for check in made.checks if not check.passed]
         if not wrong:
             return made, tuple(skipped)
         failed.append((len(skipped), made))
         skipped.append(Skipped(play, f"its check of {' and '.join(wrong)} fails"))
+        if trains.limits:
+            trains.exclude(play.train.stages[number] for number in failing_stages(made.layout, play.stages))
         if len(failed) == MOST_MEASURED:
+            trains.told = f"{MOST_MEASURED} trains were measured and fail"
             break
     if failed:
         before, made = failed[0]
         return made, tuple(skipped[:before])
-    if len(ranked) == 1:
+    if len(trains.ranked) == 1 and not trains.told:
         raise DesignError(skipped[0].reason)
+    ended = f"; {trains.told}" if trains.told else ""
     raise NotMadeError(
-        f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, not: {skipped[0].reason}",
-        ranked,
+        f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, not: {skipped[0].reason}"
+        f"{ended}",
+        trains.ranked,
         baseline,
     )
 
 
-def _make(design: Design, given: Train, play: TrainPlay) -> _Made:
+def _can_be_cut(design: TrainDesign, pair: GearPair) -> bool:
+    """Whether the teeth of a stage can be cut and inspected, whatever stands beside it."""
+    play = train_play(Train((pair,)))
+    try:
+        cut = thinned(play).stages[0]
+        pin = stages.train_keys(design).pin_diameter_mm
+        for gear, role in ((cut.driver, play.stages[0].driver), (cut.driven, play.stages[0].driven)):
+            inspection_of(gear.form, role.E_sns, role.E_sni, pin)
+    except DesignError:
+        return False
+    return True
+
+
+def _make(design: TrainDesign, given: Train, play: TrainPlay) -> _Made:
     keys = stages.train_keys(design)
-    cut = thinned(play, keys.thinning if keys.E_sn_um is None else keys.E_sn_um * 1e-3)
+    cut = thinned(play)
     directions = _directions(given, play.train, stages.directions(design))
     layout = lay_out(cut, stages.blanks(design), directions, keys.clearance_mm)
     inspection = _inspections(layout, play, keys.pin_diameter_mm)
-    checks = gear_checks(layout, play.stages, design.export.mesh_chord_um * 1e-3)
+    checks = gear_checks(layout, play.stages, [stages.mesh_chord(design, part.gears) for part in layout.parts])
     return _Made(play, layout, inspection, checks)
 
 
@@ -233,25 +283,45 @@ def _directions(given: Train, made: Train, wanted: Sequence[float | None]) -> li
     return found
 
 
-def _thinning_notes(design: Design, made: _Made) -> tuple[str, ...]:
-    """What a given E_sn outside the limits of the grade means for the return error."""
-    given = stages.train_keys(design).E_sn_um
-    roles = [role for found in made.play.stages for role in (found.driver, found.driven)]
-    if given is None or all(role.E_sni <= given * 1e-3 <= role.E_sns for role in roles):
+def _thinning_notes(design: TrainDesign, made: _Made) -> tuple[str, ...]:
+    """What a thickness of the design's own means for the return error."""
+    keys = stages.train_keys(design)
+    zone = "and play, return error and the limits in the table of parts are those of such teeth"
+    if keys.E_sn_um is not None:
+        widths = [role.T_sn * 1e3 for stage in made.play.stages for role in (stage.driver, stage.driven)]
+        return (
+            f"E_sn = {keys.E_sn_um:g} µm is the design's own: teeth are cut within T_sn / 2 = {min(widths) / 2:.0f} to"
+            f" {max(widths) / 2:.0f} µm of it, {zone}",
+        )
+    if keys.thinning == "middle":
         return ()
-    cut = made.layout.train
-    error = degrees(sum(exact_play(pair) / float(i) for pair, i in zip(cut.stages, cut.output_ratios, strict=True)))
-    cut_so = f"the teeth as cut, without any error, leave {error:.3f}°" if error > 0 else "the teeth as cut jam"
-    return (
-        f"E_sn = {given:g} µm is the design's own and outside E_sns to E_sni of the grade: the return errors from "
-        f"least to greatest are those of the grade; {cut_so}",
-    )
+    limit = "upper limit E_sns" if keys.thinning == "least" else "lower limit E_sni"
+    return (f"teeth are cut to the {limit} of their grade, within T_sn / 2 of it, {zone}",)
 
 
-def _notes(design: Design, given: Train) -> tuple[str, ...]:
-    """What the searched trains do not take over from the stages given."""
-    gears = [gear for pair in given.stages for gear in (pair.driver, pair.driven)]
+def _undercut_notes(layout: TrainLayout) -> tuple[str, ...]:
+    """Which gears are undercut as they are cut, and how far."""
     notes = []
+    for number, pair in enumerate(layout.train.stages, 1):
+        for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
+            if (missing := missing_shift(gear.form)) > 0:
+                notes.append(
+                    f"the {role} of stage {number}, of {gear.form.teeth} teeth, is undercut: as cut it has the profile"
+                    f" shift {gear.form.generating_profile_shift:.2f}, {missing:.2f} modules less than would leave its"
+                    " flanks whole"
+                )
+    return tuple(notes)
+
+
+def _notes(design: TrainDesign, given: Train, limits: SearchLimits) -> tuple[str, ...]:
+    """Within what limits was searched, and what the searched trains do not take over from the stages given."""
+    gears = [gear for pair in given.stages for gear in (pair.driver, pair.driven)]
+    notes = [f"searched: {limits}"]
+    if left := stages.limits_left_out(design):
+        notes.append(
+            f"not given in [train.search]: {left}; sizes that are left out span those of the given stages, the other"
+            " limits are the usual ones, widened to the given stages where these go further"
+        )
     if departures(given):
         notes.append(
             "searched gears are made to the standard's tolerances, without those that the design gives for its own;"
@@ -265,14 +335,14 @@ def _notes(design: Design, given: Train) -> tuple[str, ...]:
 
 
 def _inspections(layout: TrainLayout, play: TrainPlay, pin: float | None) -> tuple[tuple[Inspection, ...], ...]:
-    """Of every part's gears between E_sns and E_sni, or about a thinning outside these as wide apart."""
+    """Of every part's gears between E_sns and E_sni."""
     found = []
     for part in layout.parts:
         of_part = []
         for form, stage in zip(part.gears, part.stages, strict=True):
             role = _role(play, part.shaft, stage)
             try:
-                of_part.append(inspection_of(form, *thickness_zone(form, role), pin))
+                of_part.append(inspection_of(form, role.E_sns, role.E_sni, pin))
             except DesignError as error:
                 raise DesignError(f"in stage {stage}, {error}") from error
         found.append(tuple(of_part))

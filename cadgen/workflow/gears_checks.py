@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from cadgen.cam.check import Check
 from cadgen.gears.backlash import StagePlay
-from cadgen.gears.contact import contact_ratio, found_contact_ratio
+from cadgen.gears.contact import LEAST_CONTACT_RATIO, LEAST_ROOT_CLEARANCE, contact_ratio, found_contact_ratio
 from cadgen.gears.gear_mesh import body_mesh
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.mesh_check import LEAST_OVERLAP, MeasuredPair, measured_pair, return_error
@@ -19,12 +19,8 @@ from cadgen.gears.train import GearPair, Train
 
 # What a measured play may differ from the computed one, µm of arc on the driven gear's pitch circle.
 PLAY_LIMIT_UM = 0.5
-# Least contact ratio: with less than one pair in mesh the motion is passed on in jerks; the rest is for errors.
-CONTACT_RATIO_LIMIT = 1.1
 # What the contact ratio found on the curves may differ from that of the formula.
 CONTACT_RATIO_ERROR = 0.01
-# Least gap between tips and roots, in modules: half of what ISO 53 profile A leaves with the least thinning.
-CLEARANCE_LIMIT = 0.12
 # Positions of the driver over one pitch at which the teeth are set against each other.
 POSITIONS = 8
 # Parts of which a volume in mm³ below this is common only touch: the rounding of the meshes.
@@ -41,10 +37,10 @@ class State(NamedTuple):
     apart: float
 
 
-def gear_checks(layout: TrainLayout, plays: Sequence[StagePlay[float]], chord: float) -> tuple[Check, ...]:
-    """Every check of a train that is laid out, of `plays` by stage; `chord` (mm) is that of the parts' meshes."""
+def gear_checks(layout: TrainLayout, plays: Sequence[StagePlay[float]], chords: Sequence[float]) -> tuple[Check, ...]:
+    """Every check of a train that is laid out, of `plays` by stage; `chords` (mm) are those of the parts' meshes."""
     cut = layout.train.stages
-    checks = [*_bodies(layout, chord), *_worst([_of_stage(pair, play) for pair, play in zip(cut, plays, strict=True)])]
+    checks = [*_bodies(layout, chords), *_worst([_of_stage(pair, play) for pair, play in zip(cut, plays, strict=True)])]
     if meshes(cut):
         error = return_error_um(cut, [_built(pair, pair.centre_distance) for pair in cut])
         checks.append(
@@ -53,9 +49,18 @@ def gear_checks(layout: TrainLayout, plays: Sequence[StagePlay[float]], chord: f
     return tuple(checks)
 
 
+def failing_stages(layout: TrainLayout, plays: Sequence[StagePlay[float]]) -> list[int]:
+    """Stages, from 0, whose teeth fail a check of their own."""
+    cut = enumerate(zip(layout.train.stages, plays, strict=True))
+    return [number for number, (pair, play) in cut if not all(check.passed for check in _of_stage(pair, play))]
+
+
 def meshes(cut: Sequence[GearPair]) -> bool:
-    """Whether the teeth of all stages, as cut, neither jam nor pass each other: only then is there a play."""
-    return all(_engages(State(pair, pair.centre_distance)) for pair in cut)
+    """Whether the teeth of all stages, as cut, have a play: they neither jam nor pass each other.
+
+    Nor is there one play where at times no tooth is in mesh: a contact ratio below 1.
+    """
+    return all(_engages(State(pair, pair.centre_distance)) and contact_ratio(pair) >= 1 for pair in cut)
 
 
 def exact_play(pair: GearPair, centre_distance: float | None = None) -> float:
@@ -129,11 +134,12 @@ def _of_stage(pair: GearPair, found: StagePlay[float]) -> tuple[Check, ...]:
     states = {"as cut": State(pair, pair.centre_distance), "greatest": greatest, "least": least}
     jam, jammed = max((_built(*state).overlap_midway(0.0), name) for name, state in states.items())
     hold, loose = min((_built(*state).overlap_tooth_on_tooth(0.0), name) for name, state in states.items())
+    closest = exact_play(*least) * pair.driven_pitch_radius * 1e3
     checks = [
-        Check("root clearance", min(built.clearances()) / module, "modules", CLEARANCE_LIMIT, "min", advice=wider),
-        Check("contact ratio", ratio, "", CONTACT_RATIO_LIMIT, "min", advice="give more teeth"),
+        Check("root clearance", min(built.clearances()) / module, "modules", LEAST_ROOT_CLEARANCE, "min", advice=wider),
+        Check("contact ratio", ratio, "", LEAST_CONTACT_RATIO, "min", advice="give more teeth"),
         Check("contact ratio - formula", abs(ratio - contact_ratio(pair)), "", CONTACT_RATIO_ERROR, "max"),
-        Check("teeth jam", jam, "mm2", LEAST_OVERLAP, "max", jammed, "thin the teeth, or set the axes apart"),
+        Check("teeth jam", jam, "mm2", LEAST_OVERLAP, "max", jammed, _thinner(closest)),
         Check("teeth hold each other", hold, "mm2", LEAST_OVERLAP, "min", loose, _closer(loose)),
     ]
     if _engages(states["as cut"]):
@@ -141,13 +147,19 @@ def _of_stage(pair: GearPair, found: StagePlay[float]) -> tuple[Check, ...]:
         checks.append(
             Check("overlap within the play", over, "mm2", LEAST_OVERLAP, "max", advice="tips meet roots: " + wider)
         )
-        if ratio >= 1:  # or there are places where no tooth is in mesh to hold the next
+        if ratio >= 1:
             checks.append(Check("overlap past the play", past, "mm2", LEAST_OVERLAP, "min"))
     for name, state in states.items():
-        if _engages(state):
+        # With a contact ratio below 1 there are places where no tooth is in mesh, and the play is greater.
+        if _engages(state) and contact_ratio(state.pair, state.apart) >= 1:
             off = (_built(*state).play(0.0) - exact_play(*state)) * pair.driven_pitch_radius * 1e3
             checks.append(Check(f"play - computed, {name}", abs(off), "µm", PLAY_LIMIT_UM, "max"))
     return tuple(check if check.advice else replace(check, advice=CONTRADICTION) for check in checks)
+
+
+def _thinner(least_play: float) -> str:
+    at = f" (the least play by the tolerances is {least_play:.1f} µm)" if least_play <= 0 else ""
+    return f"thin the teeth, or set the axes apart{at}"
 
 
 def _closer(state: str) -> str:
@@ -156,9 +168,12 @@ def _closer(state: str) -> str:
     return "they pass each other freely; set the axes closer, or thin the teeth less"
 
 
-def _bodies(layout: TrainLayout, chord: float) -> list[Check]:
+def _bodies(layout: TrainLayout, chords: Sequence[float]) -> list[Check]:
     """The parts at their places as meshes: no two of them may have any volume in common."""
-    solids = [body_mesh(part.body, chord).manifold().transform(part.transform) for part in layout.parts]
+    solids = [
+        body_mesh(part.body, chord).manifold().transform(part.transform)
+        for part, chord in zip(layout.parts, chords, strict=True)
+    ]
     shared = [
         ((one ^ two).volume(), f"{layout.parts[i].name}, {layout.parts[j].name}")
         for i, one in enumerate(solids)

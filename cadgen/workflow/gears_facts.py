@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay, play_distribution
+from cadgen.gears.contact import contact_ratio
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.inspection import Inspection, Limits
-from cadgen.gears.thinning import thickness_zone
 from cadgen.gears.tolerances import (
     span_pitch_deviation,
     tooth_radial_composite_deviation,
@@ -20,6 +20,7 @@ from cadgen.gears.tolerances import (
 )
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair
+from cadgen.gears.undercut import missing_shift
 from cadgen.workflow.gears_checks import exact_play, limit_states
 
 if TYPE_CHECKING:
@@ -53,7 +54,15 @@ def plan_facts(plan: GearsPlan) -> dict[str, Any]:
         "stages": [
             _stage_facts(pair, play) for pair, play in zip(plan.layout.train.stages, plan.play.stages, strict=True)
         ],
-        "ranked": [{"teeth": teeth_of(play), **return_error(play)} for play in plan.ranked],
+        "ranked": [
+            {
+                "teeth": teeth_of(play),
+                "modules_mm": [pair.driver.form.normal_module for pair in play.train.stages],
+                "widths_mm": [[gear.form.width for gear in (pair.driver, pair.driven)] for pair in play.train.stages],
+                **return_error(play),
+            }
+            for play in plan.ranked
+        ],
         "skipped": [
             {"teeth": teeth_of(one.play), "greatest": degrees(one.play.return_error_max), "reason": one.reason}
             for one in plan.skipped
@@ -123,6 +132,7 @@ def _stage_facts(pair: GearPair, play: StagePlay[float]) -> dict[str, Any]:
         "centre_distance_mm": pair.centre_distance,
         "bearing_span_mm": pair.bearing_span,
         "ratio": str(pair.ratio),
+        "contact_ratio": contact_ratio(pair),
         **_in_um({name: value for name, value in asdict(play).items() if name not in _NO_LENGTHS}),
         "play_um": {"mean": spread.mean * 1e3, "std": spread.std * 1e3, **_quantiles(spread, 1e3)},
         "play_as_cut_um": exact_play(pair) * arc,
@@ -155,6 +165,7 @@ def _tolerance_facts(gear: Gear, play: GearPlay[float]) -> dict[str, Any]:
     limits = {name: value for name, value in asdict(play).items() if name != "tolerances"}
     return {
         "teeth": form.teeth,
+        "undercut_modules": missing_shift(form),
         "grade": gear.grade,
         **_in_um(shown),
         "F_pk_pitches": pitches,
@@ -164,7 +175,6 @@ def _tolerance_facts(gear: Gear, play: GearPlay[float]) -> dict[str, Any]:
 
 def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], found: Inspection) -> dict[str, Any]:
     """What the shop is told of one gear: one row of the table of parts."""
-    upper, lower = thickness_zone(form, play)
     return {
         "stage": stage,
         "teeth": form.teeth,
@@ -175,8 +185,8 @@ def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], found: Inspec
         "tip_diameter_mm": form.tip_diameter,
         "root_diameter_mm": form.root_diameter,
         "E_sn_um": form.tooth_thickness_deviation * 1e3,
-        "E_sns_um": upper * 1e3,
-        "E_sni_um": lower * 1e3,
+        "E_sns_um": play.E_sns * 1e3,
+        "E_sni_um": play.E_sni * 1e3,
         "teeth_spanned": found.span.teeth_spanned if found.span else None,
         **_limits("span", found.span.span if found.span else None),
         "pin_diameter_mm": found.pins.pin_diameter if found.pins else None,

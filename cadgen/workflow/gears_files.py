@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cadgen.design.gears import mesh_chord
 from cadgen.errors import FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_hash, versions, write_manifest
@@ -46,10 +47,14 @@ FRAME = (
 
 @dataclass(frozen=True)
 class GearsWritten:
-    """The files of one train and their entry in the manifest; `entry["files"]` maps names to facts."""
+    """The files of one train and their entry in the manifest; `entry["files"]` maps names to facts.
+
+    `chord_is_given` tells whether the design gives the chord of the STL files.
+    """
 
     part: str
     entry: dict[str, Any]
+    chord_is_given: bool
 
 
 def write_gears(plan: GearsPlan, out: Path, step: Step = lambda text: None) -> GearsWritten:
@@ -73,7 +78,7 @@ def write_gears(plan: GearsPlan, out: Path, step: Step = lambda text: None) -> G
                 files[name] = {"bytes": file.stat().st_size, "sha256": file_hash(file), **facts}
         entry = {**plan.facts(), "frame": FRAME, "versions": versions(), "omitted": {}, "files": files}
         write_manifest(staging, f"{stem}_train", entry)
-    return GearsWritten(f"{stem}_train", entry)
+    return GearsWritten(f"{stem}_train", entry, plan.design.export.mesh_chord_um is not None)
 
 
 Result = tuple[str, dict[str, Any]]
@@ -136,8 +141,8 @@ def _assembly(plan: GearsPlan, file: str, found: Sequence[AssembledPart], parts:
 def _in_mesh(plan: GearsPlan, name: str, sections: list[tuple[Section, ...]]) -> dict[str, Any]:
     """Play of every stage, and return error of the train, measured on the sections in the files.
 
-    Over a pitch the sections do not overlap just within the computed play, and do just past it. Teeth that jam, or
-    do not hold each other, have no play to measure.
+    Over a pitch the sections do not overlap just within the computed play, and do just past it. Teeth that jam, do
+    not hold each other, or at times are not in mesh, have no play to measure.
     """
     cut = plan.layout.train.stages
     if not meshes(cut):
@@ -166,8 +171,8 @@ def _in_mesh(plan: GearsPlan, name: str, sections: list[tuple[Section, ...]]) ->
 def _stl_files(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
     from cadgen.export.mesh import Mesh, read_stl, stl_bytes
 
-    chord = plan.design.export.mesh_chord_um * 1e-3
     for part in plan.layout.parts:
+        chord = mesh_chord(plan.design, part.gears)
         name = f"{stem}_{part.name}.stl"
         made = body_mesh(part.body, chord)
         (staging / name).write_bytes(stl_bytes(Mesh(made.vertices, made.triangles), f"{stem}_{part.name}"))
@@ -186,7 +191,12 @@ def _stl_facts(name: str, again: Any, part: TrainPart, chord: float) -> dict[str
     walls = float(area[np.abs(across[:, 2]) < area].sum())
     error = abs(solid.volume() - part.volume)
     _require(error <= chord * walls, name, f"misses the exact volume by {error:.3g} mm³")
-    return {"triangles": len(again.triangles), "watertight": True, "volume_error_relative": error / part.volume}
+    return {
+        "triangles": len(again.triangles),
+        "watertight": True,
+        "chord_um": chord * 1e3,
+        "volume_error_relative": error / part.volume,
+    }
 
 
 def _tables(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
