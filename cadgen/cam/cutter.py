@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, left_normal
-from cadgen.curves.offset import parallel
+from cadgen.curves.offset import SLIGHT_TURN, parallel
+from cadgen.curves.spacing import turning
 
 Array = NDArray[np.float64]
 
@@ -48,7 +49,7 @@ def largest_cutter(curve: ClosedCurve) -> CutterLimit:
     Raises:
         CheckError: a hollow has a radius of less than a micrometre.
     """
-    hollow = [corner for corner in curve.corners() if corner.turn < 0]
+    hollow = [corner for corner in curve.corners() if corner.turn < -SLIGHT_TURN]
     if hollow:
         return CutterLimit(0.0, min(hollow, key=lambda corner: corner.turn).point, "corner")
     rounded = parallel(curve, _CLEARANCE)
@@ -63,9 +64,11 @@ def largest_cutter(curve: ClosedCurve) -> CutterLimit:
 
 
 def _tightest_hollow(curve: ClosedCurve) -> tuple[float, Array]:
-    """Least radius of curvature of the hollow parts, and where; infinite if there are none."""
+    """Least radius of curvature of the hollows that turn enough to matter, and where; infinite if there are none."""
     best = (inf, np.full(2, np.nan))
     for piece, t in zip(curve.pieces, curve.parameters(_step(curve)), strict=True):
+        if turning(piece) <= SLIGHT_TURN:
+            continue
         for _ in range(_ZOOMS):
             jet = piece.jet(t)
             least = int(np.argmin(jet.curvature))

@@ -17,7 +17,7 @@ _TURN = 2 * np.pi
 # rad; a shorter piece before the blend is a share of the open curve's own polynomial: from values and derivatives at
 # its two ends its second derivative would err by the rounding of a value over the square of its length, 1e-8 here.
 _SHORT = 1e-4
-_KINK = 1e-6  # a jump of d tan(beta)/d theta below this turns the outline by less than 1e-6 rad: no kink
+_KINK = 1e-5  # a jump of d tan(beta)/d theta below this turns the outline by less than 1e-5 rad: no kink
 # A stretch of at least this angle over which tan(beta) stays within the second figure is level: the second is 0.01 um
 # of lift, what rolling an outline errs by, and a smooth peak stays within it over so wide an angle only if its second
 # derivative is below 0.042, a tenth of what a gentle turn has.

@@ -7,10 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.curves.closed import ClosedCurve, Corner, Jet, Piece, left_normal, polar_angle
+from cadgen.curves.spacing import turning
 from cadgen.errors import CheckError
 
 Array = NDArray[np.float64]
 
+# rad; a hollow that turns by no more than this holds no cutter up: one of radius R leaves R turn^2 / 8 in it, 1e-6 mm
+# at 10 mm.
+SLIGHT_TURN = 1e-3
 _SAMPLES_PER_RADIAN = 600  # of a piece, in search of its tightest hollow
 
 
@@ -65,17 +69,21 @@ def parallel(curve: ClosedCurve, distance: float) -> ClosedCurve:
     """Return the curve that runs `distance` mm outside a counterclockwise curve, that is to its right.
 
     Every piece is moved exactly, and an arc about each convex corner joins the pieces. Parts far apart that
-    come closer than 2 `distance` (a narrow valley) are not looked for here: `cadgen.cam.cutter` finds them.
+    come closer than 2 `distance` (a narrow valley) are not looked for here: `cadgen.cam.cutter` finds them. Hollows
+    that turn too little to matter (`SLIGHT_TURN`) are passed over.
 
     Raises:
         CheckError: a hollow corner, or a hollow whose radius of curvature is not greater than `distance`.
     """
-    corners = {corner.after: corner for corner in curve.corners()}
+    corners = {corner.after: corner for corner in curve.corners() if corner.turn < -SLIGHT_TURN or corner.turn > 0}
     pieces: list[Piece] = []
     for number, piece in enumerate(curve.pieces):
         if number in corners:
             pieces.append(_round(corners[number], piece, distance))
-        _refuse_tight(piece, distance)
+        if (tight := _tightest(piece, distance)) is not None:
+            if turning(piece) <= SLIGHT_TURN:
+                continue
+            _refuse_tight(*tight, distance)
         pieces.append(OffsetPiece(piece, distance))
     return ClosedCurve(tuple(pieces))
 
@@ -92,16 +100,21 @@ def _round(corner: Corner, after: Piece, distance: float) -> CornerArc:
     return CornerArc(corner.point, distance, stop - corner.turn, stop)
 
 
-def _refuse_tight(piece: Piece, distance: float) -> None:
+def _tightest(piece: Piece, distance: float) -> tuple[float, Array] | None:
+    """Radius and place of a piece's tightest hollow, if an offset by `distance` mm closes it."""
     count = max(65, int(_SAMPLES_PER_RADIAN * (piece.stop - piece.start)))
     jet = piece.jet(np.linspace(piece.start, piece.stop, count))
     tightest = int(np.argmin(jet.curvature))
-    if 1 + distance * jet.curvature[tightest] <= 0:
-        radius = -1 / jet.curvature[tightest]
-        raise CheckError(
-            f"the curve is hollow with a radius of {radius:.3f} mm at {_place(jet.point[tightest])}, where a "
-            f"cutter of radius {distance:g} mm cuts into it: use one of less than {radius:.3f} mm"
-        )
+    if 1 + distance * jet.curvature[tightest] > 0:
+        return None
+    return float(-1 / jet.curvature[tightest]), jet.point[tightest]
+
+
+def _refuse_tight(radius: float, point: Array, distance: float) -> None:
+    raise CheckError(
+        f"the curve is hollow with a radius of {radius:.3f} mm at {_place(point)}, where a "
+        f"cutter of radius {distance:g} mm cuts into it: use one of less than {radius:.3f} mm"
+    )
 
 
 def _place(point: Array) -> str:

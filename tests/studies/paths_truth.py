@@ -1,0 +1,145 @@
+"""What a cam for a path must be like, by brute force: no line of cadgen is used here.
+
+The path's curvature from scipy's spline, the lift by its definition, derivatives by differences, and the disc as the
+nearest crossing of each ray with any of thousands of ellipses.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import CubicSpline, make_interp_spline
+
+TURN = 2 * np.pi
+PER_SPAN = 64
+LEAST_SAMPLES = 12_000
+
+
+@dataclass(frozen=True)
+class Truth:
+    """A path on a car, as numbers; mm and rad."""
+
+    waypoints: np.ndarray
+    kind: str
+    offset: float
+    wheelbase: float
+    wheel: float
+    base: float
+    faces: tuple[float, float]
+    rod: float
+    blend: float
+
+    @cached_property
+    def _samples(self) -> tuple[np.ndarray, np.ndarray]:
+        """Cam angle and tan(beta) along the whole path, dense; a span's two ends lie a little inside it."""
+        points = self.waypoints
+        if self.kind == "quintic":
+            u = np.concatenate([[0.0], np.cumsum(np.sqrt(np.linalg.norm(np.diff(points, axis=0), axis=1)))])
+            ends = [(3, np.zeros(2)), (4, np.zeros(2))]
+            spline = make_interp_spline(u, points, k=5, bc_type=(ends, ends))
+        else:
+            u = np.arange(len(points), dtype=float)
+            first = (-11 * points[0] + 18 * points[1] - 9 * points[2] + 2 * points[3]) / 6
+            spline = CubicSpline(u, points, bc_type=((1, first), (2, np.zeros(2))))
+        each = PER_SPAN * max(1, round(LEAST_SAMPLES / PER_SPAN / (len(points) - 1)))
+        share = (np.arange(each) + 0.5) / each
+        at = (u[:-1, None] + np.diff(u)[:, None] * share).ravel()
+        d1, d2 = spline(at, 1), spline(at, 2)
+        speed = np.hypot(*d1.T)
+        bend = (d1[:, 0] * d2[:, 1] - d1[:, 1] * d2[:, 0]) / speed**3
+        shrink = 1 - self.offset * bend
+        steps = speed * shrink * np.repeat(np.diff(u) / each, each)
+        length = np.concatenate([[0.0], np.cumsum(steps)])
+        right = -bend / shrink
+        return TURN * (length[:-1] + length[1:]) / 2 / length[-1], self.wheelbase * right / (1 - self.wheel * right)
+
+    def nodes_angle(self) -> np.ndarray:
+        """Cam angles at every 64th of a span, where the track's nodes stand, rad."""
+        theta, _ = self._samples
+        each = len(theta) // (len(self.waypoints) - 1) // PER_SPAN
+        edges = np.concatenate([[0.0], (theta[:-1] + theta[1:]) / 2, [TURN]])
+        return np.asarray(edges[::each])
+
+    @cached_property
+    def steering(self) -> tuple[np.ndarray, np.ndarray]:
+        """Cam angle and tan(beta) over one turn, closed by a quintic blend."""
+        theta, tangent = self._samples
+        start = TURN - self.blend
+        jets = []
+        for place, inside in ((start, theta < start), (0.0, theta < 0.02)):
+            near = np.argsort(np.abs(theta - place))[:9] if place == 0.0 else np.flatnonzero(inside)[-9:]
+            fit = np.polynomial.Polynomial.fit(theta[near] - place, tangent[near], 4)
+            jets.append([fit.deriv(order)(0.0) if order else fit(0.0) for order in range(3)])
+        h = self.blend
+        rows, wanted = [], []
+        for x, jet in zip((0.0, 1.0), jets, strict=True):
+            rows += [[x**k for k in range(6)], [k * x ** max(k - 1, 0) for k in range(6)]]
+            rows += [[k * (k - 1) * x ** max(k - 2, 0) for k in range(6)]]
+            wanted += [jet[0], h * jet[1], h**2 * jet[2]]
+        blend = np.linalg.solve(np.array(rows, dtype=float), np.array(wanted))
+        driven = theta < start
+        share = (np.arange(600) + 0.5) / 600
+        closed = np.concatenate([theta[driven], start + h * share])
+        return closed, np.concatenate([tangent[driven], np.polynomial.Polynomial(blend)(share)])
+
+    @cached_property
+    def _slopes(self) -> tuple[np.ndarray, np.ndarray]:
+        theta, tangent = self.steering
+        slope = np.gradient(tangent, theta)
+        return slope, np.gradient(slope, theta)
+
+    def pressure_angle(self, *, driven: bool) -> float:
+        """Greatest angle of the pitch curve against the ray, rad."""
+        theta, tangent = self.steering
+        face = np.where(tangent >= 0, *self.faces)
+        angle = np.arctan2(np.abs(face * self._slopes[0]), self.base + face * tangent)
+        mine = (theta < TURN - self.blend) == driven
+        return float(angle[mine].max())
+
+    @cached_property
+    def radii(self) -> tuple[float, float]:
+        """Least convex and least hollow radius of the pitch curve, either face, mm."""
+        _, tangent = self.steering
+        bends = []
+        for face in self.faces:
+            r, r1, r2 = self.base + face * tangent, face * self._slopes[0], face * self._slopes[1]
+            bends.append((r**2 + 2 * r1**2 - r * r2) / (r**2 + r1**2) ** 1.5)
+        bend = np.concatenate(bends)
+        return 1 / float(bend.max()), (1 / -float(bend.min()) if bend.min() < 0 else np.inf)
+
+    def greatest_steering(self) -> float:
+        """Greatest steering angle on the path, rad."""
+        return float(np.arctan(np.abs(self._samples[1])).max())
+
+    def lost_lift(self) -> float:
+        """Greatest lift that the disc cannot give where the path steers, mm, by cutting and rolling with ellipses."""
+        theta, tangent = self.steering
+        grid = np.linspace(0, TURN, 24_000, endpoint=False)
+        T = np.interp(grid, theta, tangent, period=TURN)
+        window = int(np.ceil((self.rod / (self.base / 2) + 0.02) / (grid[1] - grid[0])))
+        disc = np.full(len(grid), np.inf)
+        root = np.sqrt(1 + T**2)
+        for shift in range(-window, window + 1):
+            c, s = np.cos(shift * grid[1]), np.sin(shift * grid[1])
+            A, r = np.roll(self.rod * root, -shift), self.rod
+            for face in self.faces:
+                d = np.roll(self.base + face * T, -shift)
+                qa, qb, qc = (c / A) ** 2 + (s / r) ** 2, -2 * c * d / A**2, (d / A) ** 2 - 1
+                inside = qb**2 - 4 * qa * qc
+                hit = inside >= 0
+                near = np.where(hit, (-qb - np.sqrt(np.where(hit, inside, 0.0))) / (2 * qa), np.inf)
+                disc = np.minimum(disc, near)
+        real = np.full(len(grid), -np.inf)
+        for shift in range(-window, window + 1):
+            c, s = np.cos(shift * grid[1]), np.sin(shift * grid[1])
+            radius = np.roll(disc, -shift)
+            x, y = radius * c, radius * s
+            h2 = self.rod**2 - y**2
+            under = h2 > 0
+            h = np.sqrt(np.where(under, h2, 0.0))
+            for face in self.faces:
+                u = x - self.base
+                needed = (face * u + h * np.sqrt(u * u + face**2 - h * h)) / (face**2 - h * h)
+                real = np.maximum(real, np.where(under, needed, -np.inf))
+        lost = np.where(T >= 0, *self.faces) * (T - real)
+        return float(lost[grid < TURN - self.blend].max())
