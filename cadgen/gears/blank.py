@@ -130,20 +130,22 @@ def _checked_features(blank: GearBlank, form: GearForm) -> tuple[GearOutline, ..
     return _lightening_holes(blank, form)
 
 
-def with_collar(blank: GearBlank, lower: GearForm, upper: GearForm, length: float) -> GearBlank:
+def with_collar(blank: GearBlank, lower: GearForm, upper: GearForm, length: float, clearance: float = 0.0) -> GearBlank:
     """The blank of two gears on one shaft with a collar of `length` (mm) between them, if it has no hub of its own.
 
-    The collar is as thick as the roots of both gears allow, to a tenth of a millimetre, and no thinner than bore and
-    keyway need. Raises `DesignError` where there is no room for it.
+    The collar stays under the roots of both gears by `clearance` (mm), to a tenth of a millimetre, so that the gears in
+    mesh with them pass it, and is no thinner than bore and keyway need. Raises `DesignError` where there is no room.
     """
     if blank.hub:
         return blank
-    least, room = _least_hub(blank), min(lower.root_diameter, upper.root_diameter) - 2 * LEAST_WALL
+    smaller = min(lower, upper, key=lambda form: form.root_diameter)
+    least, most = _least_hub(blank), smaller.root_diameter - 2 * LEAST_WALL
     _require(
-        least <= room,
-        f"{lower if lower.root_diameter < upper.root_diameter else upper} has no room for a collar between"
-        f" {least:.4g} mm over its bore and {room:.4g} mm under its root; give a smaller bore",
+        least <= most,
+        f"{smaller} has no room for a collar between {least:.4g} mm over its bore and {most:.4g} mm under its root;"
+        " give a smaller bore",
     )
+    room = smaller.root_diameter - 2 * max(LEAST_WALL, clearance)
     return replace(blank, hub=Hub(diameter=max(floor(room * 10) / 10, least), length=length))
 
 

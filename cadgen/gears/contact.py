@@ -10,7 +10,7 @@ formula knows an involute.
 
 from __future__ import annotations
 
-from math import cos, pi, sqrt
+from math import cos, pi, sin, sqrt
 
 import numpy as np
 
@@ -36,7 +36,7 @@ def contact_ratio(pair: GearPair, centre_distance: float | None = None) -> float
     At the pair's own centre distance or at another one, in mm.
     """
     apart = pair.centre_distance if centre_distance is None else centre_distance
-    line = sqrt(max(apart**2 - ((pair.driver.form.base_diameter + pair.driven.form.base_diameter) / 2) ** 2, 0.0))
+    line = apart * sin(pair.pressure_angle(apart))
     one, two = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
 
     def along(diameter: float, form: GearForm) -> float:

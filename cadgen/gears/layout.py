@@ -209,7 +209,7 @@ def _stacked(train: Train, blanks: Blanks, clearance: float) -> list[TrainPart]:
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.driven.form, after.driver.form
         length = _collar_length(before, after, clearance)
-        blank = _made(shaft, "intermediate", with_collar, blanks.intermediate, lower, upper, length)
+        blank = _made(shaft, "intermediate", with_collar, blanks.intermediate, lower, upper, length, clearance)
         body = _made(shaft, "intermediate", cluster_body, lower, upper, blank)
         start = plane - lower.width / 2
         parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blank, body, start))

@@ -345,7 +345,7 @@ def _fit(pairs: _Pairs, limits: SearchLimits, blanks: Blanks, clearance: float) 
     wheel, pinion = (pairs.module * (teeth / 2 + form.addendum_factor) for teeth in (pairs.driven, pairs.driver))
     shafts = [blanks.drive, *[blanks.intermediate] * (stages - 1), blanks.output]
     bores = [blank.bore_diameter / 2 for blank in shafts]
-    hubs = [max(blank.bore_diameter, blank.hub.diameter if blank.hub else 0.0) / 2 for blank in shafts]
+    hubs = [blank.hub.diameter / 2 if blank.hub else 0.0 for blank in shafts]
     collar = blanks.intermediate.hub
     rubbing = wheel if collar and collar.length < clearance else np.zeros_like(wheel)
 
@@ -356,7 +356,9 @@ def _fit(pairs: _Pairs, limits: SearchLimits, blanks: Blanks, clearance: float) 
     allowed = _places(pairs, limits, blanks)
     for place in range(stages):
         for shaft, other in ((place, place + 1), (place + 1, place)):
-            allowed[place] &= hubs[other] <= past(bores[shaft])
+            allowed[place] &= max(hubs[other], bores[other]) <= past(bores[shaft])
+        # A hub ends where the gear on the other shaft begins.
+        allowed[place] &= (wheel <= past(hubs[place])) & (pinion <= past(hubs[place + 1]))
     return Fit(
         allowed=allowed,
         wheel=wheel,

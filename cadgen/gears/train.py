@@ -108,7 +108,7 @@ class GearPair:
     @property
     def working_pressure_angle(self) -> float:
         """α_w in rad at the stated centre distance."""
-        return self._pressure_angle(self.centre_distance)
+        return self.pressure_angle(self.centre_distance)
 
     @property
     def zero_backlash_centre_distance(self) -> float:
@@ -138,7 +138,7 @@ class GearPair:
         """
         form, other = self.driver.form, self.driven.form
         alpha = form.transverse_pressure_angle
-        opened = involute(self._pressure_angle(centre_distance)) - involute(alpha)
+        opened = involute(self.pressure_angle(centre_distance)) - involute(alpha)
         shift = 2 * (form.profile_shift + other.profile_shift) * tan(alpha)
         nominal = form.transverse_module * ((form.teeth + other.teeth) * opened - shift)
         return cos(alpha) * (nominal - thickness_deviation)
@@ -153,7 +153,8 @@ class GearPair:
             centre_distance_deviation=None,
         )
 
-    def _pressure_angle(self, centre_distance: float) -> float:
+    def pressure_angle(self, centre_distance: float) -> float:
+        """α_w in rad at a centre distance in mm; `DesignError` if the base circles overlap there."""
         base = (self.driver.form.base_diameter + self.driven.form.base_diameter) / 2
         if not centre_distance >= base:
             raise DesignError(

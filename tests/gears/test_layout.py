@@ -31,7 +31,7 @@ def train(*stages: tuple[int, int], module: float = 0.5, **form: float) -> Train
     for teeth in stages:
         one, two = (Gear(form=GearForm(teeth=z, normal_module=module, width=4.0, **form)) for z in teeth)
         pairs.append(GearPair(driver=one, driven=two, centre_distance=module * sum(teeth) / 2, bearing_span=60.0))
-    return thinned(train_play(Train(tuple(pairs))), "middle")
+    return thinned(train_play(Train(tuple(pairs))))
 
 
 def shared_volume(layout: TrainLayout) -> float:

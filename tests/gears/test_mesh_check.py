@@ -86,7 +86,7 @@ def test_the_return_error_of_the_train_is_that_of_equation_25(paper):
 
 
 def test_the_return_error_as_cut_over_a_turn_of_the_drive(paper):
-    cut = thinned(paper, "middle").stages
+    cut = thinned(paper).stages
     stages = [measured_pair(made) for made in cut]
     computed = sum(
         arc(made, made.centre_distance) / made.driven_pitch_radius / float(ratio)

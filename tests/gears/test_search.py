@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 from fractions import Fraction
-from itertools import permutations, product
-from math import degrees, prod, radians
+from itertools import pairwise, permutations, product
+from math import degrees, inf, prod, radians
 
 import numpy as np
 import pytest
@@ -12,14 +12,17 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears import chains
-from cadgen.gears.backlash import stage_play
-from cadgen.gears.blank import GearBlank, Hub, cluster_body, gear_body
-from cadgen.gears.chains import best_chains
-from cadgen.gears.layout import Blanks
-from cadgen.gears.search import SearchLimits, all_orders, arrange, search_trains
+from cadgen.gears.backlash import stage_play, train_play
+from cadgen.gears.blank import GearBlank, Hub
+from cadgen.gears.chains import Fit, best_chains
+from cadgen.gears.contact import contact_ratio
+from cadgen.gears.layout import Blanks, lay_out
+from cadgen.gears.search import SearchLimits, TrainSearch, all_orders, arrange, search_trains
+from cadgen.gears.thinning import thinned, with_deviations
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.undercut import missing_shift
 
 
 def pair(z1: int, z2: int, module: float = 0.5, width: float = 5.0, **driver_overrides: float) -> GearPair:
@@ -55,7 +58,13 @@ def brute_force(limits: SearchLimits) -> list[tuple[float, tuple[GearPair, ...]]
                 and limits.stage_ratio[0] <= z2 / z1 <= limits.stage_ratio[1]
                 and module * min(z1, z2) >= 5
             ):
-                candidates.append(pair(z1, z2, module, width))
+                made = pair(z1, z2, module, width)
+                thinning = limits.pattern.thinning
+                made = replace(
+                    made, driver=replace(made.driver, thinning=thinning), driven=replace(made.driven, thinning=thinning)
+                )
+                if keeps_the_limits_in_mesh(made, limits):
+                    candidates.append(made)
     plays = {stage: stage_play(stage).B_max for stage in candidates}
     found = []
     for stages in product(candidates, repeat=limits.stages):
@@ -69,6 +78,19 @@ def brute_force(limits: SearchLimits) -> list[tuple[float, tuple[GearPair, ...]]
     return sorted(found, key=lambda entry: entry[0])
 
 
+def keeps_the_limits_in_mesh(made: GearPair, limits: SearchLimits) -> bool:
+    """By the tooth curves of the one pair, as cut."""
+    play = stage_play(made)
+    if made.normal_backlash(made.centre_distance - play.f_a, play.driver.E_sns + play.driven.E_sns) <= 0:
+        return False
+    if (limits.contact_ratio, limits.undercut) == (0.0, inf):
+        return True
+    cut = with_deviations(made, *((role.E_sns + role.E_sni) / 2 for role in (play.driver, play.driven)))
+    return contact_ratio(cut) >= limits.contact_ratio and all(
+        missing_shift(gear.form) <= limits.undercut for gear in (cut.driver, cut.driven)
+    )
+
+
 def within(**changes) -> SearchLimits:
     limits = SearchLimits(
         ratio=Fraction(6),
@@ -79,6 +101,9 @@ def within(**changes) -> SearchLimits:
         centre_distance=(5.0, 20.0),
         bearing_span=80.0,
         pattern=pair(20, 20).driver,
+        stage_ratio=(0.0, inf),
+        contact_ratio=0.0,
+        undercut=inf,
         keep=25,
     )
     return replace(limits, **changes)
@@ -88,6 +113,11 @@ def within(**changes) -> SearchLimits:
     "limits",
     [
         within(),
+        within(contact_ratio=1.35, ratio=Fraction(3)),
+        within(contact_ratio=1.2, undercut=0.5, stage_ratio=(1.0, 10.0), ratio=Fraction(4)),
+        within(undercut=0.0, ratio=Fraction(3, 2)),
+        within(pattern=replace(pair(20, 20).driver, thinning=-0.05)),
+        within(pattern=replace(pair(20, 20).driver, thinning="least"), contact_ratio=1.2, ratio=Fraction(4)),
         within(stages=1, ratio=Fraction(3)),
         within(stages=1, ratio=Fraction(31, 10), ratio_tolerance=0.05),
         within(ratio=Fraction(5), ratio_tolerance=0.002),
@@ -183,7 +213,14 @@ def test_the_search_beats_the_reordering_within_the_paper_s_own_sizes():
 
 def test_searched_gears_take_the_pattern_s_grade_and_form():
     pattern = Gear(
-        form=GearForm(teeth=20, normal_module=1.0, width=5.0, normal_pressure_angle=radians(25), addendum_factor=0.9),
+        form=GearForm(
+            teeth=20,
+            normal_module=1.0,
+            width=5.0,
+            normal_pressure_angle=radians(25),
+            addendum_factor=0.9,
+            rack_tip_radius_factor=0.3,
+        ),
         grade=9,
         overrides=ToleranceOverrides(b_r=0.01),
     )
@@ -206,6 +243,8 @@ def test_searched_gears_take_the_pattern_s_grade_and_form():
         ({"keep": 0}, "keep = 0"),
         ({"ratio_tolerance": -0.1}, "ratio_tolerance = -0.1; give 0 up to 1"),
         ({"modules": ()}, "no module or no face width"),
+        ({"contact_ratio": -1.0}, "contact_ratio = -1; give 0 or more"),
+        ({"undercut": -1.0}, "undercut = -1; give 0 or more"),
     ],
 )
 def test_empty_limits_are_refused(changes, said):
@@ -214,7 +253,7 @@ def test_empty_limits_are_refused(changes, said):
 
 
 def test_a_ratio_out_of_reach_says_what_was_searched():
-    with pytest.raises(DesignError, match=r"2 stages with 10 to 30 teeth and axes 5 to 20 mm apart .* ratio 101/7"):
+    with pytest.raises(DesignError, match=r"2 stages with 10 to 30 teeth and axes 5 to 20 mm apart, .* ratio 101/7"):
         search_trains(within(ratio=Fraction(101, 7)))
     with pytest.raises(DesignError, match="no train of 2 stages"):
         search_trains(within(centre_distance=(1.0, 2.0)))
@@ -242,32 +281,70 @@ def test_stages_of_different_grade_angle_or_span_are_not_searched_for():
             SearchLimits.like(Train((made.stages[0], changed, made.stages[2])))
 
 
-def test_only_gears_that_fit_their_blanks_are_searched_for_each_at_its_place():
-    """Against the unrestricted list, sieved by making the bodies themselves."""
-    limits = within(teeth=(12, 40), ratio=Fraction(4), keep=9000)
+@pytest.mark.parametrize("collar", [Hub(diameter=7.0, length=1.0), None])
+def test_only_trains_that_can_be_laid_out_are_searched_for(collar):
+    """Against the unrestricted list, sieved by laying the trains out: bores, hubs, collars, shafts and bearings."""
+    limits = within(teeth=(14, 36), ratio=Fraction(4), keep=9000, widths=(4.0, 9.0), bearing_span=17.0)
     blanks = Blanks(
         drive=GearBlank(bore_diameter=5.0),
-        intermediate=GearBlank(bore_diameter=2.0, hub=Hub(diameter=7.0, length=1.0)),
-        output=GearBlank(bore_diameter=10.0),
+        intermediate=GearBlank(bore_diameter=2.0, hub=collar),
+        output=GearBlank(bore_diameter=6.0),
     )
 
-    def makes(play):
-        first, last = play.train.stages
+    def laid_out(play):
         try:
-            gear_body(first.driver.form, blanks.drive)
-            cluster_body(first.driven.form, last.driver.form, blanks.intermediate)
-            gear_body(last.driven.form, blanks.output)
+            lay_out(thinned(play), blanks, clearance=0.3)
         except DesignError:
             return False
         return True
 
     everything = search_trains(limits)
-    expected = [play for play in everything if makes(play)]
-    found = search_trains(limits, blanks)
-    assert 0 < len(expected) < len(everything) < limits.keep
-    assert {play.train for play in found} == {play.train for play in expected}
+    expected = {play.train for play in everything if laid_out(play)}
+    found = search_trains(limits, blanks, 0.3)
+    assert 0 < len(expected) < len(everything) / 3 < limits.keep
+    assert {play.train for play in found} == expected
+    errors = [play.return_error_max for play in found]
+    assert errors == sorted(errors)
     with pytest.raises(DesignError, match=r"no train of 2 stages .* gears that fit their blanks"):
         search_trains(limits, replace(blanks, output=GearBlank(bore_diameter=40.0)))
+
+
+def test_a_pair_that_is_excluded_stands_nowhere():
+    search = TrainSearch(within())
+    before = search.best(25)
+    bad = before[0].train.stages[0]
+    search.exclude(bad)
+    after = search.best(25)
+    assert all(bad not in play.train.stages for play in after)
+    kept = [play.train for play in before if bad not in play.train.stages]
+    assert [play.train for play in after[: len(kept)]] == kept
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"contact_ratio": 1.9}, "none has a contact ratio of 1.9; allow more teeth"),
+        ({"teeth": (8, 10), "modules": (0.8,), "undercut": 0.1}, "each has more undercut than 0.1; allow more teeth"),
+        ({"pattern": replace(pair(20, 20).driver, thinning=0.0)}, "none has play at the closest axes"),
+        (
+            {"pattern": Gear(form=GearForm(teeth=20, normal_module=0.5, width=5.0, addendum_factor=1.5))},
+            "none clears the roots by 0.12 modules",
+        ),
+    ],
+)
+def test_a_limit_that_no_pair_keeps_is_named(changes, said):
+    with pytest.raises(DesignError, match=said):
+        search_trains(within(**changes))
+
+
+def test_usual_limits_are_widened_to_the_train_given():
+    limits = SearchLimits.like(paper())
+    assert (limits.stage_ratio, limits.contact_ratio, limits.undercut) == ((1.0, 10.0), 1.2, 0.5)
+    wide = SearchLimits.like(Train((pair(12, 144), pair(40, 30))))
+    cut = thinned(train_play(Train((pair(12, 144),)))).stages[0]
+    assert wide.stage_ratio == (0.75, 12.0)
+    assert 1.1 <= wide.contact_ratio <= contact_ratio(cut) < wide.contact_ratio + 0.02
+    assert missing_shift(cut.driver.form) <= wide.undercut < missing_shift(cut.driver.form) + 0.02
 
 
 @settings(deadline=None, max_examples=30)
@@ -291,7 +368,8 @@ def test_pairs_stand_only_where_they_may(pairs, ratio, length):
             behind *= Fraction(pairs[row][1], pairs[row][0])
         if behind == ratio and all(allowed[place][row] for place, row in enumerate(rows)):
             expected.append(total)
-    found = best_chains(driver, driven, cost, ratio=ratio, tolerance=0.0, length=length, keep=5, allowed=allowed)
+    fit = Fit.anywhere(length, driver.size, np.array(allowed))
+    found = best_chains(driver, driven, cost, ratio=ratio, tolerance=0.0, length=length, keep=5, fit=fit)
     assert len(found) == min(5, len(expected))
     lags = []
     for rows in found:
@@ -301,6 +379,54 @@ def test_pairs_stand_only_where_they_may(pairs, ratio, length):
             lag = lag * driver[row] / driven[row] + cost[row]
         lags.append(lag)
     assert lags == pytest.approx(sorted(expected)[: len(found)])
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    st.lists(
+        st.tuples(
+            st.integers(1, 9),
+            st.integers(1, 9),
+            st.floats(0.1, 10),
+            st.integers(1, 4),
+            st.integers(1, 4),
+            st.integers(1, 3),
+        ),
+        min_size=1,
+        max_size=7,
+    ),
+    st.data(),
+    st.fractions(Fraction(1, 4), 4, max_denominator=6),
+    st.integers(1, 4),
+    st.integers(3, 9),
+)
+def test_neighbours_clear_each_other_and_all_fit_between_the_bearings(pairs, data, ratio, length, most):
+    driver, driven, cost, wheel, pinion, height = (np.array([pair[column] for pair in pairs]) for column in range(6))
+    rooms = st.lists(st.integers(1, 4), min_size=len(pairs), max_size=len(pairs))
+    after, before = (
+        np.array([data.draw(rooms) for _ in range(length - 1)], float).reshape(-1, len(pairs)) for _ in "ab"
+    )
+    expected = []
+    for rows in product(range(len(pairs)), repeat=length):
+        total, behind = 0.0, Fraction(1)
+        for row in reversed(rows):
+            total += pairs[row][2] / float(behind)
+            behind *= Fraction(pairs[row][1], pairs[row][0])
+        clear = all(wheel[a] <= after[j][b] and pinion[b] <= before[j][a] for j, (a, b) in enumerate(pairwise(rows)))
+        if behind == ratio and clear and sum(height[row] for row in rows) <= most:
+            expected.append(total)
+    everywhere = Fit.anywhere(length, len(pairs))
+    fit = replace(
+        everywhere, wheel=wheel, pinion=pinion, after=after, before=before, height=height, most_height=float(most)
+    )
+    found = best_chains(driver, driven, cost, ratio=ratio, tolerance=0.0, length=length, keep=5, fit=fit)
+    lags = []
+    for rows in found:
+        lag = 0.0
+        for row in rows:
+            lag = lag * driver[row] / driven[row] + cost[row]
+        lags.append(lag)
+    assert lags == pytest.approx(sorted(expected)[:5])
 
 
 def test_six_stages_are_searched_through_and_a_search_without_end_is_given_up(monkeypatch):

@@ -33,7 +33,7 @@ def layout():
         intermediate=GearBlank(bore_diameter=2.0, hub=Hub(diameter=6.0, length=1.0)),
         output=GearBlank(bore_diameter=4.0, keyway=Keyway(width=1.0, depth=0.6)),
     )
-    return lay_out(thinned(train_play(Train((pair(25, 48), pair(24, 36)))), "middle"), blanks)
+    return lay_out(thinned(train_play(Train((pair(25, 48), pair(24, 36))))), blanks)
 
 
 @pytest.fixture(scope="module")
