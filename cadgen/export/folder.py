@@ -26,7 +26,7 @@ from pathlib import Path
 from cadgen.errors import FileError, brief
 from cadgen.export.lock import drop, held, hold, locked
 from cadgen.export.manifest import NAME as MANIFEST
-from cadgen.export.manifest import earlier_parts, is_plain_name, manifest_text, unchanged
+from cadgen.export.manifest import is_plain_name, manifest_text, sound_parts, unchanged
 
 _PREFIX = ".cadgen-"
 _STAGING = re.compile(rf"{re.escape(_PREFIX)}[0-9a-f]{{16}}")
@@ -194,7 +194,7 @@ def _is_own(folder: Path) -> bool:
 
 def _publish(staging: Path, out: Path) -> None:
     """Move what the staged manifest lists into place; on any failure put back what was there."""
-    new = earlier_parts(staging / MANIFEST)
+    new = sound_parts(staging / MANIFEST)
     files = {name: facts["sha256"] for entry in new.values() for name, facts in entry["files"].items()}
     if set(os.listdir(staging)) - {_ALIVE} != {*files, MANIFEST}:
         raise ValueError("a run writes files that its manifest does not list")
@@ -203,7 +203,7 @@ def _publish(staging: Path, out: Path) -> None:
             raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another --out")
     kept = {
         name: entry
-        for name, entry in earlier_parts(out / MANIFEST).items()
+        for name, entry in sound_parts(out / MANIFEST).items()
         if name not in new
         and not set(entry["files"]) & set(files)
         and all(unchanged(out / file, facts) for file, facts in entry["files"].items())

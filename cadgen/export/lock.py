@@ -116,6 +116,9 @@ def _opened(file: Path) -> int:
     try:
         descriptor = os.open(file, _OPEN, 0o666)
         if stat.S_ISREG(os.fstat(descriptor).st_mode):
+            if hasattr(os, "fchmod"):
+                with suppress(OSError):  # another user's; who may write into the folder may wait for its lock
+                    os.fchmod(descriptor, 0o666)
             return descriptor
         os.close(descriptor)
     except OSError as error:

@@ -66,7 +66,7 @@ def manifest_text(parts: Mapping[str, Any]) -> str:
     return json.dumps({"format": FORMAT, "parts": dict(parts)}, indent=2, allow_nan=False) + "\n"
 
 
-def earlier_parts(manifest: Path) -> dict[str, Any]:
+def sound_parts(manifest: Path) -> dict[str, Any]:
     """The sound entries of a manifest; a file that is not ours, or is damaged, has none."""
     try:
         return {name: part for name, part in read_parts(manifest).items() if _sound(part)}

@@ -309,6 +309,8 @@ def main() -> None:
     for number in numbers:
         state, wrong = case(options.seed, number, size, commands=options.commands)
         states[state] += 1
+        if options.commands:
+            print(f"case {number}: {state}", flush=True)
         failed += [f"case {number}: {text}" for text in wrong]
         for text in wrong:
             print(f"case {number}: {text}", flush=True)
