@@ -15,7 +15,7 @@ from cadgen.measurement.names import Kind
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.search import find
-from cadgen.measurement.verdict import Judgement, judge, registered
+from cadgen.measurement.verdict import Judgement, judge, registered, within_error
 
 Build = Callable[[Record], Model]
 Step = Callable[[str], None]
@@ -49,6 +49,12 @@ class Finding:
     twins: tuple[str, ...]
     at_bound: tuple[str, ...]
     given: tuple[tuple[str, float], ...] = ()
+
+    @property
+    def within_error(self) -> bool:
+        """Whether one of its numbers may be nothing: see `verdict.within_error`."""
+        columns = zip(*((v.unit, v.value, v.sigma) for v in self.values), strict=True)
+        return within_error(*columns)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from cadgen.measurement.models.base import Model, highest_order
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.search import LARGEST_SUBSET
-from cadgen.measurement.verdict import Judgement
+from cadgen.measurement.verdict import WITHIN_ERROR, Judgement, unclaimed, within_error
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
@@ -27,7 +27,6 @@ BEYOND_INSTRUMENT = 3.0
 OUT_OF_ORDER = 0.9
 # What a subset of the largest size leaves is significant below this chance.
 UNFIT = 0.01
-SIGMAS = 2.0  # in some number of an effect, or there is none
 # Form error of a middling spectrum, to weigh it in a track, where it is integrated twice.
 TYPICAL = Spectrum(1.0, 6.0, 1.0)
 LEAST_TURN_DEG = 300.0
@@ -120,15 +119,14 @@ def doubted(
         )
         return replace(judgement, verdict="ambiguous", sentence=sentence, claimed=())
     stuck = {e.name: p.name for e in best.effects for p in e.parameters if p.name in best.at_bound and not e.shape}
-    none = [e.name for e, values, sigma in best.values() if np.all(np.abs(values) < SIGMAS * sigma) and not e.shape]
-    limits = list(judgement.limits)
-    if stuck:
-        told = "; ".join(f"{value} of {name}" for name, value in stuck.items())
-        limits.append(f"on the bound of what can be, and so not claimed: {told}")
-    if none:
-        limits.append(f"within {SIGMAS:g} standard deviations of nothing, and so not claimed: {'; '.join(none)}")
-    kept = tuple(name for name in judgement.claimed if name not in (*stuck, *none))
-    return replace(judgement, claimed=kept, limits=tuple(limits))
+    for name, value in stuck.items():
+        judgement = unclaimed(judgement, [name], f"{value} of {name} is on the bound of what can be")
+    unsure = [
+        e.name
+        for e, values, sigma in best.values()
+        if within_error([p.unit for p in e.parameters], values, sigma) and not e.shape
+    ]
+    return unclaimed(judgement, unsure, WITHIN_ERROR)
 
 
 def _no_noise(record: Record, model: Model, noise: Noise) -> str:

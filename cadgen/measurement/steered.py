@@ -9,7 +9,7 @@ from cadgen.measurement.effects.base import Active, Array
 from cadgen.measurement.leave_out import LEAST_RUNS, LeftOut, Trial, leave_runs_out
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.record import Record
-from cadgen.measurement.verdict import Judgement, Verdict
+from cadgen.measurement.verdict import WITHIN_ERROR, Judgement, Verdict, unclaimed
 
 # Effects must take away this share of the path error on runs left out to be named.
 LEAST_GAIN = 0.1
@@ -111,7 +111,7 @@ def _judgement(left_out: LeftOut) -> Judgement:
         given = "one run" if runs == 1 else f"{runs} runs"
         limits = (f"{given} only: give at least {LEAST_RUNS}, to judge on runs left out",)
     separate = {e.name: e.separated_by for t in told for e in t.effects}
-    return Judgement(
+    judgement = Judgement(
         verdict=verdict,
         sentence=sentence,
         claimed=tuple(sorted(common)),
@@ -120,6 +120,8 @@ def _judgement(left_out: LeftOut) -> Judgement:
         separate=tuple(f"{name}: {how}" for name, how in separate.items()),
         limits=limits,
     )
+    unsure = [finding.effect for finding in _findings(chosen) if finding.within_error]
+    return unclaimed(judgement, unsure, WITHIN_ERROR)
 
 
 def _told(trial: Trial) -> str:

@@ -179,7 +179,9 @@ def settled(told: Diagnosis, others: Sequence[Claim]) -> Settled | None:
     common = set(left[0].effects).intersection(*(c.effects for c in left)) - set(told.judgement.claimed)
     if not by or not common:
         return None
-    new = tuple(_claim(told, f) for f in left[0].findings if f.effect in common)
+    new = tuple(_claim(told, f) for f in left[0].findings if f.effect in common and not f.within_error)
+    if not new:
+        return None
     return Settled(new, tuple(by), tuple(c.effects for c in left))
 
 

@@ -1,8 +1,9 @@
 """The verdict: what the rivals and what remains allow to be claimed, in one sentence."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, combinations
-from math import log
+from math import hypot, log
 from typing import Literal
 
 import numpy as np
@@ -47,6 +48,11 @@ LEFT_OVER = 1.3
 MOST = 0.8
 
 
+# Of a number whose standard deviation exceeds its size over this nothing is known, not even its sign.
+SIGMAS = 2.0
+WITHIN_ERROR = f"within {SIGMAS:g} standard deviations of nothing"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Judgement:
     """The verdict and its reasons.
@@ -68,6 +74,39 @@ class Judgement:
     rivals: tuple[tuple[str, ...], ...]
     separate: tuple[str, ...]
     limits: tuple[str, ...] = ()
+
+
+def within_error(units: Sequence[str], values: Sequence[float] | Array, sigma: Sequence[float] | Array) -> bool:
+    """Is a number of an effect within `SIGMAS` standard deviations of nothing? Then the effect is not claimed.
+
+    Numbers of one unit are components of one thing, as an eccentricity's x and y: one of them may be nothing, if its
+    error is small beside the size of all.
+
+    Args:
+        units, values, sigma: of the effect's numbers, standard deviations in the same units.
+    """
+    for unit, error in zip(units, sigma, strict=True):
+        size = hypot(*(value for other, value in zip(units, values, strict=True) if other == unit))
+        if not SIGMAS * error < size:
+            return True
+    return False
+
+
+def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement:
+    """A judgement that does not claim these names; a verdict that rested on them is no more than ambiguous."""
+    dropped = [name for name in dict.fromkeys(names) if name in judgement.claimed]
+    if not dropped:
+        return judgement
+    limit = f"{why}, and so not claimed: {'; '.join(dropped)}"
+    judgement = replace(
+        judgement,
+        claimed=tuple(name for name in judgement.claimed if name not in dropped),
+        limits=(*judgement.limits, limit),
+    )
+    if judgement.verdict not in ("traced", "combination"):
+        return judgement
+    sentence = f"Consistent with {' and '.join(judgement.reported)}, but not sure of {' and '.join(dropped)}: {why}."
+    return replace(judgement, verdict="ambiguous", sentence=sentence)
 
 
 def judge(model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:

@@ -118,7 +118,7 @@ def judged(record: Record, zones: Zones) -> tuple[Judgement, Finding]:
             f"The three zones do not agree with one return error, by {abs(zones.misfit):.1f} standard errors: "
             "check that all runs were started and stopped alike."
         )
-    elif low <= 0.0:
+    elif low <= 0.0 or finding.within_error:
         verdict, sentence = "none", f"No return error beyond chance: {told}."
     else:
         verdict, sentence = "traced", f"Traced to return error: {told}."
