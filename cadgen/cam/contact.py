@@ -142,7 +142,7 @@ class _Ring:
     @classmethod
     def of(cls, outline: Outline, follower: Follower) -> "_Ring":
         angle = outline.angle
-        slack = 1e-9  # rad; rounding at the two equal points of a joint
+        slack = 5e-9  # rad; branches that meet within 2e-9 from either side count as joined, plus rounding
         turns = angle[-1] - angle[0]
         if not (np.diff(angle) > -slack).all() or abs(turns - _TURN) > 1e-3:
             place = np.degrees(angle[int(np.argmin(np.diff(angle)))]) % 360

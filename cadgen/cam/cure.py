@@ -43,13 +43,13 @@ def worst_loss(lift: LiftCurve, follower: Follower) -> float:
     """Greatest lift that the exact envelope for this rod cannot give where the path steers, mm."""
     try:
         profile = actual_profile(lift, follower)
+        if not profile.trims:
+            return 0.0
+        # The corners that the rod rests on are exact at any step.
+        outline = profile.curve.outline(rolling_step(profile.curve, follower))
+        losses = lost_lift(lift, follower, profile.trims, outline)
     except DesignError:
         return float("inf")
-    if not profile.trims:
-        return 0.0
-    # The corners that the rod rests on are exact at any step.
-    outline = profile.curve.outline(rolling_step(profile.curve, follower))
-    losses = lost_lift(lift, follower, profile.trims, outline)
     return max((loss.lift for loss in losses if loss.driven), default=0.0)
 
 

@@ -12,6 +12,8 @@ from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.cam.theoretical import published_profile, theoretical_profile
+from cadgen.optimize.compensation import compensated_lift
+from cadgen.optimize.smoothing import smoothed_lift
 
 LIMITS = CheckLimits(
     pressure_angle=PRESSURE_ANGLE_LIMITS["norton_oscillating"],
@@ -146,3 +148,13 @@ def test_cures_are_the_smallest_change_that_cures(appendix_car):
         at = replace(appendix_car.follower, **{field: cure.value})
         short = replace(appendix_car.follower, **{field: cure.value * (1.03 if cure.value < cure.now else 0.97)})
         assert worst_loss(appendix_car.lift, at) <= 5e-3 < worst_loss(appendix_car.lift, short)
+
+
+def test_a_loss_is_found_at_any_base_radius(appendix_car):
+    """On a disc of 4.5 m the envelope's branches join within a nanometre, not within rounding."""
+    built = appendix_car
+    smoothed = smoothed_lift(built.lift, 0.9)
+    cam = compensated_lift(smoothed, built.follower, np.radians(0.962))
+    losses = [worst_loss(cam, replace(built.follower, base_radius=70.0 * factor)) for factor in (1.0, 8.0, 64.0)]
+    print("lost lift with 1, 8 and 64 times the base radius, um:", [f"{1e3 * loss:.2g}" for loss in losses])
+    assert losses[0] > losses[1] > losses[2]

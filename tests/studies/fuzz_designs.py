@@ -159,7 +159,9 @@ def case(seed: int, number: int, *, searching: bool = False) -> Case:
             _put(values, place, copy.deepcopy(section))
             changes.append(f"with {_name(place)}")
     for _ in range(rng.choices([1, 2, 3], weights=[5, 3, 2])[0]):
-        change = rng.choices([_numeric, _choice, _waypoints, _wrong, _without, _unknown, _items], [60, 6, 14, 8, 5, 3, 4])
+        change = rng.choices(
+            [_numeric, _choice, _waypoints, _wrong, _without, _unknown, _items], [60, 6, 14, 8, 5, 3, 4]
+        )
         what, place, value = change[0](rng, values)
         changes.append(what)
         if place and rng.random() < 0.1 and not isinstance(value, dict):
@@ -275,7 +277,9 @@ def _unknown(rng: random.Random, values: dict[str, Any]) -> Change:
 
 def _items(rng: random.Random, values: dict[str, Any]) -> Change:
     """A list of sections with items taken out, doubled or many."""
-    place = rng.choice([("train", "stages"), ("as_built", "effects"), ("as_built", "sources"), ("field", "obstacles_mm")])
+    place = rng.choice(
+        [("train", "stages"), ("as_built", "effects"), ("as_built", "sources"), ("field", "obstacles_mm")]
+    )
     now = _get(values, place)
     if not isinstance(now, list) or not now:
         return f"{_name(place)} left as it is", (), None
@@ -326,7 +330,9 @@ def _dense(points: list[Any], count: int) -> list[list[float]]:
         i, share = int(at), at % 1
         dense.append([a + share * (b - a) for a, b in zip(points[i], points[min(i + 1, len(points) - 1)], strict=True)])
     for _ in range(3):
-        inner = [[(a + b + c) / 3 for a, b, c in zip(*three, strict=True)] for three in zip(dense, dense[1:], dense[2:])]
+        inner = [
+            [(a + b + c) / 3 for a, b, c in zip(*three, strict=True)] for three in zip(dense, dense[1:], dense[2:])
+        ]
         dense = [dense[0], *inner, dense[-1]]
     return dense
 
@@ -347,7 +353,10 @@ def _somewhere(rng: random.Random, values: dict[str, Any], place: Place) -> Plac
     found: Place = ()
     for part in place:
         items = _get(values, found)
-        found = (*found, rng.randrange(len(items)) if isinstance(part, int) and isinstance(items, list) and items else part)
+        found = (
+            *found,
+            rng.randrange(len(items)) if isinstance(part, int) and isinstance(items, list) and items else part,
+        )
     return found
 
 

@@ -269,7 +269,13 @@ def case(seed: int, number: int) -> Case:
         )
     if not search:
         return Case(number, "as-given", keys)
-    keys["search"] = limits = {"teeth_min": low, "teeth_max": high, "modules_mm": modules, "widths_mm": widths, "keep": 5}
+    keys["search"] = limits = {
+        "teeth_min": low,
+        "teeth_max": high,
+        "modules_mm": modules,
+        "widths_mm": widths,
+        "keep": 5,
+    }
     limits["centre_distance_min_mm"], limits["centre_distance_max_mm"] = 3.0, rng.choice((20.0, 35.0, 60.0))
     if rng.random() < 0.5:
         limits["contact_ratio_min"] = rng.choice((1.1, 1.2, 1.4, 1.6))
@@ -517,7 +523,11 @@ def page(seed: int, found: list[tuple[int, str, str]]) -> str:
         "given thickness, bores from none to 5 mm, limits of the search at random.\n\n"
         f"`python -m tests.studies.trains --cases {len(found)} --seed {seed} --record`, cadgen {__version__}\n\n"
         f"| outcome | cases |\n|---|---|\n{rows}| wrong in any way | {len(wrong)} |\n\n"
-        + ("".join(wrong) if wrong else "Every figure agrees, every search made the best train, every refusal is true.\n")
+        + (
+            "".join(wrong)
+            if wrong
+            else "Every figure agrees, every search made the best train, every refusal is true.\n"
+        )
     )
 
 
