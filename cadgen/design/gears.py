@@ -11,7 +11,7 @@ from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
 from cadgen.gears.blank import GearBlank, Hub, Keyway, Lightening, Web
 from cadgen.gears.layout import Blanks
-from cadgen.gears.search import SearchLimits
+from cadgen.gears.limits import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair, Train
@@ -20,7 +20,7 @@ T = TypeVar("T", int, float)
 
 _UM = 1e-3
 # Chord error of a gear's mesh where the design gives none, per mm of module: the teeth of all sizes then have as many
-# facets, and the volume errs by less than 3e-4. No coarser than the cam's own default, in mm.
+# facets, and the volume errs by less than 2e-4. No coarser than the cam's own default, in mm.
 CHORD_PER_MODULE = 2e-3
 COARSEST_CHORD = 5e-3
 _OVERRIDES = ("f_pt", "F_beta", "F_r", "b_r", "F_i_radial")

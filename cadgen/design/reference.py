@@ -13,7 +13,8 @@ A design is a TOML file in UTF-8. Lengths are in mm, angles in degrees, small er
 at the end of a key's name. A key that is not listed here, a number in quotes, NaN or a value outside its
 range is an error, which names the key and what is allowed.
 
-The shortest useful design has a path, a car, a cam and a follower; everything else has a default:
+The shortest useful design has a path, a car, a cam and a follower; everything else has a default. `cadgen gears` needs
+`[train]` alone.
 
 ```toml
 [path]

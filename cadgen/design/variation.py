@@ -1,10 +1,12 @@
 """How much cars of a design vary: the return error of their gears and the tolerances of their dimensions."""
 
 from dataclasses import replace
+from functools import partial
 from math import inf, radians
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.design import gears, stages
 from cadgen.design.schema import Design
@@ -79,11 +81,17 @@ def tolerances(design: Design) -> Tolerances:
     if measured_play(design) is not None:
         sample = None
     elif given is None and design.train is not None:
-        sample = train_plays(design)[design.optimize.order].return_error_distribution(law).sample
+        spread = train_plays(design)[design.optimize.order].return_error_distribution(law)
+        sample = partial(_plays, spread)
     elif given:
         band = play_bands(design)[design.optimize.order]
         sample = ZoneSum(("play",), np.array([band.least]), np.array([band.greatest]), law).sample
     return Tolerances(half_widths=half_widths(design), law=law, play=sample)
+
+
+def _plays(spread: ZoneSum, generator: np.random.Generator, size: int) -> NDArray[np.float64]:
+    """Plays of cars, shape (size,), rad; teeth that jam have none."""
+    return np.maximum(spread.sample(generator, size), 0.0)
 
 
 def wheel_radius(design: Design, length: float) -> float:

@@ -9,6 +9,8 @@
 | `distribution` | sum of contributions free in their zones: bounds, moments, quantiles, samples   |
 | `backlash`     | tolerances -> play of a stage (eq. 1-13) -> return error of a train (eq. 25-26) |
 | `chains`       | branch and bound: the cheapest chains of pairs that give a ratio                |
+| `limits`       | what a searched train may be                                                    |
+| `candidates`   | the stages that a search may choose from, and where they fit                    |
 | `search`       | all orders of the stages; all tooth numbers that give the ratio                 |
 | `blank`, `body` | bore, keyway, hub, web, holes -> a gear's body, as a stack of prisms           |
 | `bezier`       | tooth curves as Bézier curves, for solids and files                             |
@@ -18,4 +20,5 @@
 | `layout`       | a train's parts at their places, clear of each other and in phase               |
 | `mesh_check`   | play and clearances measured on sections, without formulas                      |
 | `contact`      | contact ratio, by the formula and found on the tooth curves                     |
+| `undercut`     | undercut and contact ratio of many pairs at once                                |
 """

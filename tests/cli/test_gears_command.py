@@ -4,6 +4,7 @@ import csv
 import hashlib
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -11,6 +12,7 @@ from cadgen.cam.check import Check
 from cadgen.cli.show import figures
 from tests.cli.conftest import one_sentence
 
+DATA = Path(__file__).parents[1] / "data" / "gears"
 PARTS = ("1_pinion", "2_cluster", "3_cluster", "4_wheel")
 
 
@@ -112,7 +114,7 @@ def test_what_cannot_be_made_is_one_sentence_and_no_file(cadgen, tmp_path, name)
 # Roots that leave the tips 0.1 modules.
 SHALLOW = [
     part
-    for text in ("train.dedendum_factor=1.1", "train.rack_tip_radius_factor=0.2", "train.E_sn_um=-1")
+    for text in ("train.dedendum_factor=1.0", "train.rack_tip_radius_factor=0.2", "train.E_sn_um=-40")
     for part in ("--set", text)
 ]
 
@@ -130,6 +132,19 @@ def test_a_failed_check_is_told_to_machines(cadgen):
     assert [check["name"] for check in facts["checks"] if not check["passed"]] == ["root clearance"]
 
 
+def test_a_train_needs_no_car_and_the_other_commands_say_what_they_miss(cadgen, tmp_path):
+    design = str(DATA / "onlytrain.toml")
+    result = cadgen("gears", design, "--out", "out", code=0)
+    assert "0.580°" in result.stdout
+    assert "2 µm per mm of module" in " ".join(result.stdout.split())
+    assert len(contents(tmp_path / "out")) == 6
+    files = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["onlytrain_as-given_train"]["files"]
+    assert files["onlytrain_as-given_2_wheel.stl"]["chord_um"] == 2.0
+    for verb in ("cam", "check", "simulate"):
+        said = one_sentence(cadgen(verb, design, code=2))
+        assert "onlytrain.toml: the sections [path], [car], [cam] and [follower] are missing: add them" in said
+
+
 def test_forced_teeth_that_jam_are_exported_all_the_same(cadgen, tmp_path):
     sets = [part for text in [*SMALL, "train.E_sn_um=30"] for part in ("--set", text)]
     result = cadgen("gears", *sets, "--force", "--out", "out", code=0)
@@ -143,7 +158,7 @@ def test_forced_teeth_that_jam_are_exported_all_the_same(cadgen, tmp_path):
 def test_a_search_of_which_nothing_fits_prints_its_ranking_and_one_sentence(cadgen, tmp_path):
     result = cadgen("gears", "--order", "search", "--set", "train.intermediate.hub.diameter_mm=40", code=2)
     assert "none of 10 trains can be made" in one_sentence(result)
-    assert result.stdout.count("°") == 3 * 8
+    assert result.stdout.count("°") == 2 * 8
     assert contents(tmp_path) == set()
 
 

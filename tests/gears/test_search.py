@@ -17,7 +17,8 @@ from cadgen.gears.blank import GearBlank, Hub
 from cadgen.gears.chains import Fit, best_chains
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.layout import Blanks, lay_out
-from cadgen.gears.search import SearchLimits, TrainSearch, all_orders, arrange, search_trains
+from cadgen.gears.limits import SearchLimits
+from cadgen.gears.search import TrainSearch, all_orders, arrange, search_trains
 from cadgen.gears.thinning import thinned, with_deviations
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm

@@ -288,7 +288,7 @@ def test_a_design_without_a_train_says_what_is_missing():
 
 def test_shallow_roots_fail_the_clearance_check():
     plan = plan_gears(
-        load_design(None, ["train.dedendum_factor=1.1", "train.rack_tip_radius_factor=0.2", "train.E_sn_um=-1"])
+        load_design(None, ["train.dedendum_factor=1.0", "train.rack_tip_radius_factor=0.2", "train.E_sn_um=-40"])
     )
     failed = {check.name for check in plan.checks if not check.passed}
     assert "root clearance" in failed
@@ -318,7 +318,10 @@ def test_teeth_that_do_not_overlap_in_action_are_not_blamed_on_the_program():
         "train.module_mm=1.0",
     ]
     overrides += ["train.drive={}", "train.output={}", "train.intermediate={}"]
-    assert list(failed(plan_gears(load_design(overrides=overrides)))) == ["contact ratio"]
+    plan = plan_gears(load_design(overrides=overrides))
+    assert list(failed(plan)) == ["contact ratio"]
+    # There is no one play where at times no tooth is in mesh, so none is compared.
+    assert not {check.name for check in plan.checks} & {"return error - computed", "play - computed, as cut"}
 
 
 def test_the_trial_searches_find_what_passes():
