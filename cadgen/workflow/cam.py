@@ -117,6 +117,12 @@ class CamPlan:
         """Changes of one key that bring lost lift within its limit, each proved by planning the cam again."""
         return tuple(_cures(self)) if self.lost else ()
 
+    def find_cures(self, step: Step) -> None:
+        """Look for `cures` now, which takes many plans, and tell of it."""
+        if self.lost:
+            step("looking for a change that cures lost lift")
+            len(self.cures)
+
     def cure_sentences(self) -> list[str]:
         """What would cure lost lift, in words."""
         lines = []
