@@ -118,7 +118,9 @@ def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
     cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
     ring = _Ring.of(outline, follower)
     rows = ring.rows(cam_angle)
-    best = np.concatenate([ring.rest(block) for block in np.split(cam_angle, range(rows, len(cam_angle), rows))], axis=1)
+    best = np.concatenate(
+        [ring.rest(block) for block in np.split(cam_angle, range(rows, len(cam_angle), rows))], axis=1
+    )
     tan_beta, face, across, pressure_angle = best
     return Contact(cam_angle, tan_beta, follower.lift(tan_beta), face, across, pressure_angle)
 

@@ -221,13 +221,17 @@ def main() -> None:
             with given.log.open("a") as log:
                 log.write(json.dumps(asdict(one)) + "\n")
         if one.faults:
-            print(f"{one.number}: {', '.join(one.faults)} ({'; '.join(one.changes)[:300]})\n    {one.said[:300]}", flush=True)
+            print(
+                f"{one.number}: {', '.join(one.faults)} ({'; '.join(one.changes)[:300]})\n    {one.said[:300]}",
+                flush=True,
+            )
     every = [done[n] for n in sorted(done) if given.first <= n < given.first + given.cases]
     print(table(every))
     print(f"{time.monotonic() - begun:.0f} s", file=sys.stderr)
     if given.record:
         DOCS.mkdir(parents=True, exist_ok=True)
         (DOCS / f"fuzz_{given.command}.md").write_text(report(given.command, given.seed, every))
+    sys.exit(1 if any(one.faults for one in every) else 0)
 
 
 def _logged(log: Path | None) -> dict[int, Outcome]:
@@ -264,20 +268,23 @@ def report(command: str, seed: int, every: Sequence[Outcome]) -> str:
     faulty = [
         f"- {one.number}: {', '.join(one.faults)} ({_plain('; '.join(one.changes))})" for one in every if one.faults
     ]
-    return "\n\n".join(
-        [
-            f"# Fuzz of `cadgen {command}`",
-            " ".join((about.__doc__ or "").split()),
-            "A fault is: a traceback or an internal fault; an exit code or a message outside the contract; exit code 3 "
-            "of a command that neither reads nor writes other files; a warning of a library; more than "
-            f"{CPU_SECONDS} s of processor time; more than {MEMORY_KB / 1e6:g} GB, with all that Python and the "
-            "libraries need themselves.",
-            f"    python -m tests.studies.fuzz --command {command} --cases {count} --seed {seed}{option} --record",
-            f"cadgen {__version__}",
-            table(every),
-            "\n".join(faulty) if faulty else "No case failed.",
-        ]
-    ) + "\n"
+    return (
+        "\n\n".join(
+            [
+                f"# Fuzz of `cadgen {command}`",
+                " ".join((about.__doc__ or "").split()),
+                "A fault is: a traceback or an internal fault; an exit code or a message outside the contract; exit "
+                "code 3 of a command that neither reads nor writes other files; a warning of a library; more than "
+                f"{CPU_SECONDS} s of processor time; more than {MEMORY_KB / 1e6:g} GB, with all that Python and the "
+                "libraries need themselves.",
+                f"    python -m tests.studies.fuzz --command {command} --cases {count} --seed {seed}{option} --record",
+                f"cadgen {__version__}",
+                table(every),
+                "\n".join(faulty) if faulty else "No case failed.",
+            ]
+        )
+        + "\n"
+    )
 
 
 def _plain(text: str) -> str:

@@ -156,7 +156,9 @@ def _shuffled(rng: random.Random, header: list[str], rows: Rows) -> Changed:
 def _runs_named(rng: random.Random, header: list[str], rows: Rows) -> Changed:
     how = rng.choice(["one run", "a run each row", "runs in blocks", "named"])
     for n, row in enumerate(rows):
-        row[0] = {"one run": "1", "a run each row": str(n), "runs in blocks": str(n // 50), "named": f"run {row[0]}"}[how]
+        row[0] = {"one run": "1", "a run each row": str(n), "runs in blocks": str(n // 50), "named": f"run {row[0]}"}[
+            how
+        ]
     return how, header, rows
 
 
