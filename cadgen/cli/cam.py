@@ -28,6 +28,7 @@ def cam(
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:
         plan = plan_cam(loaded, profile, step)
+        plan.find_cures(step)
         written = write_cam(plan, out, step) if plan.passed or force else None
     if as_json:
         show.document(plan.facts() if written is None else written.entry)

@@ -22,6 +22,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:
         plan = plan_cam(loaded, profile, step)
+        plan.find_cures(step)
     if as_json:
         show.document(plan.facts())
     else:

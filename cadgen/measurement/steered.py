@@ -87,7 +87,8 @@ def _registered(model: Model, active: Active) -> Array:
 
 def _judgement(left_out: LeftOut) -> Judgement:
     chosen, rivals, runs = left_out.chosen, left_out.rivals, len(left_out.before)
-    gained = 1 - chosen.error / float(left_out.before.mean())
+    before = float(left_out.before.mean())
+    gained = 1 - chosen.error / before if before > 0 else 0.0
     names = tuple(e.name for e in chosen.effects)
     common = set(names).intersection(*({e.name for e in t.effects} for t in rivals))
     verdict: Verdict
@@ -103,7 +104,7 @@ def _judgement(left_out: LeftOut) -> Judgement:
         verdict = "traced" if len(names) == 1 else "combination"
         sentence = (
             f"Traced to {_told(chosen)}: the path error on runs left out falls from "
-            f"{left_out.before.mean():.0f} to {chosen.error:.0f} mm."
+            f"{before:.0f} to {chosen.error:.0f} mm."
         )
     told = [chosen, *rivals] if verdict != "none" else []
     limits: tuple[str, ...] = ()

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, combinations
-from math import hypot, log
+from math import log
 from typing import Literal
 
 import numpy as np
@@ -80,13 +80,13 @@ def within_error(units: Sequence[str], values: Sequence[float] | Array, sigma: S
     """Is a number of an effect within `SIGMAS` standard deviations of nothing? Then the effect is not claimed.
 
     Numbers of one unit are components of one thing, as an eccentricity's x and y: one of them may be nothing, if its
-    error is small beside the size of all.
+    error is small beside the largest.
 
     Args:
         units, values, sigma: of the effect's numbers, standard deviations in the same units.
     """
     for unit, error in zip(units, sigma, strict=True):
-        size = hypot(*(value for other, value in zip(units, values, strict=True) if other == unit))
+        size = max(abs(value) for other, value in zip(units, values, strict=True) if other == unit)
         if not SIGMAS * error < size:
             return True
     return False

@@ -117,6 +117,12 @@ class CamPlan:
         """Changes of one key that bring lost lift within its limit, each proved by planning the cam again."""
         return tuple(_cures(self)) if self.lost else ()
 
+    def find_cures(self, step: Step) -> None:
+        """Look for `cures` now, which takes many plans, and tell of it."""
+        if self.lost:
+            step("looking for a change that cures lost lift")
+            len(self.cures)
+
     def cure_sentences(self) -> list[str]:
         """What would cure lost lift, in words."""
         lines = []
@@ -187,6 +193,7 @@ def plan_cam(
     *,
     all_trains: bool = False,
     with_play: bool = False,
+    with_measured: bool = True,
 ) -> CamPlan:
     """Compute the profile of a design and check it.
 
@@ -197,6 +204,7 @@ def plan_cam(
         step: told what is being done.
         all_trains: against play, compare the methods on the trains that the design does not use, too.
         with_play: look at what play does to the actual profile, too.
+        with_measured: compare with the cam that was measured, if the design has [as_built].
 
     Raises:
         DesignError: the path cannot be driven, the rod leaves no disc, there is no such profile, or nothing is
@@ -222,7 +230,7 @@ def plan_cam(
                 known[one.name] = (*found, lift_check(design, one))
             return known[one.name]
 
-        measured = measured_cam(design)
+        measured = measured_cam(design) if with_measured else None
         task = task_of(design, track, lift, rod)
         against = against_play(design, profile, task, check, all_trains=all_trains, measured=measured)
         best = against.chosen
@@ -285,7 +293,7 @@ def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
     try:
         # Against play, the method that was chosen, without comparing all of them again.
         profile = plan.against.chosen.profile if plan.against else plan.profile
-        again = plan_cam(with_overrides(plan.design, [override]), profile)
+        again = plan_cam(with_overrides(plan.design, [override]), profile, with_measured=False)
     except CadgenError:
         return []
     return [] if again.lost else [Cure(override, now, tuple(c.name for c in again.failed))]

@@ -231,6 +231,7 @@ def main() -> None:
     if given.record:
         DOCS.mkdir(parents=True, exist_ok=True)
         (DOCS / f"fuzz_{given.command}.md").write_text(report(given.command, given.seed, every))
+    sys.exit(1 if any(one.faults for one in every) else 0)
 
 
 def _logged(log: Path | None) -> dict[int, Outcome]:
@@ -272,8 +273,8 @@ def report(command: str, seed: int, every: Sequence[Outcome]) -> str:
             [
                 f"# Fuzz of `cadgen {command}`",
                 " ".join((about.__doc__ or "").split()),
-                "A fault is: a traceback or an internal fault; an exit code or a message outside the contract; exit code 3 "
-                "of a command that neither reads nor writes other files; a warning of a library; more than "
+                "A fault is: a traceback or an internal fault; an exit code or a message outside the contract; exit "
+                "code 3 of a command that neither reads nor writes other files; a warning of a library; more than "
                 f"{CPU_SECONDS} s of processor time; more than {MEMORY_KB / 1e6:g} GB, with all that Python and the "
                 "libraries need themselves.",
                 f"    python -m tests.studies.fuzz --command {command} --cases {count} --seed {seed}{option} --record",

@@ -11,7 +11,6 @@ import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import tomli_w
@@ -224,6 +223,7 @@ def _waypoints(rng: random.Random, values: dict[str, Any]) -> Change:
     points = [(float(x), float(y)) for x, y in values["path"]["waypoints_mm"]] if _path_is_sound(values) else PATH
     # A path of thousands of points takes long whatever it is; few of those are enough.
     many = rng.choice([50, 100, 300, 1000]) if rng.random() < 0.9 else rng.choice([3000, 10_000, 30_000])
+    close = 10 ** rng.uniform(-9, -1)
     moves: dict[str, Callable[[], Any]] = {
         "moved": lambda: [[x + rng.gauss(0, 150), y + rng.gauss(0, 150)] for x, y in points],
         "one moved far": lambda: _with(points, rng.randrange(len(points)), [rng.gauss(0, 1e4), rng.gauss(0, 1e4)]),
@@ -234,7 +234,7 @@ def _waypoints(rng: random.Random, values: dict[str, Any]) -> Change:
         "backwards": lambda: points[::-1],
         "there and back": lambda: [*points, *points[-2::-1]],
         "equal neighbours": lambda: [*points[:3], points[2], *points[3:]],
-        "almost equal neighbours": lambda: [*points[:3], (points[2][0] + 10 ** rng.uniform(-9, -1), points[2][1]), *points[3:]],
+        "almost equal neighbours": lambda: [*points[:3], (points[2][0] + close, points[2][1]), *points[3:]],
         "straight": lambda: [[100.0 * k, 0.0] for k in range(rng.choice([4, 12, 60]))],
         "straight, uneven": lambda: [[float(x), 3.0] for x in sorted(rng.uniform(0, 9000) for _ in range(12))],
         "circle": lambda: _circle(many, rng.uniform(300, 3000), rng.choice([0.5, 0.9, 1.0, 2.5])),
@@ -331,7 +331,8 @@ def _dense(points: list[Any], count: int) -> list[list[float]]:
         dense.append([a + share * (b - a) for a, b in zip(points[i], points[min(i + 1, len(points) - 1)], strict=True)])
     for _ in range(3):
         inner = [
-            [(a + b + c) / 3 for a, b, c in zip(*three, strict=True)] for three in zip(dense, dense[1:], dense[2:])
+            [(a + b + c) / 3 for a, b, c in zip(*three, strict=True)]
+            for three in zip(dense, dense[1:], dense[2:], strict=False)
         ]
         dense = [dense[0], *inner, dense[-1]]
     return dense
@@ -403,8 +404,3 @@ def _name(place: Place) -> str:
 
 def _toml(value: Any) -> str:
     return tomli_w.dumps({"v": value}).partition("=")[2].strip()
-
-
-def write(path: Path, one: Case) -> None:
-    """Write a case's design file."""
-    path.write_bytes(one.content)
