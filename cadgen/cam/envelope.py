@@ -264,12 +264,12 @@ def _crossing(before: Branch, after: Branch, bracket: tuple[float, float], near:
         step = np.linalg.solve(system, (a.point - b.point)[0])
         t = np.clip(t - step, [before.start, after.start], [before.stop, after.stop])
         if np.abs(step).max() < _CONVERGED:
-            points = np.concatenate([before.jet(t[:1]).point, after.jet(t[1:]).point])
-            off = (polar_angle(points) - bracket[0] + np.pi) % _TURN - np.pi
-            inside = np.all((off > -_JOINT) & (off < bracket[1] - bracket[0] + _JOINT))
-            if inside and np.abs(points[0] - points[1]).max() < SAME:
-                return float(t[0]), float(t[1])
             break
+    points = np.concatenate([before.jet(t[:1]).point, after.jet(t[1:]).point])
+    off = (polar_angle(points) - bracket[0] + np.pi) % _TURN - np.pi
+    inside = np.all((off > -_JOINT) & (off < bracket[1] - bracket[0] + _JOINT))
+    if inside and np.abs(points[0] - points[1]).max() < SAME:
+        return float(t[0]), float(t[1])
     return _bisected(before, after, bracket)
 
 
@@ -277,7 +277,8 @@ def _bisected(before: Branch, after: Branch, bracket: tuple[float, float]) -> tu
     """Parameters of the one polar angle in a bracket at which the radii of two branches agree best."""
 
     def parameters(angle: float) -> tuple[float, float]:
-        return tuple(float(piece_at_angle(branch, np.array([angle]))[0]) for branch in (before, after))
+        at = np.array([angle])
+        return float(piece_at_angle(before, at)[0]), float(piece_at_angle(after, at)[0])
 
     def difference(angle: float) -> float:
         points = [b.jet(np.array([t])).point[0] for b, t in zip((before, after), parameters(angle), strict=True)]
@@ -285,7 +286,7 @@ def _bisected(before: Branch, after: Branch, bracket: tuple[float, float]) -> tu
 
     ends = [difference(angle) for angle in bracket]
     if ends[0] < 0 < ends[1]:
-        return parameters(float(brentq(difference, *bracket, xtol=_CONVERGED)))
+        return parameters(float(brentq(difference, *bracket, xtol=_JOINT)))
     return parameters(bracket[int(np.argmin(np.abs(ends)))])
 
 

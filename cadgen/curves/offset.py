@@ -12,9 +12,9 @@ from cadgen.errors import CheckError
 
 Array = NDArray[np.float64]
 
-# rad; a hollow that turns by no more than this holds no cutter up: one of radius R leaves R turn^2 / 8 in it, 1e-6 mm
-# at 10 mm.
-SLIGHT_TURN = 1e-3
+# rad; a hollow that turns by no more than this holds no cutter up: one of radius R leaves at most R turn^2 / 8 in it,
+# and takes as little beside it: 0.03 um at 10 mm.
+SLIGHT_TURN = 5e-3
 _SAMPLES_PER_RADIAN = 600  # of a piece, in search of its tightest hollow
 
 

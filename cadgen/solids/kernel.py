@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from OCP.BOPAlgo import BOPAlgo_ArgumentAnalyzer
 from OCP.BRep import BRep_Builder
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
 from OCP.BRepCheck import BRepCheck_Analyzer
@@ -173,6 +174,17 @@ def solids(shape: TopoDS_Shape) -> list[TopoDS_Solid]:
 def is_valid(shape: TopoDS_Shape) -> bool:
     """Whether BRepCheck finds no fault in the shape."""
     return bool(BRepCheck_Analyzer(shape).IsValid())
+
+
+def edges_on_surfaces(shape: TopoDS_Shape) -> bool:
+    """Whether every edge lies within its tolerance on the surfaces that it bounds, which BRepCheck does not look at."""
+    analyzer = BOPAlgo_ArgumentAnalyzer()
+    analyzer.SetShape1(shape)
+    for mode in ("ArgumentTypeMode", "SelfInterMode", "SmallEdgeMode", "RebuildFaceMode", "ContinuityMode"):
+        setattr(analyzer, mode, False)
+    analyzer.CurveOnSurfaceMode = True
+    analyzer.Perform()
+    return not analyzer.HasFaulty()
 
 
 def volume(shape: TopoDS_Shape) -> float:

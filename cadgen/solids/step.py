@@ -36,7 +36,7 @@ from OCP.XSControl import XSControl_WorkSession
 
 from cadgen.curves.closed import Outline
 from cadgen.errors import FileError
-from cadgen.solids.kernel import Part, is_valid, solids, volume
+from cadgen.solids.kernel import Part, edges_on_surfaces, is_valid, solids, volume
 from cadgen.solids.step_text import read_rim
 
 # Written into every file so that equal designs give equal bytes; the environment's SOURCE_DATE_EPOCH (seconds
@@ -63,7 +63,7 @@ class StepContent:
 
     Attributes:
         rim: outline of the disc at z = 0, from the file's text alone.
-        valid: whether the kernel finds no fault in what it reads.
+        valid: whether the kernel finds no fault in what it reads, nor an edge beside its surfaces.
         bodies: number of solids.
         volume: of all solids, mm^3.
         name: of the product.
@@ -202,7 +202,7 @@ def read_step(path: Path, step: float) -> StepContent:
     bodies = solids(shape)
     return StepContent(
         rim=rim,
-        valid=is_valid(shape),
+        valid=is_valid(shape) and edges_on_surfaces(shape),
         bodies=len(bodies),
         volume=volume(shape),
         name=products[0].Name().ToCString(),

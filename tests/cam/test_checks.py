@@ -6,14 +6,17 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from cadgen.cam import checks
 from cadgen.cam.blank import CamBlank, Hub
 from cadgen.cam.checks import CheckLimits, check_cam, lost_lift
 from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
+from cadgen.cam.lift import lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.cam.theoretical import published_profile, theoretical_profile
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.smoothing import smoothed_lift
+from cadgen.steering.car import steering_jets
 
 LIMITS = CheckLimits(
     pressure_angle=PRESSURE_ANGLE_LIMITS["norton_oscillating"],
@@ -158,3 +161,35 @@ def test_a_loss_is_found_at_any_base_radius(appendix_car):
     losses = [worst_loss(cam, replace(built.follower, base_radius=70.0 * factor)) for factor in (1.0, 8.0, 64.0)]
     print("lost lift with 1, 8 and 64 times the base radius, um:", [f"{1e3 * loss:.2g}" for loss in losses])
     assert losses[0] > losses[1] > losses[2]
+
+
+def test_a_steep_blend_is_refused_only_where_it_locks(carbon_free_car, monkeypatch):
+    """Over half a degree the blend is steeper than any limit of the path, where the car does not drive."""
+    track = carbon_free_car.track
+    lift = lift_curve(track.arc, steering_jets(track, carbon_free_car.car), track.length, blend=np.radians(0.5))
+    short = replace(carbon_free_car, lift=lift, actual=actual_profile(lift, carbon_free_car.follower))
+    rows = run(short, limits=replace(LIMITS, cutter_radius=0.01))
+    row = rows["pressure angle, blend return"]
+    print(row.value, row.place, row.limit)
+    assert row.value > 40
+    assert failed(rows) <= {"convex radius, profile"}
+    monkeypatch.setattr(checks, "LOCKING_ANGLE", np.radians(36.0))
+    assert "pressure angle, blend return" in failed(run(short, limits=replace(LIMITS, cutter_radius=0.01)))
+
+
+def test_lift_lost_in_the_blend_is_no_lost_lift_of_the_path(appendix_car):
+    """The same trim counts where the path steers, and is only shown where the blend does."""
+    worst = max(lost_lift_of(appendix_car), key=lambda loss: loss.lift)
+    assert worst.driven
+    moved = replace(appendix_car.lift, blend_start=worst.trim.before - 1e-3)
+    blended = run(replace(appendix_car, lift=moved), limits=replace(LIMITS, cutter_radius=1.0))
+    assert blended["lift not given, blend"].value == pytest.approx(worst.lift * 1e3, rel=0.02)
+    assert "where the car does not drive" in blended["lift not given, blend"].place
+    assert "lost lift, undercut" not in failed(blended)
+    inside = replace(appendix_car.lift, blend_start=(worst.trim.before + worst.trim.after) / 2)
+    parts = [loss for loss in lost_lift_of(replace(appendix_car, lift=inside)) if loss.trim == worst.trim]
+    assert [loss.driven for loss in parts] == [True, False]
+
+
+def lost_lift_of(car):
+    return lost_lift(car.lift, car.follower, car.actual.trims, car.actual.curve.outline(0.02))

@@ -51,3 +51,21 @@ def test_refuses_a_blend_that_is_none(carbon_free_car, blend):
     track = carbon_free_car.track
     with pytest.raises(DesignError, match="blend_deg"):
         lift_curve(track.arc, steering_jets(track, carbon_free_car.car), track.length, blend=blend)
+
+
+@pytest.mark.parametrize("hair", [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 3e-5, 9e-5, -1e-12, -1e-6])
+@pytest.mark.parametrize("name", ["carbon_free_car", "appendix_car"])
+def test_a_blend_that_begins_a_hair_beside_a_node(name, hair, request):
+    """The piece between them is as exact as its neighbours, and a kink on the spot is left to the path."""
+    car = request.getfixturevalue(name)
+    jets, arc, length = steering_jets(car.track, car.car), car.track.arc, car.track.length
+    node = car.track.waypoint_arc[-2] / length * TURN
+    lift = lift_curve(arc, jets, length, blend=TURN - node - hair)
+    begin = lift.blend_start
+    for order in range(3):
+        before, after = lift.tan_beta(np.array([begin - 1e-9 * abs(hair), begin]), nu=order)
+        scale = np.abs(lift.tan_beta(np.linspace(0, TURN, 999), nu=order)).max()
+        assert abs(after - before) < 1e-6 * scale
+    by_arc = quintic_hermite(arc, jets)
+    theta = np.linspace(begin - 0.05, begin - 1e-9, 200)
+    np.testing.assert_allclose(lift.tan_beta(theta), by_arc(theta / TURN * length), atol=1e-11)

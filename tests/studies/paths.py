@@ -208,6 +208,7 @@ def _refusal(message: str, truth: Truth) -> str:
         "steeper than radial": steep,
         "overhangs": steep,
         "steering": truth.greatest_steering() > radians(30),
+        "nothing is left of the disc": truth.greatest_steering() > radians(30),
     }
     return "refused" if any(part in message and true for part, true in founded.items()) else f"false refusal: {message}"
 
@@ -220,7 +221,9 @@ def _founded(check: str, truth: Truth) -> bool:
     if check.startswith("pressure angle, blend"):
         return truth.pressure_angle(driven=False) > radians(65)
     if check == "largest cutter radius":
-        return hollow + truth.rod < CUTTER * 1.1
+        # Where the curvature has kinks, the rod's own section rounds the hollow corner.
+        corner = truth.kind == "cubic" and truth.rod < CUTTER and truth.hollow_corner() > 4e-3
+        return hollow + truth.rod < CUTTER * 1.1 or corner
     if check == "convex radius, profile":
         return 0 < convex < truth.rod + 0.6
     if check.startswith("lost lift") or check == "convex radius, theory":

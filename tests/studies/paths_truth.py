@@ -88,6 +88,17 @@ class Truth:
         slope = np.gradient(tangent, theta)
         return slope, np.gradient(slope, theta)
 
+    def hollow_corner(self) -> float:
+        """Greatest angle by which the pitch curve's direction jumps outwards at a waypoint, rad; 0 for none."""
+        theta, tangent = self._samples
+        each = len(theta) // (len(self.waypoints) - 1)
+        slopes = np.gradient(tangent, theta)
+        # One-sided slopes in the middle of a span's last and first two steps, carried on to its ends.
+        last, first = np.arange(each, len(theta), each) - 2, np.arange(each, len(theta), each) + 1
+        ends = (1.5 * slopes[last] - 0.5 * slopes[last - 1], 1.5 * slopes[first] - 0.5 * slopes[first + 1])
+        jump = self.faces[1] * (ends[1] - ends[0]) / self.base
+        return max(float(jump.max(initial=0.0)), 0.0)
+
     def pressure_angle(self, *, driven: bool) -> float:
         """Greatest angle of the pitch curve against the ray, rad."""
         theta, tangent = self.steering
