@@ -53,9 +53,9 @@ class _Side(NamedTuple):
         if not isinstance(surface, Geom_CylindricalSurface | Geom_Plane):
             return None
         frame = surface.Position()
-        axes = (frame.XDirection(), frame.YDirection(), frame.Direction())
+        x, y, axis = (_vector(way) for way in (frame.XDirection(), frame.YDirection(), frame.Direction()))
         radius = surface.Radius() if isinstance(surface, Geom_CylindricalSurface) else np.inf
-        return cls(face, _vector(frame.Location()), *(_vector(axis) for axis in axes), radius)
+        return cls(face, _vector(frame.Location()), x, y, axis, radius)
 
     def parameters(self, points: Array, near: Array) -> Array:
         """Parameters of points on the surface, angles in the turn of given ones, shape (n, 2)."""
