@@ -8,11 +8,12 @@ from scipy.optimize import brentq
 
 from cadgen.cam import checks
 from cadgen.cam.blank import CamBlank, Hub
-from cadgen.cam.checks import CheckLimits, check_cam, lost_lift
+from cadgen.cam.checks import CheckLimits, check_cam
 from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.lift import lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.cam.loss import lost_lift
 from cadgen.cam.theoretical import published_profile, theoretical_profile
 from cadgen.steering.car import steering_jets
 
