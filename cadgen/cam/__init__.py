@@ -12,5 +12,8 @@
 | `cutter`      | which cutter reaches every concave part                                         |
 | `check`       | one figure with its limit and verdict                                           |
 | `checks`      | every figure with its limit, place and verdict                                  |
+| `lowest`      | which branch of the envelope is the lowest, with rounding kept out              |
+| `loss`        | lift that is missing where the envelope is trimmed                              |
+| `difference`  | how far two outlines lift the rod apart                                         |
 | `cure`        | the smallest single change that brings lost lift within its limit               |
 """

@@ -6,11 +6,11 @@ from math import exp, log
 
 from scipy.optimize import brentq
 
-from cadgen.cam.checks import lost_lift
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.loss import lost_lift
 from cadgen.errors import DesignError
 
 # The change is found to this share of itself; a shop rounds further than that.

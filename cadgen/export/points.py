@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from cadgen.cam.contact import Contact, roll_curve
+from cadgen.cam.contact import Contact, roll, roll_curve
 from cadgen.cam.follower import Follower
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
@@ -32,6 +32,7 @@ _LEAST_DISTANCE = 5e-4
 _TABLE = 2049  # samples of a piece from which its length is summed
 _STRAIGHT = 1e-6  # mm^-1; a curvature below this (a radius of a kilometre) is written as a straight line
 _ALONG = np.linspace(0.0, 1.0, 5)  # shares of the polar angle between two rows at which their chord is tried
+_COLUMNS = tuple(field.name for field in fields(Contact))
 _JUMP = 1e-9  # rad; where the contact moves within less cam angle than this it jumps along the rod's section
 _ROUNDS = 40  # halvings of a row's step of 6 degrees (60 rows) until it is a jump
 
@@ -121,24 +122,32 @@ def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: 
     Returns:
         Contacts by increasing polar angle.
     """
-    rows, _ = roll_curve(curve, follower, np.linspace(0.0, _TURN, count, endpoint=False))
+    rows, step = roll_curve(curve, follower, np.linspace(0.0, _TURN, count, endpoint=False))
+    outline = curve.outline(step)
+    place = _places(rows, follower)
+    stray = _stray(curve, place[:-1], place[1:])
     for _ in range(_ROUNDS):
-        theta, place = _closed_angles(rows, follower)
-        wide = _stray(curve, place) > tolerance
-        halved = np.flatnonzero(wide & (np.diff(theta) > _JUMP))
-        if not halved.size:
+        wide = np.flatnonzero(stray > tolerance)
+        if not wide.size:
             break
-        between, _ = roll_curve(curve, follower, (theta[halved] + theta[halved + 1]) / 2)
-        rows = _inserted(rows, between, halved)
-    rows = _along_jumps(rows, curve, follower, tolerance)
-    return _needed(rows, curve, follower, count, tolerance)
+        theta = np.append(rows.cam_angle, rows.cam_angle[0] + _TURN)
+        before = _chosen(rows, wide)
+        between = roll(outline, follower, (theta[wide] + theta[wide + 1]) / 2)
+        along = _on_section(curve, follower, before, (place[wide] + place[wide + 1]) / 2)
+        jump = theta[wide + 1] - theta[wide] < _JUMP
+        columns = (np.where(jump, getattr(along, name), getattr(between, name)) for name in _COLUMNS)
+        rows = _inserted(rows, Contact(*columns), wide)
+        place = _places(rows, follower)
+        stray = np.insert(stray, wide + 1, 0.0)
+        new = np.concatenate([wide + np.arange(len(wide)), wide + np.arange(len(wide)) + 1])
+        stray[new] = _stray(curve, place[new], place[new + 1])
+    return _needed(rows, place, curve, count, tolerance)
 
 
-def _closed_angles(rows: Contact, follower: Follower) -> tuple[Array, Array]:
-    """Cam angles and polar angles of the contacts, the first ones again a turn later, shape (n + 1,)."""
-    place = rows.cam_angle + np.arctan2(rows.across, _ahead(rows, follower))
-    place = np.maximum.accumulate(place)
-    return np.append(rows.cam_angle, rows.cam_angle[0] + _TURN), np.append(place, place[0] + _TURN)
+def _places(rows: Contact, follower: Follower) -> Array:
+    """Polar angles of the contacts, the first one again a turn later, rad, shape (n + 1,)."""
+    place = np.maximum.accumulate(rows.cam_angle + np.arctan2(rows.across, _ahead(rows, follower)))
+    return np.append(place, place[0] + _TURN)
 
 
 def _ahead(rows: Contact, follower: Follower) -> Array:
@@ -147,48 +156,40 @@ def _ahead(rows: Contact, follower: Follower) -> Array:
     return np.asarray(follower.base_radius + rows.face * rows.tan_beta - half)
 
 
-def _stray(curve: ClosedCurve, place: Array) -> Array:
-    """How far the curve strays from straight lines between polar angles, shape (n - 1,), mm."""
-    step = np.diff(place)
-    inside = (place[:-1, None] + step[:, None] * _ALONG).ravel()
-    points = curve.at_angle(inside)[0].point.reshape(len(step), -1, 2)
+def _stray(curve: ClosedCurve, start: Array, stop: Array) -> Array:
+    """How far the curve strays from straight lines between pairs of its polar angles, shape (n,), mm."""
+    inside = (start[:, None] + (stop - start)[:, None] * _ALONG).ravel()
+    points = curve.at_angle(inside)[0].point.reshape(len(start), -1, 2)
     chords = points[:, -1] - points[:, 0]
     length = np.maximum(np.linalg.norm(chords, axis=1), 1e-12)
     return np.asarray(np.abs(cross(chords[:, None], points - points[:, :1])).max(axis=1) / length)
 
 
+def _on_section(curve: ClosedCurve, follower: Follower, before: Contact, place: Array) -> Contact:
+    """The contacts at polar angles that the rod touches together with given ones, its section lying on the curve."""
+    points = curve.at_angle(place)[0].point
+    across = points[:, 1] * np.cos(before.cam_angle) - points[:, 0] * np.sin(before.cam_angle)
+    angle = np.arcsin(np.clip(across / follower.radius, -1.0, 1.0)) if follower.radius else before.pressure_angle
+    return replace(before, across=across, pressure_angle=angle)
+
+
+def _chosen(rows: Contact, which: NDArray[np.intp]) -> Contact:
+    return Contact(*(getattr(rows, name)[which] for name in _COLUMNS))
+
+
 def _inserted(rows: Contact, more: Contact, after: NDArray[np.intp]) -> Contact:
-    columns = (np.insert(getattr(rows, field.name), after + 1, getattr(more, field.name)) for field in fields(Contact))
-    return Contact(*columns)
+    return Contact(*(np.insert(getattr(rows, name), after + 1, getattr(more, name)) for name in _COLUMNS))
 
 
-def _along_jumps(rows: Contact, curve: ClosedCurve, follower: Follower, tolerance: float) -> Contact:
-    """Contacts on the rod's section where the contact jumps along it at one cam angle."""
-    for _ in range(_ROUNDS):
-        _, place = _closed_angles(rows, follower)
-        wide = np.flatnonzero(_stray(curve, place) > tolerance)
-        if not wide.size:
-            break
-        middle = (place[wide] + place[wide + 1]) / 2
-        points = curve.at_angle(middle)[0].point
-        first = Contact(*(getattr(rows, field.name)[wide] for field in fields(Contact)))
-        c, s = np.cos(first.cam_angle), np.sin(first.cam_angle)
-        across = points[:, 1] * c - points[:, 0] * s
-        angle = np.arcsin(np.clip(across / follower.radius, -1.0, 1.0)) if follower.radius else first.pressure_angle
-        rows = _inserted(rows, replace(first, across=across, pressure_angle=angle), wide)
-    return rows
-
-
-def _needed(rows: Contact, curve: ClosedCurve, follower: Follower, count: int, tolerance: float) -> Contact:
+def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, tolerance: float) -> Contact:
     """The even rows and those of the others without which a line between two rows would stray too far."""
     even = np.isclose((rows.cam_angle * count / _TURN + 0.5) % 1, 0.5, rtol=0, atol=1e-7)
-    _, place = _closed_angles(rows, follower)
     kept = [0]
     for number in range(1, len(even)):
-        following = place[number + 1]
-        if even[number] or _stray(curve, np.array([place[kept[-1]], following]))[0] > tolerance:
+        ends = place[kept[-1:]], place[[number + 1]]
+        if even[number] or _stray(curve, *ends)[0] > tolerance:
             kept.append(number)
-    return Contact(*(getattr(rows, field.name)[kept] for field in fields(Contact)))
+    return _chosen(rows, np.array(kept))
 
 
 def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Contact) -> None:

@@ -3,6 +3,7 @@
 | module      | what it does                                                        |
 |-------------|---------------------------------------------------------------------|
 | `kernel`    | edges, wires, prisms, validity and volume on the kernel             |
+| `crossing`  | exact edges where a drilled hole meets a wall                       |
 | `cam`       | the disc with bore, holes and hub                                   |
 | `gear`      | gears                                                               |
 | `train`     | the parts of a gear train, and their assembly                       |

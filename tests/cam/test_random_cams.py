@@ -4,11 +4,11 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cadgen.cam.checks import lost_lift
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.loss import lost_lift
 from cadgen.path.hermite import quintic_hermite
 
 TURN = 2 * np.pi
