@@ -160,7 +160,7 @@ def _files(written: "GearsWritten", out: Path) -> None:
     for name, facts in written.entry["files"].items():
         if "play_error_um" in facts:
             errors = facts["play_error_um"]
-            said = f"play off by {max(map(abs, errors)):.3f} µm" if errors else "no play: the teeth do not mesh"
+            said = f"play off by {max(map(abs, errors)):.3f} µm" if errors else "no play to measure: see the checks"
         elif "flank_error_um" in facts:
             said = f"flank {facts['flank_error_um']:.5f} root {facts['root_error_um']:.4f} µm"
         elif "triangles" in facts:

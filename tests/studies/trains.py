@@ -198,9 +198,9 @@ def page(seed: int, found: list[tuple[int, str, str]]) -> str:
     wrong = [f"- case {number} ({kind}): {fault}\n" for number, kind, fault in found if fault]
     return (
         "# Study: trains and searches\n\n"
-        "Random trains as given (every fourth case) and searches (`tests/studies/trains.py`), against tolerances, plays,\n"
-        "teeth and an enumeration of the study's own (`trains_truth.py`): 1 to 3 stages, modules 0.5 to 1.5 mm, grades\n"
-        "5 to 9, thinning and given thickness, bores from none to 5 mm, limits of the search at random.\n\n"
+        "Random trains as given (every fourth case) and searches (`tests/studies/trains.py`), against tolerances,\n"
+        "plays, teeth and an enumeration of the study's own (`trains_truth.py`): 1 to 3 stages, modules 0.5 to 1.5,\n"
+        "grades 5 to 9, thinning and given thickness, bores from none to 5 mm, limits of the search at random.\n\n"
         f"`python -m tests.studies.trains --cases {len(found)} --seed {seed} --record`, cadgen {__version__}\n\n"
         f"| outcome | cases |\n|---|---|\n{rows}| wrong in any way | {len(wrong)} |\n\n"
         + (
