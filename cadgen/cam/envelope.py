@@ -18,7 +18,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
@@ -32,6 +31,7 @@ Array = NDArray[np.float64]
 _TURN = 2 * np.pi
 _SAMPLES = 3600  # of a turn: folds and crossings closer together than 0.1 degree count as one
 _NEWTON_STEPS = 20
+_ZOOM, _ZOOMS = 33, 4  # polar angles at a time, and rounds: from 0.1 degree to 2e-9 rad
 _CONVERGED = 1e-13  # rad; Newton's method has doubled its digits past rounding
 _JOINT = 1e-9  # rad; two branches that end and begin within this meet, they do not cross
 # rad; between cam angles closer together than this no lift can be lost that would show: the curvature of the lift
@@ -252,8 +252,8 @@ def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
 def _crossing(before: Branch, after: Branch, bracket: tuple[float, float], near: float) -> tuple[float, float]:
     """Parameters at which two branches meet between two polar angles.
 
-    Newton's method, or, where that fails because they are nearly parallel, a bracketing search on the difference of
-    their radii; where there is no crossing either, the end of the bracket at which they are closest.
+    Newton's method, or, where that fails because they are nearly parallel, narrowing in on the difference of their
+    radii; where there is no crossing either, the end of the bracket at which they are closest.
     """
     t = np.array([piece_at_angle(b, np.array([near]))[0] for b in (before, after)])
     for _ in range(_NEWTON_STEPS):
@@ -270,24 +270,23 @@ def _crossing(before: Branch, after: Branch, bracket: tuple[float, float], near:
     inside = np.all((off > -_JOINT) & (off < bracket[1] - bracket[0] + _JOINT))
     if inside and np.abs(points[0] - points[1]).max() < SAME:
         return float(t[0]), float(t[1])
-    return _bisected(before, after, bracket)
+    return _closest(before, after, bracket)
 
 
-def _bisected(before: Branch, after: Branch, bracket: tuple[float, float]) -> tuple[float, float]:
-    """Parameters of the one polar angle in a bracket at which the radii of two branches agree best."""
-
-    def parameters(angle: float) -> tuple[float, float]:
-        at = np.array([angle])
-        return float(piece_at_angle(before, at)[0]), float(piece_at_angle(after, at)[0])
-
-    def difference(angle: float) -> float:
-        points = [b.jet(np.array([t])).point[0] for b, t in zip((before, after), parameters(angle), strict=True)]
-        return float(np.linalg.norm(points[0]) - np.linalg.norm(points[1]))
-
-    ends = [difference(angle) for angle in bracket]
-    if ends[0] < 0 < ends[1]:
-        return parameters(float(brentq(difference, *bracket, xtol=_JOINT)))
-    return parameters(bracket[int(np.argmin(np.abs(ends)))])
+def _closest(before: Branch, after: Branch, bracket: tuple[float, float]) -> tuple[float, float]:
+    """Parameters at the one polar angle in a bracket where the radii of two branches cross, or else agree best."""
+    low, high = bracket
+    for _ in range(_ZOOMS):
+        angles = np.linspace(low, high, _ZOOM)
+        t = [piece_at_angle(branch, angles) for branch in (before, after)]
+        r = [np.linalg.norm(b.jet(at).point, axis=1) for b, at in zip((before, after), t, strict=True)]
+        off = r[0] - r[1]
+        if not off[0] < 0 < off[-1]:
+            best = int(np.argmin(np.abs(off)))
+            break
+        best = int(np.argmax(off > 0))
+        low, high = angles[best - 1], angles[best]
+    return float(t[0][best]), float(t[1][best])
 
 
 def _refuse_overhang(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> None:

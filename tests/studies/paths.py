@@ -255,6 +255,8 @@ def main() -> None:
     for number, kind, said in run(args.cases, args.seed):
         good = said in ("passed", "refused")
         counts[kind, said if good else "wrong"] += 1
+        if number % 100 == 99:
+            print(f"{number + 1} cases, {len(wrong)} wrong", flush=True)
         if not good:
             wrong.append(f"- seed {args.seed}, case {number} ({kind}): {said}")
             print(wrong[-1], flush=True)
