@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 INTERVALS_PER_SPAN = 64
 LEAST_INTERVALS = 16
 MOST_NODES = 24_000
+_ROUNDING = 64 * np.finfo(float).eps  # of a waypoint, as a share of the path's greatest coordinate
 GAUSS_POINTS = 8
 _BLOCK = 20_000  # nodes whose arc lengths are integrated at once
 
@@ -129,6 +130,8 @@ def _jets(path: PlannedPath, u: Array) -> tuple[Array, Array, Array, Array, Arra
     speed1 = dot12 / speed
     speed2 = (np.einsum("ij,ij->i", r2, r2) + np.einsum("ij,ij->i", r1, r3) - speed1**2) / speed
     cross, cross1, cross2 = _cross(r1, r2), _cross(r1, r3), _cross(r2, r3) + _cross(r1, r4)
+    straight = _straight(path, u, (r, r1, r2, r3, r4), (cross, cross1, cross2))
+    cross, cross1, cross2 = (np.where(straight, 0.0, product) for product in (cross, cross1, cross2))
     k = cross / speed**3
     k_u = cross1 / speed**3 - 3 * k * speed1 / speed
     k_uu = (
@@ -144,6 +147,22 @@ def _jets(path: PlannedPath, u: Array) -> tuple[Array, Array, Array, Array, Arra
 
 def _cross(a: Array, b: Array) -> Array:
     return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+
+
+def _straight(path: PlannedPath, u: Array, derivatives: tuple[Array, ...], products: tuple[Array, ...]) -> Array:
+    """Where the path turns by no more than the rounding of its waypoints, shape (n,).
+
+    A straight path that hardly moves with its parameter would else seem to turn. A cross product of two derivatives
+    errs by each factor times the other's rounding, which is that of the waypoints over a power of the span's width.
+    """
+    span = np.clip(np.searchsorted(path.knots, u, side="right") - 1, 0, len(path.knots) - 2)
+    width = np.diff(path.knots)[span]
+    size = [np.abs(each).max(axis=1) for each in derivatives]
+    noise = [_ROUNDING * float(size[0].max()) / width**order for order in range(5)]
+    pairs = (((1, 2),), ((1, 3),), ((2, 3), (1, 4)))
+    least = (sum(size[a] * noise[b] + size[b] * noise[a] for a, b in pair) for pair in pairs)
+    within = [np.abs(product) <= most for product, most in zip(products, least, strict=True)]
+    return np.asarray(np.logical_and.reduce(within))
 
 
 def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k: Array) -> None:

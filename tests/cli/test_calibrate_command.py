@@ -253,7 +253,8 @@ def test_an_unreadable_file(cadgen, tmp_path, monkeypatch):
 def test_an_interrupted_run_leaves_nothing(tmp_path):
     """The signal comes when the report stands in the staging folder and pictures are about to be drawn."""
     script = (
-        "import os\n"
+        "import os, signal\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # jobs in a shell's background ignore it
         "from cadgen.cli import main\n"
         "from cadgen.workflow import calibrate_files\n"
         f"calibrate_files.draw_record = lambda *args: os.kill(os.getpid(), {int(signal.SIGINT)}) or []\n"
