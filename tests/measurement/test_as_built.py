@@ -198,7 +198,7 @@ def test_the_rods_and_the_cars_numbers(carbon_free_car):
     thin = as_built(("lift", "rod radius", (-1.5,), "car"), ("lift", "axial offset", (-4.0,), "car"))
     assert thin.follower(carbon_free_car.follower).radius == 1.0
     none = AsBuilt((Placed(named("lift", "rod radius"), (-2.5,), "car"),))
-    with pytest.raises(DesignError, match="above 0"):
+    with pytest.raises(DesignError, match="nothing is left of the rod"):
         none.follower(carbon_free_car.follower)
 
 

@@ -154,7 +154,7 @@ def test_files_of_a_precompensated_cam_are_judged_on_the_finished_disc(built, tm
     entry = write_cam(plan, tmp_path / "out").entry
     ends = {name: facts["end_position_mm"] for name, facts in entry["files"].items() if "end_position_mm" in facts}
     print(ends, plan.against.before.error.end_distance)
-    assert len(ends) == 7
+    assert len(ends) == 8
     assert max(ends.values()) < 0.02 * plan.against.before.error.end_distance
 
 
