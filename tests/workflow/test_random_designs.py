@@ -45,7 +45,7 @@ def test_only_what_is_wrong_with_the_design_fails(overrides):
     plan, said = planned(overrides)
     if plan is None:
         # A moved waypoint may make a turn too tight, or a short blend a flank beyond radial: those say what to do.
-        cures = ("wider turn", "steeper than radial", "overhangs near", "follower.radius_mm")
+        cures = ("wider turn", "steeper than radial", "overhangs near", "follower.radius_mm", "follower.length_mm")
         assert any(cure in said for cure in cures)
         return
     failed = {check.name: check.value for check in plan.checks if not check.passed}
