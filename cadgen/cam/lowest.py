@@ -30,7 +30,7 @@ def lowest_branches(radii: Array, continuation: Mapping[int, int]) -> list[Run]:
 
     Args:
         radii: radius of each branch in each cell, shape (branches, cells), mm; infinite where a branch does not reach.
-        continuation: for a branch, the one that goes on where it ends; it is preferred to others that coincide
+        continuation: for a branch, the branch that begins where it ends; it is preferred to others that coincide
             with it.
 
     Returns:
