@@ -51,7 +51,10 @@ class EnvelopePiece:
 
     def touch(self, theta: Array) -> Array:
         """The section's parameter eta at which it touches the envelope, rad."""
-        d, d1, _, A, A1, _ = self._section(theta)
+        return self._touch(self._section(theta))
+
+    def _touch(self, section: tuple[Array, Array, Array, Array, Array, Array]) -> Array:
+        d, d1, _, A, A1, _ = section
         r = self.follower.radius
         eta = np.arctan2(-r * (d1 - A1), A * (d - A) + r**2)
         for _ in range(_NEWTON_STEPS):
@@ -66,9 +69,9 @@ class EnvelopePiece:
 
     def jet(self, t: Array) -> Jet:
         """Point, velocity by cam angle, and curvature; on a swallowtail the velocity points backwards."""
-        d, d1, d2, A, A1, A2 = self._section(t)
+        d, d1, d2, A, A1, A2 = section = self._section(t)
         r = self.follower.radius
-        eta = self.touch(t)
+        eta = self._touch(section)
         c, s = np.cos(eta), np.sin(eta)
         p, q = d - A * c, -r * s
         p1 = d1 - A1 * c
