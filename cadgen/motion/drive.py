@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.play import LEAST_SWING, TURN, follow
+from cadgen.motion.play import LEAST_SWING, TURN, Following, follow
 from cadgen.path.track import Track
 from cadgen.steering.car import Car, pace, track_curvature
 
@@ -91,6 +91,7 @@ def drive(
     steps: int = STEPS,
     stop: float | None = None,
     least: float = LEAST_SWING,
+    following: Following | None = None,
 ) -> Run:
     """Run the car on a cam.
 
@@ -105,6 +106,7 @@ def drive(
         steps: even steps of the result.
         stop: last motor position, rad; the start of the lift's closing blend if left out.
         least: rises and falls of tan(beta) smaller than this are noise, not events.
+        following: how the cam follows the motor, with friction and drag; if given, it stands for lift and play.
 
     Raises:
         DesignError: the play is negative or no number, or there are no steps.
@@ -113,7 +115,7 @@ def drive(
         raise DesignError(f"a run of {steps} steps goes nowhere: ask for at least 1")
     start = start or Pose()
     stop = lift.blend_start if stop is None else stop
-    following = follow(lift, play, least=least)
+    following = following or follow(lift, play, least=least)
     motor = np.linspace(0.0, stop, steps + 1)
     nodes = np.union1d(motor, following.joints(0.0, stop))
     widths = np.diff(nodes)[:, None]

@@ -84,7 +84,7 @@ def deflections(
         return Event(kind=kind, cam_angle=angle, lift=height, deflection=deflection)
 
     events = []
-    for peak, valley in follow(lift, play, least=least).falls.tolist():
+    for peak, valley in follow(lift, play, least=least).leads.tolist():
         skipped = min(play, valley - peak)
         events += [
             event("jump", peak, -turning(lift, car, length, peak, peak + skipped)),

@@ -1,15 +1,17 @@
 """The play operator: where the cam stands when gears with play turn it and a spring presses the rod on it.
 
-The gears leave the cam free between motor position phi (in cam units) and phi + B, B the return error. The
-spring turns it downhill as far as that window and the shape of the lift allow, inertia and friction left aside:
+The gears leave the cam free between motor position phi (in cam units) and phi + B, B the return error. The rod
+turns it ahead wherever its torque is above friction and drag, as far as that window allows, inertia left aside. Let
+it do so for cam angles from p to v, on a fall of the lift:
 
-- where the lift rises or is level, the gears push: theta = phi;
-- at a peak, or where a level stretch ends, the cam **jumps** ahead and then leads: theta = phi + B;
-- in a valley v, or where a level stretch begins, it **waits**, theta = v, until the gears have taken up the play at
-  phi = v.
+- before and behind, the gears push: theta = phi;
+- at p the cam **jumps** ahead and then leads: theta = phi + B;
+- at v it **waits**, theta = v, until the gears have taken up the play at phi = v.
 
-So over a fall from p to v, theta(phi) = min(phi + B, v) for p <= phi < v, and theta = phi elsewhere: exact for any
-lift and any B, also where events are closer together than B, for the cam never climbs.
+So theta(phi) = min(phi + B, v) for p <= phi < v, and theta = phi elsewhere: exact for any lift and any B, also where
+events are closer together than B, for the cam never climbs. Without friction and drag p is a peak, or the end of a
+level stretch, and v a valley, or the start of one (`falls`); with them the cam leads on the steeper part of the
+fall alone (`cadgen.motion.mechanics`).
 
 The least lift within the window, its erosion, is not quite this: it would have the cam cross a peak as soon as the
 far side is lower, at phi_1 < p where s(phi_1) = s(phi_1 + B). The two agree outside [phi_1, p] as long as every
@@ -103,21 +105,25 @@ class Following:
     Attributes:
         lift: the cam's own.
         play: B, rad.
-        falls: of the lift, as `falls` gives them, shape (k, 2), rad.
+        leads: cam angles between which the cam leads, as `falls` gives them, shape (k, 2), rad.
+        shaft: how the shaft follows the motor, if the cam has its play on a shaft that follows by itself.
     """
 
     lift: LiftCurve
     play: float
-    falls: Array
+    leads: Array
+    shaft: "Following | None" = None
 
     def cam_angle(self, motor: Array) -> Array:
         """Cam angle theta at motor positions, rad, any shape; at the instant of a jump, the angle after it."""
         motor = np.asarray(motor, dtype=float)
-        if not len(self.falls):
+        if self.shaft is not None:
+            motor = self.shaft.cam_angle(motor)
+        if not len(self.leads):
             return motor + 0.0
         base = motor % TURN
-        number = np.searchsorted(self.falls[:, 0], base, side="right") - 1
-        valley = self.falls[number, 1] - np.where(number < 0, TURN, 0.0)
+        number = np.searchsorted(self.leads[:, 0], base, side="right") - 1
+        valley = self.leads[number, 1] - np.where(number < 0, TURN, 0.0)
         ahead = np.minimum(base + self.play, valley) - base
         return motor + np.where(base < valley, ahead, 0.0)
 
@@ -127,15 +133,24 @@ class Following:
 
     def joints(self, start: float, stop: float) -> Array:
         """Motor positions between `start` and `stop` at which the cam jumps, stops, goes on or meets a kink, rad."""
-        peak, valley = self.falls.reshape(-1, 2).T
+        peak, valley = self.leads.reshape(-1, 2).T
         arrive = np.maximum(peak, valley - self.play)
         places = np.concatenate([peak, arrive, valley, self.lift.kinks, self.lift.kinks - self.play])
+        if self.shaft is not None:
+            places = np.concatenate([places, places - self.shaft.play, self.shaft.joints(0.0, TURN)])
         turns = TURN * np.arange(np.floor(start / TURN) - 1, np.ceil(stop / TURN) + 1)
         places = np.unique(places + turns[:, None])
         return places[(places > start) & (places < stop)]
 
 
-def follow(lift: LiftCurve, play: float, *, least: float = LEAST_SWING) -> Following:
+def follow(
+    lift: LiftCurve,
+    play: float,
+    *,
+    least: float = LEAST_SWING,
+    leads: Array | None = None,
+    shaft: Following | None = None,
+) -> Following:
     """Let a cam follow gears with a return error.
 
     Args:
@@ -143,10 +158,12 @@ def follow(lift: LiftCurve, play: float, *, least: float = LEAST_SWING) -> Follo
         play: B, rad.
         least: rises and falls of tan(beta) smaller than this are noise; for a meshed or measured outline, its
             tolerance over the faces' distance.
+        leads: where the cam leads, shape (k, 2), rad, starts in [0, 2 pi) and in order; on every fall if left out.
+        shaft: that the cam has this play on; the motor's itself if left out.
 
     Raises:
         DesignError: the play is negative or no number.
     """
     if not play >= 0:
         raise DesignError(f"the return error is {degrees(play):g} degrees; it must be 0 or more")
-    return Following(lift, play, falls(lift, least))
+    return Following(lift, play, falls(lift, least) if leads is None else leads, shaft)

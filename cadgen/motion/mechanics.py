@@ -1,0 +1,233 @@
+"""What turns the cam ahead of its gears and what holds it: the rod's force, friction and drag.
+
+On a fall the rod turns the cam ahead, and friction at the contact and drag hold it. With d = a + s the distance of
+the rod's axis from the camshaft, alpha the pressure angle on a fall, tan(alpha) = -(ds/dtheta) / d, and T = tan(beta)
+of the steering, the rod's section in the face plane has its tangent there at the distance k r from its centre,
+    k = sqrt(1 + T^2 cos^2(alpha)),
+and since the rod leans, the force normal to it is k times its part N in that plane. With friction mu the rod, pressed
+by the force F along the lift, is in balance if N = F / (cos(alpha) + mu k sin(alpha)), and it turns the cam ahead by
+    M = N (d sin(alpha) - mu k (d cos(alpha) - k r)).
+Without lean k is 1; at 10 degrees of steering it acts as 1.5 % more friction. Without friction M = -F ds/dtheta, as
+power demands. The cam leads where M is greater than the drag; friction is that of sliding, for when a fall begins
+the gears already slide the disc under the rod. See `cadgen.motion.play` for what the cam does with it.
+"""
+
+from dataclasses import dataclass
+from math import radians
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.motion.play import LEAST_SWING, TURN, Following, falls, follow
+
+Array = NDArray[np.float64]
+
+_STEP = radians(0.05)  # between stations: torque and drag meet at most once from one to the next
+_ZOOM = 64  # stations between two; interpolation between those errs by less than 1e-8 rad
+_FRICTIONS = 6  # of a band at which a run is looked at: between two neighbours its end moves evenly
+
+
+@dataclass(frozen=True, kw_only=True)
+class Levers:
+    """Lengths by which the rod's force acts on the cam, n cam angles.
+
+    Attributes:
+        driving: d sin(alpha), shape (n,), mm; negative on a rise.
+        holding: k (d cos(alpha) - k r), shape (n,), mm; times the friction.
+        along: cos(alpha), shape (n,).
+        across: k sin(alpha), shape (n,); times the friction.
+        lift: s, shape (n,), mm.
+    """
+
+    driving: Array
+    holding: Array
+    along: Array
+    across: Array
+    lift: Array
+
+
+def levers(lift: LiftCurve, follower: Follower, theta: Array) -> Levers:
+    """Levers of the rod's force on a cam at cam angles, rad."""
+    T, slope = lift.tan_beta(theta), lift.tan_beta(theta, nu=1)
+    face = follower.contact_face(T)
+    distance = follower.base_radius + face * T
+    alpha = np.arctan2(-face * slope, distance)
+    c, s = np.cos(alpha), np.sin(alpha)
+    k = np.sqrt(1 + (T * c) ** 2)
+    return Levers(
+        driving=distance * s,
+        holding=k * (distance * c - k * follower.radius),
+        along=c,
+        across=k * s,
+        lift=np.asarray(face * T),
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mechanics:
+    """Forces on the cam of one car.
+
+    Attributes:
+        follower: the rod and the faces.
+        rod_force: F at zero lift, along the lift, N: the spring's, less what fork and wheel hold back on a fall.
+        rod_rate: by which it grows with the lift, N/mm.
+        friction: sliding, between rod and disc.
+        drag: torque against the motion of the cam, N mm.
+        behind: play between what brakes and the cam, rad: 0 if the disc itself is braked.
+    """
+
+    follower: Follower
+    rod_force: float = 1.0
+    rod_rate: float = 0.0
+    friction: float = 0.0
+    drag: float = 0.0
+    behind: float = 0.0
+
+    def force(self, lift: Array) -> Array:
+        """Force of the rod along the lift, N, at lifts in mm."""
+        return self.rod_force + self.rod_rate * np.asarray(lift)
+
+    def torque(self, lift: LiftCurve, theta: Array) -> Array:
+        """Torque M that turns the cam ahead at cam angles (rad), N mm; negative where the gears must push it."""
+        at = levers(lift, self.follower, theta)
+        normal = self.force(at.lift) / (at.along + self.friction * at.across)
+        return np.asarray(normal * (at.driving - self.friction * at.holding))
+
+    def needed(self, lift: LiftCurve, theta: Array) -> Array:
+        """Torque that the gears must give the cam at cam angles (rad), drag included, N mm; negative where it leads."""
+        return self.drag - self.torque(lift, theta)
+
+    def leads(self, lift: LiftCurve, least: float = LEAST_SWING) -> "Leads":
+        """Where the cam leads its gears if their play allows: stretches of falls on which M is above the drag.
+
+        If a brake acts on the shaft and the cam has play on it (`behind`), the cam leads the shaft wherever friction
+        lets it, and takes the shaft along where M is above the drag too.
+
+        Args:
+            lift: that the cam was cut for. The slope of a rolled or meshed outline is too rough for this, and facets
+                that would hold the rod wear off.
+            least: rises and falls of tan(beta) smaller than this are passed over.
+        """
+        pairs = falls(lift, least)
+        stretches = self._stretches(lift, pairs, self.drag, least)
+        if self.behind == 0 or self.drag == 0:
+            return Leads(stretches)
+        return Leads(self._stretches(lift, pairs, 0.0, least), stretches, self.behind)
+
+    def _stretches(self, lift: LiftCurve, pairs: Array, drag: float, least: float) -> Array:
+        if self.friction == 0 and drag == 0:
+            return pairs
+
+        def surplus(theta: Array) -> Array:
+            return self.torque(lift, theta) - drag
+
+        stretches = []
+        for peak, valley in pairs.tolist():
+            theta = np.linspace(peak, valley, int((valley - peak) / _STEP) + 9)
+            ahead = surplus(theta[1:-1]) > 0  # at its ends the lift is level, but for a kink on the other side
+            ahead = np.concatenate([[False], ahead, [False]])
+            flips = np.flatnonzero(ahead[1:] != ahead[:-1])
+            if not flips.size:
+                continue
+            # Each change of sign is looked at again between its two stations.
+            fine = theta[flips, None] + (theta[flips + 1] - theta[flips])[:, None] * np.linspace(0, 1, _ZOOM + 1)
+            value = surplus(fine)
+            changed = (value[:, 1:] > 0) != (value[:, :-1] > 0)
+            rows, cell = np.arange(len(flips)), np.argmax(changed, axis=1)
+            low, high = value[rows, cell], value[rows, cell + 1]
+            share = np.clip(low / np.where(low == high, 1.0, low - high), 0.0, 1.0)
+            place = fine[rows, cell] + (fine[rows, cell + 1] - fine[rows, cell]) * share
+            # Next to a peak or valley no change may show: the stretch then reaches up to it.
+            place = np.where(changed.any(axis=1), place, np.where(ahead[flips], fine[:, -1], fine[:, 0]))
+            stretches.append(place.reshape(-1, 2))
+        found = np.concatenate(stretches) if stretches else np.empty((0, 2))
+        fallen = lift.tan_beta(found[:, 0]) - lift.tan_beta(found[:, 1])
+        return _in_order(found[fallen >= least])
+
+
+@dataclass(frozen=True)
+class Leads:
+    """Where a cam leads what drives it, for any play.
+
+    Attributes:
+        stretches: cam angles at which each begins, in [0, 2 pi), and ends, perhaps beyond 2 pi; shape (k, 2), rad, in
+            order. Without friction and drag, the falls of the lift.
+        braked: the same for a shaft that is braked, on which the cam has play; None if the disc is braked.
+        behind: play of the cam on that shaft, rad.
+    """
+
+    stretches: Array
+    braked: Array | None = None
+    behind: float = 0.0
+
+    def follow(self, lift: LiftCurve, play: float) -> Following:
+        """Let a cam follow gears with a return error.
+
+        Args:
+            lift: that the rod gets.
+            play: B with what lies behind the brake, rad.
+
+        Raises:
+            DesignError: the play is negative or no number.
+        """
+        if self.braked is None:
+            return follow(lift, play, leads=self.stretches)
+        joint = min(self.behind, play)
+        shaft = follow(lift, play - joint, leads=_in_order(self.braked - joint))
+        return follow(lift, joint, leads=self.stretches, shaft=shaft)
+
+
+@dataclass(frozen=True, kw_only=True)
+class MechanicsBand:
+    """What is known of the forces on the cam of a car that may be built.
+
+    Attributes:
+        follower, rod_force, rod_rate, behind: as in `Mechanics`.
+        friction: least and greatest.
+        drag: least and greatest, N mm.
+    """
+
+    follower: Follower
+    rod_force: float = 1.0
+    rod_rate: float = 0.0
+    friction: tuple[float, float] = (0.0, 0.0)
+    drag: tuple[float, float] = (0.0, 0.0)
+    behind: float = 0.0
+
+    def at(self, friction: float, drag: float) -> Mechanics:
+        """One car of the band."""
+        return Mechanics(
+            follower=self.follower,
+            rod_force=self.rod_force,
+            rod_rate=self.rod_rate,
+            friction=friction,
+            drag=drag,
+            behind=self.behind,
+        )
+
+    @property
+    def nominal(self) -> Mechanics:
+        """The car in the middle of the band."""
+        return self.at(sum(self.friction) / 2, sum(self.drag) / 2)
+
+    @property
+    def corners(self) -> tuple[Mechanics, ...]:
+        """The cars at the ends of the band, the two in which the cam is held least and most first."""
+        (low, high), (weak, strong) = self.friction, self.drag
+        ends = dict.fromkeys([(low, weak), (high, strong), (low, strong), (high, weak)])
+        return tuple(self.at(*end) for end in ends)
+
+    @property
+    def cases(self) -> tuple[Mechanics, ...]:
+        """Cars across the band, at which its worst is looked for."""
+        frictions = np.linspace(*self.friction, _FRICTIONS if self.friction[0] < self.friction[1] else 1)
+        drags = dict.fromkeys(self.drag)
+        return tuple(self.at(float(friction), drag) for drag in drags for friction in frictions)
+
+
+def _in_order(stretches: Array) -> Array:
+    """Stretches moved by whole turns so that each begins in [0, 2 pi), in order of that; shape (k, 2), rad."""
+    moved = stretches - TURN * np.floor(stretches[:, :1] / TURN)
+    return np.asarray(moved[np.argsort(moved[:, 0])])
