@@ -59,7 +59,7 @@ def methods(plan: "CamPlan") -> None:
         summed = one.profile in ("actual", "smoothed")
         costs.add_row(
             name,
-            f"{degrees(one.play):.3f}°" if one.profile.endswith("compensated") else "",
+            f"{degrees(one.made_for):.3f}°" if one.profile.endswith("compensated") else "",
             f"{one.deviation.end_distance:.0f} mm",
             f"{one.deviation.distance.max():.0f} mm",
             f"{one.worst_lift_error * 1e3:.0f} µm",
@@ -119,7 +119,7 @@ def runs(simulation: "Simulation") -> None:
         table.add_column(column, justify="left" if column == "profile" else "right")
     for name, error in (
         (before.title if before.measured else "actual", simulation.before_error),
-        (f"{chosen.profile}, cut for {degrees(chosen.play):.3f}°", simulation.after_error),
+        (f"{chosen.profile}, cut for {degrees(chosen.made_for):.3f}°", simulation.after_error),
         (f"{chosen.profile}, without play", chosen.deviation),
     ):
         table.add_row(

@@ -9,6 +9,7 @@ from typing import Literal
 from pydantic import Field, model_validator
 
 from cadgen.design.section import Section
+from cadgen.motion.friction import DiscMaterial
 
 _WIDEST_SCREW = 0.998  # of the bore
 
@@ -91,6 +92,9 @@ class Blank(Section):
     d_flat: DFlat | None = None
     hub: Hub | None = None
     lightening: Lightening | None = None
+    material: DiscMaterial | None = Field(
+        default=None, description="of the disc: its friction with the rod goes by it where [mechanics] gives none"
+    )
 
     @model_validator(mode="after")
     def _parts_fit_each_other(self) -> "Blank":

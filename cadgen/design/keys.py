@@ -16,7 +16,18 @@ from cadgen.design.section import Section, listed
 from cadgen.errors import escaped
 
 # How the ends of key names read in a sentence.
-_UNITS = {"_mm_per_min": "mm/min", "_mm": "mm", "_um": "µm", "_deg": "degrees", "_rpm": "rev/min", "_percent": "%"}
+_UNITS = {
+    "_mm_per_min": "mm/min",
+    "_N_per_mm": "N/mm",
+    "_mm": "mm",
+    "_um": "µm",
+    "_deg": "degrees",
+    "_rpm": "rev/min",
+    "_percent": "%",
+    "_Nmm": "N·mm",
+    "_N": "N",
+    "_J": "J",
+}
 # What users may write at the end of a key instead.
 _UNIT_ENDING = re.compile(
     r"_(?:mm|cm|dm|m|km|um|nm|in|inch|inches|thou|mil|deg|degree|degrees|rad|radians|rpm|hz|percent)"

@@ -1,10 +1,12 @@
 """The sections on play: how much there is, how far cars differ, and what is asked of the profile against it."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, Strict, model_validator
 
 from cadgen.design.section import Section
+
+Hardware = Literal["drag", "trim"]
 
 
 class Play(Section):
@@ -76,6 +78,11 @@ class Optimize(Section):
     )
     smoothing_percent: float = Field(
         default=27.15, gt=0, lt=100, description="what smoothing takes off its own sum of deflection errors"
+    )
+    hardware: Annotated[tuple[Hardware, ...], Strict(False)] | None = Field(
+        default=None,
+        description="what may be built or done besides the cam: `drag`, a brake on the disc that holds the cam; "
+        "`trim`, a trial run, after which the steering is set",
     )
     max_end_position_mm: float | None = Field(
         default=None,

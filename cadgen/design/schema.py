@@ -15,9 +15,11 @@ from pydantic import Field, field_validator, model_validator
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
+from cadgen.design.mechanics import Mechanics
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train
+from cadgen.motion.friction import FollowerMaterial
 
 # What may be part of a file's name on every system, and of STEP's product data.
 _FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
@@ -166,6 +168,22 @@ class Follower(Section):
         le=2000,
         description="fork axis to the rod's end; left out, twice the distance of the outer face",
     )
+    material: FollowerMaterial | None = Field(
+        default=None,
+        description="of the rod; or a ball bearing on it, whose outer radius is then `radius_mm`: it rolls, with "
+        "friction below 0.02",
+    )
+    width_mm: float | None = Field(
+        default=None, gt=0, le=500, description="of a ball bearing, which must span all places at which it touches"
+    )
+
+    @model_validator(mode="after")
+    def _width_is_a_bearing_s(self) -> "Follower":
+        if self.width_mm is not None and self.material != "ball_bearing":
+            raise ValueError(
+                'follower.width_mm is the width of a ball bearing: set follower.material = "ball_bearing", or remove it'
+            )
+        return self
 
 
 class Machining(Section):
@@ -244,6 +262,7 @@ class TrainFile(Section):
     export: Export = Export()
     train: Train | None = None
     play: Play | None = None
+    mechanics: Mechanics | None = None
     tolerances: Tolerances = Tolerances()
     optimize: Optimize = Optimize()
     as_built: AsBuilt | None = None

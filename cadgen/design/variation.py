@@ -2,12 +2,14 @@
 
 from dataclasses import replace
 from functools import partial
-from math import inf, radians
+from math import degrees, inf, radians
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
 from cadgen.design import gears, stages
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
@@ -15,9 +17,14 @@ from cadgen.gears.backlash import TrainPlay
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.search import arrange
 from cadgen.motion.drive import wheel_radius as drive_wheel_radius
+from cadgen.motion.friction import friction_band
+from cadgen.motion.mechanics import MechanicsBand
+from cadgen.motion.play import TURN
 from cadgen.optimize.band import PlayBand
 from cadgen.optimize.fleet import PARAMETERS
 from cadgen.optimize.robust import Sampler, Tolerances
+
+_STATIONS = 3600  # of the turn at which forces are looked at
 
 ORDERS: tuple[Literal["as-given", "reordered"], ...] = ("as-given", "reordered")
 
@@ -60,6 +67,69 @@ def tabled_play(design: Design) -> float | None:
     """
     band = play_bands(design.as_designed()).get(design.optimize.order)
     return None if band is None else band.ends[1]
+
+
+def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand | None:
+    """What is known of the forces on the cam; None if the design has no [mechanics].
+
+    Args:
+        design: the design.
+        rod: its follower.
+        lift: that is planned.
+
+    Raises:
+        DesignError: the rod's force is used up somewhere on the lift, or the drive cannot turn the cam.
+    """
+    given = design.mechanics
+    if given is None:
+        return None
+    if given.friction_least is None or given.friction_greatest is None:
+        material = design.follower.material or "steel"
+        friction = friction_band(material, design.blank.material, greased=given.greased)
+    else:
+        friction = given.friction_least, given.friction_greatest
+    band = MechanicsBand(
+        follower=rod,
+        rod_force=given.rod_force_N,
+        rod_rate=given.rod_rate_N_per_mm,
+        friction=friction,
+        drag=given.drag_Nmm,
+        # The share of the return error that lies between the shaft and the disc on it.
+        behind=0.0,
+    )
+    _refuse_lost_rod(band, lift)
+    _refuse_weak_drive(design, band, lift)
+    return band
+
+
+def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve) -> None:
+    """Refuse a spring whose force ends on the way."""
+    theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+    height = band.follower.lift(lift.tan_beta(theta))
+    force = band.nominal.force(height)
+    worst = int(np.argmin(force))
+    if force[worst] <= 0:
+        raise DesignError(
+            f"at cam angle {degrees(theta[worst]):.1f} degrees, at a lift of {height[worst]:.2f} mm, the rod's force "
+            f"is {force[worst]:.3g} N, so the rod leaves the disc: raise mechanics.rod_force_N above "
+            f"{band.rod_force - force[worst]:.3g} or bring mechanics.rod_rate_N_per_mm nearer to 0"
+        )
+
+
+def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: LiftCurve) -> None:
+    """Refuse a cam that the drive cannot turn: rod, friction and drag at their greatest."""
+    most = None if design.mechanics is None else design.mechanics.drive_torque_Nmm
+    if most is None:
+        return
+    theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+    needed = band.at(band.friction[1], band.drag[1]).needed(lift, theta)
+    worst = int(np.argmax(needed))
+    if needed[worst] > most:
+        raise DesignError(
+            f"at cam angle {degrees(theta[worst]):.1f} degrees the cam needs {needed[worst]:.3g} N mm, "
+            f"{band.drag[1]:.3g} of it for the drag, and mechanics.drive_torque_Nmm is {most:g}: lower "
+            f"mechanics.rod_force_N or the drag, or gear the drive down"
+        )
 
 
 def half_widths(design: Design) -> dict[str, float]:

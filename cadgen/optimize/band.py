@@ -5,19 +5,21 @@ real play differs from its own, to either side; cut for the right play in betwee
 least. `fixed_profile_bound` says how much of that no profile with the same peaks and valleys can avoid.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
-from cadgen.motion.play import LEAST_SWING, TURN, falls
+from cadgen.motion.mechanics import Mechanics
+from cadgen.motion.play import LEAST_SWING, TURN, falls, follow
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.dilation import lost_dips
 from cadgen.steering.car import Car, pace, track_curvature
@@ -26,8 +28,10 @@ Array = NDArray[np.float64]
 
 BAND_PLAYS = 5  # of the band at which errors are reported; the worst lies at an end unless the band is very wide
 _STEPS = 720  # of a run while searching: the end errs by 1e-5 mm
+_FINE = 1e-4  # rad of play, with friction; it moves the worst error by some millimetres at most
 _TOLERANCE = 1e-6  # rad of play; it moves the worst error by less than a millimetre's hundredth
 _NO_BETTER = 0.1  # mm; where the ends meet they do so within this
+_COARSE = 13  # plays to cut for, across a band, at which the worst end over plays and frictions is first looked at
 _DIRECTIONS = 720  # in which the bound is taken; each alone is a bound
 
 
@@ -54,14 +58,16 @@ class PlayBand:
 
 @dataclass(frozen=True, kw_only=True)
 class BandResult:
-    """A compensated profile and its errors over a band of plays.
+    """A profile and its errors over a band of plays.
 
     Attributes:
-        lift: of the compensated profile.
+        lift: of the profile.
         made_for: the play it is cut for, rad.
         plays: across the band, shape (n,), rad.
-        heading: error at the end of the run at each play, shape (n,), rad.
-        distance: position error at the end, shape (n,), mm.
+        heading: error at the end of the run at each play, with the friction and drag at which it is greatest, shape
+            (n,), rad.
+        distance: position error at the end, likewise, shape (n,), mm.
+        worst: friction and drag of the greatest position error of all; None where none are reckoned with.
     """
 
     lift: LiftCurve
@@ -69,6 +75,7 @@ class BandResult:
     plays: Array
     heading: Array
     distance: Array
+    worst: Mechanics | None = None
 
     @property
     def worst_heading(self) -> float:
@@ -97,6 +104,7 @@ def best_for_band(
     band: tuple[float, float],
     *,
     wanted: LiftCurve | None = None,
+    mechanics: Sequence[Mechanics] = (),
 ) -> BandResult:
     """The compensated profile whose worst position error at the end of the run, over a band of plays, is least.
 
@@ -105,6 +113,9 @@ def best_for_band(
     that is off the path without any play, such as a smoothed one, may be worse at the same end of the band whatever
     it is cut for; then one end of the band is best to cut for.
 
+    With friction the cam leads on part of each fall, and by how much the profile must make up for that depends on it:
+    then the play to cut for may lie below the band, and what is made least is the worst end over plays and frictions.
+
     Args:
         lift: that is compensated.
         follower: the rod and the faces.
@@ -112,11 +123,14 @@ def best_for_band(
         length: travel of the drive wheel in one turn of the cam, mm.
         band: least and greatest return error B, rad; the two may be equal.
         wanted: the lift that the run is compared with; `lift` itself if left out.
+        mechanics: friction and drag of the cars that may be built; left out, there are none.
 
     Raises:
         DesignError: the band is not one.
     """
     low, high = _checked(band)
+    if mechanics:
+        return _best_with_friction(lift, follower, car, length, (low, high), wanted or lift, mechanics)
     tried: list[float] = []
 
     def at(made_for: float, plays: Array) -> BandResult:
@@ -145,6 +159,33 @@ def best_for_band(
     return at(made_for, np.linspace(low, high, BAND_PLAYS))
 
 
+def _best_with_friction(
+    lift: LiftCurve,
+    follower: Follower,
+    car: Car,
+    length: float,
+    band: tuple[float, float],
+    wanted: LiftCurve,
+    mechanics: Sequence[Mechanics],
+) -> BandResult:
+    """`best_for_band` over plays and frictions: a coarse search, made fine where it is best."""
+
+    def at(made_for: float, plays: Array) -> BandResult:
+        cam = compensated_lift(lift, follower, made_for)
+        return over_band(cam, wanted, car, length, plays, made_for, mechanics=mechanics)
+
+    @cache
+    def worst(made_for: float) -> float:
+        return at(made_for, np.array(band)).worst_distance
+
+    tried = np.linspace(0.0, band[1], _COARSE)
+    best = int(np.argmin([worst(float(made_for)) for made_for in tried]))
+    around = float(tried[max(best - 1, 0)]), float(tried[min(best + 1, _COARSE - 1)])
+    fine = minimize_scalar(worst, bounds=around, method="bounded", options={"xatol": _FINE})
+    made_for = min(float(fine.x), float(tried[best]), key=worst)
+    return at(made_for, np.linspace(*band, BAND_PLAYS))
+
+
 def over_band(
     cam: LiftCurve,
     wanted: LiftCurve,
@@ -154,6 +195,8 @@ def over_band(
     made_for: float = 0.0,
     *,
     least: float = LEAST_SWING,
+    mechanics: Sequence[Mechanics] = (),
+    cut: LiftCurve | None = None,
 ) -> BandResult:
     """Errors of any cam at the end of the run for several plays.
 
@@ -165,19 +208,27 @@ def over_band(
         plays: return errors, shape (n,), rad.
         made_for: the play the cam is cut for, rad; only passed on.
         least: rises and falls of the cam's tan(beta) smaller than this are noise, not events.
+        mechanics: friction and drag of the cars that may be built, of which the worst counts; left out, there are
+            none.
+        cut: lift that the cam was cut for, which says where it leads with friction; `cam` if left out.
     """
     planned = drive(wanted, car, length, steps=_STEPS)
-    stop = wanted.blend_start
-    errors = [
-        run_error(drive(cam, car, length, play=play, steps=_STEPS, stop=stop, least=least), planned)
-        for play in np.asarray(plays)
-    ]
+    cases = tuple(case.leads(cut or cam) for case in mechanics) or (None,)
+    heading, distance = np.empty((2, len(cases), len(plays)))
+    for row, leads in enumerate(cases):
+        for column, play in enumerate(np.asarray(plays).tolist()):
+            following = follow(cam, play, least=least) if leads is None else leads.follow(cam, play)
+            run = drive(cam, car, length, steps=_STEPS, stop=wanted.blend_start, following=following)
+            error = run_error(run, planned)
+            heading[row, column], distance[row, column] = error.end_heading, error.end_distance
+    columns = np.arange(len(plays))
     return BandResult(
         lift=cam,
         made_for=made_for,
-        plays=np.asarray(plays),
-        heading=np.array([error.end_heading for error in errors]),
-        distance=np.array([error.end_distance for error in errors]),
+        plays=plays,
+        heading=heading[np.abs(heading).argmax(axis=0), columns],
+        distance=distance.max(axis=0),
+        worst=mechanics[int(distance.max(axis=1).argmax())] if mechanics else None,
     )
 
 

@@ -17,7 +17,8 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.measurement.as_built import AS_DESIGNED, AsBuilt
 from cadgen.motion.drive import Pose, Run, drive
 from cadgen.motion.errors import Event, RunError, deflection_sum, deflections, run_error
-from cadgen.motion.play import LEAST_SWING, TURN
+from cadgen.motion.mechanics import Mechanics, MechanicsBand
+from cadgen.motion.play import LEAST_SWING, TURN, Following, follow
 from cadgen.motion.sampled import rolled_lift
 from cadgen.optimize.band import BAND_PLAYS, BandResult, Bound, PlayBand, best_for_band, fixed_profile_bound, over_band
 from cadgen.optimize.compensation import compensated_lift
@@ -46,6 +47,7 @@ class Task:
         aim: share of its own sum of deflection errors that smoothing takes off.
         start: where runs begin.
         as_built: what else is known of the car: what becomes of a disc that is cut.
+        mechanics: what is known of friction and drag; None where they are left out, as if the rod slid freely.
     """
 
     lift: LiftCurve
@@ -55,15 +57,49 @@ class Task:
     aim: float
     start: Pose
     as_built: AsBuilt = AS_DESIGNED
+    mechanics: MechanicsBand | None = None
 
     def planned(self) -> Run:
         """The run that is wanted."""
         return self.run(self.lift, 0.0)
 
-    def run(self, lift: LiftCurve, play: float, *, least: float = LEAST_SWING) -> Run:
-        """The run that a cam gives with play; `least` as in `drive`."""
+    def run(
+        self,
+        lift: LiftCurve,
+        play: float,
+        *,
+        least: float = LEAST_SWING,
+        cut: LiftCurve | None = None,
+        mechanics: Mechanics | None = None,
+    ) -> Run:
+        """The run that a cam gives with play.
+
+        Args:
+            lift: that the rod gets.
+            play: return error B, rad.
+            least: as in `drive`.
+            cut: lift that the cam was cut for; `lift` itself if left out.
+            mechanics: friction and drag; those of the nominal car if left out.
+        """
+        following = self.following(lift, play, least=least, cut=cut, mechanics=mechanics)
         stop = self.lift.blend_start
-        return drive(lift, self.car, self.length, play=play, start=self.start, stop=stop, least=least)
+        return drive(lift, self.car, self.length, start=self.start, stop=stop, following=following)
+
+    def following(
+        self,
+        lift: LiftCurve,
+        play: float,
+        *,
+        least: float = LEAST_SWING,
+        cut: LiftCurve | None = None,
+        mechanics: Mechanics | None = None,
+    ) -> Following:
+        """How a cam follows the motor; arguments as in `run`."""
+        if mechanics is None and self.mechanics is not None:
+            mechanics = self.mechanics.nominal
+        if mechanics is None:
+            return follow(lift, play, least=least)
+        return mechanics.leads(cut or lift).follow(lift, play)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,7 +109,9 @@ class Judged:
     Attributes:
         profile: one of `PROFILES`.
         train: its name.
-        play: return error that the profile is cut for, or, cut for none, at which it is run, rad.
+        play: return error at which it is run, rad.
+        made_for: width of the window by which a compensated profile is dilated, rad: the play that it is cut for, or
+            what comes closest with friction. Of other profiles, that of `compensated`.
         lift: that it was cut from.
         cut: the profile wanted of the finished disc.
         made: the curve that is cut; `cut` itself unless the car's [as_built] asks for another.
@@ -92,6 +130,7 @@ class Judged:
     profile: str
     train: str
     play: float
+    made_for: float
     lift: LiftCurve
     cut: ActualProfile
     made: ClosedCurve
@@ -130,6 +169,8 @@ class Judged:
 def play_to_cut_for(task: Task, band: PlayBand, lift: LiftCurve | None = None) -> float:
     """The measured play, or else the one that makes the worst end of the run over the band least, rad.
 
+    With friction it is the window of the dilation that does so over plays and frictions, also for a measured play.
+
     Args:
         task: what is wanted.
         band: return error of the train.
@@ -138,14 +179,25 @@ def play_to_cut_for(task: Task, band: PlayBand, lift: LiftCurve | None = None) -
     Raises:
         DesignError: the band is not one.
     """
+    ends, mechanics = band.ends, task.mechanics.corners if task.mechanics else ()
     if band.measured is not None:
-        return band.measured
+        ends = band.measured, band.measured
+        if not mechanics:
+            return band.measured
     base = task.lift if lift is None else lift
-    return best_for_band(base, task.follower, task.car, task.length, band.ends, wanted=task.lift).made_for
+    best = best_for_band(base, task.follower, task.car, task.length, ends, wanted=task.lift, mechanics=mechanics)
+    return best.made_for
+
+
+def _run_at(task: Task, band: PlayBand, made_for: float) -> float:
+    """Return error of the run that a profile is judged by: the one it is cut for, or, with friction, the car's."""
+    if task.mechanics is None:
+        return made_for
+    return sum(band.ends) / 2 if band.measured is None else band.measured
 
 
 def judge(
-    task: Task, train: str, band: PlayBand, profiles: Sequence[str] = PROFILES, *, play: float | None = None
+    task: Task, train: str, band: PlayBand, profiles: Sequence[str] = PROFILES, *, made_for: float | None = None
 ) -> tuple[Judged, ...]:
     """Make profiles for a train and let the car run on them.
 
@@ -155,15 +207,15 @@ def judge(
         band: its return error.
         profiles: some of `PROFILES`. Each compensated one is cut for the play that is best for it; the others run
             at the play of `compensated`.
-        play: of `compensated`, if it is known already, rad; `play_to_cut_for` if left out.
+        made_for: of `compensated`, if it is known already, rad; `play_to_cut_for` if left out.
 
     Raises:
         DesignError: the band is not one, or a method cannot be used.
     """
-    cut_for = play_to_cut_for(task, band) if play is None else play
+    cut_for = play_to_cut_for(task, band) if made_for is None else made_for
     planned = task.planned()
     return tuple(
-        _judged(task, profile, train, own, band, planned, lift)
+        _judged(task, _Method(profile, train, _run_at(task, band, own), own, lift), band, planned)
         for profile, (own, lift) in _lifts(task, cut_for, band, profiles).items()
     )
 
@@ -202,35 +254,44 @@ def judge_measured(task: Task, profile: str, train: str, band: PlayBand, lift: L
         DesignError: as `judge`.
     """
     contact = task.as_built.roll_measured(made, task.follower, _stations(), _step(made, task))
-    cam = _Cam(profile, train, play_to_cut_for(task, band), lift, ActualProfile(made, ()), made, contact, measured=True)
-    return _judgement(task, cam, band, task.planned())
+    own = play_to_cut_for(task, band)
+    method = _Method(profile, train, _run_at(task, band, own), own, lift)
+    return _judgement(task, _Cam(method, ActualProfile(made, ()), made, contact, measured=True), band, task.planned())
+
+
+@dataclass(frozen=True)
+class _Method:
+    """A profile, its train, and the lift that it is cut for; as in `Judged`."""
+
+    profile: str
+    train: str
+    play: float
+    made_for: float
+    lift: LiftCurve
 
 
 @dataclass(frozen=True)
 class _Cam:
     """A cam before its run; as in `Judged`, with the rod's contact on the finished disc."""
 
-    profile: str
-    train: str
-    play: float
-    lift: LiftCurve
+    method: _Method
     cut: ActualProfile
     made: ClosedCurve
     contact: Contact
     measured: bool = False
 
 
-def _judged(task: Task, profile: str, train: str, play: float, band: PlayBand, planned: Run, lift: LiftCurve) -> Judged:
-    cut = actual_profile(lift, task.follower)
+def _judged(task: Task, method: _Method, band: PlayBand, planned: Run) -> Judged:
+    cut = actual_profile(method.lift, task.follower)
     made = task.as_built.precompensated(cut.curve)
     contact = task.as_built.roll_new(made, task.follower, _stations(), _step(made, task))
-    return _judgement(task, _Cam(profile, train, play, lift, cut, made, contact), band, planned)
+    return _judgement(task, _Cam(method, cut, made, contact), band, planned)
 
 
 def _lost(task: Task, cam: _Cam) -> tuple[LostDip, ...]:
-    if not cam.profile.endswith("compensated") or cam.measured:
+    if not cam.method.profile.endswith("compensated") or cam.measured:
         return ()
-    return tuple(dip for dip in lost_dips(task.lift, cam.play) if dip.whole)
+    return tuple(dip for dip in lost_dips(task.lift, cam.method.made_for) if dip.whole)
 
 
 def _step(made: ClosedCurve, task: Task) -> float:
@@ -242,24 +303,35 @@ def _stations() -> Array:
 
 
 def _judgement(task: Task, cam: _Cam, band: PlayBand, planned: Run) -> Judged:
-    rolled = rolled_lift(cam.contact, cam.lift, blend_start=task.lift.blend_start)
+    method = cam.method
+    rolled = rolled_lift(cam.contact, method.lift, blend_start=task.lift.blend_start)
     least = max(LEAST_SWING, task.as_built.unevenness(measured=cam.measured) / task.follower.inner)
-    run = task.run(rolled, cam.play, least=least)
+    run = task.run(rolled, method.play, least=least, cut=method.lift)
     wanted, got = (task.follower.lift(tangents) for tangents in (planned.tan_beta, run.tan_beta))
-    plays = np.linspace(*band.ends, BAND_PLAYS)
     return Judged(
-        profile=cam.profile,
-        train=cam.train,
-        play=cam.play,
-        lift=cam.lift,
+        profile=method.profile,
+        train=method.train,
+        play=method.play,
+        made_for=method.made_for,
+        lift=method.lift,
         cut=cam.cut,
         made=cam.made,
         rolled=rolled,
-        events=deflections(cam.lift, task.follower, task.car, task.length, band.ends[1]),
+        events=deflections(method.lift, task.follower, task.car, task.length, band.ends[1]),
         run=run,
         error=run_error(run, planned),
         deviation=run_error(task.run(rolled, 0.0, least=least), planned),
-        band=over_band(rolled, task.lift, task.car, task.length, plays, cam.play, least=least),
+        band=over_band(
+            rolled,
+            task.lift,
+            task.car,
+            task.length,
+            np.linspace(*band.ends, BAND_PLAYS),
+            method.made_for,
+            least=least,
+            mechanics=task.mechanics.cases if task.mechanics else (),
+            cut=method.lift,
+        ),
         lift_error=got - wanted,
         least=least,
         lost=_lost(task, cam),

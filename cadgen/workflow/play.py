@@ -93,11 +93,12 @@ class Against:
 
     def run(self, one: Judged, play: float) -> Run:
         """The run on a profile with any play."""
-        return self.task.run(one.rolled, play, least=one.least)
+        return self.task.run(one.rolled, play, least=one.least, cut=one.lift)
 
     def end_of(self, lift: LiftCurve, least: float = LEAST_SWING) -> tuple[float, float]:
         """Heading (rad) and position error (mm) at the end with the play it is cut for, of what a file gives."""
-        error = run_error(self.task.run(lift, self.chosen.play, least=least), self.task.planned())
+        run = self.task.run(lift, self.chosen.play, least=least, cut=self.chosen.lift)
+        error = run_error(run, self.task.planned())
         return error.end_heading, error.end_distance
 
     def facts(self) -> dict[str, Any]:
@@ -108,7 +109,7 @@ class Against:
                 "least": degrees(low),
                 "greatest": degrees(high),
                 "measured": None if self.band.measured is None else degrees(self.band.measured),
-                "cut_for": degrees(self.chosen.play),
+                "cut_for": degrees(self.chosen.made_for),
             },
             "before": _figures(self, self.before),
             "after": _figures(self, self.chosen),
@@ -163,6 +164,7 @@ def task_of(design: Design, track: Track, lift: LiftCurve, rod: Follower) -> Tas
         aim=design.optimize.smoothing_percent / 100,
         start=start_pose(track),
         as_built=stages.as_built(design),
+        mechanics=variation.mechanics(design, rod, lift),
     )
 
 
@@ -255,7 +257,7 @@ def _judged(task: Task, profile: str, train: str, band: PlayBand, reasons: list[
         return judge(task, train, band, tuple(dict.fromkeys((PROFILES[0], profile))))
     judged = judge(task, train, band, _ALWAYS)
     try:
-        return (*judged, *judge(task, train, band, _SMOOTHED, play=judged[0].play))
+        return (*judged, *judge(task, train, band, _SMOOTHED, made_for=judged[0].made_for))
     except DesignError as error:
         reasons.append(f"smoothed refused: {error}")
         return judged
@@ -269,7 +271,7 @@ def _lost_sentences(task: Task, one: Judged) -> list[str]:
     missed = worst.tan_beta * task.follower.outer
     return [
         f"{len(one.lost)} of the lift's dips {'is' if len(one.lost) == 1 else 'are'} narrower than the return error of "
-        f"{degrees(one.play):.3f}° and cannot be driven: the rod misses at most {missed:.3g} mm of "
+        f"{degrees(one.made_for):.3f}° and cannot be driven: the rod misses at most {missed:.3g} mm of "
         f"lift there, at cam angle {degrees(worst.cam_angle):.2f}°"
     ]
 

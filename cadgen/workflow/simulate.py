@@ -68,7 +68,7 @@ class Simulation:
             "failed_checks": [check.name for check in self.plan.failed],
             "method": self.against.chosen.profile,
             "return_error_deg": degrees(self.play),
-            "cut_for_deg": degrees(self.against.chosen.play),
+            "cut_for_deg": degrees(self.against.chosen.made_for),
             "as_built": as_built_facts(self.plan.design, float(self.planned.motor[-1])),
             "events": [
                 {
