@@ -19,20 +19,25 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
-    from cadgen.workflow.cam import plan_cam
+    from cadgen.workflow.cam import against_of, plan_cam
+    from cadgen.workflow.remedies import remedies
 
     loaded = load_design(design, overrides)
     written = None
     with show.progress(not as_json) as step:
         plan = plan_cam(loaded, "optimized", step, all_trains=True)
+        sheet = remedies(loaded, against_of(plan), step) if loaded.mechanics else ()
         if out is not None:
             from cadgen.workflow.simulate import write_comparison
 
             written = write_comparison(plan, out, step)
     if as_json:
-        show.document(plan.facts() if written is None else written.entry)
+        facts = plan.facts() if written is None else written.entry
+        show.document({**facts, "remedies": [remedy.facts() for remedy in sheet]} if sheet else facts)
     else:
+        show.friction(plan)
         show_play.methods(plan)
+        show_play.remedies(sheet)
         show.failed(plan)
         if written is not None and out is not None:
             show.files(written, out)

@@ -59,9 +59,16 @@ def document(facts: dict[str, Any]) -> None:
 
 def checks(plan: "CamPlan") -> None:
     """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
+    friction(plan)
     figures(f"{plan.design.name}, {plan.profile} profile", plan.checks)
     for line in plan.cure_sentences():
         Output().print(line)
+
+
+def friction(plan: "CamPlan") -> None:
+    """Print what a rod that rubs would make of the result, if it was reckoned without friction."""
+    if plan.against is not None and plan.against.rubbing:
+        Output().print(Text(plan.against.rubbing, "yellow"))
 
 
 def failed(plan: "CamPlan") -> None:

@@ -1,12 +1,14 @@
 """Tables of the commands on play."""
 
-from math import degrees
+from collections.abc import Sequence
+from math import degrees, isnan
 from typing import TYPE_CHECKING
 
-from cadgen.cli.show import Output, plain_table
+from cadgen.cli.show import Output, friction, plain_table
 
 if TYPE_CHECKING:
     from cadgen.workflow.cam import CamPlan
+    from cadgen.workflow.remedies import Remedy
     from cadgen.workflow.simulate import Simulation
     from cadgen.workflow.tolerance import ToleranceRun
 
@@ -92,11 +94,30 @@ def _share(value: float | None, digits: int = 1) -> str:
     return "" if value is None else f"{100 * value:.{digits}f} %"
 
 
+def remedies(sheet: "Sequence[Remedy]") -> None:
+    """Print what each remedy against play leaves of the error, and what to build for it."""
+    if not sheet:
+        return
+    console = Output()
+    table = plain_table("\nwhat can be done: position errors in the worst car of the bands of play, friction and drag")
+    for head in ("remedy", "cut for", "end", "on the way"):
+        table.add_column(head, justify="left" if head == "remedy" else "right")
+    for remedy in sheet:
+        cut_for = "" if remedy.cut_for is None else f"{degrees(remedy.cut_for):.3f}°"
+        ends = ("none", "") if isnan(remedy.worst_end) else (f"{remedy.worst_end:.0f} mm", f"{remedy.on_way:.0f} mm")
+        table.add_row(remedy.name, cut_for, *ends)
+    console.print(table)
+    for remedy in sheet:
+        if remedy.build:
+            console.print(f"{remedy.name}: {remedy.build}.")
+
+
 def runs(simulation: "Simulation") -> None:
     """Print the events and where the runs end."""
     from cadgen.workflow.as_built import as_built_sentences, assumed_play
 
     console = Output()
+    friction(simulation.plan)
     before, chosen = simulation.against.before, simulation.against.chosen
     design = simulation.plan.design
     for text in (*assumed_play(design), *as_built_sentences(design, float(simulation.planned.motor[-1]))):
@@ -136,6 +157,7 @@ def fleet(run: "ToleranceRun") -> None:
     from cadgen.workflow.as_built import as_built_sentences, assumed_play
 
     console = Output()
+    friction(run.plan)
     facts = run.facts()
     for text in (*assumed_play(run.plan.design), *as_built_sentences(run.plan.design, run.plan.lift.blend_start)):
         console.print(text)

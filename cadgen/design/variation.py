@@ -12,16 +12,18 @@ from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.design import gears, stages
 from cadgen.design.schema import Design
+from cadgen.design.section import listed
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import TrainPlay
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.search import arrange
 from cadgen.motion.drive import wheel_radius as drive_wheel_radius
-from cadgen.motion.friction import friction_band
+from cadgen.motion.friction import USUAL, friction_band
 from cadgen.motion.mechanics import MechanicsBand
 from cadgen.motion.play import TURN
 from cadgen.optimize.band import PlayBand
 from cadgen.optimize.fleet import PARAMETERS
+from cadgen.optimize.remedies import holding
 from cadgen.optimize.robust import Sampler, Tolerances
 
 _STATIONS = 3600  # of the turn at which forces are looked at
@@ -72,6 +74,8 @@ def tabled_play(design: Design) -> float | None:
 def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand | None:
     """What is known of the forces on the cam; None if the design has no [mechanics].
 
+    Where `optimize.hardware` allows a brake, its drag is one that holds.
+
     Args:
         design: the design.
         rod: its follower.
@@ -81,7 +85,14 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
         DesignError: the rod's force is used up somewhere on the lift, or the drive cannot turn the cam.
     """
     given = design.mechanics
+    hardware = design.optimize.hardware or ()
     if given is None:
+        if hardware:
+            raise DesignError(
+                f"optimize.hardware allows {listed(hardware, 'and')}, and what that brings goes by the rod's force and "
+                f"friction: add [mechanics], such as --set mechanics.friction_least={USUAL[0]:g} "
+                f"--set mechanics.friction_greatest={USUAL[1]:g}"
+            )
         return None
     if given.friction_least is None or given.friction_greatest is None:
         material = design.follower.material or "steel"
@@ -98,6 +109,8 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
         behind=0.0,
     )
     _refuse_lost_rod(band, lift)
+    if "drag" in hardware and band.drag[0] < (need := holding(lift, band)).drag:
+        band = replace(band, drag=(need.drag, max(need.drag, band.drag[1])))
     _refuse_weak_drive(design, band, lift)
     return band
 

@@ -154,12 +154,11 @@ def friction_to_fail(
     return found[0], found[1]
 
 
-def trimmed_worst(
+def trims(
     task: Task, lift: LiftCurve, cut: LiftCurve, plays: Sequence[float], cases: Sequence[Mechanics]
-) -> tuple[float, float]:
-    """Worst end and worst place on the way, mm, of cars each of which is trimmed after a run of its own."""
-    trims = [trim(task, lift, cut, play, case) for case in cases for play in plays]
-    return max(t.error.end_distance for t in trims), max(float(t.error.distance.max()) for t in trims)
+) -> tuple[Trim, ...]:
+    """Trims of cars of all these plays (rad) and frictions, each set after a run of its own."""
+    return tuple(trim(task, lift, cut, play, case) for case in cases for play in plays)
 
 
 def worst_on_way(

@@ -24,6 +24,7 @@ from cadgen.errors import CadgenError, DesignError
 from cadgen.optimize.judge import Judged
 from cadgen.path.track import Track
 from cadgen.workflow.as_built import as_built_facts
+from cadgen.workflow.mechanics import mechanics_checks
 from cadgen.workflow.play import PLAY_PROFILES, Against, MeasuredCam, against_play, lift_check, task_of
 
 Step = Callable[[str], None]
@@ -227,7 +228,11 @@ def plan_cam(
         def check(one: Judged) -> tuple[Check, ...]:
             if one.name not in known:
                 found = check_cam(one.lift, rod, one.cut.curve, one.cut.trims, blank, limits, cut=one.made)
-                known[one.name] = (*found, lift_check(design, one))
+                known[one.name] = (
+                    *found,
+                    lift_check(design, one),
+                    *mechanics_checks(design, rod, one.lift, task.mechanics),
+                )
             return known[one.name]
 
         measured = measured_cam(design) if with_measured else None
@@ -251,6 +256,7 @@ def plan_cam(
     step("checking the profile")
     made = as_built.precompensated(curve)
     checks = check_cam(lift, follower, curve, trims, blank, limits, cut=made)
+    checks = (*checks, *mechanics_checks(design, rod, lift, None))
     return CamPlan(design, profile, track, lift, rod, made, trims, blank, checks)
 
 

@@ -20,7 +20,9 @@ from cadgen.motion.play import LEAST_SWING, TURN, falls
 from cadgen.optimize.band import Bound, PlayBand
 from cadgen.optimize.choice import Candidate, Limit, choose
 from cadgen.optimize.judge import PROFILES, Judged, Task, bound, judge, judge_measured
+from cadgen.optimize.remedies import trims
 from cadgen.path.track import Track
+from cadgen.workflow.mechanics import border_sentences, mechanics_facts, rubbing_sentence
 
 # What `--profile` may say about play: one method by name, or the best of all.
 PLAY_PROFILES = (*PROFILES[1:], "optimized")
@@ -53,7 +55,9 @@ class Against:
         chosen: the profile to be cut.
         judged: all that were compared, `before` and `chosen` among them.
         reasons: a sentence on each, if there was a choice.
-        bound: what no fixed profile with the same peaks and valleys betters over the band, to first order.
+        bound: what no fixed profile with the same peaks and valleys betters over the band, to first order, if the
+            rod slides without friction.
+        rubbing: what a rod that rubs would make of the profile, if the design says nothing of friction; a sentence.
     """
 
     task: Task
@@ -63,6 +67,7 @@ class Against:
     judged: tuple[Judged, ...]
     reasons: tuple[str, ...]
     bound: Bound
+    rubbing: str
 
     def gain(self, one: Judged) -> tuple[float | None, float | None]:
         """Shares of heading and position error at the end that a profile takes off; None where there is hardly any.
@@ -111,6 +116,8 @@ class Against:
                 "measured": None if self.band.measured is None else degrees(self.band.measured),
                 "cut_for": degrees(self.chosen.made_for),
             },
+            "mechanics": mechanics_facts(self.task.mechanics, self.chosen.lift),
+            "friction_note": self.rubbing,
             "before": _figures(self, self.before),
             "after": _figures(self, self.chosen),
             "compared": [_figures(self, one) for one in self.judged],
@@ -222,12 +229,13 @@ def against_play(
     chosen = found[own][-1]
     if profile == "optimized":
         try:
-            chosen, choice = _best(design, found[own], bands[own], check)
+            chosen, choice = _best(design, task, found[own], bands[own], check)
         except CheckError as error:
             others = {name: band for name, band in bands.items() if name != own}
             raise CheckError(f"{error}{_other_order(design, task, others, check)}") from error
         reasons += choice
     reasons += _lost_sentences(task, chosen)
+    reasons += border_sentences(design, task, chosen, bands[own])
     judged = tuple(one for several in found.values() for one in several)
     before = judged[0]
     if measured is not None:
@@ -241,6 +249,7 @@ def against_play(
         judged=judged,
         reasons=tuple(reasons),
         bound=bound(task, bands[own]),
+        rubbing="" if task.mechanics else rubbing_sentence(task, bands[own], chosen, before),
     )
 
 
@@ -280,7 +289,7 @@ def _other_order(design: Design, task: Task, bands: dict[str, PlayBand], check: 
     """What another order of the train's stages would do, in words, if it keeps the limits and the checks."""
     for name, band in bands.items():
         try:
-            best, _ = _best(design, _judged(task, "optimized", name, band, []), band, check)
+            best, _ = _best(design, task, _judged(task, "optimized", name, band, []), band, check)
         except (DesignError, CheckError):
             continue
         if all(one.passed for one in check(best)):
@@ -327,11 +336,13 @@ def lift_check(design: Design, one: Judged) -> Check:
     )
 
 
-def _best(design: Design, judged: Sequence[Judged], band: PlayBand, check: Checker) -> tuple[Judged, tuple[str, ...]]:
+def _best(
+    design: Design, task: Task, judged: Sequence[Judged], band: PlayBand, check: Checker
+) -> tuple[Judged, tuple[str, ...]]:
     """The best that also passes its checks; profiles are checked in order of merit, for checks take time."""
     allowed, least = limits(design, band), decides(band)
     remaining = {one.profile: one for one in judged}
-    candidates = {one.profile: Candidate(name=one.profile, figures=_limited(one, band)) for one in judged}
+    candidates = {one.profile: Candidate(name=one.profile, figures=_limited(design, task, one, band)) for one in judged}
     refused: list[str] = []
     first = choose(list(candidates.values()), allowed, least=least).best.name
     while remaining:
@@ -348,11 +359,16 @@ def _best(design: Design, judged: Sequence[Judged], band: PlayBand, check: Check
     return next(one for one in judged if one.profile == first), tuple(refused)
 
 
-def _limited(one: Judged, band: PlayBand) -> dict[str, float]:
-    """The figures that limits are for, and the one that decides."""
+def _limited(design: Design, task: Task, one: Judged, band: PlayBand) -> dict[str, float]:
+    """The figures that limits are for, and the one that decides; after the trim, if the design allows one."""
     heading, distance = one.band.worst_heading, one.band.worst_distance
     if band.measured is not None:
         heading, distance = abs(one.error.end_heading), one.error.end_distance
+    if task.mechanics and "trim" in (design.optimize.hardware or ()):
+        plays = band.ends if band.measured is None else (band.measured,)
+        trimmed = [trim.error for trim in trims(task, one.rolled, one.lift, plays, task.mechanics.cases)]
+        heading = max(abs(error.end_heading) for error in trimmed)
+        distance = max(error.end_distance for error in trimmed)
     return {
         decides(band): distance,
         _heading(band): degrees(heading),

@@ -1,0 +1,255 @@
+"""The remedies against play on one sheet: what each leaves of the error, and what to build for it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from math import degrees
+from typing import Any
+
+import numpy as np
+
+from cadgen.cam.checks import check_cam
+from cadgen.cam.envelope import actual_profile
+from cadgen.cam.lift import LiftCurve
+from cadgen.design import stages, variation
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError
+from cadgen.motion.friction import BEARING, USUAL
+from cadgen.motion.mechanics import Mechanics, MechanicsBand
+from cadgen.optimize.band import PlayBand, best_for_band, over_band
+from cadgen.optimize.judge import Judged, Task
+from cadgen.optimize.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
+from cadgen.workflow.play import Against, known_trains
+
+_ALLOWED_END = 100.0  # mm; what a trimmed car may be off where [optimize] says nothing
+
+
+@dataclass(frozen=True, kw_only=True)
+class Remedy:
+    """What can be done, and what it leaves.
+
+    Attributes:
+        name: what is done.
+        cut_for: window of a compensated profile, rad; None for the plain one.
+        worst_end: position error at the end of the run in the worst car of the bands, mm.
+        on_way: the same anywhere on the run, mm.
+        build: what to build or do besides the cam, a sentence; empty if nothing.
+    """
+
+    name: str
+    cut_for: float | None
+    worst_end: float
+    on_way: float
+    build: str = ""
+
+    def facts(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        return {
+            "remedy": self.name,
+            "cut_for_deg": None if self.cut_for is None else degrees(self.cut_for),
+            "worst_end_position_mm": self.worst_end,
+            "worst_position_on_run_mm": self.on_way,
+            "build": self.build,
+        }
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """The design at hand with its bands of play, friction and drag."""
+
+    design: Design
+    task: Task
+    band: PlayBand
+
+    @property
+    def known(self) -> MechanicsBand:
+        return self.task.mechanics or MechanicsBand(follower=self.task.follower, friction=USUAL)
+
+    @property
+    def plays(self) -> list[float]:
+        measured = self.band.measured
+        return list(self.band.ends) if measured is None else [measured]
+
+    def row(self, name: str, lift: LiftCurve, rolled: LiftCurve, cases: tuple[Mechanics, ...], **more: Any) -> Remedy:
+        task = self.task
+        plays = more.pop("plays", self.plays)
+        ends = over_band(rolled, task.lift, task.car, task.length, np.array(plays), mechanics=cases, cut=lift)
+        way = worst_on_way(task, rolled, lift, plays, cases)
+        cut_for = more.pop("cut_for", None)
+        return Remedy(name=name, worst_end=ends.worst_distance, on_way=way, cut_for=cut_for, **more)
+
+
+def remedies(design: Design, against: Against, step: Callable[[str], None] = lambda text: None) -> tuple[Remedy, ...]:
+    """Every remedy for the car at hand, in the worst of its plays, frictions and drags.
+
+    A design without [mechanics] is looked at with the friction that rods usually have.
+
+    Args:
+        design: a loaded design.
+        against: its profiles against play, with those of all its trains.
+        step: told what is being done.
+    """
+    step("comparing remedies against play")
+    sheet = _Sheet(design, against.task, against.band)
+    own = [one for one in against.judged if one.train == design.optimize.order and not one.measured]
+    plain = next(one for one in own if one.profile == "actual")
+    cases = sheet.known.cases
+    found = [sheet.row("plain cam", plain.lift, plain.rolled, cases)]
+    found += _reordered(sheet)
+    found += _compensated(sheet, own)
+    found += _split_wheel(sheet)
+    found += _bearing(sheet)
+    found += _trim(sheet, plain)
+    found += _drag(sheet, plain)
+    return tuple(found)
+
+
+def _reordered(sheet: _Sheet) -> list[Remedy]:
+    """The plain cam on the train with its stages in the other order."""
+    bands = known_trains(sheet.design)
+    if "reordered" not in bands or sheet.design.optimize.order == "reordered":
+        return []
+    lift, plays = sheet.task.lift, list(bands["reordered"].ends)
+    build = "the train with its stages reordered: --set optimize.order=reordered"
+    return [sheet.row("plain cam, reordered", lift, lift, sheet.known.cases, plays=plays, build=build)]
+
+
+def _compensated(sheet: _Sheet, own: list[Judged]) -> list[Remedy]:
+    """Profiles compensated for the car in the middle of the bands, and for all of them."""
+    task, known = sheet.task, sheet.known
+    play = sum(sheet.plays) / len(sheet.plays)
+    one = best_for_band(task.lift, task.follower, task.car, task.length, (play, play), mechanics=(known.nominal,))
+    left = one.worst_distance
+    rows = [
+        sheet.row(
+            "compensated for one car",
+            one.lift,
+            one.lift,
+            known.cases,
+            cut_for=one.made_for,
+            build=f"right for a play of {degrees(play):.3f}° and a friction of {known.nominal.friction:.3g}, where it "
+            f"leaves {left:.0f} mm: measure both on the car",
+        )
+    ]
+    robust = next((j for j in own if j.profile == "compensated"), None)
+    if robust is not None and task.mechanics is not None:
+        rows.append(sheet.row("compensated for all", robust.lift, robust.rolled, known.cases, cut_for=robust.made_for))
+    else:
+        ends = min(sheet.plays), max(sheet.plays)
+        best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=known.corners)
+        rows.append(sheet.row("compensated for all", best.lift, best.lift, known.cases, cut_for=best.made_for))
+    return rows
+
+
+def _split_wheel(sheet: _Sheet) -> list[Remedy]:
+    """A wheel of two halves under springs at the camshaft: it takes out its own mesh, and no other."""
+    trains = variation.train_plays(sheet.design)
+    if not trains or sheet.design.play is not None:
+        return []
+    last = trains[sheet.design.optimize.order].stages[-1]
+    low, high = sheet.band.ends
+    ends = max(low - last.B_min, 0.0), max(high - last.B_max, 0.0)
+    task = sheet.task
+    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=sheet.known.corners)
+    return [
+        sheet.row(
+            "split wheel, compensated",
+            best.lift,
+            best.lift,
+            sheet.known.cases,
+            plays=list(ends),
+            cut_for=best.made_for,
+            build=f"a wheel of two halves under springs on the camshaft, which takes out its own mesh only, "
+            f"{degrees(last.B_max):.3f} of {degrees(high):.3f}°; its springs must hold more torque than the cam gives",
+        )
+    ]
+
+
+def _bearing(sheet: _Sheet) -> list[Remedy]:
+    """A ball bearing on the rod, and a cam for its radius, compensated."""
+    task, design = sheet.task, sheet.design
+    if design.follower.material == "ball_bearing":
+        return []
+    fitting = bearing_for(task.lift, task.follower)
+    if fitting is None:
+        return []
+    bearing, count = fitting
+    follower = replace(task.follower, radius=bearing.outside / 2)
+    known = replace(sheet.known, follower=follower, friction=BEARING)
+    try:
+        ends = min(sheet.plays), max(sheet.plays)
+        best = best_for_band(task.lift, follower, task.car, task.length, ends, mechanics=known.corners)
+        profile = actual_profile(best.lift, follower)
+        limits = stages.check_limits(design)
+        checks = check_cam(best.lift, follower, profile.curve, profile.trims, stages.blank(design), limits)
+        failed = [check.name for check in checks if not check.passed]
+        verdict = f"its cam fails {', '.join(failed)}" if failed else "its cam keeps every check"
+    except DesignError as error:
+        return [
+            Remedy(
+                name="ball bearing, compensated",
+                cut_for=None,
+                worst_end=float("nan"),
+                on_way=float("nan"),
+                build=f"no cam can be made for a bearing of {bearing.outside:g} mm: {error}",
+            )
+        ]
+    several = "a ball bearing" if count == 1 else f"{count} ball bearings side by side"
+    return [
+        sheet.row(
+            "ball bearing, compensated",
+            best.lift,
+            best.lift,
+            known.cases,
+            cut_for=best.made_for,
+            build=f"{several} of {bearing.bore:g} x {bearing.outside:g} x {bearing.width:g} mm on the rod, and a cam "
+            f"for it: --set follower.radius_mm={bearing.outside / 2:g} --set follower.material=ball_bearing "
+            f"--set follower.width_mm={count * bearing.width:g}; {verdict}",
+        )
+    ]
+
+
+def _trim(sheet: _Sheet, plain: Judged) -> list[Remedy]:
+    """The plain cam with the steering set after a trial run."""
+    task, known = sheet.task, sheet.known
+    found = trims(task, plain.rolled, plain.lift, sheet.plays, known.cases)
+    turns = [abs(trim.tan_beta) for trim in found]
+    middle = sum(sheet.plays) / len(sheet.plays)
+    allowed = sheet.design.optimize.max_end_position_mm or _ALLOWED_END
+    low, high = friction_to_fail(task, plain.rolled, plain.lift, middle, known.nominal, allowed)
+    arm = (task.follower.inner + task.follower.outer) / 2
+    return [
+        Remedy(
+            name="plain cam, trimmed",
+            cut_for=None,
+            worst_end=max(trim.error.end_distance for trim in found),
+            on_way=max(float(trim.error.distance.max()) for trim in found),
+            build=f"after a trial run set the micrometer of the base radius by {min(turns) * arm * 1e3:.0f} to "
+            f"{max(turns) * arm * 1e3:.0f} µm, so that the end is met; set at a friction of "
+            f"{known.nominal.friction:.3g}, the end stays within {allowed:g} mm more while friction stays within "
+            f"{low:.3g} to {high:.3g}",
+        )
+    ]
+
+
+def _drag(sheet: _Sheet, plain: Judged) -> list[Remedy]:
+    """The plain cam with a brake on the disc that holds it."""
+    need = holding(plain.lift, sheet.known)
+    braked = replace(sheet.known, drag=(need.drag, need.drag), friction=(0.0, sheet.known.friction[1]), behind=0.0)
+    given = sheet.design.mechanics
+    share = ""
+    if given is not None and given.drive_energy_J is not None:
+        share = f", {100 * need.energy / given.drive_energy_J:.1f} % of the drive's {given.drive_energy_J:g} J"
+    return [
+        sheet.row(
+            "plain cam, drag that holds",
+            plain.lift,
+            plain.rolled,
+            braked.cases,
+            build=f"a brake or felt on the disc itself, {need.drag:.3g} N·mm for a rod force of "
+            f"{sheet.known.rod_force:g} N: a quarter more than the cam's {need.torque:.3g} N·mm at {degrees(need.cam_angle):.1f}° without friction "
+            f"({need.with_friction:.3g} at the least friction); it takes {need.energy:.2g} J a turn{share}, and holds "
+            f"until the drag falls by {100 * (1 - need.torque / need.drag):.0f} % or the rod's force rises by "
+            f"{100 * (need.drag / need.torque - 1) if need.torque else 0:.0f} %; a milder path there needs less, a "
+            f"larger base radius does not",
+        )
+    ]
