@@ -91,6 +91,12 @@ def _return_errors(plan: "GearsPlan") -> None:
         rows.append(("as given, by the standard", "return_error_as_given_by_the_standard_deg"))
     for label, key in rows:
         table.add_row(label, "", "", "", *(f"{facts[key][which]:.3f}°" for which in ("least", "mean", "greatest")))
+    for joint in facts.get("joints_deg", ()):
+        angles = (joint["least"], (joint["least"] + joint["greatest"]) / 2, joint["greatest"])
+        table.add_row(joint["name"], "", "", "", *(f"{angle:.3f}°" for angle in angles))
+    if "joints_deg" in facts:
+        whole = facts["return_error_with_joints_deg"]
+        table.add_row("train with these", "", "", "", *(f"{whole[w]:.3f}°" for w in ("least", "mean", "greatest")))
     console = Output()
     console.print(table)
     for found in facts["overridden_tolerances"]:

@@ -8,6 +8,7 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
+from cadgen.design.joint import Held
 from cadgen.design.section import Section
 from cadgen.motion.friction import DiscMaterial
 
@@ -84,7 +85,7 @@ class Lightening(Section):
         return self
 
 
-class Blank(Section):
+class Blank(Held):
     """What the disc has besides its profile. Polar angles are those of the profile."""
 
     bore_diameter_mm: float = Field(default=8.0, gt=0, le=200, description="of the hole for the camshaft")
@@ -92,6 +93,12 @@ class Blank(Section):
     d_flat: DFlat | None = None
     hub: Hub | None = None
     lightening: Lightening | None = None
+    bore_fit: str | None = Field(
+        default=None,
+        max_length=20,
+        description="of the bore on its shaft by ISO 286, such as `H7/g6`; half its clearance adds to "
+        "`tolerances.eccentricity_mm`",
+    )
     material: DiscMaterial | None = Field(
         default=None, description="of the disc: its friction with the rod goes by it where [mechanics] gives none"
     )

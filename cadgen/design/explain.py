@@ -6,7 +6,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from cadgen.design.keys import dotted, elsewhere, is_unit_slip, keys, last, nearest, shown, tables
-from cadgen.design.section import listed
+from cadgen.design.section import HERE, listed
 from cadgen.errors import brief
 
 # A key's parts from the top, items of lists counted from 0.
@@ -90,7 +90,7 @@ def _of_item(place: Place) -> str:
 
 def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any]) -> str:
     if kind == "value_error":
-        return str(context["error"])
+        return str(context["error"]).replace(HERE, spoken(place))
     if kind == "missing" and isinstance(place[-1], int):  # of a pair, whose value pydantic gives
         place = place[:-1]
     name, path = spoken(place), section(place)

@@ -4,12 +4,15 @@ from collections.abc import Sequence
 from math import radians
 from typing import TypeVar
 
+from cadgen.design.joint import TIGHT, Held
 from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
 from cadgen.design.train import Blank, GearKeys, Stage
 from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
 from cadgen.gears.blank import GearBlank, Hub, Keyway, Lightening, Web
+from cadgen.gears.fits import clearance, flat_play, key_play
+from cadgen.gears.joints import Loose, bearings
 from cadgen.gears.layout import Blanks
 from cadgen.gears.limits import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
@@ -60,6 +63,98 @@ def blanks(design: TrainDesign) -> Blanks:
     """What the gears have besides their teeth, by their place in the train."""
     keys = train_keys(design)
     return Blanks(drive=_blank(keys.drive), intermediate=_blank(keys.intermediate), output=_blank(keys.output))
+
+
+def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:
+    """Joints and bearings that have play, as it counts at the camshaft; from the drive on, the cam last.
+
+    Args:
+        design: a loaded design.
+        of: its train, its stages in the order in which they are built in; None if it has none.
+
+    Raises:
+        DesignError: a joint whose bore, key or flat is not known, or a fit that is none.
+    """
+    found: list[Loose] = []
+    if design.train is not None and of is not None:
+        keys, ratio = design.train, float(of.ratio)
+        on_shafts = [("the pinion on the drive", "train.drive", keys.drive, ratio)]
+        on_shafts += [
+            (f"wheel and pinion of shaft {number}", "train.intermediate", keys.intermediate, float(turns))
+            for number, turns in enumerate(of.output_ratios[:-1], 2)
+        ]
+        on_shafts.append(("the wheel on the camshaft", "train.output", keys.output, 1.0))
+        for name, where, blank, turns in on_shafts:
+            width = blank.keyway.width_mm if blank.keyway else None
+            zone = _free_angle(blank, where, blank.bore_diameter_mm, width, None)
+            found.append(_joint(name, blank, zone).at(turns))
+        found += bearings(of, (keys.bearing_clearance_um or 0.0) * _UM)
+    found.append(_joint("the cam", design.blank, cam_joint(design)))
+    return tuple(one for one in found if one.greatest > 0)
+
+
+def cam_joint(design: TrainDesign) -> tuple[float, float]:
+    """Least and greatest play of the cam on its shaft, rad.
+
+    Raises:
+        DesignError: a joint whose bore, key or flat is not known, or a fit that is none.
+    """
+    given = design.blank
+    key, flat = given.keyway, given.d_flat
+    return _free_angle(
+        given, "blank", given.bore_diameter_mm, key.width_mm if key else None, flat.across_mm if flat else None
+    )
+
+
+def _free_angle(
+    held: Held, where: str, bore_mm: float, key_mm: float | None, across_mm: float | None
+) -> tuple[float, float]:
+    """Least and greatest play of a wheel on its shaft, rad.
+
+    Args:
+        held: the wheel.
+        where: section's name, for messages.
+        bore_mm: diameter of the bore.
+        key_mm: width of the keyway, if there is one.
+        across_mm: of the D-flat, if there is one.
+
+    Raises:
+        DesignError: bore or D-flat are not known, or there is no such fit.
+    """
+    if held.joint is None or held.joint in TIGHT:
+        return 0.0, 0.0
+    if bore_mm <= 0:
+        raise DesignError(f'{where}.joint is "{held.joint}" and there is no bore: set {where}.bore_diameter_mm')
+    across = held.joint_across_mm or across_mm
+    if held.joint == "d_flat" and (across is None or not bore_mm / 2 < across < bore_mm):
+        raise DesignError(
+            f"{where}.joint is a D-flat: set {where}.joint_across_mm between half of the bore's {bore_mm:g} mm and "
+            "all of it"
+        )
+    if held.joint_fit is not None:
+        size = key_mm if held.joint == "keyed" else bore_mm
+        if size is None:
+            raise DesignError(
+                f"{where}.joint_fit is that of a key, whose width is not known: add [{where}.keyway], or give "
+                f"{where}.joint_clearance_greatest_um"
+            )
+        try:
+            zone = clearance(held.joint_fit, size)
+        except DesignError as error:
+            raise DesignError(f"{where}.joint_fit: {error}") from error
+    else:
+        zone = (held.joint_clearance_least_um or 0.0) / 1e3, (held.joint_clearance_greatest_um or 0.0) / 1e3
+    if held.joint == "keyed":
+        return key_play(zone[0], bore_mm), key_play(zone[1], bore_mm)
+    assert across is not None
+    return flat_play(zone[0], bore_mm, across), flat_play(zone[1], bore_mm, across)
+
+
+def _joint(name: str, held: Held, zone: tuple[float, float]) -> Loose:
+    what = "key" if held.joint == "keyed" else "D-flat"
+    return Loose(
+        name=f"{what} of {name}", least=zone[0], greatest=zone[1], cure=f"clamp, pin or glue {name}: its {what} has"
+    )
 
 
 def directions(design: TrainDesign) -> tuple[float | None, ...]:

@@ -8,6 +8,8 @@ from pydantic import BaseModel, ConfigDict, Strict
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
+HERE = "{here}"  # in a message: the section that holds the keys, for one that several sections share
+
 Coordinate = Annotated[float, Ge(-FARTHEST_MM), Le(FARTHEST_MM)]
 Extent = Annotated[float, Ge(1.0), Le(FARTHEST_MM)]
 # TOML has lists only. They are kept as tuples, which stay frozen; strictness is for what they hold.

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from annotated_types import Gt, Le
 from pydantic import Field, Strict
 
+from cadgen.design.joint import Held
 from cadgen.design.section import Section
 
 Lengths = Annotated[tuple[Annotated[float, Gt(0), Le(500)], ...], Strict(False)]
@@ -87,8 +88,11 @@ class GearLightening(Section):
     hole_diameter_mm: float = Field(gt=0, le=500, description="of each hole")
 
 
-class Blank(Section):
-    """What the gear of a shaft has besides its teeth; on an intermediate shaft, the driven gear of its two."""
+class Blank(Held):
+    """What the gear of a shaft has besides its teeth; on an intermediate shaft, the driven gear of its two.
+
+    A joint on an intermediate shaft is that between its wheel and its pinion, which are one piece without it.
+    """
 
     bore_diameter_mm: float = Field(default=0.0, ge=0, le=500, description="of the hole for the shaft; 0 for none")
     keyway: GearKeyway | None = None
@@ -143,6 +147,12 @@ class Train(Section):
     pressure_angle_deg: float = Field(default=20.0, ge=10, le=35, description="alpha_n")
     width_mm: float = Field(gt=0, le=500, description="b, face width")
     bearing_span_mm: float = Field(gt=0, le=5000, description="l, between the bearings of a shaft")
+    bearing_clearance_um: float | None = Field(
+        default=None,
+        ge=0,
+        le=1000,
+        description="by which a shaft can move across its bearings; it opens every mesh; left out, none",
+    )
     grade: int = Field(default=7, ge=3, le=12, description="tolerance grade of ISO 1328")
     thinning: Literal["least", "middle", "greatest"] = Field(
         default="middle",

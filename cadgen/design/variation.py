@@ -14,8 +14,8 @@ from cadgen.design import gears, stages
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import TrainPlay
 from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.joints import WholePlay
 from cadgen.gears.search import arrange
 from cadgen.motion.drive import wheel_radius as drive_wheel_radius
 from cadgen.motion.friction import USUAL, friction_band
@@ -49,6 +49,8 @@ def play_bands(design: Design) -> dict[str, PlayBand]:
     given, own, measured = design.play, design.optimize.order, measured_play(design)
     if given is not None and given.least_deg is not None and given.greatest_deg is not None:
         return {own: PlayBand(least=radians(given.least_deg), greatest=radians(given.greatest_deg), measured=measured)}
+    if not bands and (joint := gears.cam_joint(design))[1] > 0:
+        bands = {own: PlayBand(least=joint[0], greatest=joint[1])}
     if own in bands:
         return {**bands, own: replace(bands[own], measured=measured)}
     return {} if measured is None else {own: PlayBand(least=measured, greatest=measured, measured=measured)}
@@ -105,8 +107,7 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
         rod_rate=given.rod_rate_N_per_mm,
         friction=friction,
         drag=given.drag_Nmm,
-        # The share of the return error that lies between the shaft and the disc on it.
-        behind=0.0,
+        behind=gears.cam_joint(design)[1] if given.drag_on == "shaft" else 0.0,
     )
     _refuse_lost_rod(band, lift)
     if "drag" in hardware and band.drag[0] < (need := holding(lift, band)).drag:
@@ -163,10 +164,10 @@ def tolerances(design: Design) -> Tolerances:
     sample: Sampler | None = None
     if measured_play(design) is not None:
         sample = None
-    elif given is None and design.train is not None:
-        spread = train_plays(design)[design.optimize.order].return_error_distribution(law)
-        sample = partial(_plays, spread)
-    elif given:
+    elif given is None:
+        if (whole := whole_play(design)) is not None:
+            sample = partial(_plays, whole.return_error_distribution(law))
+    else:
         band = play_bands(design)[design.optimize.order]
         sample = ZoneSum(("play",), np.array([band.least]), np.array([band.greatest]), law).sample
     return Tolerances(half_widths=half_widths(design), law=law, play=sample)
@@ -193,8 +194,20 @@ def wheel_radius(design: Design, length: float) -> float:
     return inf
 
 
-def train_plays(design: Design) -> dict[str, TrainPlay]:
-    """The play of the train in the order of the design file and in the order of least return error.
+def whole_play(design: Design) -> WholePlay | None:
+    """Return error of the teeth, the joints and the bearings of the car; None if the design has neither.
+
+    Raises:
+        DesignError: as `train_plays`.
+    """
+    if design.train is not None:
+        return train_plays(design)[design.optimize.order]
+    alone = gears.loose(design, None)
+    return WholePlay(teeth=None, loose=alone) if alone else None
+
+
+def train_plays(design: Design) -> dict[str, WholePlay]:
+    """The play of the train in the order of the design file and in the order of least return error, joints included.
 
     Empty if the design has no [train].
 
@@ -204,4 +217,5 @@ def train_plays(design: Design) -> dict[str, TrainPlay]:
     if design.train is None:
         return {}
     given = gears.train(design)
-    return {order: arrange(given, order)[0] for order in ORDERS}
+    teeth = {order: arrange(given, order)[0] for order in ORDERS}
+    return {order: WholePlay(teeth=one, loose=gears.loose(design, one.train)) for order, one in teeth.items()}

@@ -13,6 +13,7 @@ from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import Departure, GearPlay, TrainPlay, departures, train_play
 from cadgen.gears.inspection import Inspection, inspection_of
+from cadgen.gears.joints import WholePlay
 from cadgen.gears.layout import TrainLayout, lay_out
 from cadgen.gears.limits import SearchLimits
 from cadgen.gears.search import Order, TrainSearch, arrange
@@ -87,6 +88,11 @@ class GearsPlan:
         return all(check.passed for check in self.checks)
 
     @property
+    def whole(self) -> WholePlay:
+        """Return error of the train that is made, with joints and bearings."""
+        return WholePlay(teeth=self.play, loose=stages.loose(self.design, self.play.train))
+
+    @property
     def baseline(self) -> TrainPlay:
         """What the ranked trains are compared with: like with like, so for a search by the standard alone."""
         return _baseline(self.order, self.given, self.given_standard)
@@ -146,6 +152,7 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", step: Step = lamb
         notes=(
             *_thinning_notes(design, made),
             *_undercut_notes(made.layout),
+            *_joint_notes(design, made.play),
             *(_notes(design, given, limits) if limits else ()),
         ),
         layout=made.layout,
@@ -298,6 +305,12 @@ def _thinning_notes(design: TrainDesign, made: _Made) -> tuple[str, ...]:
         return ()
     limit = "upper limit E_sns" if keys.thinning == "least" else "lower limit E_sni"
     return (f"teeth are cut to the {limit} of their grade, within T_sn / 2 of it, {zone}",)
+
+
+def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
+    """The cheapest cure of what joints and bearings add to the return error."""
+    whole = WholePlay(teeth=play, loose=stages.loose(design, play.train))
+    return (whole.sentence(),) if whole.loose else ()
 
 
 def _undercut_notes(layout: TrainLayout) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay, play_distribut
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.inspection import Inspection, Limits
+from cadgen.gears.joints import WholePlay
 from cadgen.gears.tolerances import (
     span_pitch_deviation,
     tooth_radial_composite_deviation,
@@ -47,6 +48,7 @@ def plan_facts(plan: GearsPlan) -> dict[str, Any]:
             **return_error(plan.play),
             **_quantiles(plan.play.return_error_distribution(), degrees(1)),
         },
+        **_joint_facts(plan),
         "return_error_as_given_deg": return_error(plan.given),
         "return_error_as_given_by_the_standard_deg": _maybe(plan.given_standard),
         "return_error_by_the_standard_deg": _maybe(plan.standard),
@@ -97,12 +99,25 @@ def plan_facts(plan: GearsPlan) -> dict[str, Any]:
     }
 
 
+def _joint_facts(plan: GearsPlan) -> dict[str, Any]:
+    """Joints and bearings, and the return error with them; nothing if the design says nothing of any."""
+    whole = plan.whole
+    if not whole.loose:
+        return {}
+    return {
+        "return_error_with_joints_deg": return_error(whole),
+        "joints_deg": [
+            {"name": one.name, "least": degrees(one.least), "greatest": degrees(one.greatest)} for one in whole.loose
+        ],
+    }
+
+
 def teeth_of(play: TrainPlay) -> str:
     """The stages of a train as driver/driven teeth, from the drive on."""
     return " ".join(f"{pair.driver.form.teeth}/{pair.driven.form.teeth}" for pair in play.train.stages)
 
 
-def return_error(play: TrainPlay) -> dict[str, float]:
+def return_error(play: TrainPlay | WholePlay) -> dict[str, float]:
     """Least, mean and greatest return error of a train and its standard deviation, in degrees."""
     spread = play.return_error_distribution()
     return {

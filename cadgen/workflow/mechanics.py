@@ -8,7 +8,9 @@ import numpy as np
 from cadgen.cam.check import Check
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
+from cadgen.design import variation
 from cadgen.design.schema import Design
+from cadgen.design.section import listed
 from cadgen.motion.errors import run_error
 from cadgen.motion.friction import USUAL
 from cadgen.motion.mechanics import MechanicsBand
@@ -84,6 +86,20 @@ def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: Mecha
             )
         )
     return tuple(found)
+
+
+def joint_sentences(design: Design) -> list[str]:
+    """What joints and bearings add to the return error of the teeth, and the cheapest cure."""
+    whole = variation.whole_play(design)
+    if whole is None or not whole.loose or design.play is not None:
+        return []
+    added = sum(one.greatest for one in whole.loose)
+    parts = listed([f"{one.name} {degrees(one.greatest):.3f}°" for one in whole.loose], "and")
+    teeth = "" if whole.teeth is None else f" to the teeth's {degrees(whole.teeth.return_error_max):.3f}°"
+    return [
+        f"Joints and bearings add up to {degrees(added):.3f}°{teeth}: {parts}.",
+        f"Cheapest cure: {whole.sentence()}.",
+    ]
 
 
 def border_sentences(design: Design, task: Task, one: Judged, band: PlayBand) -> list[str]:

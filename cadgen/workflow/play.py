@@ -22,7 +22,7 @@ from cadgen.optimize.choice import Candidate, Limit, choose
 from cadgen.optimize.judge import PROFILES, Judged, Task, bound, judge, judge_measured
 from cadgen.optimize.remedies import trims
 from cadgen.path.track import Track
-from cadgen.workflow.mechanics import border_sentences, mechanics_facts, rubbing_sentence
+from cadgen.workflow.mechanics import border_sentences, joint_sentences, mechanics_facts, rubbing_sentence
 
 # What `--profile` may say about play: one method by name, or the best of all.
 PLAY_PROFILES = (*PROFILES[1:], "optimized")
@@ -235,6 +235,7 @@ def against_play(
             raise CheckError(f"{error}{_other_order(design, task, others, check)}") from error
         reasons += choice
     reasons += _lost_sentences(task, chosen)
+    reasons += joint_sentences(design)
     reasons += border_sentences(design, task, chosen, bands[own])
     judged = tuple(one for several in found.values() for one in several)
     before = judged[0]

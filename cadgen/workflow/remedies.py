@@ -96,6 +96,7 @@ def remedies(design: Design, against: Against, step: Callable[[str], None] = lam
     found = [sheet.row("plain cam", plain.lift, plain.rolled, cases)]
     found += _reordered(sheet)
     found += _compensated(sheet, own)
+    found += _tight_joint(sheet)
     found += _split_wheel(sheet)
     found += _bearing(sheet)
     found += _trim(sheet, plain)
@@ -140,12 +141,38 @@ def _compensated(sheet: _Sheet, own: list[Judged]) -> list[Remedy]:
     return rows
 
 
+def _tight_joint(sheet: _Sheet) -> list[Remedy]:
+    """The loosest joint clamped, pinned or glued, and a profile for the play that is left."""
+    whole = variation.whole_play(sheet.design)
+    if whole is None or not whole.loose or sheet.design.play is not None:
+        return []
+    worst = max(whole.loose, key=lambda one: one.greatest)
+    low, high = sheet.band.ends
+    ends = max(low - worst.least, 0.0), max(high - worst.greatest, 0.0)
+    task = sheet.task
+    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=sheet.known.corners)
+    return [
+        sheet.row(
+            "no play in one joint, compensated",
+            best.lift,
+            best.lift,
+            sheet.known.cases,
+            plays=list(ends),
+            cut_for=best.made_for,
+            build=whole.sentence(),
+        )
+    ]
+
+
 def _split_wheel(sheet: _Sheet) -> list[Remedy]:
     """A wheel of two halves under springs at the camshaft: it takes out its own mesh, and no other."""
     trains = variation.train_plays(sheet.design)
     if not trains or sheet.design.play is not None:
         return []
-    last = trains[sheet.design.optimize.order].stages[-1]
+    teeth = trains[sheet.design.optimize.order].teeth
+    if teeth is None:
+        return []
+    last = teeth.stages[-1]
     low, high = sheet.band.ends
     ends = max(low - last.B_min, 0.0), max(high - last.B_max, 0.0)
     task = sheet.task
@@ -246,9 +273,10 @@ def _drag(sheet: _Sheet, plain: Judged) -> list[Remedy]:
             plain.rolled,
             braked.cases,
             build=f"a brake or felt on the disc itself, {need.drag:.3g} N·mm for a rod force of "
-            f"{sheet.known.rod_force:g} N: a quarter more than the cam's {need.torque:.3g} N·mm at {degrees(need.cam_angle):.1f}° without friction "
-            f"({need.with_friction:.3g} at the least friction); it takes {need.energy:.2g} J a turn{share}, and holds "
-            f"until the drag falls by {100 * (1 - need.torque / need.drag):.0f} % or the rod's force rises by "
+            f"{sheet.known.rod_force:g} N: a quarter more than the cam's {need.torque:.3g} N·mm at "
+            f"{degrees(need.cam_angle):.1f}° without friction ({need.with_friction:.3g} at the least friction); it "
+            f"takes {need.energy:.2g} J a turn{share}, and holds until the drag falls by "
+            f"{100 * (1 - need.torque / need.drag) if need.drag else 0:.0f} % or the rod's force rises by "
             f"{100 * (need.drag / need.torque - 1) if need.torque else 0:.0f} %; a milder path there needs less, a "
             f"larger base radius does not",
         )

@@ -1,0 +1,106 @@
+"""What holds a wheel on a shaft: the free angle that a key or a D-flat leaves, and clearances of fits by name.
+
+**Key.** It goes from one wall of its groove to the other, by the clearance c, and passes the force on where shaft and
+hub meet, at half the shaft's diameter d: the wheel turns freely by c / (d / 2). A key of 25 um of clearance on a shaft
+of 8 mm has 0.36 degrees.
+
+**D-flat.** The shaft's radius is R, its flat lies f from its axis, and across flat and far side the bore is wider by c.
+Turned by phi, the flat's end, at the polar angle arccos(f / R) from the flat's normal, comes to R cos(arccos(f / R) -
+phi); the shaft gives way by as much as the bore leaves, so it may come to f + c. To either side therefore
+    phi = arccos(f / R) - arccos((f + c) / R),
+nearly c / sqrt(R^2 - f^2): the lever is half the flat's width, much shorter than a key's.
+
+**Fits** such as H7/g6 are those of ISO 286-1 and -2.
+The hole or groove comes first, the shaft or key second. The letter says how far the zone keeps from the
+nominal size, the number how wide it is (IT grade, `tolerances.standard_tolerance`). Table 2 of ISO 286-1 gives the
+distances of d to h, and those of the holes D to H are the same on the other side; JS and js lie evenly about the size;
+N9 and P9 are the grooves of tight keys (DIN 6885). Sizes go up to 50 mm.
+"""
+
+import re
+from math import acos
+
+from cadgen.errors import DesignError
+from cadgen.gears.tolerances import standard_tolerance
+
+STEPS = (3.0, 6.0, 10.0, 18.0, 30.0, 50.0)  # upper limits of the steps of sizes, mm
+# How far the zone of a clearance fit keeps from the nominal size, um.
+AWAY: dict[str, tuple[int, ...]] = {
+    "d": (20, 30, 40, 50, 65, 80),
+    "e": (14, 20, 25, 32, 40, 50),
+    "f": (6, 10, 13, 16, 20, 25),
+    "g": (2, 4, 5, 6, 7, 9),
+    "h": (0, 0, 0, 0, 0, 0),
+}
+# Upper deviation of a tight groove, um.
+GROOVES: dict[str, tuple[int, ...]] = {"N9": (-4, 0, 0, 0, 0, 0), "P9": (-6, -12, -15, -18, -22, -26)}
+GRADES = range(3, 13)
+_FIT = re.compile(r"([A-Z]{1,2})(\d{1,2})\s*/\s*([a-z]{1,2})(\d{1,2})")
+
+
+def key_play(clearance: float, diameter: float) -> float:
+    """Free angle of a keyed wheel, rad; clearance of the key in its groove and the shaft's diameter in mm."""
+    return clearance / (diameter / 2)
+
+
+def flat_play(clearance: float, diameter: float, across: float) -> float:
+    """Free angle of a wheel on a D-shaft, from one side to the other, rad.
+
+    Args:
+        clearance: of the shaft across flat and far side, mm.
+        diameter: of the shaft, mm.
+        across: from its flat to its far side, mm.
+
+    Raises:
+        DesignError: so much that the shaft turns round.
+    """
+    radius, flat = diameter / 2, across - diameter / 2
+    if flat + clearance >= radius:
+        raise DesignError(
+            f"a D-shaft of {diameter:g} mm, {across:g} mm across its flat, turns round in a bore that leaves it "
+            f"{clearance * 1e3:g} µm: give less clearance or a deeper flat"
+        )
+    return 2 * (acos(flat / radius) - acos((flat + clearance) / radius))
+
+
+def clearance(fit: str, size: float) -> tuple[float, float]:
+    """Least and greatest clearance of a fit, mm; what would be tight is 0.
+
+    Args:
+        fit: such as `H7/g6`.
+        size: nominal, mm.
+
+    Raises:
+        DesignError: not a fit of this table, or a size beyond it.
+    """
+    match = _FIT.fullmatch(fit.strip())
+    holes = [letter.upper() for letter in AWAY]
+    if match is None or size > STEPS[-1]:
+        raise DesignError(
+            f'the fit "{fit}" of {size:g} mm is not in the table: give a hole of {", ".join(holes)} or JS (N9 or P9 '
+            f"for a groove), a shaft of {', '.join(AWAY)} or js, such as H7/g6, of at most {STEPS[-1]:g} mm; or the "
+            f"clearance itself"
+        )
+    hole, hole_grade, shaft, shaft_grade = match.group(1), int(match.group(2)), match.group(3), int(match.group(4))
+    step = next(number for number, most in enumerate(STEPS) if size <= most)
+    if not {hole_grade, shaft_grade} <= set(GRADES):
+        raise DesignError(f'the fit "{fit}" has a grade outside {GRADES[0]} to {GRADES[-1]}')
+    width, own = (float(standard_tolerance(size, grade)) * 1e3 for grade in (hole_grade, shaft_grade))
+    if f"{hole}{hole_grade}" in GROOVES:
+        upper = float(GROOVES[f"{hole}{hole_grade}"][step])
+        low, high = upper - width, upper
+    elif hole == "JS":
+        low, high = -width / 2, width / 2
+    elif hole.lower() in AWAY:
+        low = float(AWAY[hole.lower()][step])
+        high = low + width
+    else:
+        raise DesignError(f'the fit "{fit}" has a hole {hole}{hole_grade}; known are {", ".join(holes)}, JS, N9 and P9')
+    if shaft == "js":
+        bottom, top = -own / 2, own / 2
+    elif shaft in AWAY:
+        top = -float(AWAY[shaft][step])
+        bottom = top - own
+    else:
+        raise DesignError(f'the fit "{fit}" has a shaft {shaft}{shaft_grade}; known are {", ".join(AWAY)} and js')
+    return max(low - top, 0.0) / 1e3, max(high - bottom, 0.0) / 1e3
