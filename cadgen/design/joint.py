@@ -52,8 +52,8 @@ class Held(Section):
         least, greatest = self.joint_clearance_least_um, self.joint_clearance_greatest_um
         if loose and greatest is None and self.joint_fit is None:
             raise ValueError(
-                f'{HERE}.joint = "{self.joint}" needs its clearance: give joint_clearance_greatest_um, or joint_fit such as '
-                f'"JS9/h9"; or choose clamped, pinned or glued, which has none'
+                f'{HERE}.joint = "{self.joint}" needs its clearance: give joint_clearance_greatest_um, or joint_fit '
+                f'such as "JS9/h9"; or choose clamped, pinned or glued, which has none'
             )
         if loose and self.joint_fit is not None and (least is not None or greatest is not None):
             raise ValueError(f"{HERE}.joint_fit and joint_clearance_..._um say the same twice: remove one of them")

@@ -4,7 +4,7 @@ A car's steering at each cam angle is the nominal one plus first-order terms (`s
 needs only one integration without play: play makes the car skip parts of that track and stand on a circle for
 others, so its own track is a chain of rigid copies of pieces, and B may be any number. Peaks and valleys stay at
 their nominal cam angles; that they move a little changes a run in the second order only, for the lift is level
-there.
+there. With friction and drag each car leads where its own let it (`stretches`).
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,10 @@ from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import Run
+from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.play import LEAST_SWING, TURN, falls
+from cadgen.optimize.derivatives import STEERING, Expansion, steering_derivatives
+from cadgen.optimize.stretches import Forces, Stretches, behind_a_brake, stretches
 from cadgen.steering.car import Car, pace, wheel_tangent
 
 Array = NDArray[np.float64]
@@ -40,39 +43,28 @@ PARAMETERS: dict[str, str] = {
     "start_y": "mm",
     "start_heading": "rad",
     "play": "rad",  # B, added to the nominal one
+    "friction": "1",  # sliding, between rod and disc
+    "drag": "Nmm",  # on the disc or its shaft
+    "rod_force": "N",  # at zero lift
+    "edge_break": "mm",  # leg of the chamfer on both edges of the rim
+    "edge_wear": "mm",  # what the rod wears off both edges, as a chamfer would
+    "taper": "mm",  # by which the outer face is cut larger than the inner one
+    "rod_height": "mm",  # of the rod's axis over the camshaft's plane
+    "eccentricity_0": "mm",  # of the disc on its shaft, towards its polar angles 0 and 90 degrees
+    "eccentricity_90": "mm",
+    "wobble_0": "rad",  # of the disc, tilted towards these
+    "wobble_90": "rad",
+    "steering_lost_motion": "rad",  # of the front wheel against the rod
+    "wheel_runout_0": "mm",  # eccentricity of the drive wheel, towards the ground at the start and a quarter turn on
+    "wheel_runout_90": "mm",
+    "temperature": "K",
 }
-_STEERING = tuple(PARAMETERS)[:6]
+# What is drawn as a size and a direction: half a width stands for both.
+DIRECTED: dict[str, tuple[str, str]] = {
+    name: (f"{name}_0", f"{name}_90") for name in ("eccentricity", "wobble", "wheel_runout")
+}
+_ALWAYS = 6  # rows of `STEERING` that every car has
 _MARGIN = 2  # cells of the grid beyond the cam angles that are met
-
-
-def steering_derivatives(contact: Contact, follower: Follower, gain: float = 1.0) -> Array:
-    """How tan(beta) at each cam angle changes with the cam's and the rod's dimensions.
-
-    The rod, at T = tan(beta), rests on a point of the disc at x = a + w T - h sqrt(1 + T^2), h^2 = r^2 - y^2, and
-    no point asks for more; so to first order the point stays the same, and with D = w - h T / sqrt(1 + T^2)
-        dT = (-da - T dw + sqrt(1 + T^2) (r / h) dr) / D.
-    A disc cut too large along its normal lifts the rod as a thicker rod would; the wheel turned against the rod adds
-    to the angle behind the lever, whose tangent is g T.
-
-    Args:
-        contact: of the nominal rod on the nominal disc, n cam angles.
-        follower: the rod and the faces.
-        gain: g, of the lever.
-
-    Returns:
-        Shape (6, n): for base_radius, inner_face, outer_face, rod_radius, profile_offset (per mm), steering_zero
-        (per rad).
-    """
-    T, w = contact.tan_beta, contact.face
-    root = np.sqrt(1 + T**2)
-    height = np.sqrt(follower.radius**2 - contact.across**2)
-    stretch = follower.radius / height if follower.radius > 0 else np.ones_like(T)
-    divisor = w - height * T / root
-    raised = root * stretch / divisor
-    inner = w == follower.inner
-    face = -T / divisor
-    zero = (1 + (gain * T) ** 2) / gain
-    return np.stack([-1 / divisor, np.where(inner, face, 0.0), np.where(inner, 0.0, face), raised, raised, zero])
 
 
 @dataclass(frozen=True)
@@ -92,7 +84,7 @@ class Fleet:
 
     Attributes:
         tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
-        derivatives: of it, shape (6, n); see `steering_derivatives`.
+        derivatives: of it, shape (13, n); see `steering_derivatives`.
         falls: where the nominal lift falls, shape (k, 2), rad.
         car: nominal dimensions.
         length: travel of the drive wheel in one turn of the cam, mm.
@@ -100,6 +92,8 @@ class Fleet:
         play: nominal return error B, rad.
         stations: motor positions at which poses are wanted, shape (g,), increasing, rad.
         planned: poses of the planned run there, one car.
+        expansion: of disc and frame with heat.
+        forces: what turns the cam ahead and what holds it; None if it leads on every fall.
     """
 
     tan_beta: Array
@@ -111,6 +105,8 @@ class Fleet:
     play: float
     stations: Array
     planned: Poses
+    expansion: Expansion
+    forces: Forces | None
 
 
 def make_fleet(
@@ -125,6 +121,8 @@ def make_fleet(
     play: float,
     stations: Sequence[int] = (-1,),
     least: float = LEAST_SWING,
+    mechanics: Mechanics | None = None,
+    expansion: Expansion | None = None,
 ) -> Fleet:
     """Prepare a nominal car.
 
@@ -139,6 +137,8 @@ def make_fleet(
         play: nominal return error B, rad.
         stations: which of the planned run's motor positions count, in order; the last is the end of the run.
         least: rises and falls of tan(beta) smaller than this are noise, not events.
+        mechanics: friction and drag of the nominal car; left out, the rod slides freely.
+        expansion: of disc and frame with heat; none if left out.
 
     Raises:
         DesignError: the cam angles are not an even grid of a turn, or the stations are none or not in order.
@@ -154,7 +154,7 @@ def make_fleet(
     x, y = (planned.drive_wheel[chosen] - origin).T
     return Fleet(
         tan_beta=contact.tan_beta,
-        derivatives=steering_derivatives(contact, follower, car.steering_gain),
+        derivatives=steering_derivatives(contact, follower, car.steering_gain, expansion),
         falls=falls(lift, least),
         car=car,
         length=length,
@@ -162,6 +162,8 @@ def make_fleet(
         play=play,
         stations=motor,
         planned=Poses(planned.heading[chosen][None] - heading, (x + 1j * y)[None] * np.exp(-1j * heading)),
+        expansion=expansion or Expansion(),
+        forces=None if mechanics is None else Forces.of(mechanics, lift, least),
     )
 
 
@@ -173,16 +175,17 @@ def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
 
     Args:
         fleet: the nominal car.
-        deviations: shape (m, 14), columns as in `PARAMETERS`.
+        deviations: shape (m, 29), columns as in `PARAMETERS`.
     """
     column = dict(zip(PARAMETERS, deviations.T, strict=True))
+    column = {**column, **_combined(fleet, column)}
     play = np.maximum(fleet.play + column["play"], 0.0)
     rate = fleet.length / TURN * (1 + column["wheel_radius"] / fleet.wheel_radius)
     phase = column["cam_phase"]
     first, last = float(phase.min()), float(fleet.stations[-1] + phase.max() + play.max())
     track = _Track.of(fleet, column, rate, first, last)
 
-    stretch = _stretches(fleet, play, phase, last)
+    stretch = _stretches(fleet, column, play, phase, last)
     turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
     zero = np.zeros((len(play), 1))
     heading = column["start_heading"][:, None] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
@@ -191,43 +194,32 @@ def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
     motor = fleet.stations + phase[:, None]
     at = np.sum(stretch.motor[:, None, :-1] <= motor[:, :, None], axis=2) - 1
     rows = np.arange(len(play))[:, None]
-    turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[at])
+    turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[rows, at])
     position = position[rows, at] + np.exp(1j * heading[rows, at]) * moved
     start = (column["start_x"] + 1j * column["start_y"])[:, None]
     return Poses(heading[rows, at] + turned, start + rate[:, None] * position)
 
 
-@dataclass(frozen=True)
-class _Stretches:
-    """A run cut where the cam jumps, stops or goes on, for m cars and s stretches.
+def _combined(fleet: Fleet, column: dict[str, Array]) -> dict[str, Array]:
+    """Deviations that stand for others: broken and worn edges, play in the steering, a frame that heat makes larger."""
+    edges = column["edge_break"] + column["edge_wear"]
+    growth = fleet.expansion.frame * column["temperature"]
+    return {
+        "inner_face": column["inner_face"] + edges,
+        "outer_face": column["outer_face"] - edges,
+        "steering_zero": column["steering_zero"] + column["steering_lost_motion"],
+        "wheelbase": column["wheelbase"] + fleet.car.wheelbase * growth,
+        "drive_wheel_offset": column["drive_wheel_offset"] + fleet.car.drive_wheel_offset * growth,
+    }
 
-    `motor` has shape (m, s + 1); `cam`, the cam angle at the start of each, (m, s); `waits`, (s,), says where the
-    cam stands still.
-    """
 
-    motor: Array
-    cam: Array
-    waits: NDArray[np.bool_]
-
-
-def _stretches(fleet: Fleet, play: Array, phase: Array, last: float) -> _Stretches:
-    turns = TURN * np.arange(-1, np.ceil(last / TURN) + 1)
-    peak, valley = (fleet.falls[:, side] + turns[:, None] for side in (0, 1))
-    peak, valley = peak.ravel(), valley.ravel()
-    play = play[:, None]
-    arrive = np.maximum(peak, valley - play)
-    # In turn: ahead by B from the peak, waiting from the arrival, pushed from the valley.
-    motor = np.stack(np.broadcast_arrays(peak, arrive, valley), axis=2).reshape(len(play), -1)
-    motor = np.maximum(motor, phase[:, None])
-    # Stretches before the start shrink to nothing; the last, after the last valley, begins beyond every station.
-    motor = np.concatenate([phase[:, None], motor], axis=1)
-    motor = np.concatenate([motor, motor[:, -1:]], axis=1)
-    cam = motor[:, :-1].copy()
-    cam[:, 1::3] += play
-    cam[:, 2::3] = valley
-    waits = np.zeros(cam.shape[1], dtype=bool)
-    waits[2::3] = True
-    return _Stretches(motor, cam, waits)
+def _stretches(fleet: Fleet, column: dict[str, Array], play: Array, phase: Array, last: float) -> Stretches:
+    forces = fleet.forces
+    if forces is None:
+        return stretches(fleet.falls[None, :, 0], fleet.falls[None, :, 1], play, phase, last)
+    if forces.mechanics.behind > 0:
+        return behind_a_brake(forces, column, play, phase, last)
+    return stretches(*forces.leads(column), play, phase, last)
 
 
 @dataclass(frozen=True)
@@ -247,13 +239,17 @@ class _Track:
         count = len(fleet.tan_beta)
         step = TURN / count
         index = np.arange(int(np.floor(first / step)) - _MARGIN, int(np.ceil(last / step)) + _MARGIN + 1)
-        deviation = np.stack([column[name] for name in _STEERING], axis=1)
+        used = [row for row, name in enumerate(STEERING) if row < _ALWAYS or column[name].any()]
+        deviation = np.stack([column[STEERING[row]] for row in used], axis=1)
         # Not `@`: a library's threads would compete with other processes for so small a product.
-        T = np.einsum("ci,ij->cj", deviation, fleet.derivatives[:, index % count])
+        T = np.einsum("ci,ij->cj", deviation, fleet.derivatives[used][:, index % count])
         T += fleet.tan_beta[index % count]
         # Without slip a single 1 stands for all, and nothing is multiplied.
-        slips = fleet.car.slip != 0
+        runs_out = column["wheel_runout_0"].any() or column["wheel_runout_90"].any()
+        slips = fleet.car.slip != 0 or runs_out
         going = pace(T, fleet.car) if slips else np.ones((1, 1))
+        if runs_out:
+            going = np.asarray(going * _rolling(fleet, column, np.asarray(index * step)))
         T = wheel_tangent(T, fleet.car)
         divisor = T * (fleet.car.drive_wheel_offset + column["drive_wheel_offset"])[:, None]
         divisor += (fleet.car.wheelbase + column["wheelbase"])[:, None]
@@ -295,6 +291,13 @@ class _Track:
         p0, p1 = self.pace[ends], self.pace[others]
         position = h00 * z0 + h01 * z1 + h10 * p0 * np.exp(1j * k0) + h11 * p1 * np.exp(1j * k1)
         return heading, position, (1 - u) * q0 + u * q1, (1 - u) * p0 + u * p1
+
+
+def _rolling(fleet: Fleet, column: dict[str, Array], motor: Array) -> Array:
+    """Travel of an eccentric drive wheel for that of a round one, at motor positions (j,), rad; shape (m, j)."""
+    turned = fleet.length / (TURN * fleet.wheel_radius) * motor
+    low, quarter = (column[name][:, None] / fleet.wheel_radius for name in DIRECTED["wheel_runout"])
+    return np.asarray(1 + low * np.cos(turned) + quarter * np.sin(turned))
 
 
 def _accumulated(values: Array, step: float) -> Array:

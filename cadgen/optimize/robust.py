@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
-from cadgen.optimize.fleet import PARAMETERS, Fleet, run_fleet
+from cadgen.motion.play import TURN
+from cadgen.optimize.derivatives import STEERING
+from cadgen.optimize.fleet import DIRECTED, PARAMETERS, Fleet, run_fleet
 
 Array = NDArray[np.float64]
 Sampler = Callable[[np.random.Generator, int], Array]
@@ -26,7 +28,14 @@ _SPREAD_SAMPLES = 20_000  # they give a standard deviation to half a percent
 # of the run on the paper's cars, and in proportion less of smaller ones.
 MOST_STEERING = 0.004
 MOST_SHARE = 0.1  # that a tolerance may be of a length itself
-UNITS = {"mm": 0.01, "rad": radians(0.1)}  # the steps that sensitivities are stated for
+# The steps that sensitivities are stated for.
+UNITS = {"mm": 0.01, "rad": radians(0.1), "1": 0.01, "Nmm": 1.0, "N": 0.1, "K": 10.0}
+_FIRST = tuple(PARAMETERS)[:13]  # drawn for every car, before its play; others only where they vary
+ONE_SIDED = ("edge_wear",)  # from 0 to their half width
+TOLERANCES = (
+    *(name for name in PARAMETERS if name != "play" and not any(name in pair for pair in DIRECTED.values())),
+    *DIRECTED,
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,8 +43,9 @@ class Tolerances:
     """How the cars of a fleet may differ.
 
     Attributes:
-        half_widths: parameter's name, as in `PARAMETERS`, -> half its tolerance zone, mm or rad. What is not named
-            does not vary.
+        half_widths: one of `TOLERANCES` -> half its tolerance zone, in the unit of `PARAMETERS`. What is not named
+            does not vary. Of what has a direction, the size in it, and the direction is any; what is `ONE_SIDED`
+            lies between nothing and that.
         law: `normal`, clipped at the limits, which are its 3 sigma; or `uniform`.
         play: return errors B of random cars, rad: a function of a generator and a number, such as a train's
             `sample`; or least and greatest, evenly spread. None keeps the nominal one.
@@ -47,26 +57,54 @@ class Tolerances:
 
     def __post_init__(self) -> None:
         for name, half in self.half_widths.items():
-            if name not in PARAMETERS or name == "play":
-                known = ", ".join(key for key in PARAMETERS if key != "play")
-                raise DesignError(f"there is no tolerance named {name}; use one of {known}")
+            if name not in TOLERANCES:
+                raise DesignError(f"there is no tolerance named {name}; use one of {', '.join(TOLERANCES)}")
             if not half >= 0:
                 raise DesignError(f"the tolerance of {name} is {half:g}; it must be 0 or more")
         if isinstance(self.play, tuple) and not 0 <= self.play[0] <= self.play[1]:
             raise DesignError(f"the return error's band {self.play} must run from 0 or more upwards: put them in order")
 
     def draw(self, generator: np.random.Generator, count: int, nominal_play: float) -> Array:
-        """Deviations of random cars, shape (count, 14), columns as in `PARAMETERS`."""
-        names = tuple(PARAMETERS)[:-1]
-        half = np.array([self.half_widths.get(name, 0.0) for name in names])
-        own = ZoneSum(names, -half, half, self.law).sample_contributions(generator, count)
+        """Deviations of random cars, shape (count, 29), columns as in `PARAMETERS`."""
+        half = np.array([self.half_widths.get(name, 0.0) for name in _FIRST])
+        own = ZoneSum(_FIRST, -half, half, self.law).sample_contributions(generator, count)
         if self.play is None:
             play = np.full(count, nominal_play)
         elif callable(self.play):
             play = np.asarray(self.play(generator, count), dtype=float)
         else:
             play = generator.uniform(*self.play, count)
-        return np.column_stack([own, play - nominal_play])
+        found = np.zeros((count, len(PARAMETERS)))
+        found[:, : len(_FIRST)] = own
+        found[:, _COLUMN["play"]] = play - nominal_play
+        for name in TOLERANCES[len(_FIRST) :]:
+            if self.half_widths.get(name, 0.0) > 0:
+                size = self.zone(name).sample(generator, count)
+                if name in DIRECTED:
+                    angle = generator.uniform(0.0, TURN, count)
+                    found[:, _columns(name)] = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+                else:
+                    found[:, _COLUMN[name]] = size
+        return found
+
+    def zone(self, name: str) -> ZoneSum:
+        """Distribution of one tolerance about the nominal value; of what has a direction, of its size in it."""
+        half = self.half_widths.get(name, 0.0)
+        return ZoneSum((name,), np.array([0.0 if name in ONE_SIDED else -half]), np.array([half]), self.law)
+
+
+_WORDS = {"mm": "mm", "rad": "degrees", "1": "", "Nmm": "N mm", "N": "N", "K": "K"}
+_COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
+
+
+def _parts(name: str) -> tuple[str, ...]:
+    """The parameters that a tolerance acts on."""
+    return DIRECTED.get(name, (name,))
+
+
+def _columns(name: str) -> list[int]:
+    """Their columns in a table of deviations."""
+    return [_COLUMN[part] for part in _parts(name)]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -115,8 +153,8 @@ class Sensitivity:
     """What one parameter does to the end of the run.
 
     Attributes:
-        name: as in `PARAMETERS`.
-        step: change that the figures are for: 0.01 mm, or 0.1 degree in rad.
+        name: one of `TOLERANCES`, or `play`.
+        step: change that the figures are for, as in `UNITS`; of what has a direction, in the worst one.
         heading: error per step, rad.
         along: position error per step along the planned heading, mm.
         across: the same to the left of it, mm.
@@ -141,7 +179,7 @@ def fleet_errors(fleet: Fleet, deviations: Array) -> FleetErrors:
 
     Args:
         fleet: the nominal car.
-        deviations: shape (m, 14), columns as in `PARAMETERS`.
+        deviations: shape (m, 29), columns as in `PARAMETERS`.
     """
     poses = run_fleet(fleet, deviations)
     off = (poses.position - fleet.planned.position) * np.exp(-1j * fleet.planned.heading)
@@ -206,22 +244,38 @@ def _gathered(parts: Iterable[Array], samples: int, done: Callable[[int], None])
 
 def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
     """Refuse tolerances that are no longer small beside the car, or beyond what first order is good for."""
-    for name, size in (("wheelbase", fleet.car.wheelbase), ("wheel_radius", fleet.wheel_radius)):
+    for name, size in (
+        ("wheelbase", fleet.car.wheelbase),
+        ("wheel_radius", fleet.wheel_radius),
+        ("wheel_runout", fleet.wheel_radius),
+    ):
         half = tolerances.half_widths.get(name, 0.0)
         if half > size * MOST_SHARE:
             raise DesignError(
                 f"the tolerance of {name} is {half:g} mm, more than a tenth of the {size:g} mm itself: make it "
                 f"{_below(size * MOST_SHARE):g} mm or less"
             )
-    for name, derivative in zip(PARAMETERS, fleet.derivatives, strict=False):
-        half, steepest = tolerances.half_widths.get(name, 0.0), float(np.abs(derivative).max())
+    for name, half in tolerances.half_widths.items():
+        steepest = steering_effect(fleet, name)
         if half * steepest > MOST_STEERING:
-            shown, unit = (degrees, "degrees") if PARAMETERS[name] == "rad" else (float, "mm")
+            unit = PARAMETERS[_parts(name)[0]]
+            shown = degrees if unit == "rad" else float
             raise DesignError(
-                f"the tolerance of {name} is {shown(half):g} {unit}, which turns the front wheel by up to "
+                f"the tolerance of {name} is {shown(half):g} {_WORDS[unit]}, which turns the front wheel by up to "
                 f"{half * steepest:.2g} rad; many cars are reckoned to first order, good up to {MOST_STEERING:g} rad: "
-                f"make it {_below(shown(MOST_STEERING / steepest)):g} {unit} or less"
+                f"make it {_below(shown(MOST_STEERING / steepest)):g} {_WORDS[unit]} or less"
             )
+
+
+def steering_effect(fleet: Fleet, name: str) -> float:
+    """How far one unit of a tolerance turns the front wheel at most, rad."""
+    row = dict(zip(STEERING, fleet.derivatives, strict=True))
+    if name in ("edge_break", "edge_wear"):
+        return float(np.abs(row["inner_face"] - row["outer_face"]).max())
+    if name == "steering_lost_motion":
+        return float(np.abs(row["steering_zero"]).max())
+    parts = [row[part] for part in _parts(name) if part in row]
+    return float(np.sqrt(sum(part**2 for part in parts)).max()) if parts else 0.0
 
 
 def _below(value: float) -> float:
@@ -236,29 +290,33 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
     names = [name for name, spread in spreads.items() if spread > 0]
     if not names:
         return ()
-    steps = np.array([UNITS[PARAMETERS[name]] for name in names])
-    deviations = np.zeros((2 * len(names), len(PARAMETERS)))
-    for row, name in enumerate(names):
-        deviations[2 * row : 2 * row + 2, list(PARAMETERS).index(name)] = np.array([-0.5, 0.5]) * steps[row]
+    parts = [(name, column) for name in names for column in _columns(name)]
+    steps = np.array([UNITS[PARAMETERS[_parts(name)[0]]] for name, _ in parts])
+    deviations = np.zeros((2 * len(parts), len(PARAMETERS)))
+    for row, (_, column) in enumerate(parts):
+        deviations[2 * row : 2 * row + 2, column] = np.array([-0.5, 0.5]) * steps[row]
     errors = fleet_errors(fleet, deviations)
-    heading, along, across = (
-        np.diff(e[:, -1].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)
+    moved = np.stack(
+        [np.diff(e[:, -1].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1
     )
-    variance = (along**2 + across**2) * (np.array([spreads[name] for name in names]) / steps) ** 2
-    found = [
-        Sensitivity(name=name, step=float(step), heading=float(h), along=float(x), across=float(y), share=float(share))
-        for name, step, h, x, y, share in zip(
-            names, steps, heading, along, across, variance / variance.sum(), strict=True
-        )
-    ]
-    return tuple(sorted(found, key=lambda one: -one.share))
+    found = []
+    for name in names:
+        rows = [row for row, (owner, _) in enumerate(parts) if owner == name]
+        step = float(steps[rows[0]])
+        # In the worst direction the end moves furthest, and in any direction as far as their mean square.
+        worst = np.linalg.svd(moved[rows, 1:].T)[2][0] if len(rows) > 1 else np.ones(1)
+        heading, along, across = worst @ moved[rows]
+        variance = float((moved[rows, 1:] ** 2).sum() / len(rows) * (spreads[name] / step) ** 2)
+        found.append((variance, name, step, float(heading), float(along), float(across)))
+    whole = float(np.sum([one[0] for one in found]))
+    return tuple(
+        Sensitivity(name=name, step=step, heading=heading, along=along, across=across, share=variance / whole)
+        for variance, name, step, heading, along, across in sorted(found, key=lambda one: -one[0])
+    )
 
 
 def _spreads(fleet: Fleet, tolerances: Tolerances) -> dict[str, float]:
-    """Standard deviation of each parameter; a sampler's from its own random numbers."""
-    spreads = {
-        name: ZoneSum((name,), np.array([-half]), np.array([half]), tolerances.law).std
-        for name, half in tolerances.half_widths.items()
-    }
-    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, fleet.play)[:, -1]
+    """Standard deviation of each tolerance; a sampler's from its own random numbers."""
+    spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
+    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, fleet.play)[:, _COLUMN["play"]]
     return {**spreads, "play": float(play.std())}

@@ -12,7 +12,8 @@ from cadgen.motion.drive import TURN, Pose, Run, drive
 from cadgen.motion.errors import run_error
 from cadgen.motion.sampled import sampled_lift
 from cadgen.optimize.compensation import compensated_lift
-from cadgen.optimize.fleet import PARAMETERS, make_fleet, run_fleet, steering_derivatives
+from cadgen.optimize.derivatives import steering_derivatives
+from cadgen.optimize.fleet import PARAMETERS, make_fleet, run_fleet
 from cadgen.optimize.robust import Tolerances, fleet_errors
 
 NAMES = list(PARAMETERS)
