@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from cadgen.cli.show import Output, friction, plain_table
 
 if TYPE_CHECKING:
+    from cadgen.workflow.budget import BudgetSheet
     from cadgen.workflow.cam import CamPlan
     from cadgen.workflow.remedies import Remedy
     from cadgen.workflow.simulate import Simulation
@@ -176,7 +177,7 @@ def fleet(run: "ToleranceRun") -> None:
     for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
         table.add_column(column, justify="left" if column == "tolerance" else "right")
     for one in facts["sensitivities"]:
-        unit = "°" if one["unit"] == "deg" else " mm"
+        unit = {"deg": "°", "1": ""}.get(one["unit"], f" {one['unit']}")
         table.add_row(
             one["tolerance"].replace("_", " "),
             f"{one['half_width']:.3g}{unit}",
@@ -186,3 +187,32 @@ def fleet(run: "ToleranceRun") -> None:
             f"{100 * one['share_of_variance']:.1f} %",
         )
     console.print(table)
+
+
+def budget(sheet: "BudgetSheet") -> None:
+    """Print what everything that may be off costs, before and after a trim, and what to hold tighter."""
+    from cadgen.workflow.budget import shown_half_width
+
+    console = Output()
+    table = plain_table("\nerror budget: how far the end of the run is moved, before and after a trim")
+    for column in ("what may be off", "by", "before", "trimmed"):
+        table.add_column(column, justify="left" if column == "what may be off" else "right")
+    for cost in sheet.budget.costs:
+        rough = "~" if cost.rough else ""
+        table.add_row(
+            cost.name.replace("_", " ") + ("" if cost.repeats else " *"),
+            shown_half_width(cost),
+            f"{rough}{cost.before:.1f} mm",
+            f"{rough}{cost.after:.1f} mm",
+        )
+    table.add_row("all, root of squares", "", f"{sheet.budget.before:.1f} mm", f"{sheet.budget.after:.1f} mm")
+    console.print(table)
+    table = plain_table("\nthe disc by processes, with what they usually hold: mm before and after a trim")
+    table.add_column("what may be off")
+    for process in sheet.processes:
+        table.add_column(process, justify="right")
+    for name, cells in sheet.rows():
+        table.add_row(name.replace("_", " "), *cells)
+    console.print(table)
+    for text in sheet.sentences():
+        console.print(text)

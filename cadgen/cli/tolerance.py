@@ -21,6 +21,11 @@ from cadgen.cli.options import design_options, out_option, play_profile_option
     default=lambda: min(2, os.cpu_count() or 1),
     help="How many run at once; the numbers do not depend on it.  [default: 2]",
 )
+@click.option(
+    "--budget",
+    is_flag=True,
+    help="Rank everything that may be off by what it costs at the end of the run, before and after a trim.",
+)
 @out_option(help="Folder for a picture; without it no file is written.")
 def tolerance(
     design: str | None,
@@ -29,6 +34,7 @@ def tolerance(
     samples: int,
     seed: int,
     processes: int,
+    budget: bool,
     as_json: bool,
     out: Path | None,
 ) -> None:
@@ -43,12 +49,14 @@ def tolerance(
 
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:
-        run = run_tolerance(loaded, profile, samples, seed, processes, step)
+        run = run_tolerance(loaded, profile, samples, seed, processes, step, with_budget=budget)
         written = None if out is None else write_tolerance(run, out, step)
     if as_json:
         show.document(run.facts() if written is None else written.entry)
         return
     show_play.fleet(run)
+    if run.budget is not None:
+        show_play.budget(run.budget)
     show.failed(run.plan)
     if written is not None and out is not None:
         show.files(written, out)

@@ -27,6 +27,7 @@ _UNITS = {
     "_Nmm": "N·mm",
     "_N": "N",
     "_J": "J",
+    "_K": "K",
 }
 # What users may write at the end of a key instead.
 _UNIT_ENDING = re.compile(

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field, Strict, model_validator
 
 from cadgen.design.section import Section
+from cadgen.motion.friction import DiscMaterial
 
 Hardware = Literal["drag", "trim"]
 
@@ -39,7 +40,8 @@ class Tolerances(Section):
     Many cars are reckoned to first order. So no tolerance may turn the front wheel by more than 0.004 rad: on the
     paper's car 0.088 mm of base radius, rod radius or profile offset, 0.38 mm of the faces, 0.21 degrees of steering
     zero. What it does to the end of the run is then right within 2 %, and in proportion closer for less. Nor may one
-    be more than a tenth of the wheelbase or of the wheel's radius.
+    be more than a tenth of the wheelbase or of the wheel's radius. Friction and drag vary within the bands of
+    [mechanics].
     """
 
     law: Literal["normal", "uniform"] = Field(
@@ -56,11 +58,59 @@ class Tolerances(Section):
     steering_zero_deg: float = Field(default=0.0, ge=0, le=10, description="front wheel against the rod")
     wheelbase_mm: float = Field(default=0.0, ge=0, le=10, description="L")
     drive_wheel_offset_mm: float = Field(default=0.0, ge=0, le=10, description="A1")
-    wheel_radius_mm: float = Field(default=0.0, ge=0, le=10, description="R_h, of the drive wheel; needs [train]")
+    wheel_radius_mm: float = Field(
+        default=0.0, ge=0, le=10, description="R_h, of the drive wheel as it rolls under load; needs [train]"
+    )
     cam_phase_deg: float = Field(default=0.0, ge=0, le=10, description="cam on its shaft against the start of the run")
     start_x_mm: float = Field(default=0.0, ge=0, le=100, description="place at the start, along the planned heading")
     start_y_mm: float = Field(default=0.0, ge=0, le=100, description="place at the start, across it")
     start_heading_deg: float = Field(default=0.0, ge=0, le=45, description="heading at the start")
+    eccentricity_mm: float | None = Field(
+        default=None,
+        ge=0,
+        le=10,
+        description="of the profile about the shaft, in any direction: the bore's place, and half the clearance of "
+        "`blank.bore_fit`",
+    )
+    wobble_deg: float | None = Field(
+        default=None, ge=0, le=10, description="by which the disc leans on its shaft, in any direction"
+    )
+    taper_mm: float | None = Field(
+        default=None,
+        ge=0,
+        le=10,
+        description="by which one face is cut larger than the other, half of it on either: laser, water jet, wire",
+    )
+    edge_break_mm: float | None = Field(
+        default=None, ge=0, le=10, description="how much more or less than wanted both edges of the rim are broken"
+    )
+    edge_wear_mm: float | None = Field(
+        default=None, ge=0, le=10, description="what wears off both edges at most, as a chamfer's leg; not less than 0"
+    )
+    rod_height_mm: float | None = Field(
+        default=None, ge=0, le=10, description="rod's axis above or below the camshaft's"
+    )
+    rod_force_N: float | None = Field(
+        default=None, ge=0, le=100, description="of the rod, about `mechanics.rod_force_N`; needs [mechanics]"
+    )
+    steering_lost_motion_deg: float | None = Field(
+        default=None,
+        ge=0,
+        le=10,
+        description="half of the play between rod and front wheel, which stands anywhere in it and anew in each run",
+    )
+    wheel_runout_mm: float | None = Field(
+        default=None, ge=0, le=10, description="eccentricity of the drive wheel; needs [train]"
+    )
+    temperature_K: float | None = Field(
+        default=None,
+        ge=0,
+        le=100,
+        description="how far from that of the adjustment; needs `blank.material`, and goes by `frame_material`",
+    )
+    frame_material: DiscMaterial | None = Field(
+        default=None, description="of what holds camshaft and fork apart; left out, aluminium"
+    )
     gate_width_mm: float = Field(
         default=400.0,
         gt=0,

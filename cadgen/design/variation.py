@@ -15,6 +15,7 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.fits import clearance as fit_clearance
 from cadgen.gears.joints import WholePlay
 from cadgen.gears.search import arrange
 from cadgen.motion.drive import wheel_radius as drive_wheel_radius
@@ -22,10 +23,13 @@ from cadgen.motion.friction import USUAL, friction_band
 from cadgen.motion.mechanics import MechanicsBand
 from cadgen.motion.play import TURN
 from cadgen.optimize.band import PlayBand
-from cadgen.optimize.fleet import PARAMETERS
+from cadgen.optimize.derivatives import Expansion
+from cadgen.optimize.fleet import DIRECTED, PARAMETERS
+from cadgen.optimize.processes import EXPANSION
 from cadgen.optimize.remedies import holding
-from cadgen.optimize.robust import Sampler, Tolerances
+from cadgen.optimize.robust import TOLERANCES, Sampler, Tolerances
 
+_ENDINGS = {"mm": "mm", "rad": "deg", "N": "N", "K": "K", "1": "", "Nmm": ""}  # of the keys of [tolerances]
 _STATIONS = 3600  # of the turn at which forces are looked at
 
 ORDERS: tuple[Literal["as-given", "reordered"], ...] = ("as-given", "reordered")
@@ -146,20 +150,46 @@ def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: LiftCurve) -> 
         )
 
 
-def half_widths(design: Design) -> dict[str, float]:
-    """Half of each tolerance zone by the names of `optimize.fleet.PARAMETERS`, mm or rad; what is 0 is left out."""
+def half_widths(design: Design, forces: MechanicsBand | None) -> dict[str, float]:
+    """Half of each tolerance zone by the names of `optimize.robust.TOLERANCES`; what is 0 is left out.
+
+    Args:
+        design: a loaded design.
+        forces: what is known of the forces on its cam.
+
+    Raises:
+        DesignError: a tolerance of what the design says nothing of.
+    """
     given = design.tolerances
     found = {}
-    for name, unit in PARAMETERS.items():
-        if name != "play":
-            half = getattr(given, f"{name}_mm") if unit == "mm" else radians(getattr(given, f"{name}_deg"))
-            if half > 0:
-                found[name] = half
-    return found
+    for name in TOLERANCES:
+        unit = PARAMETERS[DIRECTED.get(name, (name,))[0]]
+        value = getattr(given, f"{name}_{_ENDINGS[unit]}", None) or 0.0
+        found[name] = radians(value) if unit == "rad" else value
+    if (fit := design.blank.bore_fit) is not None:
+        try:
+            found["eccentricity"] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
+        except DesignError as error:
+            raise DesignError(f"blank.bore_fit: {error}") from error
+    if forces is not None:
+        found["friction"], found["drag"] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
+    elif found["rod_force"] > 0:
+        raise DesignError("tolerances.rod_force_N needs the force itself: add [mechanics] with rod_force_N")
+    if found["temperature"] > 0 and design.blank.material is None:
+        raise DesignError("tolerances.temperature_K needs to know what the disc is made of: set blank.material")
+    return {name: half for name, half in found.items() if half > 0}
 
 
-def tolerances(design: Design) -> Tolerances:
-    """How cars of this design may differ; a measured return error does not."""
+def expansion(design: Design) -> Expansion:
+    """How disc, frame and rod grow with heat; not at all if the disc's material is not known."""
+    disc, frame = design.blank.material, design.tolerances.frame_material or "aluminium"
+    if disc is None:
+        return Expansion()
+    return Expansion(disc=EXPANSION[disc], frame=EXPANSION[frame], rod=EXPANSION["steel"])
+
+
+def tolerances(design: Design, forces: MechanicsBand | None = None) -> Tolerances:
+    """How cars of this design may differ, also in the forces on their cams; a measured return error does not."""
     law, given = design.tolerances.law, design.play
     sample: Sampler | None = None
     if measured_play(design) is not None:
@@ -170,12 +200,25 @@ def tolerances(design: Design) -> Tolerances:
     else:
         band = play_bands(design)[design.optimize.order]
         sample = ZoneSum(("play",), np.array([band.least]), np.array([band.greatest]), law).sample
-    return Tolerances(half_widths=half_widths(design), law=law, play=sample)
+    return Tolerances(half_widths=half_widths(design, forces), law=law, play=sample)
 
 
 def _plays(spread: ZoneSum, generator: np.random.Generator, size: int) -> NDArray[np.float64]:
     """Plays of cars, shape (size,), rad; teeth that jam have none."""
     return np.maximum(spread.sample(generator, size), 0.0)
+
+
+def play_zones(design: Design) -> dict[str, float]:
+    """Half of the zone of each part of the play, rad: of the teeth, and of every joint; empty if it was measured."""
+    if measured_play(design) is not None:
+        return {}
+    whole = None if design.play is not None else whole_play(design)
+    if whole is None:
+        low, high = play_bands(design)[design.optimize.order].ends
+        return {"play": (high - low) / 2}
+    teeth = whole.teeth
+    own = {} if teeth is None else {"play of the teeth": (teeth.return_error_max - teeth.return_error_min) / 2}
+    return {**own, **{one.name: (one.greatest - one.least) / 2 for one in whole.loose}}
 
 
 def wheel_radius(design: Design, length: float) -> float:
@@ -186,11 +229,12 @@ def wheel_radius(design: Design, length: float) -> float:
     """
     if design.train is not None:
         return drive_wheel_radius(length, float(gears.train(design).ratio))
-    if design.tolerances.wheel_radius_mm > 0:
-        raise DesignError(
-            "tolerances.wheel_radius_mm needs the radius itself, which follows from the ratio of [train]: add [train], "
-            "or remove tolerances.wheel_radius_mm"
-        )
+    for name in ("wheel_radius_mm", "wheel_runout_mm"):
+        if getattr(design.tolerances, name):
+            raise DesignError(
+                f"tolerances.{name} needs the radius itself, which follows from the ratio of [train]: add [train], "
+                f"or remove tolerances.{name}"
+            )
     return inf
 
 

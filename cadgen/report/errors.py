@@ -106,3 +106,28 @@ def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
         right.margins(x=0.15)
         right.set(title="Share of the variance", xlabel="%")
         return save(picture, folder, name)
+
+
+def draw_budget(title: str, costs: Mapping[str, tuple[float, float]], folder: Path, name: str) -> list[str]:
+    """Draw what everything that may be off costs, before and after a trim; return the files' names.
+
+    Args:
+        title: of the picture.
+        costs: what may be off -> how far it moves the end of the run before and after a trim, mm, greatest first.
+        folder: where to.
+        name: of the files, without ending.
+    """
+    names = list(costs)[::-1]
+    place = np.arange(len(names))
+    with figure(8.0, 1.6 + 0.34 * len(names)) as picture:
+        axes = picture.subplots()
+        for number, (label, colour) in enumerate((("after a trim", AFTER), ("before", BEFORE))):
+            values = [costs[one][1 - number] for one in names]
+            bars = axes.barh(place + 0.2 - 0.4 * number, values, 0.38, label=label, color=colour)
+            axes.bar_label(bars, fmt="%.0f", fontsize=7, padding=2)
+        axes.set_yticks(place, names)
+        axes.grid(axis="y", visible=False)
+        axes.margins(x=0.12)
+        axes.set(title=f"{title}: what may be off, at the end of the run", xlabel="mm")
+        axes.legend(loc="lower right", fontsize=8)
+        return save(picture, folder, name)

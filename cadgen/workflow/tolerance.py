@@ -15,10 +15,11 @@ from cadgen.export.folder import publishing
 from cadgen.export.manifest import file_facts, versions, write_manifest
 from cadgen.motion.drive import STEPS
 from cadgen.motion.play import TURN
-from cadgen.optimize.fleet import PARAMETERS, Fleet, make_fleet
+from cadgen.optimize.fleet import Fleet, make_fleet
 from cadgen.optimize.robust import FleetEnds, Sensitivity, sensitivities, tolerance_run
 from cadgen.report.errors import FleetPicture, draw_fleet
 from cadgen.workflow.as_built import as_built_facts
+from cadgen.workflow.budget import BudgetSheet, budget_sheet, unit_of
 from cadgen.workflow.cam import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.files import Written
 
@@ -36,6 +37,7 @@ class ToleranceRun:
         ends: of the cars' runs.
         gates: that they pass on the run, its end included.
         sensitivities: to each tolerance, greatest share first.
+        budget: of everything that may be off, and of the disc's making by processes; None if it was not asked for.
     """
 
     plan: CamPlan
@@ -43,6 +45,7 @@ class ToleranceRun:
     ends: FleetEnds
     gates: int
     sensitivities: tuple[Sensitivity, ...]
+    budget: BudgetSheet | None = None
 
     @property
     def passed(self) -> float:
@@ -90,11 +93,12 @@ class ToleranceRun:
                 }
                 for one in self.sensitivities
             ],
+            **({} if self.budget is None else {"budget": self.budget.facts()}),
         }
 
     def _half_width(self, name: str) -> float:
         if name != "play":
-            return variation.half_widths(self.plan.design)[name]
+            return variation.half_widths(self.plan.design, against_of(self.plan).task.mechanics)[name]
         low, high = against_of(self.plan).band.ends
         return (high - low) / 2
 
@@ -106,6 +110,8 @@ def run_tolerance(
     seed: int,
     processes: int,
     step: Step = lambda text: None,
+    *,
+    with_budget: bool = False,
 ) -> ToleranceRun:
     """Run random cars of a design.
 
@@ -116,6 +122,7 @@ def run_tolerance(
         seed: of the random numbers.
         processes: how many run at once; the numbers do not depend on it.
         step: told what is being done.
+        with_budget: rank everything that may be off, too.
 
     Raises:
         DesignError: as `plan_cam`, or nothing varies.
@@ -123,7 +130,7 @@ def run_tolerance(
         FileError: there is not the memory for so many cars.
     """
     plan = plan_cam(design, profile, step, with_play=True)
-    tolerances = variation.tolerances(design)
+    tolerances = variation.tolerances(design, against_of(plan).task.mechanics)
     fleet = _fleet(plan)
     step("finding sensitivities")
     found = sensitivities(fleet, tolerances)
@@ -140,7 +147,11 @@ def run_tolerance(
             f"out of memory for {samples} cars in {processes} processes: lower --samples or --processes, or close "
             f"other programs"
         ) from error
-    return ToleranceRun(plan, seed, ends, len(fleet.stations), found)
+    sheet = None
+    if with_budget:
+        step("ranking what may be off")
+        sheet = budget_sheet(design, fleet, tolerances)
+    return ToleranceRun(plan, seed, ends, len(fleet.stations), found, sheet)
 
 
 def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None) -> Written:
@@ -162,6 +173,8 @@ def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None
             shares={one.name: one.share for one in run.sensitivities},
         )
         names = draw_fleet(picture, staging, stem)
+        if run.budget is not None:
+            names += run.budget.draw(f"{design.name}, {run.plan.profile} profile", staging, f"{stem}_budget")
         entry = {**run.facts(), "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
         write_manifest(staging, stem, entry)
     return Written(stem, entry)
@@ -180,6 +193,8 @@ def _fleet(plan: CamPlan) -> Fleet:
         wheel_radius=variation.wheel_radius(plan.design, task.length),
         play=against.chosen.play,
         stations=_gates(plan),
+        mechanics=None if task.mechanics is None else task.mechanics.nominal,
+        expansion=variation.expansion(plan.design),
     )
 
 
@@ -192,8 +207,8 @@ def _gates(plan: CamPlan) -> list[int]:
 
 
 def _unit(name: str) -> str:
-    return "mm" if PARAMETERS[name] == "mm" else "deg"
+    return unit_of(name)[0]
 
 
 def _user(name: str, value: float) -> float:
-    return value if PARAMETERS[name] == "mm" else degrees(value)
+    return value * unit_of(name)[1]
