@@ -8,16 +8,20 @@ D = w - h T / sqrt(1 + T^2)
     dT = (dx - sqrt(1 + T^2) (y / h) dy - da - T dw + sqrt(1 + T^2) (r / h) dr) / D,
 where dx, dy and dw are how far the point itself is displaced:
 
-- a **larger disc**, along its normal, lifts the rod as a thicker rod would;
+- a **larger disc**, along its normal, lifts the rod as a thicker rod would, but for 1 / cos(beta);
 - an **eccentric bore** displaces every point alike, in a direction that turns with the cam;
 - a disc that **wobbles**, tilted by gamma towards the direction d, has dw = gamma p . d at the point p, and the edge,
   off the disc's middle by w - m, goes to the other side by gamma (w - m);
 - a rod **above** the camshaft's plane is a disc below it;
-- a **taper** of the cut makes one face larger and the other smaller by half of it;
+- a **taper** of the cut makes one face larger along its normal, and the other smaller, by half of it;
 - **heat** scales the disc about the shaft, and the frame, which holds camshaft and fork apart.
+
+Where the rod hardly leans, the other edge is nearly as high, and a taper or a wobble may raise it above the one that
+carries the nominal rod (`OtherEdge`).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +36,46 @@ STEERING = (
     *("base_radius", "inner_face", "outer_face", "rod_radius", "profile_offset", "steering_zero"),
     *("taper", "rod_height", "eccentricity_0", "eccentricity_90", "wobble_0", "wobble_90", "temperature"),
 )
+
+
+@dataclass(frozen=True, kw_only=True)
+class OtherEdge:
+    """The edge that does not carry the nominal rod, at n cam angles.
+
+    Attributes:
+        below: by which tan(beta) would be less if it alone did, shape (n,).
+        rising: how much faster tan(beta) grows on it with `PARTS`, shape (3, n).
+    """
+
+    below: Array
+    rising: Array
+
+    PARTS: ClassVar[tuple[str, ...]] = ("taper", "wobble_0", "wobble_90")
+
+    @classmethod
+    def of(cls, contact: Contact, follower: Follower) -> "OtherEdge":
+        """Beside a contact of the nominal rod on the nominal disc."""
+        other = replace(contact, face=follower.inner + follower.outer - contact.face)
+        here, there = (steering_derivatives(one, follower) for one in (contact, other))
+        rows = [STEERING.index(name) for name in cls.PARTS]
+        # Both edges have one outline, so the lift would be the same, further out or further in.
+        below = np.abs(contact.tan_beta * (1 - contact.face / other.face))
+        return cls(below=below, rising=there[rows] - here[rows])
+
+    def raised(self, deviations: Array, columns: NDArray[np.intp]) -> tuple[NDArray[np.intp], Array]:
+        """Where cars ride on it, and by how much that turns the rod.
+
+        Args:
+            deviations: of `PARTS`, shape (m, 3).
+            columns: which cam angles are asked for, shape (j,).
+
+        Returns:
+            Places in `columns` at which some car may, shape (q,), and what is added to tan(beta), shape (m, q).
+        """
+        most = np.abs(deviations).max(axis=0) @ np.abs(self.rising)
+        near = np.flatnonzero((most > self.below)[columns])
+        at = columns[near]
+        return near, np.maximum(np.einsum("ci,ij->cj", deviations, self.rising[:, at]) - self.below[at], 0.0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,8 +135,11 @@ def steering_derivatives(
     heat = expansion or Expansion()
     grown = heat.disc * displaced(x, y) - heat.frame * follower.base_radius / divisor
     grown += face * (heat.frame * middle + heat.disc * (w - middle)) + heat.rod * follower.radius * raised
+    # Along the outline's normal in the plane of the edge, (h / sqrt(1 + T^2), -y) before it is made a unit.
+    normal = np.hypot(height / root, y)
+    offset = displaced(height / root / normal, -y / normal) if thick else 1 / divisor
     more = [
-        np.where(inner, -0.5, 0.5) * raised,
+        np.where(inner, -0.5, 0.5) * offset,
         displaced(np.zeros_like(T), -np.ones_like(T)),
         *(displaced(along, across) for along, across in directions),
         *wobbles,

@@ -20,7 +20,7 @@ from cadgen.errors import DesignError
 from cadgen.motion.drive import Run
 from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.play import LEAST_SWING, TURN, falls
-from cadgen.optimize.derivatives import STEERING, Expansion, steering_derivatives
+from cadgen.optimize.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
 from cadgen.optimize.stretches import Forces, Stretches, behind_a_brake, stretches
 from cadgen.steering.car import Car, pace, wheel_tangent
 
@@ -85,6 +85,7 @@ class Fleet:
     Attributes:
         tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
         derivatives: of it, shape (13, n); see `steering_derivatives`.
+        other: the edge of the disc that does not carry the nominal rod.
         falls: where the nominal lift falls, shape (k, 2), rad.
         car: nominal dimensions.
         length: travel of the drive wheel in one turn of the cam, mm.
@@ -98,6 +99,7 @@ class Fleet:
 
     tan_beta: Array
     derivatives: Array
+    other: OtherEdge
     falls: Array
     car: Car
     length: float
@@ -155,6 +157,7 @@ def make_fleet(
     return Fleet(
         tan_beta=contact.tan_beta,
         derivatives=steering_derivatives(contact, follower, car.steering_gain, expansion),
+        other=OtherEdge.of(contact, follower),
         falls=falls(lift, least),
         car=car,
         length=length,
@@ -244,6 +247,10 @@ class _Track:
         # Not `@`: a library's threads would compete with other processes for so small a product.
         T = np.einsum("ci,ij->cj", deviation, fleet.derivatives[used][:, index % count])
         T += fleet.tan_beta[index % count]
+        parts = np.stack([column[name] for name in OtherEdge.PARTS], axis=1)
+        if parts.any():
+            near, more = fleet.other.raised(parts, index % count)
+            T[:, near] += more
         # Without slip a single 1 stands for all, and nothing is multiplied.
         runs_out = column["wheel_runout_0"].any() or column["wheel_runout_90"].any()
         slips = fleet.car.slip != 0 or runs_out

@@ -18,6 +18,7 @@ from cadgen.motion.play import TURN, falls
 Array = NDArray[np.float64]
 
 _STEP = radians(0.1)  # between stations: the end of the run errs by less than 0.1 mm
+_HALVINGS = 30  # of a step, in the search for a change of face
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,7 @@ class Forces:
     def of(cls, mechanics: Mechanics, cut: LiftCurve, least: float) -> "Forces":
         """Levers over the falls of a lift; rises and falls of tan(beta) smaller than `least` are passed over."""
         pieces = [np.linspace(p, v, int((v - p) / _STEP) + 9) for p, v in falls(cut, least).tolist()]
+        pieces = [np.union1d(piece, _sides(cut, piece)) for piece in pieces]
         last = np.cumsum([len(piece) for piece in pieces], dtype=int)
         angle = np.concatenate(pieces) if pieces else np.empty(0)
         at = levers(cut, mechanics.follower, angle)
@@ -96,6 +98,18 @@ class Forces:
         for side in (0, 1):
             found[side, rows[side::2], number] = place[side::2]
         return found[0], found[1]
+
+
+def _sides(lift: LiftCurve, angle: Array) -> Array:
+    """Both sides of the places at which the rod goes over to the other face, where the torque leaps; rad."""
+    left = np.flatnonzero((lift.tan_beta(angle[1:]) >= 0) != (lift.tan_beta(angle[:-1]) >= 0))
+    low, high = angle[left], angle[left + 1]
+    above = lift.tan_beta(low) >= 0
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        same = (lift.tan_beta(middle) >= 0) == above
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    return np.concatenate([low, high])
 
 
 def stretches(peak: Array, valley: Array, play: Array, phase: Array, last: float) -> Stretches:
