@@ -116,12 +116,17 @@ def remedies(sheet: "Sequence[Remedy]") -> None:
 def runs(simulation: "Simulation") -> None:
     """Print the events and where the runs end."""
     from cadgen.workflow.as_built import as_built_sentences, assumed_play
+    from cadgen.workflow.mechanics import joint_sentences
 
     console = Output()
     friction(simulation.plan)
     before, chosen = simulation.against.before, simulation.against.chosen
     design = simulation.plan.design
-    for text in (*assumed_play(design), *as_built_sentences(design, float(simulation.planned.motor[-1]))):
+    for text in (
+        *assumed_play(design),
+        *joint_sentences(design),
+        *as_built_sentences(design, float(simulation.planned.motor[-1])),
+    ):
         console.print(text)
     table = plain_table(
         f"{simulation.plan.design.name}, return error {degrees(simulation.play):.3f}°: events of the {before.title}"
@@ -156,11 +161,17 @@ def runs(simulation: "Simulation") -> None:
 def fleet(run: "ToleranceRun") -> None:
     """Print where the cars end, how many pass, and what matters most."""
     from cadgen.workflow.as_built import as_built_sentences, assumed_play
+    from cadgen.workflow.mechanics import joint_sentences
 
     console = Output()
     friction(run.plan)
     facts = run.facts()
-    for text in (*assumed_play(run.plan.design), *as_built_sentences(run.plan.design, run.plan.lift.blend_start)):
+    design = run.plan.design
+    for text in (
+        *assumed_play(design),
+        *joint_sentences(design),
+        *as_built_sentences(design, run.plan.lift.blend_start),
+    ):
         console.print(text)
     console.print(
         f"{facts['design']}, {facts['profile']} profile: {facts['samples']} cars, seed {facts['seed']}, "

@@ -251,22 +251,23 @@ class _Track:
         if parts.any():
             near, more = fleet.other.raised(parts, index % count)
             T[:, near] += more
-        # Without slip a single 1 stands for all, and nothing is multiplied.
+        # Without slip and run-out a single 1 stands for all, and nothing is multiplied.
         runs_out = column["wheel_runout_0"].any() or column["wheel_runout_90"].any()
-        slips = fleet.car.slip != 0 or runs_out
+        slips = fleet.car.slip != 0
         going = pace(T, fleet.car) if slips else np.ones((1, 1))
         if runs_out:
             going = np.asarray(going * _rolling(fleet, column, np.asarray(index * step)))
+        varies = slips or runs_out
         T = wheel_tangent(T, fleet.car)
         divisor = T * (fleet.car.drive_wheel_offset + column["drive_wheel_offset"])[:, None]
         divisor += (fleet.car.wheelbase + column["wheelbase"])[:, None]
         turning = np.divide(T, divisor, out=T)
         turning *= -rate[:, None]
-        if slips:
+        if varies:
             turning *= going
         heading = _accumulated(turning, step)
         ahead = np.cos(heading), np.sin(heading)
-        x, y = (_accumulated(going * part if slips else part, step) for part in ahead)
+        x, y = (_accumulated(going * part if varies else part, step) for part in ahead)
         return cls(index[0] * step, step, np.broadcast_to(going, T.shape), turning, heading, x, y)
 
     def between(self, cam: Array, travel: Array, waits: NDArray[np.bool_]) -> tuple[Array, Complex]:

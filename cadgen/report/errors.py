@@ -128,6 +128,6 @@ def draw_budget(title: str, costs: Mapping[str, tuple[float, float]], folder: Pa
         axes.set_yticks(place, names)
         axes.grid(axis="y", visible=False)
         axes.margins(x=0.12)
-        axes.set(title=f"{title}: what may be off, at the end of the run", xlabel="mm")
+        axes.set(title=f"{title}: what may be off", xlabel="end of the run moved by (mm)")
         axes.legend(loc="lower right", fontsize=8)
         return save(picture, folder, name)

@@ -115,9 +115,56 @@ def test_tolerance_fits_the_terminal_and_draws_on_request(cadgen, tmp_path):
     }
 
 
+OFF = {
+    "tolerances.eccentricity_mm": 0.01,
+    "tolerances.steering_lost_motion_deg": 0.02,
+    "tolerances.temperature_K": 5,
+    "blank.material": "acrylic",
+    "blank.joint": "keyed",
+    "blank.joint_clearance_greatest_um": 25,
+    "mechanics.friction_least": 0.05,
+    "mechanics.friction_greatest": 0.1,
+    "optimize.max_lift_error_um": "",
+}
+
+
+def test_the_budget_ranks_what_may_be_off_and_says_what_to_hold_tighter(cadgen, tmp_path):
+    changes = [part for key, value in OFF.items() for part in ("--set", f"{key}={value}")]
+    result = cadgen("tolerance", "--samples", "200", "--budget", "--out", "p", *changes, code=0)
+    print(result.stdout)
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    words = " ".join(result.stdout.split())
+    assert "its key has 0.36° of the 1.32° of return error" in words
+    assert "Hold tighter first: temperature, 5 K; half of it" in words
+    assert "key of the cam" in words
+    assert "what may be off milled wire-cut laser-cut printed" in words
+    entry = json.loads((tmp_path / "p/manifest.json").read_text())["parts"]["carbon_free_car_optimized_tolerance"]
+    assert {"carbon_free_car_optimized_tolerance_budget.png", "carbon_free_car_optimized_tolerance_budget.svg"} <= set(
+        entry["files"]
+    )
+    costs = {cost["name"]: cost for cost in entry["budget"]["costs"]}
+    assert costs["friction"]["half_width"] == pytest.approx(0.025)
+    assert costs["temperature"]["end_position_mm"] == pytest.approx(320, abs=20)
+    assert not costs["temperature"]["repeats"]
+    assert costs["profile_offset"]["end_position_after_trim_mm"] < 2
+    assert set(entry["budget"]["processes"]) == {"milled", "wire-cut", "laser-cut", "printed"}
+    assert entry["budget"]["advice"][0].startswith("Hold tighter first")
+
+
 @pytest.mark.parametrize(
     ("command", "design", "overrides", "code", "words"),
     [
+        ("tolerance", "carbon_free_car", ["tolerances.temperature_K=5"], 2, "set blank.material"),
+        ("tolerance", "carbon_free_car", ["tolerances.rod_force_N=0.1"], 2, "add [mechanics] with rod_force_N"),
+        ("tolerance", "carbon_free_car", ["blank.bore_fit=loose"], 2, "blank.bore_fit: the fit"),
+        ("gears", "carbon_free_car", ["train.output.joint=keyed"], 2, "train.output.joint = "),
+        (
+            "tolerance",
+            "plain.toml",
+            ["play.measured_deg=0.5", "tolerances.wheel_runout_mm=0.1"],
+            2,
+            "tolerances.wheel_runout_mm needs the radius itself",
+        ),
         ("tolerance", "plain.toml", [], 2, "says nothing of the gears' play"),
         ("simulate", "carbon_free_car", ["optimize.max_end_heading_deg=1"], 1, "degrees more than the 1 allowed"),
         ("simulate", "carbon_free_car --play-deg nan", [], 2, "nan is not a finite number"),

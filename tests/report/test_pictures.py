@@ -11,7 +11,7 @@ import pytest
 from cadgen.design.load import load_design
 from cadgen.motion.errors import deflections
 from cadgen.report import style
-from cadgen.report.errors import FleetPicture, draw_events, draw_fleet
+from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
 from cadgen.report.lift import draw_lift
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.workflow.simulate import lift_picture, simulate
@@ -55,6 +55,7 @@ def draw_all(simulation, folder):
         *draw_run_errors("errors", lines, simulation.plan.track.length, folder, "run"),
         *draw_events("events", {"actual": simulation.events}, folder, "events"),
         *draw_fleet(fleet, folder, "fleet"),
+        *draw_budget("costs", {"taper": (65.0, 3.0), "start heading": (23.0, 23.0)}, folder, "budget"),
     ]
 
 
@@ -62,7 +63,7 @@ def test_every_picture_has_both_formats_and_the_same_bytes_each_time(simulation,
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
         names = draw_all(simulation, tmp_path / folder)
-        assert len(names) == 10
+        assert len(names) == 12
     for name in names:
         first = (tmp_path / "a" / name).read_bytes()
         assert first == (tmp_path / "b" / name).read_bytes(), name
@@ -80,7 +81,7 @@ def test_the_style_leaves_the_programs_own_settings_alone(simulation, tmp_path):
 
 def test_axes_say_what_they_show_and_in_what_unit(simulation, figures, tmp_path):
     draw_all(simulation, tmp_path)
-    assert len(figures) == 5
+    assert len(figures) == 6
     for picture in figures:
         labels = [label for axes in picture.axes for label in (axes.get_xlabel(), axes.get_ylabel()) if label]
         print(labels)
