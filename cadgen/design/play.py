@@ -39,7 +39,8 @@ class Tolerances(Section):
 
     Many cars are reckoned to first order. So no tolerance may turn the front wheel by more than 0.004 rad: on the
     paper's car 0.088 mm of base radius, rod radius or profile offset, 0.38 mm of the faces, 0.21 degrees of steering
-    zero. What it does to the end of the run is then right within 2 %, and in proportion closer for less. Nor may one
+    zero. What it does to the end of the run is then right within 2 %, and in proportion closer for less; of a wobble up
+    to 0.1 degrees, for what leaning shortens the disc grows with its square. Nor may one
     be more than a tenth of the wheelbase or of the wheel's radius. Friction and drag vary within the bands of
     [mechanics].
     """

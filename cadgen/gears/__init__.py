@@ -8,6 +8,8 @@
 | `train`        | gears, pairs and stages in a row, checked                                       |
 | `distribution` | sum of contributions free in their zones: bounds, moments, quantiles, samples   |
 | `backlash`     | tolerances -> play of a stage (eq. 1-13) -> return error of a train (eq. 25-26) |
+| `fits`         | free angle of keys and D-flats, clearance of fits (ISO 286)                     |
+| `joints`       | joints and bearings as play beside the teeth's                                  |
 | `chains`       | branch and bound: the cheapest chains of pairs that give a ratio                |
 | `limits`       | what a searched train may be                                                    |
 | `candidates`   | the stages that a search may choose from, and where they fit                    |

@@ -9,5 +9,9 @@
 | `judge`        | the methods by name, judged on the profiles they cut: rolled and run with play       |
 | `choice`       | the best of several profiles under limits, with the reasons                          |
 | `fleet`        | many cars at once, each with its own dimensions                                      |
+| `derivatives`  | how the steering changes with everything about disc and rod that may be a little off |
+| `stretches`    | where many cars' cams jump, wait and go on, each with its own friction and drag      |
 | `robust`       | Monte Carlo over the tolerances, yield within a gate, sensitivities                  |
+| `budget`       | everything that may be off, ranked by what it costs before and after a trim          |
+| `processes`    | what processes usually hold, and how materials grow with heat                        |
 """
