@@ -177,8 +177,8 @@ def _section_in(annotation: Any) -> type[Section] | None:
 def _key(name: str, info: FieldInfo) -> Key:
     kinds, inside = _kinds(info.annotation)
     allowed = _phrases(info.metadata)
-    if get_origin(info.annotation) is Literal:
-        allowed = listed([shown(choice) for choice in get_args(info.annotation)], "or")
+    if choices := _choices(info.annotation):
+        allowed = listed([shown(choice) for choice in choices], "or")
     return Key(
         name=name,
         unit=_unit(name),
@@ -189,6 +189,14 @@ def _key(name: str, info: FieldInfo) -> Key:
         default=None if info.is_required() else info.default,
         meaning=info.description or "",
     )
+
+
+def _choices(annotation: Any) -> tuple[Any, ...]:
+    """What a key may be, if that is listed, also of a key that may be left out."""
+    if get_origin(annotation) is Literal:
+        return get_args(annotation)
+    given = [arm for arm in get_args(annotation) if arm is not type(None)]
+    return _choices(given[0]) if type(None) in get_args(annotation) and len(given) == 1 else ()
 
 
 def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:

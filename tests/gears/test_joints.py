@@ -132,7 +132,8 @@ def test_a_flat_has_the_lever_of_half_its_width():
 @pytest.mark.parametrize(
     ("overrides", "words"),
     [
-        (("blank.joint=keyed",), "needs its clearance"),
+        (("blank.joint=keyed",), "^.*: blank.joint = .keyed. needs its clearance"),
+        (("blank.joint=welded",), 'must be "clamped", "pinned", "glued", "keyed" or "d_flat"'),
         (("blank.joint=glued", "blank.joint_fit=H7/g6"), "remove joint_fit"),
         ((*KEYED, "blank.joint_fit=H7/g6"), "the same twice"),
         ((*KEYED, "blank.joint_clearance_least_um=30"), "exchange them"),
