@@ -247,8 +247,8 @@ def _drag(sheet: _Sheet, plain: Judged) -> list[Remedy]:
             braked.cases,
             build=f"a brake or felt on the disc itself, {need.drag:.3g} N·mm for a rod force of "
             f"{sheet.known.rod_force:g} N: a quarter more than the cam's {need.torque:.3g} N·mm at "
-            f"{degrees(need.cam_angle):.1f}° without friction ({need.with_friction:.3g} at the least friction); it takes "
-            f"{need.energy:.2g} J a turn{share}, and holds until the drag falls by "
+            f"{degrees(need.cam_angle):.1f}° without friction ({need.with_friction:.3g} at the least friction); it "
+            f"takes {need.energy:.2g} J a turn{share}, and holds until the drag falls by "
             f"{100 * (1 - need.torque / need.drag) if need.drag else 0:.0f} % or the rod's force rises by "
             f"{100 * (need.drag / need.torque - 1) if need.torque else 0:.0f} %; a milder path there needs less, a "
             f"larger base radius does not",
