@@ -237,7 +237,10 @@ def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
 def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
     """Cut a span at its cusps and folds and keep what runs forward."""
     count = max(9, int(_SAMPLES * (span.stop - span.start) / _TURN))
-    theta = np.linspace(span.start, span.stop, count)
+    # Between two nodes of the lift it may turn back, too, however close they are.
+    nodes = span.lift.tan_beta.x
+    nodes = nodes[(nodes > span.start) & (nodes < span.stop)]
+    theta = np.union1d(np.linspace(span.start, span.stop, count), np.append(nodes, (nodes[1:] + nodes[:-1]) / 2))
     forward = span.advance(theta) > 0
     if forward.all():
         return [span]
