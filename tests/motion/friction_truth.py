@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 TURN = 2 * np.pi
+SPEED = np.radians(8.0)  # of the motor in cam units, rad/s
 
 
 @dataclass(frozen=True)
@@ -88,11 +89,19 @@ def contact(rod: Rod, T: Array, slope: Array) -> Contact:
         return np.sum(outward * (disc - fork * beta_rate), axis=0), outward, disc, fork
 
     low, high = np.full_like(T, -1.5), np.full_like(T, 1.5)
-    for _ in range(60):
+    for _ in range(6):
         middle = (low + high) / 2
         closing = at(middle)[0] < 0
         low, high = np.where(closing, middle, low), np.where(closing, high, middle)
-    _, outward, disc, fork = at((low + high) / 2)
+    off_low, off_high = at(low)[0], at(high)[0]
+    for _ in range(5):  # secants
+        apart = off_high != off_low
+        low, high = (
+            high,
+            high - np.where(apart, off_high * (high - low) / np.where(apart, off_high - off_low, 1.0), 0.0),
+        )
+        off_low, off_high = off_high, at(high)[0]
+    _, outward, disc, fork = at(high)
     relative = disc - fork * beta_rate
     slide = np.linalg.norm(relative, axis=0)
     per_lift = np.where(rod.leans, w * (1 + T**2), 1.0)  # lift per radian of the fork, or per mm
@@ -121,7 +130,7 @@ class Cells:
         self.contact = contact(rod, (T + after) / 2, (after - T) / self.step)
 
     def stands(self, friction: float, drag: float, room: int, *, joint: int = 0, nudge: float = 0.0) -> Array:
-        """Cells at which the cam stands as the motor goes from cell to cell, over the second of two turns, shape (n,).
+        """Cells at which the cam stands as the motor goes from cell to cell round a turn, shape (n,).
 
         The gears push the cam; wherever the torque is above the drag it goes on by itself as far as the room lets it.
         With a joint the drag acts on a shaft on which the cam has part of that room: the cam goes on wherever the
@@ -139,9 +148,9 @@ class Cells:
         takes = np.tile(torque > drag + nudge, 3).tolist()
         goes = np.tile(torque > nudge, 3).tolist() if joint else takes
         seen = []
-        shaft = cam = 0
+        shaft = cam = n // 2
         room -= joint
-        for motor in range(2 * n):
+        for motor in range(n // 2, 2 * n):
             if shaft < motor:
                 shaft = motor
             if cam < shaft:
@@ -156,7 +165,7 @@ class Cells:
                     break
                 cam += 1
             seen.append(cam)
-        return np.array(seen[n:]) - n
+        return np.array(seen[n - n // 2 :]) - n
 
 
 def late(stands: Array, least: Array, most: Array) -> int:
@@ -174,41 +183,52 @@ def late(stands: Array, least: Array, most: Array) -> int:
     return spread
 
 
-def run_end(T: Array, length: float, wheelbase: float, offset: float, share: float) -> complex:
-    """Where a car ends whose steering is known at even motor positions, from the origin along x: x + i y, mm.
+def run_end(T: Array, ds: float, wheelbase: float, offset: float) -> Array:
+    """Where cars end that steer by tan(beta) over each even step, from the origin along x: x + i y, mm.
 
     Args:
-        T: tan(beta), shape (n,), each for the cell of motor positions that begins there.
-        length: travel in a turn, mm.
+        T: tan(beta), steps along the last axis.
+        ds: travel in a step, mm.
         wheelbase: mm.
         offset: of the drive wheel from the fork, mm.
-        share: of the turn that is driven.
     """
-    steps = round(len(T) * share)
-    ds = length / len(T)
-    turning = -T[:steps] / (wheelbase + offset * T[:steps]) * ds
-    heading = np.cumsum(turning) - turning / 2
-    return complex(np.sum(np.exp(1j * heading) * np.sinc(turning / TURN)) * ds)
+    turning = -T / (wheelbase + offset * T) * ds
+    heading = np.cumsum(turning, axis=-1) - turning / 2
+    return np.sum(np.exp(1j * heading) * np.sinc(turning / TURN), axis=-1) * ds
 
 
-def dilated(T: Array, room: int) -> Array:
-    """Pure dilation of a closed lift: the greatest value of the last `room` cells and this."""
-    wide = np.concatenate([T[-room:], T]) if room else T
-    return np.array([wide[at : at + len(T)] for at in range(room + 1)]).max(axis=0)
+def dilated(T: Array, before: Array, room: int) -> Array:
+    """Pure dilation of a closed lift: the greatest of its values now, `before` the play, and at the cells between."""
+    wide = np.concatenate([T[len(T) - room :], T])
+    return np.maximum(np.max([wide[at : at + len(T)] for at in range(room + 1)], axis=0), before)
+
+
+def steering(T: Array, stands: Array) -> Array:
+    """tan(beta) over each cell of motor positions: of the cam's cell, or of where it waits."""
+    after = np.append(stands[1:], stands[0] + len(T))
+    here = T[stands % len(T)]
+    return np.where(after == stands, here, (here + T[(stands + 1) % len(T)]) / 2)
+
+
+def fitting_cells(play: float, most: int = 40000) -> tuple[int, int]:
+    """Cells of a turn and of a play, rad, so that whole ones fit both best."""
+    rooms = np.arange(most // 3, most) * play / TURN
+    rooms = np.arange(int(rooms[0]) + 1, int(rooms[-1]))
+    cells = rooms * TURN / play
+    best = int(np.argmin(np.abs(cells - np.round(cells)) / cells))
+    return round(cells[best]), int(rooms[best])
 
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion in time of c cams: motor positions at which the lead passes half the play, and all that was passed.
+    """A motion in time of c cams.
 
     Attributes:
-        passed: for each case, motor positions, rad.
-        end: cam angle at the end, shape (c,), rad.
-        T: tan(beta) at every step, shape (steps, c), if asked for.
+        passed: motor positions at which the lead first passes half the play, rad, NaN if it does not; shape (c,).
+        T: tan(beta) at the middle of every step, shape (c, steps).
     """
 
-    passed: list[list[float]]
-    end: Array
+    passed: Array
     T: Array
 
 
@@ -216,88 +236,88 @@ def in_time(
     cells: list[Cells],
     which: Array,
     friction: Array,
-    drag: Array,
     play: Array,
     inertia: Array,
+    start: Array,
     *,
-    start: float,
-    stop: float,
+    travel: float,
     step: float,
-    speed: float = np.radians(8.0),
-    stiffness: float = 1e6,
+    drag: float = 0.0,
+    stiffness: float = 4e5,
+    speed: float = SPEED,
 ) -> Motion:
     """Integrate inertia, rod, friction and drag of c cams between stiff flanks of their gears' teeth.
 
-    Rosenbrock's method of two stages (Verwer et al. 1999, ROS2), L-stable and of second order whatever stands for the
-    Jacobian: here the flanks' and the smoothed friction's. Flanks push by stiffness times depth times 1 + 10 s/rad
-    of closing speed; friction and drag turn with the sense of the cam's speed over 2 % of the motor's.
+    Alexander's diagonally implicit Runge-Kutta method of two stages (1977): second order, L-stable and, as it ends on
+    its last stage, at ease with flanks however stiff. Each stage is solved for the cam's speed by Newton's method
+    within a bracket, for both flanks and friction only ever slow the cam. Flanks push by stiffness times depth times
+    1 + 10 s/rad of closing speed and never pull; friction and drag turn with the sense of the cam's speed over 5 % of
+    the motor's.
 
     Args:
         cells: lifts.
         which: of them each case has, shape (c,).
-        friction, drag, play, inertia: shape (c,), N mm, rad, N mm s^2.
-        start: motor position at which the cams stand on the gears, rad.
-        stop: last motor position, rad.
+        friction, play, inertia: shape (c,), -, rad, N mm s^2.
+        start: motor positions at which the cams rest on the gears, shape (c,), rad.
+        travel: of the motor, rad.
         step: s.
-        speed: of the motor in cam units, rad/s.
+        drag: N mm.
         stiffness: of the teeth, N mm/rad.
+        speed: of the motor in cam units, rad/s.
     """
     n = len(cells[0].T)
-    width = TURN / n
-    fields = ("push", "lever", "rub", "slide", "force")
-    # Torques belong to the middles of the cells.
-    table = np.concatenate([np.stack([getattr(each.contact, name) for name in fields], axis=1) for each in cells])
-    steer = np.concatenate([each.T for each in cells])
-    base = np.asarray(which) * n
-    slow, hold = 0.02 * speed, 10.0
-    gamma = 1 - np.sqrt(0.5)
+    width, slow, hold, gamma = TURN / n, 0.05 * speed, 10.0, 1 - np.sqrt(0.5)
+    pairs, row = np.unique(np.stack([which, friction]), axis=1, return_inverse=True)
+    push = np.stack([cells[int(number)].contact.push for number, _ in pairs.T]).ravel()
+    held = push - np.stack([cells[int(number)].contact.torque(mu) for number, mu in pairs.T]).ravel()
+    table, steer = np.stack([push, held + drag]), np.concatenate([each.T for each in cells])
+    base, lift = row.ravel() * n, np.asarray(which, dtype=int) * n
 
-    def between(values: Array, place: Array) -> Array:
+    def between(values: Array, first: Array, place: Array) -> Array:
         at = np.floor(place).astype(int)
-        share = place - at
-        first, second = values[base + at % n], values[base + (at + 1) % n]
-        share = share[:, None] if values.ndim == 2 else share
-        return first + (second - first) * share
+        low, high = values[..., first + at % n], values[..., first + (at + 1) % n]
+        return low + (high - low) * (place - at)
 
-    def forces(ahead: Array, rate: Array, motor: float) -> tuple[Array, Array, Array]:
-        """Acceleration, and its derivatives by lead and speed but for what the rod's torque changes."""
-        push, lever, rub, slide, force = between(table, (motor + ahead) / width - 0.5).T
-        sense = np.tanh(rate / slow)
-        mu = friction * sense
-        normal = force / (lever + mu * rub)
-        closing = rate - speed
-        behind, beyond = np.maximum(-ahead, 0.0), np.maximum(ahead - play, 0.0)
-        low, high = np.maximum(1 - hold * closing, 0.0), np.maximum(1 + hold * closing, 0.0)
-        flanks = stiffness * (behind * low - beyond * high)
-        by_ahead = -stiffness * ((behind > 0) * low + (beyond > 0) * high)
-        by_rate = -stiffness * hold * (behind * (low > 0) + beyond * (high > 0))
-        by_rate = by_rate - (drag + friction * normal * slide) * (1 - sense**2) / slow
-        return (push - mu * normal * slide - drag * sense + flanks) / inertia, by_ahead / inertia, by_rate / inertia
+    def solved(x: Array, v: Array, guess: Array, motor: Array) -> Array:
+        """Speed u with u = v + g a(x + g (u - speed), u), a the acceleration."""
+        low, high, u = np.full_like(v, -100.0), np.full_like(v, 100.0), guess
+        for _ in range(40):
+            ahead = x + g * (u - speed)
+            driven, brake = between(table, base, (motor + ahead) / width - 0.5)  # torques of the cells' middles
+            sense, closing = np.tanh(u / slow), hold * (u - speed)
+            behind, beyond = stiffness * np.maximum(-ahead, 0.0), stiffness * np.maximum(ahead - play, 0.0)
+            back, front = np.maximum(1 - closing, 0.0), np.maximum(1 + closing, 0.0)
+            torque = driven - brake * sense + behind * back - beyond * front
+            by_rate = -brake * (1 - sense**2) / slow - hold * (behind * (back > 0) + beyond * (front > 0))
+            by_ahead = -stiffness * ((behind > 0) * back + (beyond > 0) * front)
+            off = u - v - g * torque / inertia
+            low, high = np.where(off < 0, u, low), np.where(off < 0, high, u)
+            better = u - off / (1 - g * (by_rate + g * by_ahead) / inertia)
+            better = np.where((better < low) | (better > high), (low + high) / 2, better)
+            done = np.abs(better - u).max() < 1e-9
+            u = better
+            if done:
+                break
+        return u
 
-    steps = round((stop - start) / speed / step)
-    ahead, rate = np.zeros(len(base)), np.full(len(base), speed)
-    passed: list[list[float]] = [[] for _ in base]
-    steering = np.empty((steps, len(base)))
+    steps = round(travel / speed / step)
     g = gamma * step
+    driven, brake = between(table, base, start / width - 0.5)
+    ahead, rate = np.minimum((driven - brake) / stiffness, 0.0), np.full(len(base), speed)
+    passed, steering = np.full(len(base), np.nan), np.empty((steps, len(base)))
     for number in range(steps):
         motor = start + number * step * speed
-        steering[number] = between(steer, (motor + ahead) / width)
-        acceleration, by_ahead, by_rate = forces(ahead, rate, motor)
-        # (I - g A) k = f with A = [[0, 1], [by_ahead, by_rate]].
-        divisor = 1 - g * by_rate - g * g * by_ahead
-        v1 = (acceleration + g * by_ahead * (rate - speed)) / divisor
-        x1 = (rate - speed) + g * v1
-        acceleration, _, _ = forces(ahead + step * x1, rate + step * v1, motor + step * speed)
-        fx, fv = rate + step * v1 - speed - 2 * x1, acceleration - 2 * v1
-        v2 = (fv + g * by_ahead * fx) / divisor
-        x2 = fx + g * v2
+        first = solved(ahead, rate, rate, motor + g * speed)
+        x = ahead + (1 - gamma) / gamma * g * (first - speed)
+        v = rate + (1 - gamma) / gamma * (first - rate)
         before, before_rate = ahead, rate
-        ahead, rate = ahead + step * (1.5 * x1 + 0.5 * x2), rate + step * (1.5 * v1 + 0.5 * v2)
-        for case in np.flatnonzero((before < play / 2) & (ahead >= play / 2)):
-            # On the parabola through both leads with the first's rate.
-            a, b = before[case] - play[case] / 2, (before_rate[case] - speed) * step
-            c = ahead[case] - before[case] - b
-            roots = np.roots([c, b, a])
-            share = next((r.real for r in roots if abs(r.imag) < 1e-9 and -1e-6 <= r.real <= 1 + 1e-6), 0.5)
-            passed[case].append(float(motor + share * step * speed))
-    return Motion(passed, start + steps * step * speed + ahead, steering)
+        rate = solved(x, v, first, motor + step * speed)
+        ahead = x + g * (rate - speed)
+        steering[number] = between(steer, lift, (motor + step * speed / 2 + (before + ahead) / 2) / width)
+        now = (before < play / 2) & (ahead >= play / 2) & np.isnan(passed)
+        if now.any():
+            # On the parabola through both leads with the first's rate: a + b t + c t^2 = 0.
+            a, b = (before - play / 2)[now], ((before_rate - speed) * step)[now]
+            c = (ahead - before)[now] - b
+            passed[now] = motor[now] + step * speed * -2 * a / (b + np.sqrt(np.maximum(b * b - 4 * a * c, 0.0)))
+    return Motion(passed, steering.T)
