@@ -46,8 +46,8 @@ def largest_cutter(curve: ClosedCurve) -> CutterLimit:
 
     A disc outside, tangent at p with outward normal n, does not cut another point q if its radius is at most
     |q - p|^2 / (2 (q - p).n), where that is positive; next to p this tends to the hollow's own radius. The
-    smallest value over all pairs is the answer, but for overlaps too small to show. It is found on the curve moved out by a micrometre, which
-    rounds convex corners, so that the cutter rolling about them is tried as well.
+    smallest value over all pairs is the answer, but for overlaps too small to show. It is found on the curve moved
+    out by a micrometre, which rounds convex corners, so that the cutter rolling about them is tried as well.
 
     Raises:
         CheckError: a hollow has a radius of less than a micrometre.

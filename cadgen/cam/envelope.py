@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.cam.lowest import SAME, lowest_branches
+from cadgen.cam.lowest import SAME, Run, lowest_branches
 from cadgen.cam.theoretical import rod_half_width, span_jets
 from cadgen.curves.closed import ClosedCurve, Jet, cross, piece_at_angle, polar_angle
 from cadgen.errors import DesignError
@@ -176,13 +176,15 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
         if covered.size:
             t = piece_at_angle(branch, cells[covered])
             radii[number, covered] = np.linalg.norm(branch.jet(t).point, axis=1)
-    runs = lowest_branches(radii, _continuations(branches, starts, spans))
+    continuations = _continuations(branches, starts, spans)
+    runs = lowest_branches(radii, continuations)
     if len(runs) == 1:
         return ActualProfile(ClosedCurve((branches[runs[0].branch],)), ())
     begins: list[float] = []
     stops: list[float] = []
     trims = []
-    for left, run in zip(runs[-1:] + runs, runs, strict=False):
+    while len(begins) < len(runs):
+        left, run = runs[len(begins) - 1], runs[len(begins)]
         before, after, near = branches[left.branch], branches[run.branch], edges[run.cell]
         ends = np.array([_angle(before, before.stop), _angle(after, after.start)])
         gaps = (ends - near + np.pi) % _TURN - np.pi
@@ -193,7 +195,13 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
             high = cells[run.cell] if np.isfinite(radii[left.branch, run.cell]) else near
             # The last cell comes before the first one.
             leave, enter = _crossing(before, after, (near - (near - low) % _TURN, near + (high - near) % _TURN), near)
-            _refuse_overhang(lift, before, after, leave, enter)
+            if not _meet(before, after, leave, enter):
+                # What goes on from the branch before may be the lowest for less than a cell.
+                between = continuations.get(left.branch, run.branch)
+                if between == run.branch or len(runs) > len(branches):
+                    raise _overhang(lift, after, enter)
+                runs.insert(len(begins), Run(run.cell, between))
+                continue
             if (trim := _trim(lift, before, after, leave, enter)) is not None:
                 trims.append(trim)
         begins.append(enter)
@@ -295,15 +303,18 @@ def _closest(before: Branch, after: Branch, bracket: tuple[float, float]) -> tup
     return float(t[0][best]), float(t[1][best])
 
 
-def _refuse_overhang(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> None:
-    """Branches that do not meet leave a wall along the ray between them, which no rod can climb."""
+def _meet(before: Branch, after: Branch, leave: float, enter: float) -> bool:
+    """Whether one branch ends where the next begins."""
     points = [b.jet(np.array([t])).point[0] for b, t in ((before, leave), (after, enter))]
-    if np.abs(points[0] - points[1]).max() < 2 * SAME:
-        return
+    return bool(np.abs(points[0] - points[1]).max() < 2 * SAME)
+
+
+def _overhang(lift: LiftCurve, after: Branch, enter: float) -> DesignError:
+    """Branches that do not meet leave a wall along the ray between them, which no rod can climb."""
     theta = (after.theta if isinstance(after, RodArc) else enter) % _TURN
     in_blend = theta >= lift.blend_start
     softer = "raise cam.blend_deg (the closing blend steers there)" if in_blend else "widen the turn there"
-    raise DesignError(
+    return DesignError(
         f"the cam's flank at cam angle {np.degrees(theta):.1f} degrees would be steeper than radial, with a pressure "
         f"angle beyond 90 degrees, so the rod cannot follow it: {softer} or raise cam.base_radius_mm"
     )
