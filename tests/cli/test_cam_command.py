@@ -2,14 +2,12 @@
 
 import hashlib
 import json
-import resource
 import signal
-import subprocess
-import sys
 
 import pytest
 
 from tests.cli.conftest import one_sentence
+from tests.forks import MAIN
 
 SUFFIXES = {".step", ".stl", ".3mf", "_arcs.dxf", "_spline.dxf", ".nc", ".xyz", ".csv"}
 
@@ -36,7 +34,7 @@ def test_all_files_are_made_proved_and_recorded(cadgen, tmp_path):
 
 def test_the_same_design_gives_the_same_bytes(cadgen, tmp_path):
     for folder in ("a", "b"):
-        cadgen("cam", "--out", folder, code=0)
+        cadgen("cam", "--out", folder, code=0, fresh=folder == "b")
     for name in contents(tmp_path / "a"):
         assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes(), name
 
@@ -109,18 +107,20 @@ def test_a_full_disk_leaves_the_folder_as_it_was(cadgen, tmp_path, limit):
     out.mkdir()
     (out / "carbon_free_car_actual.step").write_text("an earlier part")
 
-    def small_files():
-        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-
-    message = one_sentence(cadgen("cam", "--profile", "actual", "--out", "out", code=3, preexec_fn=small_files))
+    small_files = (
+        "import resource, signal\n"
+        f"resource.setrlimit(resource.RLIMIT_FSIZE, ({limit}, {limit}))\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+    )
+    result = cadgen("cam", "--profile", "actual", "--out", "out", code=3, script=small_files + MAIN)
+    message = one_sentence(result)
     assert "nothing was written" in message
     assert contents(out) == {"carbon_free_car_actual.step"}
     assert (out / "carbon_free_car_actual.step").read_text() == "an earlier part"
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_an_interrupted_run_leaves_nothing(tmp_path, number):
+def test_an_interrupted_run_leaves_nothing(cadgen, tmp_path, number):
     """The signal comes when STEP, STL and 3MF stand in the staging folder and DXF is about to be written."""
     script = (
         "import os, signal\n"
@@ -131,10 +131,7 @@ def test_an_interrupted_run_leaves_nothing(tmp_path, number):
         f"files._FORMATS['DXF'] = lambda job: os.kill(os.getpid(), {int(number)}) or iter(())\n"
         "main()\n"
     )
-    result = subprocess.run(
-        [sys.executable, "-c", script, "cam", "--out", "out"], cwd=tmp_path, capture_output=True, text=True
-    )
-    assert result.returncode == 130
+    result = cadgen("cam", "--out", "out", code=130, script=script)
     assert result.stderr.strip() == "cadgen: interrupted: nothing was written"
     assert result.stdout == ""
     assert contents(tmp_path) == set()
