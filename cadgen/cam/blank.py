@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 
 _TURN = 2 * np.pi
 _STEP = 0.05  # mm between points on bore and hub, which errs by 1e-4 mm of wall on a hub of 6 mm
+_STATION = 64  # points of an outline, of which the first is tried before the others
+_ROUNDING = 1e-9  # mm, of a way along an outline
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -222,9 +224,22 @@ def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Wal
     worst = int(np.argmax(beyond))
     if beyond[worst] >= 0:
         return Wall(f"{name} and {outer_name}", -float(beyond[worst]), points[worst])
-    distance = _distance(inner, outer.points)
+    near = outer.points[_may_be_nearest(inner, outer.points)]
+    distance = _distance(inner, near)
     nearest = int(np.argmin(distance))
-    return Wall(f"{name} and {outer_name}", float(distance[nearest]), outer.points[nearest])
+    return Wall(f"{name} and {outer_name}", float(distance[nearest]), near[nearest])
+
+
+def _may_be_nearest(contour: Contour, points: Array) -> NDArray[np.bool_]:
+    """Which points along a curve may be the nearest to a contour, shape (n,).
+
+    From one point to another the distance from the contour changes by no more than the way between them.
+    """
+    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    stations = np.arange(0, len(points), _STATION)
+    distance = _distance(contour, points[stations])
+    least = np.repeat(distance, _STATION)[: len(points)] - (way - np.repeat(way[stations], _STATION)[: len(points)])
+    return np.asarray(least <= distance.min() + _ROUNDING)
 
 
 def _beyond(points: Array, outline: Outline) -> Array:

@@ -23,7 +23,7 @@ from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.lowest import SAME, Run, lowest_branches
 from cadgen.cam.theoretical import rod_half_width, span_jets
-from cadgen.curves.closed import ClosedCurve, Jet, cross, piece_at_angle, polar_angle
+from cadgen.curves.closed import ByAngle, ClosedCurve, Jet, cross, polar_angle
 from cadgen.errors import DesignError
 
 Array = NDArray[np.float64]
@@ -163,6 +163,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     branches = _branches(lift, follower)
     starts = np.array([_angle(b, b.start) for b in branches])
     spans = np.array([_travel(b) for b in branches])
+    by_angle = [ByAngle(b) for b in branches]
 
     # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
     uniform = np.linspace(0.0, _TURN, _SAMPLES, endpoint=False)
@@ -174,7 +175,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     for number, branch in enumerate(branches):
         covered = np.flatnonzero((cells - starts[number]) % _TURN <= spans[number])
         if covered.size:
-            t = piece_at_angle(branch, cells[covered])
+            t = by_angle[number].parameters(cells[covered])
             radii[number, covered] = np.linalg.norm(branch.jet(t).point, axis=1)
     continuations = _continuations(branches, starts, spans)
     runs = lowest_branches(radii, continuations)
@@ -194,7 +195,9 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
             low = cells[run.cell - 1] if np.isfinite(radii[run.branch, run.cell - 1]) else near
             high = cells[run.cell] if np.isfinite(radii[left.branch, run.cell]) else near
             # The last cell comes before the first one.
-            leave, enter = _crossing(before, after, (near - (near - low) % _TURN, near + (high - near) % _TURN), near)
+            bracket = near - (near - low) % _TURN, near + (high - near) % _TURN
+            both = by_angle[left.branch], by_angle[run.branch]
+            leave, enter = _crossing(before, after, both, bracket, near)
             if not _meet(before, after, leave, enter):
                 # What goes on from the branch before may be the lowest for less than a cell.
                 between = continuations.get(left.branch, run.branch)
@@ -263,13 +266,15 @@ def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
     return [replace(span, start=float(a), stop=float(b)) for a, b, k in zip(edges, edges[1:], keep, strict=False) if k]
 
 
-def _crossing(before: Branch, after: Branch, bracket: tuple[float, float], near: float) -> tuple[float, float]:
+def _crossing(
+    before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float], near: float
+) -> tuple[float, float]:
     """Parameters at which two branches meet between two polar angles.
 
     Newton's method, or, where that fails because they are nearly parallel, narrowing in on the difference of their
     radii; where there is no crossing either, the end of the bracket at which they are closest.
     """
-    t = np.array([piece_at_angle(b, np.array([near]))[0] for b in (before, after)])
+    t = np.array([one.parameters(np.array([near]))[0] for one in by_angle])
     for _ in range(_NEWTON_STEPS):
         a, b = before.jet(t[:1]), after.jet(t[1:])
         system = np.stack([a.velocity[0], -b.velocity[0]], axis=1)
@@ -284,15 +289,17 @@ def _crossing(before: Branch, after: Branch, bracket: tuple[float, float], near:
     inside = np.all((off > -_JOINT) & (off < bracket[1] - bracket[0] + _JOINT))
     if inside and np.abs(points[0] - points[1]).max() < SAME:
         return float(t[0]), float(t[1])
-    return _closest(before, after, bracket)
+    return _closest(before, after, by_angle, bracket)
 
 
-def _closest(before: Branch, after: Branch, bracket: tuple[float, float]) -> tuple[float, float]:
+def _closest(
+    before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float]
+) -> tuple[float, float]:
     """Parameters at the one polar angle in a bracket where the radii of two branches cross, or else agree best."""
     low, high = bracket
     for _ in range(_ZOOMS):
         angles = np.linspace(low, high, _ZOOM)
-        t = [piece_at_angle(branch, angles) for branch in (before, after)]
+        t = [one.parameters(angles) for one in by_angle]
         r = [np.linalg.norm(b.jet(at).point, axis=1) for b, at in zip((before, after), t, strict=True)]
         off = r[0] - r[1]
         if not off[0] < 0 < off[-1]:

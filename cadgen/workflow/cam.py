@@ -21,11 +21,19 @@ from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError, DesignError
-from cadgen.optimize.judge import Judged
+from cadgen.optimize.judge import Judged, Task, judge
 from cadgen.path.track import Track
 from cadgen.workflow.as_built import as_built_facts
 from cadgen.workflow.mechanics import mechanics_checks
-from cadgen.workflow.play import PLAY_PROFILES, Against, MeasuredCam, against_play, lift_check, task_of
+from cadgen.workflow.play import (
+    PLAY_PROFILES,
+    Against,
+    MeasuredCam,
+    against_play,
+    known_trains,
+    lift_check,
+    task_of,
+)
 
 Step = Callable[[str], None]
 
@@ -85,7 +93,7 @@ class CamPlan:
     @property
     def failed(self) -> tuple[Check, ...]:
         """The checks that do not keep their limit."""
-        return tuple(check for check in self.checks if not check.passed)
+        return _failed(self.checks)
 
     @property
     def path_end(self) -> float:
@@ -111,7 +119,7 @@ class CamPlan:
     @cached_property
     def lost(self) -> tuple[Check, ...]:
         """The checks by which too much lift is lost."""
-        return tuple(check for check in self.failed if check.name.startswith("lost lift"))
+        return _lost(self.failed)
 
     @cached_property
     def cures(self) -> tuple["Cure", ...]:
@@ -227,12 +235,7 @@ def plan_cam(
 
         def check(one: Judged) -> tuple[Check, ...]:
             if one.name not in known:
-                found = check_cam(one.lift, rod, one.cut.curve, one.cut.trims, blank, limits, cut=one.made)
-                known[one.name] = (
-                    *found,
-                    lift_check(design, one),
-                    *mechanics_checks(design, rod, one.lift, task.mechanics),
-                )
+                known[one.name] = _judged_checks(task, design, one)
             return known[one.name]
 
         measured = measured_cam(design) if with_measured else None
@@ -297,12 +300,34 @@ def _cures(plan: CamPlan) -> Iterator[Cure]:
 def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
     """The change, if it is a design and no more lift than allowed is lost with it."""
     try:
-        # Against play, the method that was chosen, without comparing all of them again.
-        profile = plan.against.chosen.profile if plan.against else plan.profile
-        again = plan_cam(with_overrides(plan.design, [override]), profile, with_measured=False)
+        design = with_overrides(plan.design, [override])
+        if plan.against:
+            # The method that was chosen, without those that it was compared with.
+            chosen = plan.against.chosen
+            track = stages.track(design)
+            task = task_of(design, track, stages.lift(design, track), stages.follower(design))
+            (again,) = judge(task, chosen.train, known_trains(design)[chosen.train], (chosen.profile,))
+            failed = _failed(_judged_checks(task, design, again))
+        else:
+            failed = plan_cam(design, plan.profile).failed
     except CadgenError:
         return []
-    return [] if again.lost else [Cure(override, now, tuple(c.name for c in again.failed))]
+    return [] if _lost(failed) else [Cure(override, now, tuple(check.name for check in failed))]
+
+
+def _judged_checks(task: Task, design: Design, one: Judged) -> tuple[Check, ...]:
+    """The checks of a profile that has been judged against play."""
+    rod, blank, limits = stages.follower(design), stages.blank(design), stages.check_limits(design)
+    found = check_cam(one.lift, rod, one.cut.curve, one.cut.trims, blank, limits, cut=one.made)
+    return *found, lift_check(design, one), *mechanics_checks(design, rod, one.lift, task.mechanics)
+
+
+def _failed(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    return tuple(check for check in checks if not check.passed)
+
+
+def _lost(failed: tuple[Check, ...]) -> tuple[Check, ...]:
+    return tuple(check for check in failed if check.name.startswith("lost lift"))
 
 
 def against_of(plan: CamPlan) -> Against:
