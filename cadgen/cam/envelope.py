@@ -177,8 +177,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
         if covered.size:
             t = by_angle[number].parameters(cells[covered])
             radii[number, covered] = np.linalg.norm(branch.jet(t).point, axis=1)
-    continuations = _continuations(branches, starts, spans)
-    runs = lowest_branches(radii, continuations)
+    runs = lowest_branches(radii, _continuations(branches, starts, spans))
     if len(runs) == 1:
         return ActualProfile(ClosedCurve((branches[runs[0].branch],)), ())
     begins: list[float] = []
@@ -199,8 +198,8 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
             both = by_angle[left.branch], by_angle[run.branch]
             leave, enter = _crossing(before, after, both, bracket, near)
             if not _meet(before, after, leave, enter):
-                # What goes on from the branch before may be the lowest for less than a cell.
-                between = continuations.get(left.branch, run.branch)
+                # The next branch of the face before may be the lowest for less than a cell.
+                between = _next_of_face(branches, left.branch)
                 if between == run.branch or len(runs) > len(branches):
                     raise _overhang(lift, after, enter)
                 runs.insert(len(begins), Run(run.cell, between))
@@ -225,6 +224,12 @@ def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[
     faces = np.array([branch.face for branch in branches])
     follows = (np.abs(apart) < 2 * _JOINT) & (faces[:, None] == faces)
     return {int(number): int(after) for number, after in zip(*np.nonzero(follows), strict=True)}
+
+
+def _next_of_face(branches: list[Branch], number: int) -> int:
+    """The branch of the same face that comes after one round the turn."""
+    same = [other for other, branch in enumerate(branches) if branch.face == branches[number].face]
+    return same[(same.index(number) + 1) % len(same)]
 
 
 def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:

@@ -208,7 +208,7 @@ def _refusal(message: str, truth: Truth) -> str:
         "steeper than radial": steep,
         "overhangs": steep,
         "steering": truth.greatest_steering() > radians(30),
-        "nothing is left of the disc": truth.greatest_steering() > radians(30),
+        "nothing is left of the disc": truth.room() < 0,
     }
     return "refused" if any(part in message and true for part, true in founded.items()) else f"false refusal: {message}"
 

@@ -118,6 +118,12 @@ class Truth:
         bend = np.concatenate(bends)
         return 1 / float(bend.max()), (1 / -float(bend.min()) if bend.min() < 0 else np.inf)
 
+    def room(self) -> float:
+        """Least distance of the camshaft from the rod's surface anywhere in the turn, mm; negative if they overlap."""
+        _, T = self.steering
+        face = np.where(T >= 0, *self.faces)
+        return float((self.base + face * T - self.rod * np.sqrt(1 + T**2)).min())
+
     def greatest_steering(self) -> float:
         """Greatest steering angle on the path, rad."""
         return float(np.arctan(np.abs(self._samples[1])).max())
