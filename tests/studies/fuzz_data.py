@@ -66,12 +66,12 @@ def _changed(rng: random.Random, name: str) -> tuple[str, bytes]:
         rows = [row for row in rows if row[0] in keep]
     what = [name]
     for _ in range(rng.choices([0, 1, 2], weights=[1, 6, 3])[0]):
-        change = rng.choice(CHANGES)
+        change = rng.choice(READABLE if rng.random() < STILL_READABLE else CHANGES)
         told, header, rows = change(rng, header, rows)
         what.append(told)
     out = io.StringIO()
     csv.writer(out, lineterminator="\n").writerows([header, *rows])
-    text = "\n".join([*(remarks if rng.random() < 0.8 else []), out.getvalue()]).encode()
+    text = "\n".join([*(remarks if rng.random() < 0.95 else []), out.getvalue()]).encode()
     if rng.random() < 0.05:
         told, text = rng.choice(
             [("empty", b""), ("zeros", b"\0" * 50), ("cut", text[: rng.randrange(len(text))]),
@@ -134,6 +134,33 @@ def _noisy(rng: random.Random, header: list[str], rows: Rows) -> Changed:
     return f"{header[c]} with noise {size:.2g}", header, _applied(rows, c, lambda x: x + rng.gauss(0, size))
 
 
+def _near(rng: random.Random, header: list[str], rows: Rows) -> Changed:
+    """A scale and an offset as an instrument's or a workshop's."""
+    c, factor, more = _column(rng, header), rng.uniform(0.97, 1.03), rng.choice([0.0, 1e-3, 0.1, -0.5])
+    return f"{header[c]} times {factor:.3f} plus {more:g}", header, _applied(rows, c, lambda x: x * factor + more)
+
+
+def _disturbed(rng: random.Random, header: list[str], rows: Rows) -> Changed:
+    """A bump, a drift or noise of a share of what the column spans, in any column but the first."""
+    c = rng.randrange(1, len(header)) if len(header) > 1 else 0
+    values = [float(row[c]) for row in rows if c < len(row) and _is_number(row[c])]
+    size = (max(values, default=0.0) - min(values, default=0.0)) * 10 ** rng.uniform(-4, -1)
+    how = rng.choice(["noise", "drift", "bump"])
+    centre, width = rng.random() * len(rows), 1 + len(rows) * rng.choice([0.003, 0.03, 0.3])
+    for n, row in enumerate(rows):
+        if c < len(row) and _is_number(row[c]):
+            shift = {"noise": rng.gauss(0, 1), "drift": n / len(rows), "bump": math.exp(-(((n - centre) / width) ** 2))}
+            row[c] = f"{float(row[c]) + size * shift[how]:.5f}"
+    return f"{header[c]} with a {how} of {size:.2g}", header, rows
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        return math.isfinite(float(cell))
+    except ValueError:
+        return False
+
+
 def _rounded(rng: random.Random, header: list[str], rows: Rows) -> Changed:
     c, digits = _column(rng, header), rng.choice([-2, -1, 0, 1])
     return f"{header[c]} to {digits} digits", header, _applied(rows, c, lambda x: round(x, digits))
@@ -184,6 +211,9 @@ CHANGES = (
     _drop, _permute, _swap, _cell, _constant, _constant, _scaled, _scaled, _shifted, _noisy, _rounded, _few, _thinned,
     _shuffled, _runs_named, _copied, _many, _part,
 )  # fmt: skip
+# Changes that leave a file readable come first, so that most cases reach the inference behind the reader.
+STILL_READABLE = 0.75
+READABLE = (_near, _near, _disturbed, _disturbed, _rounded, _thinned, _shuffled, _copied, _many, _permute)
 
 
 def _jittered(rng: random.Random, cell: str) -> str:
