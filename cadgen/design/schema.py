@@ -26,9 +26,9 @@ _FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 THINNEST_DISC_MM = 0.1
 # Chord error of the cam's mesh where the design gives none.
 CAM_CHORD_UM = 5.0
-# What a cam takes in time and memory: of 10 000 waypoints some half a minute and 0.3 GB; of 300 kinks, with what cures
-# undercuts at them, three quarters of a minute.
-MOST_WAYPOINTS = {"quintic": 10_000, "cubic": 300}
+# What a cam takes in time and memory: of 10 000 waypoints some half a minute and 0.3 GB; of 1000 kinks as long, and
+# 0.8 GB.
+MOST_WAYPOINTS = {"quintic": 10_000, "cubic": 1000}
 
 
 class Path(Section):
@@ -46,7 +46,7 @@ class Path(Section):
         description="how far to the right of the drive wheel the waypoints' path runs",
     )
     waypoints_mm: Points = Field(
-        min_length=4, description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 300"
+        min_length=4, description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000"
     )
 
     @model_validator(mode="after")

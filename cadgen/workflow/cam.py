@@ -38,6 +38,9 @@ from cadgen.workflow.play import (
 Step = Callable[[str], None]
 
 
+# Each cure is proved by planning the cam again, some thirty times in all. With more kinks than this, which each take a
+# hundredth of a second a plan, no cures are sought.
+MOST_KINKS_CURED = 300
 # Lengthening the closing blend is tried by these factors, and limits are rounded up to a tenth of a micrometre.
 _BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
 
@@ -124,11 +127,16 @@ class CamPlan:
     @cached_property
     def cures(self) -> tuple["Cure", ...]:
         """Changes of one key that bring lost lift within its limit, each proved by planning the cam again."""
-        return tuple(_cures(self)) if self.lost else ()
+        return tuple(_cures(self)) if self.lost and self.cures_sought else ()
+
+    @property
+    def cures_sought(self) -> bool:
+        """Whether the lift has so few kinks that cures of lost lift are sought."""
+        return len(self.lift.kinks) <= MOST_KINKS_CURED
 
     def find_cures(self, step: Step) -> None:
         """Look for `cures` now, which takes many plans, and tell of it."""
-        if self.lost:
+        if self.lost and self.cures_sought:
             step("looking for a change that cures lost lift")
             len(self.cures)
 
@@ -140,7 +148,12 @@ class CamPlan:
             lines.append(
                 change + ("cures it." if not cure.failing else f"ends that, but fails {listed(cure.failing, 'and')}.")
             )
-        if self.lost and not lines:
+        if self.lost and not self.cures_sought:
+            lines.append(
+                f"What would cure it was not sought, for the lift has {len(self.lift.kinks)} kinks and it is for up to "
+                f'{MOST_KINKS_CURED}: set path.spline = "quintic", which has none, or keep fewer waypoints.'
+            )
+        elif self.lost and not lines:
             lines.append("No change of one key cures it: the path itself must become milder.")
         return lines
 

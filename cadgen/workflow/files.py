@@ -134,20 +134,20 @@ class _Job:
         return largest_cutter(self.plan.curve)
 
     def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
-        """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play."""
-        rolled = roll(outline, self.plan.follower, self.cam_angle)
-        at_stations = float(np.abs(rolled.lift - self.rolled[0].lift).max())
-        between = self.exact.greatest_difference(outline)
-        error = max(at_stations, between) * 1e3
-        return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(outline, rolled, lift_limit_um)})
+        """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play.
 
-    def _end_of_run(self, outline: Outline, rolled: Contact, lift_limit_um: float) -> dict[str, float]:
+        Only lifts rolled in equal steps are compared: what rolling errs by is then nearly the same in both.
+        """
+        error = self.exact.greatest_difference(outline) * 1e3
+        return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(outline, lift_limit_um)})
+
+    def _end_of_run(self, outline: Outline, lift_limit_um: float) -> dict[str, float]:
         against = self.plan.against
         if against is None:
             return {}
         as_built = against.task.as_built
-        if as_built.shapes_discs:
-            rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
+        finished = as_built.finished(outline) if as_built.shapes_discs else outline
+        rolled = roll(finished, self.plan.follower, self.cam_angle)
         # Rises and falls within what the file may err by are no events of the path.
         least = max(against.chosen.least, lift_limit_um * 1e-3 / self.plan.rod.inner)
         lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
