@@ -190,7 +190,7 @@ class _Ring:
             slope = (ahead - behind) / (2 * step)
             angle = np.arctan2(slope, u + follower.base_radius)
             return np.stack(
-                [u / carrying, carrying, np.zeros_like(u), angle, follower.thickness * np.abs(u / carrying)]
+                [u / carrying, carrying, np.zeros_like(u), angle, follower.land * np.abs(u / carrying)]
             )
         first, last = self._window(theta)
         # Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
