@@ -1,4 +1,4 @@
-"""What a disc has besides its profile: bore, keyway or flat, lightening holes, hub, broken edges; and the walls left."""
+"""What a disc has besides its profile: bore, keyway or flat, holes, hub, broken edges; and the walls left."""
 
 from dataclasses import dataclass, replace
 from typing import Literal

@@ -100,7 +100,7 @@ def check_cam(
     steering = np.stack([lift.tan_beta(theta), np.where(lift.in_blend(theta), contact.tan_beta, lift.tan_beta(theta))])
     return (
         *_pressure(lift, contact, limits),
-        *_curvature(lift, follower, curve, driven, limits),
+        *_curvature(lift, follower, curve, driven, max(limits.min_convex_radius, blank.edge_break), limits),
         *_undercut(lift, driven, limits),
         *_contact(lift, follower, contact, contact.lift - wanted, trims),
         *_blend(lift, contact, contact.lift - wanted, losses, limits),
@@ -139,7 +139,12 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
 
 
 def _curvature(
-    lift: LiftCurve, follower: Follower, curve: ClosedCurve, losses: list[Loss], limits: CheckLimits
+    lift: LiftCurve,
+    follower: Follower,
+    curve: ClosedCurve,
+    losses: list[Loss],
+    least: float,
+    limits: CheckLimits,
 ) -> list[Check]:
     theoretical = theoretical_profile(lift, follower)
     radius, point = _least_convex_radius(theoretical)
@@ -166,8 +171,11 @@ def _curvature(
         )
     ]
     radius, point = _least_convex_radius(curve)
-    advice = "a sharp ridge wears: lower follower.radius_mm or raise cam.base_radius_mm"
-    checks.append(Check("convex radius, profile", radius, "mm", limits.min_convex_radius, "min", _polar(point), advice))
+    milder = "lower follower.radius_mm or raise cam.base_radius_mm"
+    advice = f"a sharp ridge wears: {milder}"
+    if least > limits.min_convex_radius:
+        advice = f"the chamfers of the broken edges meet on a sharp ridge: lower blank.edge_break_mm, {milder}"
+    checks.append(Check("convex radius, profile", radius, "mm", least, "min", _polar(point), advice))
     return checks
 
 

@@ -77,9 +77,7 @@ def splines(curve: ClosedCurve, tolerance: float, degree: Degree) -> tuple[Splin
     )
 
 
-def ruled_splines(
-    strips: Sequence[Strip], tolerance: float, degree: Degree
-) -> tuple[tuple[SplineArc, SplineArc], ...]:
+def ruled_splines(strips: Sequence[Strip], tolerance: float, degree: Degree) -> tuple[tuple[SplineArc, SplineArc], ...]:
     """Return both sides of a chamfer's strips as B-splines on the same knots, so that lines join equal parameters.
 
     Neither side is further than `tolerance` mm from its curve. Otherwise as `splines`; a side that is a point has
@@ -122,7 +120,9 @@ def _fit_both(
 
     table = np.linspace(lead.start, lead.stop, _TABLE)
     velocity = CubicSpline(part.arc(table), beside(table)[1])
-    ends = tuple([(order + 1, velocity(s, order)) for order in range(degree // 2)] for s in part.arc([lead.start, lead.stop]))
+    ends = tuple(
+        [(order + 1, velocity(s, order)) for order in range(degree // 2)] for s in part.arc([lead.start, lead.stop])
+    )
 
     def both(nodes: Array) -> tuple[BSpline, BSpline]:
         arc = part.arc(nodes)

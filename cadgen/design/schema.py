@@ -298,7 +298,8 @@ class DesignFile(TrainFile):
             cure = f"lower it to {most:.4g} or less" if most > 0 else "leave it out"
             raise ValueError(
                 f"blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
-                f"{LEAST_LAND_MM:g} mm for the rod on a disc {outer - inner:g} mm thick: {cure}, or make the disc thicker"
+                f"{LEAST_LAND_MM:g} mm for the rod on a disc {outer - inner:g} mm thick: {cure}, or make the disc "
+                "thicker"
             )
         return self
 

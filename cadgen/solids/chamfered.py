@@ -97,8 +97,7 @@ def chamfered_disc(
     pairs = pairs[last + 1 :] + pairs[: last + 1]
     outer, inner = ([pair[side] for pair in pairs] for side in (0, 1))
     levels = [
-        _Level.of(arcs, z)
-        for arcs, z in ((inner, 0.0), (outer, leg), (outer, thickness - leg), (inner, thickness))
+        _Level.of(arcs, z) for arcs, z in ((inner, 0.0), (outer, leg), (outer, thickness - leg), (inner, thickness))
     ]
     bottom, top = (_cap(levels[0]), _cap(levels[-1]))
     shell = TopoDS_Shell()
@@ -172,9 +171,7 @@ def _wall(low: _Level, high: _Level) -> list[TopoDS_Face]:
     return faces
 
 
-def _edge(
-    curve: Geom_Curve, ends: tuple[float, float], start: TopoDS_Vertex, end: TopoDS_Vertex
-) -> TopoDS_Edge:
+def _edge(curve: Geom_Curve, ends: tuple[float, float], start: TopoDS_Vertex, end: TopoDS_Vertex) -> TopoDS_Edge:
     edge = TopoDS_Edge()
     _BUILDER.MakeEdge(edge, curve, TOLERANCE)
     _BUILDER.Add(edge, start.Oriented(TopAbs_FORWARD))
