@@ -295,7 +295,7 @@ class DesignFile(TrainFile):
         # A thinner disc with sharp edges is not broken at all; rounding must not refuse the value that is named.
         if leg and outer - inner - 2 * leg < LEAST_LAND_MM - 1e-9:
             most = (outer - inner - LEAST_LAND_MM) / 2
-            cure = f"lower it to {most:.4g} or less" if most > 0 else "leave it out"
+            cure = f"lower it to {most:.4g} or less" if most > 1e-6 else "leave it out"
             raise ValueError(
                 f"blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
                 f"{LEAST_LAND_MM:g} mm for the rod on a disc {outer - inner:g} mm thick: {cure}, or make the disc "
