@@ -1,7 +1,7 @@
 """A disc whose rim has both edges broken, as a solid: faces laid edge to edge, no boolean and no sewing.
 
 A chamfer is what it is by its geometry: ruled faces between the outline and the curve inside it, on common knots. Why
-not the kernel's own chamfer: docs/decisions/0007-chamfered-rim.md.
+not the kernel's own chamfer: docs/decisions/0007-broken-edges.md.
 """
 
 from collections.abc import Iterable, Sequence
