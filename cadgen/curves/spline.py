@@ -135,7 +135,10 @@ def _fit_both(
         jet, s = lead.jet(t), part.arc(t)
         leads, follows = both(nodes)
         off = np.abs(np.sum((leads(s) - jet.point) * left_normal(jet.velocity), axis=1))
-        off = np.maximum(off, np.linalg.norm(follows(s) - beside(t)[0], axis=1))
+        if not isinstance(other, Apex):
+            # Along the curve the two sides may slip by a trifle: only what is square to it counts.
+            point, along = beside(t)
+            off = np.maximum(off, np.abs(np.sum((follows(s) - point) * left_normal(along), axis=1)))
         return np.asarray(off[:-1].reshape(-1, _SAMPLES).max(axis=1))
 
     nodes = even_nodes(errors, (lead.start, lead.stop), tolerance, degree + 1, local=False)

@@ -92,11 +92,9 @@ def test_a_cam_with_broken_edges(name, request, tmp_path):
     # A land that leans, and one that is somewhere else.
     text = file.read_text()
     poles = re.findall(r"B_SPLINE_CURVE_WITH_KNOTS\('',5,\(([^)]*)\)", text)
-    numbers = {
-        number: re.search(rf"#{number} = CARTESIAN_POINT\('',\(([^,]+),([^,]+),2\.5\)\);", text)
-        for number in {re.findall(r"#(\d+)", found)[5] for found in poles}
-    }
-    found = next(match for match in numbers.values() if match)
+    inner_poles = [re.findall(r"#(\d+)", numbers)[2] for numbers in poles]
+    places = (re.search(rf"#{pole} = CARTESIAN_POINT\('',\(([^,]+),[^,]+,2\.5\)\);", text) for pole in inner_poles)
+    found = next(place for place in places if place)
     file.write_text(text.replace(found[0], found[0].replace(found[1], f"{float(found[1]) + 0.001:.12f}")))
     with pytest.raises(FileError, match="is not upright"):
         read_step(file, 0.1, (0.5, 2.5))
