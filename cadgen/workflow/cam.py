@@ -24,6 +24,7 @@ from cadgen.errors import CadgenError, DesignError
 from cadgen.optimize.judge import Judged, Task, judge
 from cadgen.path.track import Track
 from cadgen.workflow.as_built import as_built_facts
+from cadgen.workflow.edges import edges_check
 from cadgen.workflow.mechanics import mechanics_checks
 from cadgen.workflow.play import (
     PLAY_PROFILES,
@@ -97,6 +98,12 @@ class CamPlan:
     def failed(self) -> tuple[Check, ...]:
         """The checks that do not keep their limit."""
         return _failed(self.checks)
+
+    @cached_property
+    def edges(self) -> Check:
+        """What edges broken more than designed cost at the finish: a figure without a limit, taken if it is shown."""
+        as_built, travel = stages.as_built(self.design), stages.travel(self.design, self.track)
+        return edges_check(self.lift, self.follower, self.curve, as_built, stages.car(self.design), travel)
 
     @property
     def path_end(self) -> float:
@@ -179,9 +186,11 @@ class CamPlan:
                     "passed": check.passed,
                     "advice": "" if check.passed else check.advice,
                 }
-                for check in self.checks
+                for check in (*self.checks, self.edges)
             ],
             "cures": [{"override": c.override, "now": c.now, "then_fails": list(c.failing)} for c in self.cures],
+            "edge_break_mm": self.blank.edge_break,
+            "carrying_planes_mm": [self.rod.inner, self.rod.outer],
             "lift_extrema": [
                 {
                     "kind": kind,
