@@ -58,9 +58,7 @@ def test_the_best_profile_without_hardware(task, greatest, bar):
     band = replace(task.mechanics, friction=(0.05, greatest))
     found = best(task, band)
     plain, left = worst(task, task.lift, band), worst(task, found.lift, band)
-    print(
-        f"friction 0.05 to {greatest}: plain {plain:.0f} mm, cut for {np.degrees(found.made_for):.3f}: {left:.0f}"
-    )
+    print(f"friction 0.05 to {greatest}: plain {plain:.0f} mm, cut for {np.degrees(found.made_for):.3f}: {left:.0f}")
     assert left <= bar
     assert left < plain / 2 + 1
     # The frictions between the ends of the band are no worse than these.
@@ -74,7 +72,7 @@ def test_a_bearing_with_a_cam_of_its_own(task):
     found = best(own, own.mechanics)
     print(f"{count} bearings of {bearing}: {found.worst_distance:.0f} mm")
     assert found.worst_distance <= 350.0
-    assert count * bearing.width >= touched_width(task.lift, follower) > task.follower.thickness
+    assert count * bearing.width >= touched_width(task.lift, follower) > task.follower.land
     assert bearing.bore >= 2 * task.follower.radius
     assert all(0 < b.bore < b.outside and b.width > 0 for b in BEARINGS)
 
