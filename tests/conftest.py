@@ -6,6 +6,7 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import tomllib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import radians
 from pathlib import Path
@@ -20,6 +21,7 @@ from cadgen.cam.lift import LiftCurve, lift_curve
 from cadgen.path.spline import plan_path
 from cadgen.path.track import Track, offset_track
 from cadgen.steering.car import Car, steering_jets
+from tests.forks import Forks
 
 # A submission is judged on the same random examples every time; at the desk each run tries others.
 settings.register_profile("submission", derandomize=True)
@@ -61,6 +63,14 @@ def build(name: str) -> Built:
     track = offset_track(plan_path(np.array(path["waypoints_mm"]), path["spline"]), path["offset_mm"])
     lift = lift_curve(track.arc, steering_jets(track, car), track.length, blend=radians(cam["blend_deg"]))
     return Built(car, track, lift, follower, actual_profile(lift, follower))
+
+
+@pytest.fixture(scope="session")
+def forks() -> Iterator[Forks]:
+    """A process that has loaded the program, for commands in forks of it."""
+    process = Forks()
+    yield process
+    process.close()
 
 
 @pytest.fixture(scope="session")

@@ -1,11 +1,12 @@
-"""What a disc has besides its profile: bore, keyway or flat, lightening holes, hub; and the walls left."""
+"""What a disc has besides its profile: bore, keyway or flat, holes, hub, broken edges; and the walls left."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.cam.follower import Follower
 from cadgen.curves.closed import Outline, cross, polar_angle
 from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
 from cadgen.errors import DesignError
@@ -14,6 +15,8 @@ Array = NDArray[np.float64]
 
 _TURN = 2 * np.pi
 _STEP = 0.05  # mm between points on bore and hub, which errs by 1e-4 mm of wall on a hub of 6 mm
+_STATION = 64  # points of an outline, of which the first is tried before the others
+_ROUNDING = 1e-9  # mm, of a way along an outline
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -133,12 +136,27 @@ class CamBlank:
         key: what keeps the disc from turning on its shaft; None for a plain bore.
         hub: None for a flat disc.
         lightening: None for a full disc.
+        edge_break: leg of the 45 degree chamfer on both edges of the rim, mm; 0 for sharp edges.
     """
 
     bore_diameter: float
     key: Keyway | DFlat | None = None
     hub: Hub | None = None
     lightening: Lightening | None = None
+    edge_break: float = 0.0
+
+    def carrying(self, inner_face: float, outer_face: float) -> tuple[float, float]:
+        """Planes in which the rim carries a leaning rod: the edges of the land between the chamfers, mm.
+
+        Args:
+            inner_face: lateral distance of the disc's inner face from the fork axis, mm.
+            outer_face: lateral distance of the outer face, mm.
+        """
+        return inner_face + self.edge_break, outer_face - self.edge_break
+
+    def faces(self, follower: Follower) -> tuple[float, float]:
+        """Lateral distances of the disc's faces from the fork axis, mm: `carrying` undone."""
+        return follower.inner - self.edge_break, follower.outer + self.edge_break
 
     def bore(self) -> Contour:
         """The bore with its keyway or flat, run counterclockwise.
@@ -168,13 +186,17 @@ class CamBlank:
         return self.bore(), *self.holes()
 
     def disc_volume(self, profile_area: float, thickness: float) -> float:
-        """Volume of the disc without its hub, mm^3: what the contours leave of the profile's area (mm^2)."""
+        """Volume of the disc without its hub, mm^3: what the contours leave of the profile's area (mm^2).
+
+        The chamfers of broken edges are not taken off: see `cadgen.curves.inset.chamfered_off`.
+        """
         return (profile_area - sum(contour.area() for contour in self.inner_contours())) * thickness
 
     def walls(self, profile: Outline) -> tuple[Wall, ...]:
         """Material between profile, bore, hub, set screw and lightening holes, at the thinnest place of each kind.
 
-        Exact but for the profile's own points, whose spacing h errs by h^2 / 8 times its curvature.
+        Walls to the profile are taken on the disc's faces, where broken edges leave the least. Exact but for the
+        profile's own points, whose spacing h errs by h^2 / 8 times its curvature.
 
         Args:
             profile: dense points of the disc's outline.
@@ -199,7 +221,10 @@ class CamBlank:
         if ring and ring.count > 1:
             apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
             walls.append(Wall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
-        return tuple(walls)
+        return tuple(
+            replace(wall, thickness=wall.thickness - self.edge_break) if wall.between.endswith("and profile") else wall
+            for wall in walls
+        )
 
     def require_walls(self, profile: Outline) -> None:
         """Refuse a blank of which no solid can be made.
@@ -222,9 +247,22 @@ def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Wal
     worst = int(np.argmax(beyond))
     if beyond[worst] >= 0:
         return Wall(f"{name} and {outer_name}", -float(beyond[worst]), points[worst])
-    distance = _distance(inner, outer.points)
+    near = outer.points[_may_be_nearest(inner, outer.points)]
+    distance = _distance(inner, near)
     nearest = int(np.argmin(distance))
-    return Wall(f"{name} and {outer_name}", float(distance[nearest]), outer.points[nearest])
+    return Wall(f"{name} and {outer_name}", float(distance[nearest]), near[nearest])
+
+
+def _may_be_nearest(contour: Contour, points: Array) -> NDArray[np.bool_]:
+    """Which points along a curve may be the nearest to a contour, shape (n,).
+
+    From one point to another the distance from the contour changes by no more than the way between them.
+    """
+    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    stations = np.arange(0, len(points), _STATION)
+    distance = _distance(contour, points[stations])
+    least = np.repeat(distance, _STATION)[: len(points)] - (way - np.repeat(way[stations], _STATION)[: len(points)])
+    return np.asarray(least <= distance.min() + _ROUNDING)
 
 
 def _beyond(points: Array, outline: Outline) -> Array:

@@ -37,6 +37,8 @@ LOCKING_ANGLE = radians(70)
 # Relative to the curve's own largest value; the second derivative carries rounding of some 1e-8 where nodes are
 # close together, and a jump above this would turn the outline by a microradian.
 CLOSURE_LIMIT = 1e-6
+# The chamfers recede at 45 degrees along the rim's normal; the rod, which leans along the radius, recedes by no more.
+CHAMFER_LEAN = 45.0
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
 
 
@@ -98,11 +100,12 @@ def check_cam(
     steering = np.stack([lift.tan_beta(theta), np.where(lift.in_blend(theta), contact.tan_beta, lift.tan_beta(theta))])
     return (
         *_pressure(lift, contact, limits),
-        *_curvature(lift, follower, curve, driven, limits),
+        *_curvature(lift, follower, curve, driven, max(limits.min_convex_radius, blank.edge_break), limits),
         *_undercut(lift, driven, limits),
         *_contact(lift, follower, contact, contact.lift - wanted, trims),
         *_blend(lift, contact, contact.lift - wanted, losses, limits),
-        _rod_reach(follower, theta, steering, limits),
+        _rod_reach(follower, theta, steering, blank, limits),
+        *_chamfer_clearance(theta, steering, blank),
         *_hub_clearance(follower, theta, steering, blank),
         _cutter(cut or curve, limits),
         _wall(blank, curve.outline(max(step, curve.length() / _WALL_POINTS)), limits),
@@ -136,7 +139,12 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
 
 
 def _curvature(
-    lift: LiftCurve, follower: Follower, curve: ClosedCurve, losses: list[Loss], limits: CheckLimits
+    lift: LiftCurve,
+    follower: Follower,
+    curve: ClosedCurve,
+    losses: list[Loss],
+    least: float,
+    limits: CheckLimits,
 ) -> list[Check]:
     theoretical = theoretical_profile(lift, follower)
     radius, point = _least_convex_radius(theoretical)
@@ -163,8 +171,11 @@ def _curvature(
         )
     ]
     radius, point = _least_convex_radius(curve)
-    advice = "a sharp ridge wears: lower follower.radius_mm or raise cam.base_radius_mm"
-    checks.append(Check("convex radius, profile", radius, "mm", limits.min_convex_radius, "min", _polar(point), advice))
+    milder = "lower follower.radius_mm or raise cam.base_radius_mm"
+    advice = f"a sharp ridge wears: {milder}"
+    if least > limits.min_convex_radius:
+        advice = f"the chamfers of the broken edges meet on a sharp ridge: lower blank.edge_break_mm, {milder}"
+    checks.append(Check("convex radius, profile", radius, "mm", least, "min", _polar(point), advice))
     return checks
 
 
@@ -258,7 +269,7 @@ def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], 
     return checks
 
 
-def _rod_reach(follower: Follower, theta: Array, steering: Array, limits: CheckLimits) -> Check:
+def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: CamBlank, limits: CheckLimits) -> Check:
     """The rod must cross the whole rim: its end lies beyond the outer face at every steering, shape (2, n)."""
     T = np.abs(steering).max(axis=0)
     # Of the end's rim, the point nearest to the fork lies r sin(beta) nearer than its centre.
@@ -266,7 +277,7 @@ def _rod_reach(follower: Follower, theta: Array, steering: Array, limits: CheckL
     worst = int(np.argmin(beyond))
     return Check(
         "rod past the rim",
-        float(beyond[worst] - follower.outer),
+        float(beyond[worst] - blank.faces(follower)[1]),
         "mm",
         0.0,
         "min",
@@ -275,13 +286,34 @@ def _rod_reach(follower: Follower, theta: Array, steering: Array, limits: CheckL
     )
 
 
+def _chamfer_clearance(theta: Array, steering: Array, blank: CamBlank) -> list[Check]:
+    """The rod rides on the land as long as it leans less than the chamfers do, at every steering, shape (2, n)."""
+    if blank.edge_break == 0:
+        return []
+    T = np.abs(steering).max(axis=0)
+    worst = int(np.argmax(T))
+    return [
+        Check(
+            "lean over the chamfers",
+            float(np.degrees(np.arctan(T[worst]))),
+            "°",
+            CHAMFER_LEAN,
+            "max",
+            _at(theta[worst]),
+            "the rod leans so far that it rides on the broken edge: leave the edges sharp (blank.edge_break_mm) or "
+            "widen the turn there (path.waypoints_mm)",
+        )
+    ]
+
+
 def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: CamBlank) -> list[Check]:
     """The rod passes above the hub as well as above the disc, at every steering, shape (2, n)."""
     if blank.hub is None:
         return []
+    inner, outer = blank.faces(follower)
     ends = {
-        "outer": (follower.outer, follower.outer + blank.hub.length),
-        "inner": (follower.inner - blank.hub.length, follower.inner),
+        "outer": (outer, outer + blank.hub.length),
+        "inner": (inner - blank.hub.length, inner),
     }[blank.hub.side]
     nearest = np.min([follower.base_radius + w * steering for w in ends], axis=0)
     nearest = (nearest - follower.radius * np.sqrt(1 + steering**2)).min(axis=0)

@@ -189,9 +189,7 @@ class _Ring:
             ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
             slope = (ahead - behind) / (2 * step)
             angle = np.arctan2(slope, u + follower.base_radius)
-            return np.stack(
-                [u / carrying, carrying, np.zeros_like(u), angle, follower.thickness * np.abs(u / carrying)]
-            )
+            return np.stack([u / carrying, carrying, np.zeros_like(u), angle, follower.land * np.abs(u / carrying)])
         first, last = self._window(theta)
         # Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
         width = int((last - first).max()) + 2

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 from math import exp, log
 
 from scipy.optimize import brentq
@@ -16,7 +17,8 @@ from cadgen.errors import DesignError
 # The change is found to this share of itself; a shop rounds further than that.
 _PRECISION = 0.01
 _LARGEST_FACTOR = 64.0  # a change beyond this is no cure
-_NOTHING = 1e-12  # mm; keeps the logarithm finite where nothing at all is lost
+# Share of the limit below which a loss counts as this share: so the logarithm stays finite where nothing is lost.
+_NOTHING = 0.01
 
 
 @dataclass(frozen=True)
@@ -65,24 +67,37 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
         limit: lift that may be lost, mm.
     """
     thinner, larger = follower.radius, follower.base_radius
+    now = worst_loss(lift, follower)
     cures = []
-    factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, radius=thinner / f)), limit)
+    factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, radius=thinner / f)), now, limit)
     if factor is not None:
         cures.append(Change("follower.radius_mm", thinner, thinner / factor))
-    factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, base_radius=larger * f)), limit)
+    factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, base_radius=larger * f)), now, limit)
     if factor is not None:
         cures.append(Change("cam.base_radius_mm", larger, larger * factor))
     return tuple(sorted(cures, key=lambda cure: cure.factor))
 
 
-def _smallest_factor(loss: Callable[[float], float], limit: float) -> float | None:
-    """The factor at which the loss meets its limit, rounded to the safe side; None if no factor in reach does."""
+def _smallest_factor(loss: Callable[[float], float], now: float, limit: float) -> float | None:
+    """The factor at which the loss meets its limit, rounded to the safe side; None if no factor in reach does.
 
+    Args:
+        loss: by the factor, mm.
+        now: loss at the factor 1, mm; more than the limit.
+        limit: mm.
+    """
+    most = log(_LARGEST_FACTOR)
+
+    @cache
     def excess(log_factor: float) -> float:
         # Losses fall as a power of the factor, so this is close to a straight line.
-        return log(max(loss(exp(log_factor)), _NOTHING) / limit)
+        return log(max(loss(exp(log_factor)) if log_factor else now, _NOTHING * limit) / limit)
 
-    if excess(log(_LARGEST_FACTOR)) > 0:
-        return None
-    root = brentq(excess, 0.0, log(_LARGEST_FACTOR), xtol=_PRECISION / 2)
+    # As if the loss fell with the square of the factor, and further until it is within its limit.
+    low, high = 0.0, min(max(excess(0.0) / 2, _PRECISION), most)
+    while excess(high) > 0:
+        if high == most:
+            return None
+        low, high = high, min(2 * high, most)
+    root = brentq(excess, low, high, xtol=_PRECISION / 2)
     return float(exp(root + _PRECISION / 2))

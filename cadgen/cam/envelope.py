@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.cam.lowest import SAME, lowest_branches
+from cadgen.cam.lowest import SAME, Run, lowest_branches
 from cadgen.cam.theoretical import rod_half_width, span_jets
-from cadgen.curves.closed import ClosedCurve, Jet, cross, piece_at_angle, polar_angle
+from cadgen.curves.closed import ByAngle, ClosedCurve, Jet, cross, polar_angle
 from cadgen.errors import DesignError
 
 Array = NDArray[np.float64]
@@ -163,6 +163,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     branches = _branches(lift, follower)
     starts = np.array([_angle(b, b.start) for b in branches])
     spans = np.array([_travel(b) for b in branches])
+    by_angle = [ByAngle(b) for b in branches]
 
     # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
     uniform = np.linspace(0.0, _TURN, _SAMPLES, endpoint=False)
@@ -174,7 +175,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     for number, branch in enumerate(branches):
         covered = np.flatnonzero((cells - starts[number]) % _TURN <= spans[number])
         if covered.size:
-            t = piece_at_angle(branch, cells[covered])
+            t = by_angle[number].parameters(cells[covered])
             radii[number, covered] = np.linalg.norm(branch.jet(t).point, axis=1)
     runs = lowest_branches(radii, _continuations(branches, starts, spans))
     if len(runs) == 1:
@@ -182,7 +183,8 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     begins: list[float] = []
     stops: list[float] = []
     trims = []
-    for left, run in zip(runs[-1:] + runs, runs, strict=False):
+    while len(begins) < len(runs):
+        left, run = runs[len(begins) - 1], runs[len(begins)]
         before, after, near = branches[left.branch], branches[run.branch], edges[run.cell]
         ends = np.array([_angle(before, before.stop), _angle(after, after.start)])
         gaps = (ends - near + np.pi) % _TURN - np.pi
@@ -192,8 +194,16 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
             low = cells[run.cell - 1] if np.isfinite(radii[run.branch, run.cell - 1]) else near
             high = cells[run.cell] if np.isfinite(radii[left.branch, run.cell]) else near
             # The last cell comes before the first one.
-            leave, enter = _crossing(before, after, (near - (near - low) % _TURN, near + (high - near) % _TURN), near)
-            _refuse_overhang(lift, before, after, leave, enter)
+            bracket = near - (near - low) % _TURN, near + (high - near) % _TURN
+            both = by_angle[left.branch], by_angle[run.branch]
+            leave, enter = _crossing(before, after, both, bracket, near)
+            if not _meet(before, after, leave, enter):
+                # The next branch of the face before may be the lowest for less than a cell.
+                between = _next_of_face(branches, left.branch)
+                if between == run.branch or len(runs) > len(branches):
+                    raise _overhang(lift, after, enter)
+                runs.insert(len(begins), Run(run.cell, between))
+                continue
             if (trim := _trim(lift, before, after, leave, enter)) is not None:
                 trims.append(trim)
         begins.append(enter)
@@ -214,6 +224,12 @@ def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[
     faces = np.array([branch.face for branch in branches])
     follows = (np.abs(apart) < 2 * _JOINT) & (faces[:, None] == faces)
     return {int(number): int(after) for number, after in zip(*np.nonzero(follows), strict=True)}
+
+
+def _next_of_face(branches: list[Branch], number: int) -> int:
+    """The branch of the same face that comes after one round the turn."""
+    same = [other for other, branch in enumerate(branches) if branch.face == branches[number].face]
+    return same[(same.index(number) + 1) % len(same)]
 
 
 def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
@@ -237,7 +253,10 @@ def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
 def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
     """Cut a span at its cusps and folds and keep what runs forward."""
     count = max(9, int(_SAMPLES * (span.stop - span.start) / _TURN))
-    theta = np.linspace(span.start, span.stop, count)
+    # Between two nodes of the lift it may turn back, too, however close they are.
+    nodes = span.lift.tan_beta.x
+    nodes = nodes[(nodes > span.start) & (nodes < span.stop)]
+    theta = np.union1d(np.linspace(span.start, span.stop, count), np.append(nodes, (nodes[1:] + nodes[:-1]) / 2))
     forward = span.advance(theta) > 0
     if forward.all():
         return [span]
@@ -252,13 +271,15 @@ def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
     return [replace(span, start=float(a), stop=float(b)) for a, b, k in zip(edges, edges[1:], keep, strict=False) if k]
 
 
-def _crossing(before: Branch, after: Branch, bracket: tuple[float, float], near: float) -> tuple[float, float]:
+def _crossing(
+    before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float], near: float
+) -> tuple[float, float]:
     """Parameters at which two branches meet between two polar angles.
 
     Newton's method, or, where that fails because they are nearly parallel, narrowing in on the difference of their
     radii; where there is no crossing either, the end of the bracket at which they are closest.
     """
-    t = np.array([piece_at_angle(b, np.array([near]))[0] for b in (before, after)])
+    t = np.array([one.parameters(np.array([near]))[0] for one in by_angle])
     for _ in range(_NEWTON_STEPS):
         a, b = before.jet(t[:1]), after.jet(t[1:])
         system = np.stack([a.velocity[0], -b.velocity[0]], axis=1)
@@ -273,15 +294,17 @@ def _crossing(before: Branch, after: Branch, bracket: tuple[float, float], near:
     inside = np.all((off > -_JOINT) & (off < bracket[1] - bracket[0] + _JOINT))
     if inside and np.abs(points[0] - points[1]).max() < SAME:
         return float(t[0]), float(t[1])
-    return _closest(before, after, bracket)
+    return _closest(before, after, by_angle, bracket)
 
 
-def _closest(before: Branch, after: Branch, bracket: tuple[float, float]) -> tuple[float, float]:
+def _closest(
+    before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float]
+) -> tuple[float, float]:
     """Parameters at the one polar angle in a bracket where the radii of two branches cross, or else agree best."""
     low, high = bracket
     for _ in range(_ZOOMS):
         angles = np.linspace(low, high, _ZOOM)
-        t = [piece_at_angle(branch, angles) for branch in (before, after)]
+        t = [one.parameters(angles) for one in by_angle]
         r = [np.linalg.norm(b.jet(at).point, axis=1) for b, at in zip((before, after), t, strict=True)]
         off = r[0] - r[1]
         if not off[0] < 0 < off[-1]:
@@ -292,15 +315,18 @@ def _closest(before: Branch, after: Branch, bracket: tuple[float, float]) -> tup
     return float(t[0][best]), float(t[1][best])
 
 
-def _refuse_overhang(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> None:
-    """Branches that do not meet leave a wall along the ray between them, which no rod can climb."""
+def _meet(before: Branch, after: Branch, leave: float, enter: float) -> bool:
+    """Whether one branch ends where the next begins."""
     points = [b.jet(np.array([t])).point[0] for b, t in ((before, leave), (after, enter))]
-    if np.abs(points[0] - points[1]).max() < 2 * SAME:
-        return
+    return bool(np.abs(points[0] - points[1]).max() < 2 * SAME)
+
+
+def _overhang(lift: LiftCurve, after: Branch, enter: float) -> DesignError:
+    """Branches that do not meet leave a wall along the ray between them, which no rod can climb."""
     theta = (after.theta if isinstance(after, RodArc) else enter) % _TURN
     in_blend = theta >= lift.blend_start
     softer = "raise cam.blend_deg (the closing blend steers there)" if in_blend else "widen the turn there"
-    raise DesignError(
+    return DesignError(
         f"the cam's flank at cam angle {np.degrees(theta):.1f} degrees would be steeper than radial, with a pressure "
         f"angle beyond 90 degrees, so the rod cannot follow it: {softer} or raise cam.base_radius_mm"
     )

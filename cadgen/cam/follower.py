@@ -1,4 +1,4 @@
-"""The follower: a straight round rod that leans with the steering, on a disc with two faces."""
+"""The follower: a straight round rod that leans with the steering, on the two edges of a disc's rim."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Follower:
-    """The rod and where the disc's faces cross it.
+    """The rod and the two planes in which the disc carries it.
+
+    The rod leans, so it rides on an edge of the rim: on that of a face or, where the edges are broken by chamfers, on
+    that of the land between them (`cadgen.cam.blank.CamBlank.carrying`).
 
     The rod's axis lies in the horizontal plane of the camshaft and turns about the fork axis A. In the plane at
     lateral distance w from A its section is an ellipse centred base_radius + w tan(beta) from the camshaft, with
@@ -18,8 +21,8 @@ class Follower:
 
     Attributes:
         base_radius: a, distance of the camshaft from the fork axis, mm.
-        inner: lateral distance of the disc's inner face from A, mm.
-        outer: lateral distance of the outer face, mm.
+        inner: lateral distance from A of the carrying plane nearer to it, mm.
+        outer: lateral distance of the farther carrying plane, mm.
         radius: r_t, of the rod, mm; zero stands for the rod's axis (a knife edge).
     """
 
@@ -29,12 +32,12 @@ class Follower:
     radius: float
 
     @property
-    def thickness(self) -> float:
-        """Thickness of the disc, mm."""
+    def land(self) -> float:
+        """Width of the rim between the carrying planes, mm."""
         return self.outer - self.inner
 
     def contact_face(self, tan_beta: Array) -> Array:
-        """Lateral distance of the face the rod rests on, mm: inner for beta >= 0, outer below (eq. 15)."""
+        """Lateral distance of the plane the rod rests in, mm: inner for beta >= 0, outer below (eq. 15)."""
         return np.where(np.asarray(tan_beta) >= 0, self.inner, self.outer)
 
     def lift(self, tan_beta: Array) -> Array:

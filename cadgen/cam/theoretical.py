@@ -95,7 +95,7 @@ def _face_changes(lift: LiftCurve, follower: Follower) -> Array:
     roots = lift.tan_beta.roots(extrapolate=False)
     roots = np.unique(roots[np.isfinite(roots)])
     nodes, T = lift.stations
-    clear = np.flatnonzero(np.abs(T) * follower.thickness > SAME)
+    clear = np.flatnonzero(np.abs(T) * follower.land > SAME)
     changed = np.flatnonzero(np.diff(np.sign(T[clear])) != 0)
     before, after = nodes[clear[changed]], nodes[clear[changed + 1]]
     # Of several roots in a row the last one before the steering is clear again.

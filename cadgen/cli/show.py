@@ -60,7 +60,7 @@ def document(facts: dict[str, Any]) -> None:
 def checks(plan: "CamPlan") -> None:
     """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
     friction(plan)
-    figures(f"{plan.design.name}, {plan.profile} profile", plan.checks)
+    figures(f"{plan.design.name}, {plan.profile} profile", (*plan.checks, plan.edges))
     for line in plan.cure_sentences():
         Output().print(line)
 

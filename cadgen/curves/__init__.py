@@ -7,6 +7,7 @@
 | `contour`  | a closed chain of lines and arcs; bores                                      |
 | `spacing`  | nodes at even errors, for the three approximations below                     |
 | `offset`   | the parallel curve on which a cutter's centre runs                           |
+| `inset`    | the parallel curve inside, and the chamfer between the two                   |
 | `biarc`    | lines and arcs within a stated tolerance (DXF, G-code)                       |
 | `spline`   | B-splines within a stated tolerance (STEP, DXF)                              |
 | `polygon`  | chords within a stated tolerance (STL, 3MF)                                  |

@@ -149,7 +149,7 @@ class ClosedCurve:
         jet = Jet(np.empty((len(angle), 2)), np.empty((len(angle), 2)), np.empty(len(angle)))
         for number in np.unique(owner):
             piece, mine = self.pieces[number], owner == number
-            for column, values in zip(jet, piece.jet(piece_at_angle(piece, angle[mine])), strict=True):
+            for column, values in zip(jet, piece.jet(ByAngle(piece).parameters(angle[mine])), strict=True):
                 column[mine] = values
         return jet, owner
 
@@ -166,20 +166,29 @@ class ClosedCurve:
         return tuple(found)
 
 
-def piece_at_angle(piece: Piece, angle: Array) -> Array:
-    """Parameters at which a piece that runs forward has given polar angles, by Newton's method."""
-    t = np.linspace(piece.start, piece.stop, _TABLE)
-    turned = np.unwrap(polar_angle(piece.jet(t).point))
-    # The angle meant is the one nearest the piece's middle: right for any piece up to a whole turn.
-    middle = (turned[0] + turned[-1]) / 2
-    want = middle + (angle - middle + np.pi) % _TURN - np.pi
-    guess = np.interp(want, turned, t)
-    for _ in range(_NEWTON_STEPS):
-        jet = piece.jet(guess)
-        rate = cross(jet.point, jet.velocity) / np.sum(jet.point**2, axis=1)
-        miss = (polar_angle(jet.point) - want + np.pi) % _TURN - np.pi
-        guess = np.clip(guess - miss / rate, piece.start, piece.stop)
-    return np.asarray(guess)
+class ByAngle:
+    """A piece that runs forward, by polar angle: its parameters there, by Newton's method from a table."""
+
+    def __init__(self, piece: Piece) -> None:
+        self._piece = piece
+        self._t = np.linspace(piece.start, piece.stop, _TABLE)
+        self._turned = np.unwrap(polar_angle(piece.jet(self._t).point))
+
+    def parameters(self, angle: Array) -> Array:
+        """Parameters at polar angles, rad."""
+        piece, turned = self._piece, self._turned
+        # The angle meant is the one nearest the piece's middle: right for any piece up to a whole turn.
+        middle = (turned[0] + turned[-1]) / 2
+        want = middle + (angle - middle + np.pi) % _TURN - np.pi
+        guess = np.interp(want, turned, self._t)
+        for _ in range(_NEWTON_STEPS):
+            jet = piece.jet(guess)
+            rate = cross(jet.point, jet.velocity) / np.sum(jet.point**2, axis=1)
+            miss = (polar_angle(jet.point) - want + np.pi) % _TURN - np.pi
+            before, guess = guess, np.clip(guess - miss / rate, piece.start, piece.stop)
+            if np.array_equal(guess, before):
+                break
+        return np.asarray(guess)
 
 
 def cross(a: Array, b: Array) -> Array:

@@ -1,9 +1,12 @@
 """A closed curve as a polygon within a stated chord tolerance."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.curves.closed import ClosedCurve, Outline, Piece, left_normal
+from cadgen.curves.inset import Apex, Strip
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 Array = NDArray[np.float64]
@@ -24,6 +27,24 @@ def polygon(curve: ClosedCurve, chord_tolerance: float) -> Array:
     return np.concatenate([_piece_points(piece, chord_tolerance) for piece in curve.pieces])
 
 
+def strip_polygons(strips: Sequence[Strip], chord_tolerance: float) -> tuple[Array, Array]:
+    """Return points on both sides of a chamfer, pair by pair at equal shares of its strips.
+
+    The chords of both stay within `chord_tolerance` mm of their curves.
+
+    Returns:
+        Outer and inner points in order, counterclockwise, shape (n, 2) each, mm; the first is not repeated. Where one
+        side is a point, it is repeated.
+    """
+    outer: list[Array] = []
+    inner: list[Array] = []
+    for strip in strips:
+        nodes = _even((strip.outer, strip.inner), chord_tolerance)
+        for side, points in ((strip.outer, outer), (strip.inner, inner)):
+            points.append(side.jet(side.start + nodes[:-1] * (side.stop - side.start)).point)
+    return np.concatenate(outer), np.concatenate(inner)
+
+
 def polyline(corners: Array, step: float) -> Outline:
     """The closed chain of straight lines through points, each a piece of at least five points.
 
@@ -40,14 +61,27 @@ def polyline(corners: Array, step: float) -> Outline:
 
 def _piece_points(piece: Piece, tolerance: float) -> Array:
     """Points of one piece, without its last."""
-
-    def sagittas(nodes: Array) -> Array:
-        points = piece.jet(inside_spans(nodes, _SAMPLES)).point
-        chords = np.diff(points[::_SAMPLES], axis=0)
-        inside = points[:-1].reshape(-1, _SAMPLES, 2)
-        off = np.einsum("cpj,cj->cp", inside - inside[:, :1], left_normal(chords))
-        return np.asarray(np.abs(off).max(axis=1))
-
     at_least = max(1, int(np.ceil(turning(piece) / _QUARTER)))
-    nodes = even_nodes(sagittas, (piece.start, piece.stop), tolerance, 2, at_least=at_least)
+    nodes = even_nodes(lambda t: _sagittas(piece, t), (piece.start, piece.stop), tolerance, 2, at_least=at_least)
     return piece.jet(nodes[:-1]).point
+
+
+def _even(sides: Sequence[Piece], tolerance: float) -> Array:
+    """Shares of pieces at which their points are to stand together."""
+    real = [side for side in sides if not isinstance(side, Apex)]
+
+    def sagittas(shares: Array) -> Array:
+        each = [_sagittas(side, side.start + shares * (side.stop - side.start)) for side in real]
+        return np.asarray(np.max(each, axis=0))
+
+    at_least = max(1, int(np.ceil(max(turning(side) for side in real) / _QUARTER)))
+    return even_nodes(sagittas, (0.0, 1.0), tolerance, 2, at_least=at_least)
+
+
+def _sagittas(piece: Piece, nodes: Array) -> Array:
+    """How far the chord of each span strays from the piece, mm."""
+    points = piece.jet(inside_spans(nodes, _SAMPLES)).point
+    chords = np.diff(points[::_SAMPLES], axis=0)
+    inside = points[:-1].reshape(-1, _SAMPLES, 2)
+    off = np.einsum("cpj,cj->cp", inside - inside[:, :1], left_normal(chords))
+    return np.asarray(np.abs(off).max(axis=1))

@@ -1,5 +1,6 @@
 """A closed curve as B-splines within a stated tolerance."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
@@ -8,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline, CubicSpline, PPoly, make_interp_spline
 
-from cadgen.curves.closed import ClosedCurve, Jet, Piece, left_normal
+from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal
+from cadgen.curves.inset import Apex, Strip
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 Array = NDArray[np.float64]
@@ -73,6 +75,82 @@ def splines(curve: ClosedCurve, tolerance: float, degree: Degree) -> tuple[Splin
         _fit(part, first, last, tolerance, degree)
         for part, first, last in zip(parts, joints, joints[1:] + joints[:1], strict=True)
     )
+
+
+def ruled_splines(strips: Sequence[Strip], tolerance: float, degree: Degree) -> tuple[tuple[SplineArc, SplineArc], ...]:
+    """Return both sides of a chamfer's strips as B-splines on the same knots, so that lines join equal parameters.
+
+    Neither side is further than `tolerance` mm from its curve. Otherwise as `splines`; a side that is a point has
+    that point for all its control points.
+    """
+    parts = [part for strip in strips for part in _cut(strip)]
+    firsts = [[side.jet(np.array([side.start])).point[0] for side in (part.outer, part.inner)] for part in parts]
+    return tuple(
+        _fit_both(part, first, last, tolerance, degree)
+        for part, first, last in zip(parts, firsts, firsts[1:] + firsts[:1], strict=True)
+    )
+
+
+def _cut(strip: Strip) -> list[Strip]:
+    """A strip in as many shares as the edges that its longer side needs."""
+    most = max(turning(side) for side in (strip.outer, strip.inner) if not isinstance(side, Apex))
+    shares = np.linspace(0.0, 1.0, max(1, int(np.ceil(most / _LONGEST_TURN))) + 1)
+
+    def cut(side: Piece) -> list[Piece]:
+        edges = side.start + shares * (side.stop - side.start)
+        return [side if isinstance(side, Apex) else Span(side, float(a), float(b)) for a, b in pairwise(edges)]
+
+    return [Strip(outer, inner) for outer, inner in zip(cut(strip.outer), cut(strip.inner), strict=True)]
+
+
+def _fit_both(
+    strip: Strip, first: Sequence[Array], last: Sequence[Array], tolerance: float, degree: Degree
+) -> tuple[SplineArc, SplineArc]:
+    """Splines of both sides by the arc length of the outer one, or of the inner one where the outer one is a point."""
+    sides = (strip.inner, strip.outer) if isinstance(strip.outer, Apex) else (strip.outer, strip.inner)
+    lead, other = sides
+    part = _Part.of(lead, lead.start, lead.stop)
+    scale = (other.stop - other.start) / (lead.stop - lead.start)
+
+    def beside(t: Array) -> tuple[Array, Array]:
+        """Points of the other side, and their velocity by the leading one's arc length."""
+        jet = other.jet(other.start + (t - lead.start) * scale)
+        speed = np.linalg.norm(lead.jet(t).velocity, axis=1)
+        return jet.point, jet.velocity * (scale / speed)[:, None]
+
+    table = np.linspace(lead.start, lead.stop, _TABLE)
+    velocity = CubicSpline(part.arc(table), beside(table)[1])
+    ends = tuple(
+        [(order + 1, velocity(s, order)) for order in range(degree // 2)] for s in part.arc([lead.start, lead.stop])
+    )
+
+    def both(nodes: Array) -> tuple[BSpline, BSpline]:
+        arc = part.arc(nodes)
+        # The stubs know no boundary conditions by order and value.
+        follows = make_interp_spline(arc, beside(nodes)[0], k=degree, bc_type=ends)  # type: ignore[arg-type]
+        return _interpolate(arc, lead.jet(nodes), degree), follows
+
+    def errors(nodes: Array) -> Array:
+        t = inside_spans(nodes, _SAMPLES)
+        jet, s = lead.jet(t), part.arc(t)
+        leads, follows = both(nodes)
+        off = np.abs(np.sum((leads(s) - jet.point) * left_normal(jet.velocity), axis=1))
+        if not isinstance(other, Apex):
+            # Along the curve the two sides may slip by a trifle: only what is square to it counts.
+            point, along = beside(t)
+            off = np.maximum(off, np.abs(np.sum((follows(s) - point) * left_normal(along), axis=1)))
+        return np.asarray(off[:-1].reshape(-1, _SAMPLES).max(axis=1))
+
+    nodes = even_nodes(errors, (lead.start, lead.stop), tolerance, degree + 1, local=False)
+    arcs = {}
+    for side, spline in zip(sides, both(nodes), strict=True):
+        at = 0 if side is strip.outer else 1
+        control_points = spline.c.copy()
+        control_points[0], control_points[-1] = first[at], last[at]
+        if isinstance(side, Apex):
+            control_points[:] = side.point
+        arcs[at] = SplineArc(degree, spline.t, control_points)
+    return arcs[0], arcs[1]
 
 
 def _parts(piece: Piece) -> list[_Part]:

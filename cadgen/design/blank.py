@@ -89,6 +89,13 @@ class Blank(Held):
     """What the disc has besides its profile. Polar angles are those of the profile."""
 
     bore_diameter_mm: float = Field(default=8.0, gt=0, le=200, description="of the hole for the camshaft")
+    edge_break_mm: float | None = Field(
+        default=None,
+        ge=0,
+        le=20,
+        description="leg of the 45° chamfer by which both edges of the outline (not those of bore and holes) are "
+        "broken; the rod rides on the land between them, and the profile is made for that; left out, 0: sharp edges",
+    )
     keyway: Keyway | None = None
     d_flat: DFlat | None = None
     hub: Hub | None = None

@@ -35,7 +35,7 @@ _UNIT_ENDING = re.compile(
     r"(?:_per_(?:min|minute|s|sec|second|rev))?$",
     re.IGNORECASE,
 )
-_KINDS = {float: "a number", int: "a whole number", str: "text"}
+_KINDS = {bool: "true or false", float: "a number", int: "a whole number", str: "text"}
 _PAIR = "a pair [x, y]"
 _LONGEST_SHOWN = 60
 _PLURALS = {"a number": "numbers", "a whole number": "whole numbers", "text": "texts", _PAIR: "pairs [x, y]"}
@@ -177,26 +177,19 @@ def _section_in(annotation: Any) -> type[Section] | None:
 def _key(name: str, info: FieldInfo) -> Key:
     kinds, inside = _kinds(info.annotation)
     allowed = _phrases(info.metadata)
-    if choices := _choices(info.annotation):
-        allowed = listed([shown(choice) for choice in choices], "or")
+    choices = [arm for arm in (info.annotation, *get_args(info.annotation)) if get_origin(arm) is Literal]
+    if choices:
+        allowed = listed([shown(choice) for choice in get_args(choices[0])], "or")
     return Key(
         name=name,
         unit=_unit(name),
         kinds=kinds,
         allowed=allowed,
-        allowed_inside=_phrases(inside),
+        allowed_inside=_choices_inside(info.annotation) or _phrases(inside),
         required=info.is_required(),
         default=None if info.is_required() else info.default,
         meaning=info.description or "",
     )
-
-
-def _choices(annotation: Any) -> tuple[Any, ...]:
-    """What a key may be, if that is listed, also of a key that may be left out."""
-    if get_origin(annotation) is Literal:
-        return get_args(annotation)
-    given = [arm for arm in get_args(annotation) if arm is not type(None)]
-    return _choices(given[0]) if type(None) in get_args(annotation) and len(given) == 1 else ()
 
 
 def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
@@ -212,6 +205,13 @@ def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
         kinds, limits = _kinds(arguments[0])
         return (f"a list of {_PLURALS[kinds[0]]}" if arguments[1] is ... else _PAIR, *kinds), limits
     return (next((_KINDS[arm] for arm in (annotation, *arguments) if arm in _KINDS), "text"),), []
+
+
+def _choices_inside(annotation: Any) -> str:
+    """The choices for the items of a list, as they read after "must be"; empty if it is not one of choices."""
+    if get_origin(annotation) is tuple and get_origin(get_args(annotation)[0]) is Literal:
+        return listed([shown(choice) for choice in get_args(get_args(annotation)[0])], "or")
+    return next((found for arm in get_args(annotation) if (found := _choices_inside(arm))), "")
 
 
 def _phrases(limits: Iterable[Any]) -> str:

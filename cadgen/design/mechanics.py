@@ -60,7 +60,7 @@ class Mechanics(Section):
         if self.drive_torque_Nmm is not None and strongest >= self.drive_torque_Nmm:
             raise ValueError(
                 f"mechanics.drag_greatest_Nmm is {strongest:g}, and the drive gives {self.drive_torque_Nmm:g} N mm at "
-                f"the camshaft (mechanics.drive_torque_Nmm): it cannot turn that: lower the drag, or gear down"
+                f"the camshaft (mechanics.drive_torque_Nmm): it cannot turn that; lower the drag, or gear down"
             )
         return self
 

@@ -86,7 +86,7 @@ def _section(table: Table) -> str:
 def _row(key: Key) -> str:
     must = ", ".join(filter(None, [key.kinds[0], key.allowed]))
     if key.allowed_inside:
-        must += f"; each number {key.allowed_inside}"
+        must += f"; each {'of them' if 'text' in key.kinds else 'number'} {key.allowed_inside}"
     default = "required" if key.required else "" if key.default in (None, "") else f"`{shown(key.default)}`"
     return f"| `{last(key.name)}` | {key.unit} | {must} | {default} | {key.meaning} |\n"
 

@@ -24,11 +24,12 @@ from cadgen.motion.friction import FollowerMaterial
 # What may be part of a file's name on every system, and of STEP's product data.
 _FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 THINNEST_DISC_MM = 0.1
+LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the rod, and no shop can hold it
 # Chord error of the cam's mesh where the design gives none.
 CAM_CHORD_UM = 5.0
-# What a cam takes in time and memory: of 10 000 waypoints some half a minute and 0.3 GB; of 300 kinks, with what cures
-# undercuts at them, three quarters of a minute.
-MOST_WAYPOINTS = {"quintic": 10_000, "cubic": 300}
+# What a cam takes in time and memory: of 10 000 waypoints some half a minute and 0.3 GB; of 1000 kinks as long, and
+# 0.8 GB.
+MOST_WAYPOINTS = {"quintic": 10_000, "cubic": 1000}
 
 
 class Path(Section):
@@ -46,7 +47,7 @@ class Path(Section):
         description="how far to the right of the drive wheel the waypoints' path runs",
     )
     waypoints_mm: Points = Field(
-        min_length=4, description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 300"
+        min_length=4, description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000"
     )
 
     @model_validator(mode="after")
@@ -304,6 +305,20 @@ class DesignFile(TrainFile):
             raise ValueError(
                 f"follower.length_mm is {rod.length_mm:g}; it must be greater than the distance of the "
                 f"disc's outer face from the fork axis, {outer:g} mm"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _broken_edges_leave_a_land(self) -> "DesignFile":
+        (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm
+        # A thinner disc with sharp edges is not broken at all; rounding must not refuse the value that is named.
+        if leg and outer - inner - 2 * leg < LEAST_LAND_MM - 1e-9:
+            most = (outer - inner - LEAST_LAND_MM) / 2
+            cure = f"lower it to {most:.4g} or less" if most > 1e-6 else "leave it out"
+            raise ValueError(
+                f"blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
+                f"{LEAST_LAND_MM:g} mm for the rod on a disc {outer - inner:g} mm thick: {cure}, or make the disc "
+                "thicker"
             )
         return self
 

@@ -74,12 +74,12 @@ def car(design: Design) -> Car:
 
 
 def follower(design: Design) -> Follower:
-    """The rod and the disc's faces.
+    """The rod and the planes in which the disc carries it.
 
     Raises:
         DesignError: as built, nothing would be left of the rod.
     """
-    inner, outer = design.cam.faces_mm
+    inner, outer = blank(design).carrying(*design.cam.faces_mm)
     nominal = Follower(
         base_radius=design.cam.base_radius_mm, inner=inner, outer=outer, radius=design.follower.radius_mm
     )
@@ -147,6 +147,7 @@ def blank(design: Design) -> cut.CamBlank:
         key=_key(given, back),
         hub=_hub(given.hub, back) if given.hub else None,
         lightening=_lightening(given.lightening) if given.lightening else None,
+        edge_break=given.edge_break_mm or 0.0,
     )
 
 

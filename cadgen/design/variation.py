@@ -129,8 +129,8 @@ def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve) -> None:
     if force[worst] <= 0:
         raise DesignError(
             f"at cam angle {degrees(theta[worst]):.1f} degrees, at a lift of {height[worst]:.2f} mm, the rod's force "
-            f"is {force[worst]:.3g} N, so the rod leaves the disc: raise mechanics.rod_force_N above "
-            f"{band.rod_force - force[worst]:.3g} or bring mechanics.rod_rate_N_per_mm nearer to 0"
+            f"is {force[worst]:.3g} N, so the rod leaves the disc: raise mechanics.rod_force_N to "
+            f"{1.01 * (band.rod_force - force[worst]):.3g} or more, or bring mechanics.rod_rate_N_per_mm nearer to 0"
         )
 
 

@@ -1,4 +1,4 @@
-"""DXF (R2000, mm) for laser, wire EDM and CAD: the profile as arcs or as splines, the bore, the holes.
+"""DXF (R2000, mm) for laser, wire EDM and CAD: the profile as arcs or as splines, the bore, the holes, a note.
 
 `ezdxf` writes. The reader takes the file's tags itself: it must not share code with the writer, and the one
 other reader at hand, trimesh's, drops the layer of a polyline with arcs.
@@ -23,13 +23,16 @@ from cadgen.errors import FileError
 
 Array = NDArray[np.float64]
 
-PROFILE, BORE, HOLES = "CAM_PROFILE", "BORE", "HOLES"
+PROFILE, BORE, HOLES, NOTES = "CAM_PROFILE", "BORE", "HOLES", "NOTES"
 _COLORS = {PROFILE: 7, BORE: 1, HOLES: 5}  # AutoCAD colour index: black or white, red, blue
+_NOTE_COLOR, _NOTE_HEIGHT = 3, 2.0  # green; mm, of the letters, and between them and the outline
 _MM = 4  # $INSUNITS
 _GAP_MM = 1e-9  # between the end of a spline and the begin of the next, which are written alike
 
 
-def write_dxf(path: Path, profile: Contour | Sequence[SplineArc], bore: Contour, holes: Sequence[Contour]) -> None:
+def write_dxf(
+    path: Path, profile: Contour | Sequence[SplineArc], bore: Contour, holes: Sequence[Contour], note: str = ""
+) -> None:
     """Write a drawing of the disc, each kind of contour on its own layer; equal input gives equal bytes.
 
     Args:
@@ -37,6 +40,7 @@ def write_dxf(path: Path, profile: Contour | Sequence[SplineArc], bore: Contour,
         profile: a chain of arcs, which becomes one closed LWPOLYLINE, or splines end to end, each a SPLINE.
         bore: with its keyway or flat.
         holes: the lightening holes.
+        note: a line of text under the outline, on a layer of its own that is not plotted; none if empty.
     """
     with _fixed_dates():
         drawing = ezdxf.new("R2000", units=_MM)
@@ -55,6 +59,11 @@ def write_dxf(path: Path, profile: Contour | Sequence[SplineArc], bore: Contour,
         _add(space, bore, BORE)
         for hole in holes:
             _add(space, hole, HOLES)
+        if note:
+            left, low = points.min(axis=0).tolist()
+            drawing.layers.add(NOTES, color=_NOTE_COLOR, plot=False)
+            text = space.add_text(note, height=_NOTE_HEIGHT, dxfattribs={"layer": NOTES})
+            text.set_placement((left, low - 2 * _NOTE_HEIGHT))
         space.reset_extents(*((*corner.tolist(), 0.0) for corner in (points.min(axis=0), points.max(axis=0))))
         drawing.saveas(path)
 
@@ -87,11 +96,13 @@ class Drawing:
         profile: points of the CAM_PROFILE layer, one piece an arc or a spline.
         bore: contours of the BORE layer.
         holes: contours of the HOLES layer.
+        note: text of the NOTES layer.
     """
 
     profile: Outline
     bore: tuple[Contour, ...]
     holes: tuple[Contour, ...]
+    note: str = ""
 
 
 def read_dxf(path: Path, step: float = 0.05) -> Drawing:
@@ -106,12 +117,16 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
     """
     contours: dict[str, list[Contour]] = {layer: [] for layer in _COLORS}
     splines: list[BSpline] = []
+    notes: list[str] = []
     try:
         sections = _sections(path)
         if _units(sections["HEADER"]) != _MM:
             raise FileError(f"{path.name} is not in millimetres: write it again")
         for kind, entity in _entities(sections["ENTITIES"]):
             layer = entity[8][0]
+            if kind == "TEXT" and layer == NOTES:
+                notes.append(entity[1][0])
+                continue
             points = np.array([entity[10], entity[20]], dtype=float).T
             if kind == "SPLINE" and layer == PROFILE:
                 splines.append(BSpline(np.array(entity[40], dtype=float), points, int(entity[71][0])))
@@ -130,7 +145,7 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
         outline = profile[0].outline(step)
     else:
         raise FileError(f"{path.name} must have one closed curve on layer {PROFILE}: write it again")
-    return Drawing(outline, tuple(contours[BORE]), tuple(contours[HOLES]))
+    return Drawing(outline, tuple(contours[BORE]), tuple(contours[HOLES]), " ".join(notes))
 
 
 Tag = tuple[int, str]

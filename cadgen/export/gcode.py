@@ -1,6 +1,7 @@
 """The milling program (G-code) of a profile: G2 and G3 arcs along the cutter's centre."""
 
 import re
+from collections.abc import Sequence
 from math import ceil, degrees
 from pathlib import Path
 
@@ -63,7 +64,7 @@ def write_gcode(
     *,
     name: str,
     hub_height: float = 0.0,
-    note: str = "",
+    notes: Sequence[str] = (),
 ) -> None:
     """Write the program that mills a disc's outline from outside, in equal passes, by climb milling.
 
@@ -77,7 +78,7 @@ def write_gcode(
         thickness: of the disc, mm.
         name: of the design, for the first comment.
         hub_height: how far a hub stands above the disc's outer face, mm; rapid moves pass above it.
-        note: one more comment, for what the shop must know of this outline.
+        notes: more comments, for what the shop must know of this outline.
     """
     depth = thickness + machining.break_through_mm
     passes = ceil(depth / machining.step_down_mm - 1e-9)
@@ -87,7 +88,7 @@ def write_gcode(
     above = f", its hub stands {hub_height:g} mm above that face" if hub_height else ""
     lines = [
         f"({_plain(name)}: outline of the cam, milled from outside)",
-        *([f"({_plain(note)})"] if note else []),
+        *(f"({_plain(note)})" for note in notes),
         f"(cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine)",
         "(climb milling: spindle clockwise, clockwise round the part)",
         "(zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up)",

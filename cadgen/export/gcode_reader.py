@@ -22,7 +22,7 @@ _TURN = 2 * pi
 # Controllers compare an arc's radius at both ends; RS274/NGC allows 2 um, and most that came after it more.
 RADIUS_MISMATCH_MM = 5e-4
 _HALF_DIGIT_MM = 5e-5  # rounding of a coordinate with four decimals
-_SCALLOP_MM = 3e-5  # ridge left between the places of the cutter that stand for its path
+_SCALLOP_MM = 3e-5  # ridge between the places of the cutter that stand for its path, which parabolas then take off
 _FINE_RAYS = 65  # within a gap between two of them that hides a corner
 _CORNER = 0.02  # rad; a hollow of 3 mm turns by as much between two rays on a cam of 70 mm
 _BLOCK = 512  # rays looked at together, so that the table of candidates stays in the processor's cache
@@ -199,22 +199,94 @@ def _checked_cuts(moves: list[Move], machining: Machining, thickness: float) -> 
     return next(iter(levels.values())) + [move for move in cuts if move.plunges]
 
 
+@dataclass(frozen=True)
+class _Swept:
+    """Places that stand for the cutter's path, by polar angle.
+
+    Attributes:
+        angle: polar angle, shape (m,), rad, in order.
+        distance: from the origin, shape (m,), mm.
+        beside: the places before and after each one along its move, by number, shape (2, m); itself at the move's ends.
+        radius: of the cutter, mm.
+    """
+
+    angle: Array
+    distance: Array
+    beside: NDArray[np.intp]
+    radius: float
+
+    @classmethod
+    def of(cls, moves: list[Array], radius: float) -> "_Swept":
+        places = np.concatenate(moves)
+        distance = np.linalg.norm(places, axis=1)
+        if distance.min() <= radius:
+            raise _RefusedError("cuts away the centre of the part")
+        angle = np.arctan2(places[:, 1], places[:, 0])
+        # The turn is whole but for what the leads overlap; plunges come back to the begin of a lead.
+        if not np.unwrap(angle).min() - angle[0] < -0.9 * _TURN:
+            raise _RefusedError("does not run clockwise round the part, as climb milling does")
+        order = np.argsort(angle)
+        number = np.empty(len(order), dtype=np.intp)
+        number[order] = np.arange(len(order))
+        ends = np.cumsum([len(move) for move in moves])
+        along = np.arange(len(order))
+        before, after = along - 1, along + 1
+        before[ends - [len(move) for move in moves]] += 1
+        after[ends - 1] -= 1
+        beside = np.stack([number[before], number[after]])[:, order]
+        return cls(angle[order], distance[order], beside, radius)
+
+    def depths(self, ray: Array) -> tuple[Array, Array]:
+        """Where rays first meet the cutter, and the direction of the cutter's centre from there.
+
+        Between the places the depth is that of a parabola through the three nearest of one move.
+
+        Args:
+            ray: polar angles, shape (n,), rad.
+        """
+        count = len(self.angle)
+        reach = np.arcsin(self.radius / self.distance.min())
+        # Places before the first and after the last angle stand again a turn away.
+        angle = np.concatenate([self.angle - _TURN, self.angle, self.angle + _TURN])
+        ray = (ray + pi) % _TURN - pi
+        first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
+        if (first == last).any():
+            raise _RefusedError("does not cut the part free all round")
+        depth, normal = np.empty(len(ray)), np.empty(len(ray))
+        for block in np.split(np.arange(len(ray)), range(_BLOCK, len(ray), _BLOCK)):
+            index = first[block, None] + np.arange((last - first)[block].max())
+            index = np.minimum(index, last[block, None] - 1) % count
+            near, aside = self._met(index, ray[block, None])
+            best = np.argmin(near, axis=1)
+            rows = np.arange(len(block))
+            place, nearest = index[rows, best], near[rows, best]
+            before, after = (self._met(other, ray[block])[0] for other in self.beside[:, place])
+            with np.errstate(invalid="ignore"):
+                bend = before - 2 * nearest + after
+                fits = np.isfinite(bend) & (bend > 0) & (self.beside[:, place] != place).all(axis=0)
+                lower = (after - before) ** 2 / (8 * np.where(fits, bend, 1.0))
+            depth[block] = nearest - np.where(fits, lower, 0.0)
+            normal[block] = ray[block] + np.arcsin(np.clip(aside[rows, best] / self.radius, -1.0, 1.0))
+        if np.isinf(depth).any():
+            raise _RefusedError("does not cut the part free all round")
+        return depth, normal
+
+    def _met(self, place: NDArray[np.intp], ray: Array) -> tuple[Array, Array]:
+        """How far along a ray the cutter at a place is met, infinite if it is not, and how far aside it stands, mm."""
+        off = self.angle[place] - ray
+        aside = self.distance[place] * np.sin(off)
+        met = np.abs(aside) < self.radius
+        near = self.distance[place] * np.cos(off) - np.sqrt(np.where(met, self.radius**2 - aside**2, 0.0))
+        return np.where(met & (np.cos(off) > 0), near, np.inf), aside
+
+
 def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
     """What stays of the stock inside the cutter's sweep, by rays from the origin."""
-    places = np.concatenate([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts])
-    distance = np.linalg.norm(places, axis=1)
-    if distance.min() <= radius:
-        raise _RefusedError("cuts away the centre of the part")
-    angle = np.arctan2(places[:, 1], places[:, 0])
-    # The turn is whole but for what the leads overlap; plunges come back to the begin of a lead.
-    if not np.unwrap(angle).min() - angle[0] < -0.9 * _TURN:
-        raise _RefusedError("does not run clockwise round the part, as climb milling does")
-    order = np.argsort(angle)
-    angle, distance = angle[order], distance[order]
-    count = ceil(_TURN * (distance.max() - radius) / step)
+    swept = _Swept.of([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts], radius)
+    count = ceil(_TURN * (swept.distance.max() - radius) / step)
     spacing = _TURN / count
     ray: Array = spacing * np.arange(count, dtype=np.float64)
-    depth, normal = _depths(angle, distance, ray, radius)
+    depth, normal = swept.depths(ray)
     # Where the outline turns between two rays stands a corner that both miss: the gap is looked into.
     turn = (np.roll(normal, -1) - normal + pi) % _TURN - pi
     gaps = np.flatnonzero(np.abs(turn) > _CORNER)
@@ -223,42 +295,7 @@ def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
         runs.append((spacing * np.arange(first, last + 1), np.append(depth, depth[0])[first : last + 1]))
         if last < count:
             fine = spacing * np.linspace(last, last + 1, _FINE_RAYS)
-            runs.append((fine, _depths(angle, distance, fine, radius)[0]))
+            runs.append((fine, swept.depths(fine)[0]))
     angles, depths = (np.concatenate(parts) for parts in zip(*runs, strict=True))
     owner = np.repeat(np.arange(len(runs)), [len(run[0]) for run in runs])
     return Outline(depths[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1), owner)
-
-
-def _depths(angle: Array, distance: Array, ray: Array, radius: float) -> tuple[Array, Array]:
-    """Where rays first meet a cutter, and the direction of the cutter's centre from there.
-
-    Args:
-        angle: polar angles of the cutter's places, in order, shape (m,), rad.
-        distance: of the places from the origin, shape (m,), mm.
-        ray: polar angles, shape (n,), rad.
-        radius: of the cutter, mm.
-    """
-    reach = np.arcsin(radius / distance.min())
-    # Places before the first and after the last angle stand again a turn away.
-    angle = np.concatenate([angle - _TURN, angle, angle + _TURN])
-    distance = np.tile(distance, 3)
-    ray = (ray + pi) % _TURN - pi
-    first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
-    if (first == last).any():
-        raise _RefusedError("does not cut the part free all round")
-    depth, normal = np.empty(len(ray)), np.empty(len(ray))
-    for block in np.split(np.arange(len(ray)), range(_BLOCK, len(ray), _BLOCK)):
-        index = first[block, None] + np.arange((last - first)[block].max())
-        index = np.minimum(index, last[block, None] - 1)
-        off = angle[index] - ray[block, None]
-        aside = distance[index] * np.sin(off)
-        met = np.abs(aside) < radius
-        near = distance[index] * np.cos(off) - np.sqrt(np.where(met, radius**2 - aside**2, 0.0))
-        near = np.where(met, near, np.inf)
-        best = np.argmin(near, axis=1)
-        rows = np.arange(len(block))
-        depth[block] = near[rows, best]
-        normal[block] = ray[block] + np.arcsin(np.clip(aside[rows, best] / radius, -1.0, 1.0))
-    if np.isinf(depth).any():
-        raise _RefusedError("does not cut the part free all round")
-    return depth, normal

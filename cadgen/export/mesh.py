@@ -11,6 +11,7 @@ import zipfile
 import zlib
 from dataclasses import dataclass
 from hashlib import sha256
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
@@ -18,14 +19,15 @@ from xml.etree import ElementTree
 import lib3mf
 import numpy as np
 import trimesh
-from manifold3d import CrossSection, Error, FillRule, Manifold, Mesh64
+from manifold3d import CrossSection, Error, FillRule, Manifold, Mesh64, triangulate
 from numpy.typing import NDArray
 from trimesh.exchange.stl import export_stl
 
 from cadgen.cam.blank import CamBlank, Hub
 from cadgen.curves.closed import ClosedCurve, Outline, cross
 from cadgen.curves.contour import Contour, circle
-from cadgen.curves.polygon import polygon, polyline
+from cadgen.curves.inset import chamfer_strips
+from cadgen.curves.polygon import polygon, polyline, strip_polygons
 from cadgen.errors import FileError
 
 Array = NDArray[np.float64]
@@ -33,6 +35,9 @@ Triangles = NDArray[np.int64]
 
 _OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
 _STEP = 0.1  # mm between the profile's points when the walls are measured
+
+_UPRIGHT = 0.9  # a face whose normal's z is more is horizontal; chamfers have 0.707
+_LEVEL = 1e-5  # mm; what the single precision of a file leaves of a height
 
 _STL_HEADER = 80
 _STL_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -53,7 +58,8 @@ class MeshContent:
     """What a mesh is, measured.
 
     Attributes:
-        rim: outline of the disc at z = 0, each chord one piece.
+        rim: outline of the disc at its carrying planes, each chord one piece: at z = 0, or where the edges are broken
+            at either edge of the land between the chamfers, which are found to be alike.
         watertight: whether trimesh and manifold3d both find it closed, oriented and free of faults.
         bodies: number of connected parts.
         volume: mm^3.
@@ -83,36 +89,38 @@ def cam_mesh(
 
     Raises:
         DesignError: a hole cuts into another one, into the hub or through the profile.
+        CheckError: the chamfers of broken edges meet, or run out at a ridge.
     """
     blank.require_walls(profile.outline(_STEP))
-    rim = polygon(profile, rim_share * chord_tolerance)
     holes = [contour.polygon(chord_tolerance) for contour in blank.holes()]
-    bore = blank.bore()
+    bore, rim_chord = blank.bore(), rim_share * chord_tolerance
     if blank.hub is None:
-        solid = _prism([rim, bore.polygon(chord_tolerance), *holes], 0.0, thickness)
+        solid = _disc(profile, [bore.polygon(chord_tolerance), *holes], thickness, blank.edge_break, rim_chord)
     else:
-        solid = _with_hub(_prism([rim, *holes], 0.0, thickness), blank.hub, bore, thickness, chord_tolerance)
+        disc = _disc(profile, holes, thickness, blank.edge_break, rim_chord)
+        solid = _with_hub(disc, blank.hub, bore, thickness, chord_tolerance)
     mesh = solid.to_mesh64()
     return Mesh(np.asarray(mesh.vert_properties), np.asarray(mesh.tri_verts).astype(np.int64))
 
 
-def inspect(mesh: Mesh, step: float) -> MeshContent:
+def inspect(mesh: Mesh, step: float, land: tuple[float, float] | None = None) -> MeshContent:
     """Measure a mesh, as read from a file.
 
     Args:
         mesh: with vertices joined.
         step: largest distance of two points of the rim, mm.
+        land: heights of the edges of the land between broken edges, mm; None for a rim with sharp edges.
 
     Raises:
-        FileError: the mesh has no closed outline at z = 0.
+        FileError: the mesh has no closed outline at z = 0, or not the same one at both edges of its land.
     """
     body = trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False)
     # Copies: manifold3d takes no array that is read-only or out of order.
     solid = Manifold(Mesh64(np.array(mesh.vertices, order="C"), mesh.triangles.astype(np.uint64, order="C")))
     closed = body.is_watertight and body.is_winding_consistent and solid.status() == Error.NoError
-    upright = np.abs(body.face_normals[:, 2]) < 0.5
+    upright = np.abs(body.face_normals[:, 2]) < _UPRIGHT
     return MeshContent(
-        rim=_rim(mesh, step),
+        rim=polyline(_rim(mesh) if land is None else _land(mesh, land), step),
         watertight=bool(closed),
         bodies=int(body.body_count),
         volume=float(body.volume),
@@ -204,6 +212,35 @@ def _prism(polygons: list[Array], bottom: float, height: float) -> Manifold:
     return Manifold.extrude(section, height).translate((0.0, 0.0, bottom))
 
 
+def _disc(profile: ClosedCurve, holes: list[Array], thickness: float, edge_break: float, chord: float) -> Manifold:
+    """The disc with holes, the edges of its rim broken."""
+    if edge_break == 0:
+        return _prism([polygon(profile, chord), *holes], 0.0, thickness)
+    outer, inner = strip_polygons(chamfer_strips(profile, edge_break), chord)
+    rings, vertices = [], np.empty((0, 3))
+    heights = 0.0, edge_break, thickness - edge_break, thickness
+    for points, z in zip((inner, outer, outer, inner), heights, strict=True):
+        # Where a side of the chamfer is a point it stands there once.
+        new = np.any(points != np.roll(points, 1, axis=0), axis=1)
+        rings.append(len(vertices) + (np.cumsum(new) - 1) % new.sum())
+        vertices = np.vstack([vertices, np.column_stack([points[new], np.full(new.sum(), z)])])
+    triangles = [
+        np.concatenate([np.stack(corners, axis=1) for corners in ((a, a1, b1), (a, b1, b))])
+        for a, b in pairwise(rings)
+        for a1, b1 in [(np.roll(a, -1), np.roll(b, -1))]
+    ]
+    cap = triangulate([vertices[np.unique(rings[0]), :2]])
+    triangles += [cap[:, ::-1] + rings[0].min(), cap + rings[-1].min()]
+    faces = np.concatenate(triangles)
+    whole = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
+    solid = Manifold(Mesh64(vertices, faces[whole].astype(np.uint64)))
+    if solid.status() != Error.NoError:
+        raise FileError("the mesh of the disc with broken edges does not close: report this design")
+    if holes:
+        solid -= _prism(holes, -_OVERSHOOT, thickness + 2 * _OVERSHOOT)
+    return solid
+
+
 def _with_hub(disc: Manifold, hub: Hub, bore: Contour, thickness: float, chord_tolerance: float) -> Manifold:
     """Set the hub on a disc without bore, then cut bore and set screw through both."""
     # From the disc's middle on, so that the two bodies do not merely touch.
@@ -220,26 +257,52 @@ def _with_hub(disc: Manifold, hub: Hub, bore: Contour, thickness: float, chord_t
     return solid
 
 
-def _rim(mesh: Mesh, step: float) -> Outline:
-    """The outer boundary of the faces at z = 0, counterclockwise; each chord a piece of at least five points."""
+def _rim(mesh: Mesh) -> Array:
+    """Corners of the outer boundary of the faces at z = 0, counterclockwise, shape (n, 2), mm."""
     flat = (mesh.vertices[mesh.triangles][:, :, 2] == 0).all(axis=1)
     edges = mesh.triangles[flat][:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
     count = len(mesh.vertices)
     inner = np.isin(edges @ [count, 1], edges @ [1, count])
-    after = dict(edges[~inner].tolist())
+    return _loop(mesh, edges[~inner], 0.0)
+
+
+def _land(mesh: Mesh, heights: tuple[float, float]) -> Array:
+    """Corners of the outline at both edges of the land, as `_rim`.
+
+    Raises:
+        FileError: there is none at one of them, or the two are not alike.
+    """
+    loops = []
+    for height, other in zip(heights, heights[::-1], strict=True):
+        z = mesh.vertices[mesh.triangles][:, :, 2]
+        at = np.abs(z - height) < _LEVEL
+        # The walls of the land have two corners at one of its edges and the third at the other.
+        wall = (at.sum(axis=1) == 2) & (np.abs(z - other) < _LEVEL).any(axis=1)
+        apex = np.argmin(at[wall], axis=1)
+        ends = np.stack([(apex + 1) % 3, (apex + 2) % 3], axis=1)
+        loops.append(_loop(mesh, np.take_along_axis(mesh.triangles[wall], ends, axis=1), height))
+    low, high = loops
+    if low.shape != high.shape or not np.array_equal(low[np.lexsort(low.T)], high[np.lexsort(high.T)]):
+        raise FileError("the land between the broken edges of the mesh is not upright: export it again")
+    return low
+
+
+def _loop(mesh: Mesh, edges: Triangles, height: float) -> Array:
+    """Corners of the loop of directed edges that holds the point farthest from the axis, counterclockwise."""
+    after = dict(edges.tolist())
     if not after:
-        raise FileError("the mesh has no face at z = 0: export it again")
+        raise FileError(f"the mesh has no face at z = {height:g}: export it again")
     boundary = np.array(list(after))
     first = int(boundary[np.argmax(np.linalg.norm(mesh.vertices[boundary], axis=1))])
     loop = [first]
     while (following := after.pop(loop[-1], None)) not in (first, None):
         loop.append(following)
     if following is None:
-        raise FileError("the outline of the mesh at z = 0 is open: export it again")
+        raise FileError(f"the outline of the mesh at z = {height:g} is open: export it again")
     corners = mesh.vertices[loop][:, :2]
     if np.sum(cross(corners, np.roll(corners, -1, axis=0))) < 0:
         corners = corners[::-1]
-    return polyline(corners, step)
+    return corners
 
 
 def _read(path: Path) -> bytes:

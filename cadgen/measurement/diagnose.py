@@ -15,7 +15,7 @@ from cadgen.measurement.names import Kind
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.search import find
-from cadgen.measurement.verdict import Judgement, judge, registered, within_error
+from cadgen.measurement.verdict import SIGMAS, Judgement, judge, registered, within_error
 
 Build = Callable[[Record], Model]
 Step = Callable[[str], None]
@@ -42,19 +42,24 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """An effect with its numbers, what it cannot be told from, and what is `given` with it (see `Effect.given`)."""
+    """An effect with its numbers, what it cannot be told from, and what is `given` with it (see `Effect.given`).
+
+    `sigmas` is how many standard deviations from nothing its numbers must be to be sure: see `verdict.sigmas_of`.
+    """
 
     effect: str
     values: tuple[Value, ...]
     twins: tuple[str, ...]
     at_bound: tuple[str, ...]
     given: tuple[tuple[str, float], ...] = ()
+    sigmas: float = SIGMAS
 
     @property
     def within_error(self) -> bool:
         """Whether one of its numbers may be nothing: see `verdict.within_error`."""
         columns = zip(*((v.unit, v.value, v.sigma) for v in self.values), strict=True)
-        return within_error(*columns)
+        units, values, sigma = columns
+        return within_error(units, values, sigma, self.sigmas)
 
 
 @dataclass(frozen=True, slots=True)

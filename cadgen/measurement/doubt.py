@@ -14,7 +14,7 @@ from cadgen.measurement.models.base import Model, highest_order
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.search import LARGEST_SUBSET
-from cadgen.measurement.verdict import WITHIN_ERROR, Judgement, unclaimed, within_error
+from cadgen.measurement.verdict import Judgement, unclaimed, within_error, within_words
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
@@ -126,7 +126,7 @@ def doubted(
         for e, values, sigma in best.values()
         if within_error([p.unit for p in e.parameters], values, sigma) and not e.shape
     ]
-    return unclaimed(judgement, unsure, WITHIN_ERROR)
+    return unclaimed(judgement, unsure, within_words())
 
 
 def _no_noise(record: Record, model: Model, noise: Noise) -> str:

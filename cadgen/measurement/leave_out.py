@@ -16,6 +16,7 @@ from scipy.optimize import least_squares
 from cadgen.measurement.effects.base import Active, Array, Effect
 from cadgen.measurement.models.base import Model, slopes
 from cadgen.measurement.record import Record
+from cadgen.measurement.verdict import sigmas_of
 
 LARGEST_SUBSET = 3
 LEAST_RUNS = 4
@@ -23,6 +24,8 @@ LEAST_RUNS = 4
 STANDARD_ERRORS = 1.0
 # Path errors within this share of each other are the same, however steadily they differ: models err by more.
 SAME = 0.05
+# Share of its range within which a number is on its bound.
+AT_BOUND = 1e-3
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,8 @@ class Trial:
         effects: the subset.
         values: fitted to all runs, internal units.
         sigma: by the jackknife over runs.
+        sigmas: how many of these a number must be from nothing to be sure, for so few runs and so many effects.
+        at_bound: names of the numbers that the fit drives to the bound of what can be.
         held_out: path error rms of each run when left out, shape (runs,), mm.
         fitted: the same when all runs are fitted.
     """
@@ -40,6 +45,8 @@ class Trial:
     effects: tuple[Effect, ...]
     values: Array
     sigma: Array
+    sigmas: float
+    at_bound: tuple[str, ...]
     held_out: Array
     fitted: Array
 
@@ -78,8 +85,10 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
     runs = [_Run.of(build(record.only(np.array([k])))) for k in range(record.runs)]
     catalogue = runs[0].model.catalogue
     before = np.array([run.error([]) for run in runs])
-    trials = [_trial(runs, subset) for size in range(1, LARGEST_SUBSET + 1) for subset in combinations(catalogue, size)]
-    trials.append(Trial((), np.empty(0), np.empty(0), before, before))
+    sigmas = sigmas_of(len(runs) - 1, len(catalogue))
+    subsets = [subset for size in range(1, LARGEST_SUBSET + 1) for subset in combinations(catalogue, size)]
+    trials = [_trial(runs, subset, sigmas) for subset in subsets]
+    trials.append(Trial((), np.empty(0), np.empty(0), sigmas, (), before, before))
     trials.sort(key=lambda t: t.error)
     best = trials[0]
     close = [t for t in trials if _excess(t, best) <= STANDARD_ERRORS or t.error <= best.error * (1 + SAME)]
@@ -123,7 +132,7 @@ class _Run:
         return float(np.sqrt(2 * np.mean(self.residual(active) ** 2)))
 
 
-def _trial(runs: list[_Run], effects: tuple[Effect, ...]) -> Trial:
+def _trial(runs: list[_Run], effects: tuple[Effect, ...], sigmas: float) -> Trial:
     cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
     bounds = np.concatenate([e.bounds for e in effects], axis=1)
 
@@ -151,15 +160,21 @@ def _trial(runs: list[_Run], effects: tuple[Effect, ...]) -> Trial:
     grams = [j.T @ j for j in jacobians]
     pulls = [j.T @ run.residual(active(x)) for j, run in zip(jacobians, runs, strict=True)]
     whole = np.sum(grams, axis=0)
-    left = [
-        np.clip(x + np.linalg.lstsq(whole - gram, pull, rcond=1e-10)[0], *bounds)
-        for gram, pull in zip(grams, pulls, strict=True)
-    ]
-    spread = np.array(left) - np.mean(left, axis=0)
+    left = np.array(
+        [x + np.linalg.lstsq(whole - gram, pull, rcond=1e-10)[0] for gram, pull in zip(grams, pulls, strict=True)]
+    )
+    # Before they are held within their bounds: held there, all would agree.
+    spread = left - np.mean(left, axis=0)
+    reach = AT_BOUND * (bounds[1] - bounds[0])
+    stuck = (x < bounds[0] + reach) | (x > bounds[1] - reach)
     return Trial(
         effects=effects,
         values=x,
         sigma=np.sqrt((len(runs) - 1) / len(runs) * np.sum(spread**2, axis=0)),
-        held_out=np.array([run.error(active(values)) for run, values in zip(runs, left, strict=True)]),
+        sigmas=sigmas,
+        at_bound=tuple(p.name for p, on in zip((p for e in effects for p in e.parameters), stuck, strict=True) if on),
+        held_out=np.array(
+            [run.error(active(values)) for run, values in zip(runs, np.clip(left, *bounds), strict=True)]
+        ),
         fitted=np.array([run.error(active(x)) for run in runs]),
     )

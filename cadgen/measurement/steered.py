@@ -9,7 +9,7 @@ from cadgen.measurement.effects.base import Active, Array
 from cadgen.measurement.leave_out import LEAST_RUNS, LeftOut, Trial, leave_runs_out
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.record import Record
-from cadgen.measurement.verdict import WITHIN_ERROR, Judgement, Verdict, unclaimed
+from cadgen.measurement.verdict import Judgement, Verdict, unclaimed, within_words
 
 # Effects must take away this share of the path error on runs left out to be named.
 LEAST_GAIN = 0.1
@@ -73,7 +73,8 @@ def _findings(trial: Trial) -> tuple[Finding, ...]:
                 for p, v, s in zip(effect.parameters, value, sigma, strict=True)
             ),
             effect.twins,
-            (),
+            tuple(p.name for p in effect.parameters if p.name in trial.at_bound),
+            sigmas=trial.sigmas,
         )
         for (effect, value), sigma in zip(_active(trial), sigmas, strict=False)
     )
@@ -121,8 +122,14 @@ def _judgement(left_out: LeftOut) -> Judgement:
         separate=tuple(f"{name}: {how}" for name, how in separate.items()),
         limits=limits,
     )
-    unsure = [finding.effect for finding in _findings(chosen) if finding.within_error]
-    return unclaimed(judgement, unsure, WITHIN_ERROR)
+    findings = _findings(chosen)
+    for finding in findings:
+        if finding.at_bound:
+            verb = "is" if len(finding.at_bound) == 1 else "are"
+            why = f"{' and '.join(finding.at_bound)} of {finding.effect} {verb} on the bound of what can be"
+            judgement = unclaimed(judgement, [finding.effect], why)
+    unsure = [finding.effect for finding in findings if finding.within_error]
+    return unclaimed(judgement, unsure, f"{within_words(chosen.sigmas)}, which {runs} runs cannot tell from chance")
 
 
 def _told(trial: Trial) -> str:

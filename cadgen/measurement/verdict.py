@@ -8,6 +8,8 @@ from typing import Literal
 
 import numpy as np
 from scipy.stats import f as f_distribution
+from scipy.stats import norm
+from scipy.stats import t as student
 
 from cadgen.measurement.effects.base import UNITS, Array
 from cadgen.measurement.evidence import Evidence
@@ -50,7 +52,6 @@ MOST = 0.8
 
 # Of a number whose standard deviation exceeds its size over this nothing is known, not even its sign.
 SIGMAS = 2.0
-WITHIN_ERROR = f"within {SIGMAS:g} standard deviations of nothing"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,18 +77,39 @@ class Judgement:
     limits: tuple[str, ...] = ()
 
 
-def within_error(units: Sequence[str], values: Sequence[float] | Array, sigma: Sequence[float] | Array) -> bool:
-    """Is a number of an effect within `SIGMAS` standard deviations of nothing? Then the effect is not claimed.
+def sigmas_of(freedom: float, choices: int = 1) -> float:
+    """Standard deviations beyond which a number is as seldom chance as beyond `SIGMAS` of one that is known exactly.
+
+    By Student's t where the standard deviation was told from few runs, and by Bonferroni's bound where the number is
+    one of several that the same runs were searched for.
+
+    Args:
+        freedom: degrees of freedom from which the standard deviation was told; with none no number is sure.
+        choices: how many numbers were looked at.
+    """
+    return float(student.isf(norm.sf(SIGMAS) / choices, freedom)) if freedom > 0 else float("inf")
+
+
+def within_words(sigmas: float = SIGMAS) -> str:
+    """Why a number is not claimed."""
+    return f"within {sigmas:.3g} standard deviations of nothing"
+
+
+def within_error(
+    units: Sequence[str], values: Sequence[float] | Array, sigma: Sequence[float] | Array, sigmas: float = SIGMAS
+) -> bool:
+    """Is a number of an effect within `sigmas` standard deviations of nothing? Then the effect is not claimed.
 
     Numbers of one unit are components of one thing, as an eccentricity's x and y: one of them may be nothing, if its
     error is small beside the largest.
 
     Args:
         units, values, sigma: of the effect's numbers, standard deviations in the same units.
+        sigmas: see `sigmas_of`.
     """
     for unit, error in zip(units, sigma, strict=True):
         size = max(abs(value) for other, value in zip(units, values, strict=True) if other == unit)
-        if not SIGMAS * error < size:
+        if not sigmas * error < size:
             return True
     return False
 

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
-from scipy.stats import norm
+from scipy.stats import t as student
 
 from cadgen.errors import FileError
 from cadgen.measurement.diagnose import Finding, Value
 from cadgen.measurement.effects.transmission import RETURN_ERROR
 from cadgen.measurement.record import Record
-from cadgen.measurement.verdict import Judgement, Verdict
+from cadgen.measurement.verdict import Judgement, Verdict, sigmas_of
 
 # Turns of the cam per return error in each zone.
 EVENTS = {"smooth": 0.0, "jump": 1.0, "reverse": -1.0}
@@ -40,6 +40,7 @@ class Zones:
         return_error_deg, sigma_deg: B and its standard error.
         interval_deg: at `CONFIDENCE`.
         smooth_deg: the turn without an event.
+        freedom: degrees of freedom from which sigma was told (Welch and Satterthwaite).
         misfit: of what is left over, in standard errors, positive if the smooth zone turned too far.
         compared: tabled values against B.
     """
@@ -49,6 +50,7 @@ class Zones:
     interval_deg: tuple[float, float]
     smooth_deg: float
     smooth_sigma_deg: float
+    freedom: float
     misfit: float
     compared: tuple[Compared, ...]
 
@@ -90,7 +92,9 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
     covariance = np.linalg.inv(design.T @ (design / error[:, None] ** 2))
     smooth, B = covariance @ (design.T @ (mean / error**2))
     sigma = sqrt(covariance[1, 1])
-    reach = float(norm.ppf((1 + CONFIDENCE) / 2)) * sigma
+    weight = covariance[1] @ (design.T / error**2)
+    freedom = float(sigma**4 / np.sum((weight * error) ** 4 / (record["n"] - 1)))
+    reach = float(student.ppf((1 + CONFIDENCE) / 2, freedom)) * sigma
     compared = tuple(Compared(t, float((B - t) / sigma), bool(abs(B - t) <= reach)) for t in tabled_deg)
     left = (mean - design @ np.array([smooth, B])) / error
     over = np.sign(left[names.index("smooth")]) * np.sqrt(np.sum(left**2) / (len(names) - 2))
@@ -100,6 +104,7 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
         interval_deg=(float(B - reach), float(B + reach)),
         smooth_deg=float(smooth),
         smooth_sigma_deg=sqrt(covariance[0, 0]),
+        freedom=freedom,
         misfit=float(over),
         compared=compared,
     )
@@ -110,7 +115,7 @@ def judged(record: Record, zones: Zones) -> tuple[Judgement, Finding]:
     low, high = zones.interval_deg
     told = f"{zones.return_error_deg:.3f}°, {100 * CONFIDENCE:g} % from {low:.3f} to {high:.3f}°"
     value = Value("return_error_deg", zones.return_error_deg, zones.sigma_deg, "deg")
-    finding = Finding(RETURN_ERROR.name, (value,), (), ())
+    finding = Finding(RETURN_ERROR.name, (value,), (), (), sigmas=sigmas_of(zones.freedom))
     verdict: Verdict
     if abs(zones.misfit) > MOST_MISFIT:
         verdict = "unexplained"

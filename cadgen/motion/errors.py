@@ -56,7 +56,14 @@ def turning(lift: LiftCurve, car: Car, length: float, start: float, stop: float)
 
 
 def deflections(
-    lift: LiftCurve, follower: Follower, car: Car, length: float, play: float, *, least: float = LEAST_SWING
+    lift: LiftCurve,
+    follower: Follower,
+    car: Car,
+    length: float,
+    play: float,
+    *,
+    least: float = LEAST_SWING,
+    leads: Array | None = None,
 ) -> tuple[Event, ...]:
     """The events up to the start of the closing blend, in order, each with its deflection error.
 
@@ -71,6 +78,7 @@ def deflections(
         length: travel of the drive wheel in one turn of the cam, mm.
         play: return error B, rad.
         least: rises and falls of tan(beta) smaller than this are noise, not events.
+        leads: where the cam leads with friction and drag, shape (k, 2), rad; on every fall if left out.
 
     Returns:
         None of them if the lift does not fall before its closing blend: then play does nothing.
@@ -84,7 +92,7 @@ def deflections(
         return Event(kind=kind, cam_angle=angle, lift=height, deflection=deflection)
 
     events = []
-    for peak, valley in follow(lift, play, least=least).leads.tolist():
+    for peak, valley in follow(lift, play, least=least, leads=leads).leads.tolist():
         skipped = min(play, valley - peak)
         events += [
             event("jump", peak, -turning(lift, car, length, peak, peak + skipped)),

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.motion.play import follow
+from cadgen.motion.play import Following
 from cadgen.report.style import AFTER, BEFORE, GREY, WANTED, figure, save, zero_line
 
 Array = NDArray[np.float64]
@@ -27,33 +27,31 @@ class LiftPicture:
         title: of the picture.
         follower: for the lift in mm.
         wanted: lift by motor position.
-        before: lift of the actual profile, or of the cam that was measured, by cam angle.
+        before: how the cam with the actual profile, or the one that was measured, follows the motor with play.
         before_name: what it is called.
-        after: of the profile that is compared with it.
+        after: the same of the profile that is compared with it.
         after_name: its name.
         play: return error, rad.
-        peak: cam angle of the event shown close, rad; None if there is none.
-        valley: the same of a valley.
-        least: rises and falls of tan(beta) that are smaller are no events.
+        peak: cam angle of the jump shown close, rad; None if there is none.
+        valley: the same of a place where the cam waits.
     """
 
     title: str
     follower: Follower
     wanted: LiftCurve
-    before: LiftCurve
+    before: Following
     before_name: str
-    after: LiftCurve
+    after: Following
     after_name: str
     play: float
     peak: float | None
     valley: float | None
-    least: float
 
 
 def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
     """Draw the lift over the turn, close by a peak and a valley, and its error; return the files' names."""
     motor = np.linspace(0.0, content.wanted.blend_start, _POINTS)
-    events = (("Peak: the cam jumps", content.peak), ("Valley: the cam waits", content.valley))
+    events = (("The cam jumps", content.peak), ("The cam waits", content.valley))
     close = [(title, angle) for title, angle in events if angle is not None]
     with figure(8.0, 9.0) as picture:
         grid = picture.add_gridspec(3, 2, height_ratios=(1.2, 1.2, 1.0))
@@ -62,9 +60,12 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
         axes = picture.add_subplot(grid[0, :])
         turn = np.linspace(0.0, 2 * np.pi, _POINTS)
         axes.plot(
-            np.degrees(turn), _lift(content, content.before.tan_beta(turn)), color=BEFORE, label=content.before_name
+            np.degrees(turn),
+            _lift(content, content.before.lift.tan_beta(turn)),
+            color=BEFORE,
+            label=content.before_name,
         )
-        after = _lift(content, content.after.tan_beta(turn))
+        after = _lift(content, content.after.lift.tan_beta(turn))
         axes.plot(np.degrees(turn), after, color=AFTER, linestyle=(0, (5, 2)), label=f"{content.after_name} profile")
         axes.axvspan(degrees(content.wanted.blend_start), 360, color="#eeeeee", zorder=0)
         axes.text(
@@ -79,8 +80,8 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
             near = angle + np.linspace(-1.0, 1.0, 801) * max(_AROUND * content.play, _LEAST_AROUND)
             x = np.degrees(near)
             axes.plot(x, _lift(content, content.wanted.tan_beta(near)), color=WANTED, linewidth=3.5, alpha=0.25)
-            axes.plot(x, _with_play(content, content.before, near), color=BEFORE)
-            axes.plot(x, _with_play(content, content.after, near), color=AFTER, linestyle=(0, (5, 2)))
+            axes.plot(x, _lift(content, content.before.tan_beta(near)), color=BEFORE)
+            axes.plot(x, _lift(content, content.after.tan_beta(near)), color=AFTER, linestyle=(0, (5, 2)))
             axes.set(title=f"{title} ({degrees(angle) % 360:.1f}°)", xlabel="motor, as cam angle (°)")
             axes.set_ylabel("lift with play (mm)")
             if column == 0:
@@ -88,11 +89,11 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
 
         axes = picture.add_subplot(grid[2, :])
         wanted = _lift(content, content.wanted.tan_beta(motor))
-        for lift, color, style, label in (
+        for following, color, style, label in (
             (content.before, BEFORE, "-", content.before_name),
             (content.after, AFTER, (0, (5, 2)), f"{content.after_name} profile"),
         ):
-            off = _with_play(content, lift, motor) - wanted
+            off = _lift(content, following.tan_beta(motor)) - wanted
             worst = float(np.abs(off).max())
             axes.plot(np.degrees(motor), off, color=color, linestyle=style, label=f"{label}: up to {worst:.3f} mm")
         zero_line(axes)
@@ -105,7 +106,3 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
 
 def _lift(content: LiftPicture, tan_beta: Array) -> Array:
     return np.asarray(content.follower.lift(tan_beta))
-
-
-def _with_play(content: LiftPicture, lift: LiftCurve, motor: Array) -> Array:
-    return _lift(content, follow(lift, content.play, least=content.least).tan_beta(motor))

@@ -5,6 +5,7 @@
 | `kernel`    | edges, wires, prisms, validity and volume on the kernel             |
 | `crossing`  | exact edges where a drilled hole meets a wall                       |
 | `cam`       | the disc with bore, holes and hub                                   |
+| `chamfered` | a disc with both edges of its rim broken                            |
 | `gear`      | gears                                                               |
 | `train`     | the parts of a gear train, and their assembly                       |
 | `step`      | STEP: reproducible bytes, and what the kernel reads from them       |

@@ -1,4 +1,4 @@
-"""The cam as a solid: the disc in one prism, and its hub."""
+"""The cam as a solid: the disc in one prism, or with chamfers on its rim, and its hub."""
 
 import numpy as np
 from OCP.BRepAlgoAPI import BRepAlgoAPI_BooleanOperation, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
@@ -10,10 +10,12 @@ from OCP.TopoDS import TopoDS_Shape
 from cadgen.cam.blank import CamBlank, Hub
 from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.contour import Contour, circle
+from cadgen.curves.inset import chamfer_strips
 from cadgen.curves.spline import Degree, splines
 from cadgen.errors import FileError
+from cadgen.solids.chamfered import chamfered_disc
 from cadgen.solids.crossing import with_exact_crossings
-from cadgen.solids.kernel import Part, contour_edges, is_valid, prism, solids, spline_edges
+from cadgen.solids.kernel import Edge, Part, contour_edges, is_valid, prism, solids, spline_edges
 
 # How far the splines may stray from the profile, mm: a fiftieth of what the lift is allowed in a STEP file.
 # On a disc of 65 mm radius it moves the volume by 3e-7 of itself at most.
@@ -36,16 +38,16 @@ def cam_part(profile: ClosedCurve, blank: CamBlank, thickness: float, *, name: s
 
     Raises:
         DesignError: a hole cuts into another one, into the hub or through the profile.
+        CheckError: the chamfers of broken edges meet, or run out at a ridge.
         FileError: the kernel made no valid solid of it.
     """
     blank.require_walls(profile.outline(_STEP))
-    rim = spline_edges(splines(profile, SPLINE_TOLERANCE, _DEGREE), 0.0)
     holes = [contour_edges(contour, 0.0) for contour in blank.holes()]
     bore = blank.bore()
     if blank.hub is None:
-        shape = prism(rim, [contour_edges(bore, 0.0), *holes], thickness)
+        shape = _disc(profile, [contour_edges(bore, 0.0), *holes], thickness, blank.edge_break)
     else:
-        shape = _with_hub(prism(rim, holes, thickness), blank.hub, bore, thickness)
+        shape = _with_hub(_disc(profile, holes, thickness, blank.edge_break), blank.hub, bore, thickness)
     found = solids(shape)
     if len(found) != 1 or not is_valid(found[0]):
         raise FileError(
@@ -53,6 +55,14 @@ def cam_part(profile: ClosedCurve, blank: CamBlank, thickness: float, *, name: s
             "was wanted: check the profile and the design's [blank]"
         )
     return Part(solid=found[0], name=name, description=description, colour=_COLOUR)
+
+
+def _disc(profile: ClosedCurve, holes: list[list[Edge]], thickness: float, edge_break: float) -> TopoDS_Shape:
+    if edge_break:
+        return chamfered_disc(
+            chamfer_strips(profile, edge_break), holes, thickness, edge_break, tolerance=SPLINE_TOLERANCE
+        )
+    return prism(spline_edges(splines(profile, SPLINE_TOLERANCE, _DEGREE), 0.0), holes, thickness)
 
 
 def _with_hub(disc: TopoDS_Shape, hub: Hub, bore: Contour, thickness: float) -> TopoDS_Shape:

@@ -15,6 +15,7 @@ from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
 from OCP.collections import DataMap_TCollection_AsciiString_TCollection_AsciiString, Sequence_TDF_Label
 from OCP.IFSelect import IFSelect_RetDone
@@ -52,6 +53,7 @@ _REPAIRS = (
     "FixVertexTolMode",
     "FixSameParameterMode",
 )
+_ROUNDING = 9  # decimals of a mm to which two edges of a land are alike
 _COLOUR = re.compile(rb"#\d+ = MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION\(")
 _COLOURED = re.compile(rb"STYLED_ITEM\('color',\(#\d+\),#(\d+)\)")
 _REFERENCE = re.compile(rb"#(\d+)")
@@ -62,7 +64,8 @@ class StepContent:
     """What a STEP file holds, read again.
 
     Attributes:
-        rim: outline of the disc at z = 0, from the file's text alone.
+        rim: outline of the disc at its carrying planes, from the file's text alone: at z = 0, or where the edges are
+            broken at either edge of the land between the chamfers, which are found to be alike.
         valid: whether the kernel finds no fault in what it reads, nor an edge beside its surfaces.
         bodies: number of solids.
         volume: of all solids, mm^3.
@@ -181,17 +184,22 @@ def colour_of(document: TDocStd_Document, shape: TopoDS_Shape) -> tuple[float, f
     return red, green, blue
 
 
-def read_step(path: Path, step: float) -> StepContent:
+def read_step(path: Path, step: float, land: tuple[float, float] | None = None) -> StepContent:
     """Read a file again: the rim from its text, all else through the kernel's reader.
 
     Args:
         path: of the file.
         step: largest distance of two points of the rim, mm.
+        land: heights of the edges of the land between broken edges, mm; None for a rim with sharp edges.
 
     Raises:
-        FileError: the file cannot be read, or is not one of ours.
+        FileError: the file cannot be read, is not one of ours, or its rim differs from one edge of the land to the
+            other.
     """
-    rim = read_rim(path, step)
+    rim, *others = (read_rim(path, step, height) for height in land or (0.0,))
+    for other in others:
+        if not _are_alike(rim, other):
+            raise FileError(f"the land between the broken edges in {path.name} is not upright: export it again")
     document, products = read_document(path)
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     labels = Sequence_TDF_Label()
@@ -209,6 +217,12 @@ def read_step(path: Path, step: float) -> StepContent:
         description=products[0].Description().ToCString(),
         colour=colour_of(document, bodies[0]) if bodies else None,
     )
+
+
+def _are_alike(one: Outline, other: Outline) -> bool:
+    """Whether two outlines have the same points, wherever they begin."""
+    a, b = (points[np.lexsort(points.round(_ROUNDING).T)] for points in (one.points, other.points))
+    return a.shape == b.shape and bool(np.abs(a - b).max() < 10.0**-_ROUNDING)
 
 
 def _with_sorted_colours(data: bytes) -> bytes:

@@ -1,7 +1,7 @@
 """The rim of a STEP file, from the file's own text: a second reader that shares nothing with the CAD kernel.
 
-Of ISO 10303-21 and -42 it knows what a cam's rim is made of: an EDGE_LOOP at one height whose edges are all
-B_SPLINE_CURVE_WITH_KNOTS, evaluated here by scipy.
+Of ISO 10303-21 and -42 it knows what a cam's rim is made of: at one height a closed chain of edges that are all
+B_SPLINE_CURVE_WITH_KNOTS, evaluated here by scipy. A rim with broken edges has such a chain on either side of its land.
 """
 
 import re
@@ -21,13 +21,19 @@ _INSTANCE = re.compile(r"#(\d+)\s*=\s*([A-Z0-9_]+)\s*\(((?:[^';]|'[^']*')*)\)\s*
 _UNIT = re.compile(r"\bLENGTH_UNIT\s*\(\s*\)\s*NAMED_UNIT\s*\(\s*\*\s*\)\s*SI_UNIT\s*\(\s*\.MILLI\.\s*,\s*\.METRE\.")
 _LIST = re.compile(r"\(([^()]*)\)")
 _REFERENCE = re.compile(r"#(\d+)")
+_LEVEL = 1e-9  # mm; how far a number in the file may be off the height that was meant
 _JOINT = 1e-6  # mm; two edges of a loop that are further apart than this leave it open
 
 Instances = dict[int, tuple[str, str]]
 
 
-def read_rim(path: Path, step: float) -> Outline:
-    """Return the rim at the inner face, z = 0, each edge one piece, points no more than `step` mm apart.
+def read_rim(path: Path, step: float, height: float = 0.0) -> Outline:
+    """Return the rim at a height, each edge one piece, points no more than `step` mm apart.
+
+    Args:
+        path: of the file.
+        step: largest distance of two points, mm.
+        height: z of the inner face, 0, or of an edge of the land between broken edges, mm.
 
     Raises:
         FileError: the file cannot be read, is not in millimetres, or has not exactly one such rim, closed.
@@ -42,31 +48,34 @@ def read_rim(path: Path, step: float) -> Outline:
         raise FileError(f"{path.name} is not in millimetres: export it again")
     instances = {int(number): (kind, arguments) for number, kind, arguments in _INSTANCE.findall(text)}
     try:
-        rims = _rims(instances, step)
+        rims = _rims(instances, step, height)
     except (KeyError, IndexError, ValueError) as error:
         raise FileError(f"{path.name} is damaged: export it again") from error
     if len(rims) != 1:
-        raise FileError(f"{path.name} has {len(rims)} closed rims of B-splines at z = 0 where one was wanted")
+        raise FileError(f"{path.name} has {len(rims)} closed rims of B-splines at z = {height:g} where one was wanted")
     return _outline(rims[0], path)
 
 
-def _rims(instances: Instances, step: float) -> list[list[Array]]:
-    """Points of every edge of every loop of B-splines at z = 0."""
-    rims = []
+def _rims(instances: Instances, step: float, height: float) -> list[list[Array]]:
+    """Points of every edge of every closed chain of B-splines at a height, joined by the vertices that they name."""
+    edges = {}
     for kind, arguments in instances.values():
-        if kind == "EDGE_LOOP":
-            edges = [_edge(instances, number) for number in _references(arguments)]
-            if all(kind == "B_SPLINE_CURVE_WITH_KNOTS" for kind, _, _ in edges):
-                rims.append([_points(instances, arguments, forward, step) for _, arguments, forward in edges])
-    return [rim for rim in rims if all((edge[:, 2] == 0).all() for edge in rim)]
-
-
-def _edge(instances: Instances, number: int) -> tuple[str, str, bool]:
-    """Kind and arguments of the curve of an ORIENTED_EDGE, and whether the loop runs along it."""
-    _, oriented = instances[number]
-    _, edge = instances[_references(oriented)[0]]
-    kind, arguments = instances[_references(edge)[2]]
-    return kind, arguments, oriented.rstrip().endswith(".T.") == edge.rstrip().endswith(".T.")
+        if kind == "EDGE_CURVE":
+            start, end, curve = _references(arguments)[:3]
+            if instances[curve][0] == "B_SPLINE_CURVE_WITH_KNOTS":
+                points = _points(instances, instances[curve][1], arguments.rstrip().endswith(".T."), step)
+                if (np.abs(points[:, 2] - height) < _LEVEL).all():
+                    edges[start, end] = points
+    rims = []
+    while edges:
+        (first, at), points = edges.popitem()
+        rim = [points]
+        while at != first and (following := next((ends for ends in edges if at in ends), None)):
+            points = edges.pop(following)
+            rim.append(points if following[0] == at else points[::-1])
+            at = following[following[0] == at]
+        rims.append(rim)
+    return rims
 
 
 def _points(instances: Instances, arguments: str, forward: bool, step: float) -> Array:

@@ -3,6 +3,7 @@
 | module  | what it does                                                         |
 |---------|----------------------------------------------------------------------|
 | `cam`   | design -> lift, profile and checks; cures for what fails             |
+| `edges` | what edges broken more than designed cost at the finish              |
 | `as_built` | what a design says of the car as built, in words and values       |
 | `files` | a checked cam -> every file, read back, rolled, published, on record |
 | `gears` | design -> play, order, layout and measured mesh of the gear train    |

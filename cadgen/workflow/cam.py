@@ -21,15 +21,27 @@ from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError, DesignError
-from cadgen.optimize.judge import Judged
+from cadgen.optimize.judge import Judged, Task, judge
 from cadgen.path.track import Track
 from cadgen.workflow.as_built import as_built_facts
+from cadgen.workflow.edges import edges_check
 from cadgen.workflow.mechanics import mechanics_checks
-from cadgen.workflow.play import PLAY_PROFILES, Against, MeasuredCam, against_play, lift_check, task_of
+from cadgen.workflow.play import (
+    PLAY_PROFILES,
+    Against,
+    MeasuredCam,
+    against_play,
+    known_trains,
+    lift_check,
+    task_of,
+)
 
 Step = Callable[[str], None]
 
 
+# Each cure is proved by planning the cam again, some thirty times in all. With more kinks than this, which each take a
+# hundredth of a second a plan, no cures are sought.
+MOST_KINKS_CURED = 300
 # Lengthening the closing blend is tried by these factors, and limits are rounded up to a tenth of a micrometre.
 _BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
 
@@ -85,7 +97,13 @@ class CamPlan:
     @property
     def failed(self) -> tuple[Check, ...]:
         """The checks that do not keep their limit."""
-        return tuple(check for check in self.checks if not check.passed)
+        return _failed(self.checks)
+
+    @cached_property
+    def edges(self) -> Check:
+        """What edges broken more than designed cost at the finish: a figure without a limit, taken if it is shown."""
+        as_built, travel = stages.as_built(self.design), stages.travel(self.design, self.track)
+        return edges_check(self.lift, self.follower, self.curve, as_built, stages.car(self.design), travel)
 
     @property
     def path_end(self) -> float:
@@ -111,16 +129,21 @@ class CamPlan:
     @cached_property
     def lost(self) -> tuple[Check, ...]:
         """The checks by which too much lift is lost."""
-        return tuple(check for check in self.failed if check.name.startswith("lost lift"))
+        return _lost(self.failed)
 
     @cached_property
     def cures(self) -> tuple["Cure", ...]:
         """Changes of one key that bring lost lift within its limit, each proved by planning the cam again."""
-        return tuple(_cures(self)) if self.lost else ()
+        return tuple(_cures(self)) if self.lost and self.cures_sought else ()
+
+    @property
+    def cures_sought(self) -> bool:
+        """Whether the lift has so few kinks that cures of lost lift are sought."""
+        return len(self.lift.kinks) <= MOST_KINKS_CURED
 
     def find_cures(self, step: Step) -> None:
         """Look for `cures` now, which takes many plans, and tell of it."""
-        if self.lost:
+        if self.lost and self.cures_sought:
             step("looking for a change that cures lost lift")
             len(self.cures)
 
@@ -132,7 +155,12 @@ class CamPlan:
             lines.append(
                 change + ("cures it." if not cure.failing else f"ends that, but fails {listed(cure.failing, 'and')}.")
             )
-        if self.lost and not lines:
+        if self.lost and not self.cures_sought:
+            lines.append(
+                f"What would cure it was not sought, for the lift has {len(self.lift.kinks)} kinks and it is for up to "
+                f'{MOST_KINKS_CURED}: set path.spline = "quintic", which has none, or keep fewer waypoints.'
+            )
+        elif self.lost and not lines:
             lines.append("No change of one key cures it: the path itself must become milder.")
         return lines
 
@@ -158,9 +186,11 @@ class CamPlan:
                     "passed": check.passed,
                     "advice": "" if check.passed else check.advice,
                 }
-                for check in self.checks
+                for check in (*self.checks, self.edges)
             ],
             "cures": [{"override": c.override, "now": c.now, "then_fails": list(c.failing)} for c in self.cures],
+            "edge_break_mm": self.blank.edge_break,
+            "carrying_planes_mm": [self.rod.inner, self.rod.outer],
             "lift_extrema": [
                 {
                     "kind": kind,
@@ -227,12 +257,7 @@ def plan_cam(
 
         def check(one: Judged) -> tuple[Check, ...]:
             if one.name not in known:
-                found = check_cam(one.lift, rod, one.cut.curve, one.cut.trims, blank, limits, cut=one.made)
-                known[one.name] = (
-                    *found,
-                    lift_check(design, one),
-                    *mechanics_checks(design, rod, one.lift, task.mechanics),
-                )
+                known[one.name] = _judged_checks(task, design, one)
             return known[one.name]
 
         measured = measured_cam(design) if with_measured else None
@@ -297,12 +322,34 @@ def _cures(plan: CamPlan) -> Iterator[Cure]:
 def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
     """The change, if it is a design and no more lift than allowed is lost with it."""
     try:
-        # Against play, the method that was chosen, without comparing all of them again.
-        profile = plan.against.chosen.profile if plan.against else plan.profile
-        again = plan_cam(with_overrides(plan.design, [override]), profile, with_measured=False)
+        design = with_overrides(plan.design, [override])
+        if plan.against:
+            # The method that was chosen, without those that it was compared with.
+            chosen = plan.against.chosen
+            track = stages.track(design)
+            task = task_of(design, track, stages.lift(design, track), stages.follower(design))
+            (again,) = judge(task, chosen.train, known_trains(design)[chosen.train], (chosen.profile,))
+            failed = _failed(_judged_checks(task, design, again))
+        else:
+            failed = plan_cam(design, plan.profile).failed
     except CadgenError:
         return []
-    return [] if again.lost else [Cure(override, now, tuple(c.name for c in again.failed))]
+    return [] if _lost(failed) else [Cure(override, now, tuple(check.name for check in failed))]
+
+
+def _judged_checks(task: Task, design: Design, one: Judged) -> tuple[Check, ...]:
+    """The checks of a profile that has been judged against play."""
+    rod, blank, limits = stages.follower(design), stages.blank(design), stages.check_limits(design)
+    found = check_cam(one.lift, rod, one.cut.curve, one.cut.trims, blank, limits, cut=one.made)
+    return *found, lift_check(design, one), *mechanics_checks(design, rod, one.lift, task.mechanics)
+
+
+def _failed(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    return tuple(check for check in checks if not check.passed)
+
+
+def _lost(failed: tuple[Check, ...]) -> tuple[Check, ...]:
+    return tuple(check for check in failed if check.name.startswith("lost lift"))
 
 
 def against_of(plan: CamPlan) -> Against:

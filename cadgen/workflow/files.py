@@ -16,6 +16,7 @@ from cadgen.cam.cutter import CutterLimit, largest_cutter
 from cadgen.cam.difference import Exact, dense_stations
 from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import Outline
+from cadgen.curves.inset import chamfered_off
 from cadgen.curves.spline import splines
 from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
@@ -82,7 +83,13 @@ class _Job:
 
     @property
     def thickness(self) -> float:
-        return self.plan.rod.thickness
+        inner, outer = self.plan.design.cam.faces_mm
+        return outer - inner
+
+    @property
+    def land(self) -> tuple[float, float] | None:
+        """Heights of the edges of the land above the inner face, where the rod rides, mm; None with sharp edges."""
+        return self.plan.blank.carrying(0.0, self.thickness) if self.plan.blank.edge_break else None
 
     @cached_property
     def cam_angle(self) -> Array:
@@ -122,11 +129,12 @@ class _Job:
 
     @cached_property
     def volume(self) -> float:
-        """What every file's volume is compared with, mm^3: by the profile's area, or with a hub the exact solid's."""
+        """What every file's volume is compared with, mm^3: by the profile, or with a hub the exact solid's."""
         from cadgen.solids.kernel import volume
 
         if self.plan.blank.hub is None:
-            return self.plan.blank.disc_volume(self.plan.area, self.thickness)
+            whole = self.plan.blank.disc_volume(self.plan.area, self.thickness)
+            return whole - 2 * chamfered_off(self.plan.curve, self.plan.blank.edge_break)
         return volume(self.part.solid)
 
     @cached_property
@@ -134,20 +142,20 @@ class _Job:
         return largest_cutter(self.plan.curve)
 
     def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
-        """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play."""
-        rolled = roll(outline, self.plan.follower, self.cam_angle)
-        at_stations = float(np.abs(rolled.lift - self.rolled[0].lift).max())
-        between = self.exact.greatest_difference(outline)
-        error = max(at_stations, between) * 1e3
-        return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(outline, rolled, lift_limit_um)})
+        """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play.
 
-    def _end_of_run(self, outline: Outline, rolled: Contact, lift_limit_um: float) -> dict[str, float]:
+        Only lifts rolled in equal steps are compared: what rolling errs by is then nearly the same in both.
+        """
+        error = self.exact.greatest_difference(outline) * 1e3
+        return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(outline, lift_limit_um)})
+
+    def _end_of_run(self, outline: Outline, lift_limit_um: float) -> dict[str, float]:
         against = self.plan.against
         if against is None:
             return {}
         as_built = against.task.as_built
-        if as_built.shapes_discs:
-            rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
+        finished = as_built.finished(outline) if as_built.shapes_discs else outline
+        rolled = roll(finished, self.plan.follower, self.cam_angle)
         # Rises and falls within what the file may err by are no events of the path.
         least = max(against.chosen.least, lift_limit_um * 1e-3 / self.plan.rod.inner)
         lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
@@ -200,6 +208,13 @@ _FRAME = (
 )
 
 
+def edges_note(edge_break: float) -> str:
+    """What files of the outline alone must tell the shop about its edges; nothing where they stay sharp."""
+    if edge_break == 0:
+        return ""
+    return f"afterwards break both edges of the outline by {edge_break:g} mm at 45 degrees: the rod rides between them"
+
+
 def _judged(job: _Job, result: _Result) -> dict[str, Any]:
     file = job.staging / result.name
     if not result.lift_error_um <= result.lift_limit_um:
@@ -232,7 +247,7 @@ def _step(job: _Job) -> Iterator[_Result]:
 
     name = f"{job.stem}.step"
     (job.staging / name).write_bytes(step_bytes(job.part))
-    content = read_step(job.staging / name, job.step)
+    content = read_step(job.staging / name, job.step, job.land)
     if not content.valid or content.bodies != 1 or content.name != job.stem or content.description != job.description:
         raise FileError(f"{name}, read back, is not one valid solid with its name: report this design")
     error = abs(content.volume / job.volume - 1)
@@ -249,7 +264,7 @@ def _meshes(job: _Job) -> Iterator[_Result]:
     mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord, job.rim_share)
 
     def read(name: str, again: Mesh) -> _Result:
-        content = inspect(again, job.step)
+        content = inspect(again, job.step, job.land)
         if not content.watertight or content.bodies != 1:
             raise FileError(f"{name}, read back, is not one watertight body: report this design")
         error = abs(content.volume - job.volume)
@@ -286,8 +301,11 @@ def _dxf(job: _Job) -> Iterator[_Result]:
         ("spline", cubic, {"splines": len(cubic)}),
     ):
         name = f"{job.stem}_{suffix}.dxf"
-        write_dxf(job.staging / name, profile, plan.blank.bore(), plan.blank.holes())
+        note = edges_note(plan.blank.edge_break)
+        write_dxf(job.staging / name, profile, plan.blank.bore(), plan.blank.holes(), note)
         drawing = read_dxf(job.staging / name, job.step)
+        if drawing.note != note:
+            raise FileError(f"{name}, read back, has lost its note on the edges: report this design")
         if len(drawing.bore) != 1 or len(drawing.holes) != len(plan.blank.holes()):
             raise FileError(f"{name}, read back, has lost the bore or a hole: report this design")
         yield job.result(name, drawing.profile, DXF_LIMIT_UM, facts)
@@ -304,8 +322,8 @@ def _gcode(job: _Job) -> Iterator[_Result]:
     name = f"{job.stem}.nc"
     hub = plan.blank.hub
     above = hub.length if hub and hub.side == "outer" else 0.0
-    note = NOTES.get(plan.profile, "")
-    write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above, note=note)
+    notes = [note for note in (NOTES.get(plan.profile, ""), edges_note(plan.blank.edge_break)) if note]
+    write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above, notes=notes)
     outline = read_gcode(job.staging / name, machining, job.thickness, job.step)
     facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
     yield job.result(name, outline, GCODE_LIMIT_UM, facts)

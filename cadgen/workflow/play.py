@@ -16,7 +16,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
 from cadgen.motion.drive import Run, start_pose
 from cadgen.motion.errors import run_error
-from cadgen.motion.play import LEAST_SWING, TURN, falls
+from cadgen.motion.play import LEAST_SWING, TURN, Following, falls
 from cadgen.optimize.band import Bound, PlayBand
 from cadgen.optimize.choice import Candidate, Limit, choose
 from cadgen.optimize.judge import PROFILES, Judged, Task, bound, judge, judge_measured
@@ -99,6 +99,10 @@ class Against:
     def run(self, one: Judged, play: float) -> Run:
         """The run on a profile with any play."""
         return self.task.run(one.rolled, play, least=one.least, cut=one.lift)
+
+    def following(self, one: Judged, play: float) -> Following:
+        """How the cam with a profile follows the motor with any play."""
+        return self.task.following(one.rolled, play, least=one.least, cut=one.lift)
 
     def end_of(self, lift: LiftCurve, least: float = LEAST_SWING) -> tuple[float, float]:
         """Heading (rad) and position error (mm) at the end with the play it is cut for, of what a file gives."""

@@ -107,7 +107,8 @@ def simulate(
     task = against.task
     step("running the car")
     before, after = (against.run(one, play) for one in (against.before, against.chosen))
-    events = deflections(against.before.lift, task.follower, task.car, task.length, play)
+    leads = against.following(against.before, play).leads if task.mechanics else None
+    events = deflections(against.before.lift, task.follower, task.car, task.length, play, leads=leads)
     return Simulation(plan, against, play, task.planned(), before, after, events)
 
 
@@ -210,14 +211,13 @@ def lift_picture(simulation: Simulation) -> LiftPicture:
         title=simulation.plan.design.name + ("" if simulation.plan.design.as_built is None else ", as built"),
         follower=against.task.follower,
         wanted=against.task.lift,
-        before=against.before.rolled,
+        before=against.following(against.before, simulation.play),
         before_name=against.before.title,
-        after=against.chosen.rolled,
+        after=against.following(against.chosen, simulation.play),
         after_name=against.chosen.profile,
         play=simulation.play,
         peak=max(jumps, key=lambda event: event.lift).cam_angle if jumps else None,
         valley=min(waits, key=lambda event: event.lift).cam_angle if waits else None,
-        least=max(against.before.least, against.chosen.least),
     )
 
 

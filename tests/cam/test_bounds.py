@@ -11,6 +11,8 @@ from cadgen.design.load import load_design
 from cadgen.design.stages import lift
 from cadgen.errors import DesignError
 from cadgen.path import track
+from cadgen.workflow import cam
+from cadgen.workflow.cam import plan_cam
 
 
 @pytest.mark.parametrize(
@@ -57,7 +59,7 @@ def test_fewer_nodes_keep_the_lift(monkeypatch):
     assert np.abs(lift(design).tan_beta(angle) - fine).max() * 26.5e3 < 0.003
 
 
-@pytest.mark.parametrize(("spline", "most"), [("quintic", 10_000), ("cubic", 300)])
+@pytest.mark.parametrize(("spline", "most"), [("quintic", 10_000), ("cubic", 1000)])
 def test_more_waypoints_than_can_be_followed_are_refused(spline, most):
     points = [[float(k), 0.0] for k in range(most + 1)]
     with pytest.raises(DesignError, match=f"has {most + 1} waypoints.*at most {most} can be followed: keep one in 2"):
@@ -69,3 +71,13 @@ def test_more_waypoints_than_can_be_followed_are_refused(spline, most):
 def test_a_rod_too_thin_is_refused_by_its_key():
     with pytest.raises(DesignError, match=r"follower.radius_mm is 0.0001; it must be at least 0.05"):
         load_design("carbon_free_car", ["follower.radius_mm=0.0001"])
+
+
+def test_cures_are_not_sought_at_very_many_kinks(monkeypatch):
+    plan = plan_cam(load_design("appendix_car"), "actual")
+    assert plan.lost
+    monkeypatch.setattr(cam, "MOST_KINKS_CURED", len(plan.lift.kinks) - 1)
+    assert plan.cures == ()
+    (said,) = plan.cure_sentences()
+    assert f"the lift has {len(plan.lift.kinks)} kinks" in said
+    assert 'set path.spline = "quintic"' in said

@@ -90,7 +90,7 @@ def test_the_actual_profile_gives_its_lift_back(name, request):
     )
     assert np.abs(error[~in_trim]).max() <= 0.05
     slope = car.lift.tan_beta(np.radians(112.3), nu=1)
-    turn = car.follower.thickness * slope / car.follower.base_radius
+    turn = car.follower.land * slope / car.follower.base_radius
     closed_form = car.follower.radius * turn**2 / 8 * 1e3
     print(f"closed form at 112.3 deg: {closed_form:.3f} um")
     assert -error[in_trim].min() < closed_form * 1.15

@@ -136,7 +136,7 @@ def test_faces_change_with_a_true_corner(carbon_free_car):
     lift, follower = carbon_free_car.lift, carbon_free_car.follower
     zeros = lift.tan_beta.roots(extrapolate=False)
     zeros = np.sort(zeros[np.isfinite(zeros)])
-    expected = np.abs(follower.thickness * lift.tan_beta(zeros, nu=1) / follower.base_radius)
+    expected = np.abs(follower.land * lift.tan_beta(zeros, nu=1) / follower.base_radius)
     corners = sorted(carbon_free_car.actual.curve.corners(), key=lambda c: np.arctan2(c.point[1], c.point[0]) % TURN)
     turns = np.array([corner.turn for corner in corners])
     print("corners, deg:", np.degrees(turns).round(3), "first order:", np.degrees(expected).round(3))

@@ -7,21 +7,22 @@ from pathlib import Path
 
 import pytest
 
+from tests.forks import MAIN
+
 
 @pytest.fixture
-def cadgen(tmp_path):
-    """Call `cadgen` with arguments in an empty folder."""
+def cadgen(forks, tmp_path):
+    """Call `cadgen` with arguments in an empty folder; with `fresh`, by starting Python for it."""
 
-    def run(*arguments: str, code: int, cwd: Path = tmp_path, **kwargs) -> subprocess.CompletedProcess[str]:
-        result = subprocess.run(
-            [sys.executable, "-c", "from cadgen.cli import main; main()", *arguments],
-            cwd=cwd,
-            capture_output=True,
-            text=True,
-            env={**os.environ, "COLUMNS": "80"},
-            timeout=300,
-            **kwargs,
-        )
+    def run(
+        *arguments: str, code: int, cwd: Path = tmp_path, fresh: bool = False, script: str = MAIN
+    ) -> subprocess.CompletedProcess[str]:
+        env = {**os.environ, "COLUMNS": "80"}
+        if fresh:
+            command = [sys.executable, "-c", script, *arguments]
+            result = subprocess.run(command, cwd=cwd, capture_output=True, text=True, env=env, timeout=300)
+        else:
+            result = forks.run(script, *arguments, cwd=cwd, env=env)
         assert result.returncode == code, result.stdout + result.stderr
         assert "Traceback" not in result.stderr
         return result

@@ -3,7 +3,6 @@
 import json
 import os
 import signal
-import subprocess
 import sys
 import tomllib
 import xml.etree.ElementTree as ET
@@ -14,6 +13,7 @@ import pytest
 from cadgen.cli import interrupt, main
 from cadgen.design.load import load_design, packaged_designs
 from tests.cli.conftest import one_sentence
+from tests.forks import MAIN
 
 MEASURED = Path(__file__).parents[1] / "data" / "measured"
 LIFT = "run,direction,cam_angle_deg,lift_mm\n" + "".join(f"1,forward,{k}.0,{0.01 * k:.3f}\n" for k in range(30))
@@ -23,18 +23,12 @@ SVG_AND_PNG = {"carbon_free_car_calibration_track.png", "carbon_free_car_calibra
 
 
 @pytest.fixture(scope="module")
-def run_of_a_track(tmp_path_factory):
+def run_of_a_track(forks, tmp_path_factory):
     """A track and the paper's zones, with an override; the folder written and what was printed."""
     folder = tmp_path_factory.mktemp("calibrate")
     files = [str(MEASURED / name) for name in ("track_c.csv", "paper_section5.csv")]
     arguments = ["calibrate", *files, "--set", "optimize.smoothing_percent=20", "--out", "out"]
-    result = subprocess.run(
-        [sys.executable, "-c", "from cadgen.cli import main; main()", *arguments],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        env={**os.environ, "COLUMNS": "80"},
-    )
+    result = forks.run(MAIN, *arguments, cwd=folder, env={**os.environ, "COLUMNS": "80"})
     assert (result.returncode, result.stderr) == (0, "")
     return folder / "out", result.stdout
 
@@ -151,7 +145,7 @@ def test_a_run_without_out_writes_nothing_and_each_is_one_table(cadgen, tmp_path
 
 def test_each_in_a_folder_and_as_json(cadgen, tmp_path):
     files = [str(MEASURED / "paper_section5.csv")]
-    facts = json.loads(cadgen("calibrate", "--each", "--json", "--out", "o", *files, code=0).stdout)
+    facts = json.loads(cadgen("calibrate", "--each", "--json", "--out", "o", *files, code=0, fresh=True).stdout)
     assert [one["zones"]["verdict"] for one in facts["each"]] == ["traced"]
     names = {file.name for file in (tmp_path / "o").iterdir()}
     assert names == {"carbon_free_car_each.json", "carbon_free_car_each.txt", "manifest.json"}
@@ -250,7 +244,7 @@ def test_an_unreadable_file(cadgen, tmp_path, monkeypatch):
     assert "is not text in UTF-8" in one_sentence(cadgen("calibrate", "binary.csv", code=3))
 
 
-def test_an_interrupted_run_leaves_nothing(tmp_path):
+def test_an_interrupted_run_leaves_nothing(forks, tmp_path):
     """The signal comes when the report stands in the staging folder and pictures are about to be drawn."""
     script = (
         "import os, signal\n"
@@ -261,9 +255,7 @@ def test_an_interrupted_run_leaves_nothing(tmp_path):
         "main()\n"
     )
     arguments = ["calibrate", str(MEASURED / "track_c.csv"), "--out", "out"]
-    result = subprocess.run(
-        [sys.executable, "-c", script, *arguments], cwd=tmp_path, capture_output=True, text=True, timeout=300
-    )
+    result = forks.run(script, *arguments, cwd=tmp_path)
     assert result.returncode == 130
     assert result.stderr.strip() == "cadgen: interrupted: nothing was written"
     assert list(tmp_path.iterdir()) == []

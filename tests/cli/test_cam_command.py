@@ -2,14 +2,14 @@
 
 import hashlib
 import json
-import resource
+import os
+import shutil
 import signal
-import subprocess
-import sys
 
 import pytest
 
 from tests.cli.conftest import one_sentence
+from tests.forks import MAIN
 
 SUFFIXES = {".step", ".stl", ".3mf", "_arcs.dxf", "_spline.dxf", ".nc", ".xyz", ".csv"}
 
@@ -18,15 +18,32 @@ def contents(folder):
     return {file.name for file in folder.iterdir()}
 
 
-def test_all_files_are_made_proved_and_recorded(cadgen, tmp_path):
-    result = cadgen("cam", "--profile", "actual", "--out", "exports/", code=0)
-    print(result.stdout)
-    assert max(map(len, result.stdout.splitlines())) <= 80
-    assert contents(tmp_path / "exports") == {f"carbon_free_car_actual{s}" for s in SUFFIXES} | {"manifest.json"}
-    part = json.loads((tmp_path / "exports/manifest.json").read_text())["parts"]["carbon_free_car_actual"]
+def parts(folder):
+    return json.loads((folder / "manifest.json").read_text())["parts"]
+
+
+@pytest.fixture(scope="module")
+def made(forks, tmp_path_factory):
+    """Folders with the actual profile alone, and with the theoretical one beside it; what the first run printed."""
+    folder = tmp_path_factory.mktemp("cam")
+    env = {**os.environ, "COLUMNS": "80"}
+    result = forks.run(MAIN, "cam", "--profile", "actual", "--out", "both/", cwd=folder, env=env)
+    assert result.returncode == 0, result.stderr
+    shutil.copytree(folder / "both", folder / "one")
+    beside = forks.run(MAIN, "cam", "--profile", "theoretical", "--out", "both", cwd=folder, env=env)
+    assert beside.returncode == 0, beside.stderr
+    return folder / "one", folder / "both", result.stdout
+
+
+def test_all_files_are_made_proved_and_recorded(made):
+    folder, _, printed = made
+    print(printed)
+    assert max(map(len, printed.splitlines())) <= 80
+    assert contents(folder) == {f"carbon_free_car_actual{s}" for s in SUFFIXES} | {"manifest.json"}
+    part = parts(folder)["carbon_free_car_actual"]
     assert part["passed"] is True
     for name, facts in part["files"].items():
-        data = (tmp_path / "exports" / name).read_bytes()
+        data = (folder / name).read_bytes()
         assert hashlib.sha256(data).hexdigest() == facts["sha256"]
         assert facts["lift_error_um"] <= facts["lift_limit_um"]
     assert part["files"]["carbon_free_car_actual.step"]["bytes"] <= 200_000
@@ -36,17 +53,18 @@ def test_all_files_are_made_proved_and_recorded(cadgen, tmp_path):
 
 def test_the_same_design_gives_the_same_bytes(cadgen, tmp_path):
     for folder in ("a", "b"):
-        cadgen("cam", "--out", folder, code=0)
+        cadgen("cam", "--out", folder, code=0, fresh=folder == "b")
     for name in contents(tmp_path / "a"):
         assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes(), name
 
 
 def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
-    result = cadgen("cam", "appendix_car", "--profile", "actual", "--out", "out", code=1)
+    thick_walls = ("--set", "checks.min_wall_mm=50")
+    result = cadgen("cam", "--profile", "actual", *thick_walls, "--out", "out", code=1)
     assert "nothing was exported" in result.stderr
     assert not (tmp_path / "out").exists()
     result = cadgen("cam", "appendix_car", "--profile", "actual", "--out", "out", "--force", "--json", code=0)
-    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["appendix_car_actual"]
+    part = parts(tmp_path / "out")["appendix_car_actual"]
     assert json.loads(result.stdout) == part
     assert part["passed"] is False
     failed = {check["name"] for check in part["checks"] if not check["passed"]}
@@ -59,28 +77,33 @@ def test_a_cutter_too_large_leaves_out_only_the_program(cadgen, tmp_path):
     too_large = ("--set", "machining.cutter_diameter_mm=20")
     result = cadgen("cam", "--profile", "actual", *too_large, "--out", "out", "--force", code=0)
     assert "G-code left out: machining.cutter_diameter_mm is 20" in result.stdout
-    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["carbon_free_car_actual"]
+    part = parts(tmp_path / "out")["carbon_free_car_actual"]
     assert "choose a smaller cutter" in part["omitted"]["G-code"]
     assert "carbon_free_car_actual.nc" not in contents(tmp_path / "out")
     assert len(part["files"]) == 7
 
 
-@pytest.mark.parametrize("profile", ["theoretical", "published"])
-def test_the_other_profiles(cadgen, tmp_path, profile):
-    cadgen("cam", "--profile", profile, "--out", "out", "--force", code=0)
-    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"][f"carbon_free_car_{profile}"]
-    assert part["passed"] is (profile == "theoretical")
+def test_the_theoretical_profile(made):
+    _, folder, _ = made
+    part = parts(folder)["carbon_free_car_theoretical"]
+    assert part["passed"] is True
     assert len(part["files"]) == 8
 
 
-def test_parts_share_a_manifest_and_edited_files_drop_out(cadgen, tmp_path):
-    cadgen("cam", "--profile", "theoretical", "--out", "out", code=0)
+def test_the_published_profile(cadgen, tmp_path):
+    cadgen("cam", "--profile", "published", "--out", "out", "--force", code=0)
+    part = parts(tmp_path / "out")["carbon_free_car_published"]
+    assert part["passed"] is False
+    assert len(part["files"]) == 8
+
+
+def test_parts_share_a_manifest_and_edited_files_drop_out(made, cadgen, tmp_path):
+    _, both, _ = made
+    out = shutil.copytree(both, tmp_path / "out")
+    assert set(parts(out)) == {"carbon_free_car_theoretical", "carbon_free_car_actual"}
+    (out / "carbon_free_car_theoretical.nc").write_text("edited by hand")
     cadgen("cam", "--profile", "actual", "--out", "out", code=0)
-    manifest = tmp_path / "out/manifest.json"
-    assert set(json.loads(manifest.read_text())["parts"]) == {"carbon_free_car_theoretical", "carbon_free_car_actual"}
-    (tmp_path / "out/carbon_free_car_theoretical.nc").write_text("edited by hand")
-    cadgen("cam", "--profile", "actual", "--out", "out", code=0)
-    assert set(json.loads(manifest.read_text())["parts"]) == {"carbon_free_car_actual"}
+    assert set(parts(out)) == {"carbon_free_car_actual"}
 
 
 def test_a_hub_and_a_d_shaft(cadgen, tmp_path):
@@ -109,18 +132,20 @@ def test_a_full_disk_leaves_the_folder_as_it_was(cadgen, tmp_path, limit):
     out.mkdir()
     (out / "carbon_free_car_actual.step").write_text("an earlier part")
 
-    def small_files():
-        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-
-    message = one_sentence(cadgen("cam", "--profile", "actual", "--out", "out", code=3, preexec_fn=small_files))
+    small_files = (
+        "import resource, signal\n"
+        f"resource.setrlimit(resource.RLIMIT_FSIZE, ({limit}, {limit}))\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+    )
+    result = cadgen("cam", "--profile", "actual", "--out", "out", code=3, script=small_files + MAIN)
+    message = one_sentence(result)
     assert "nothing was written" in message
     assert contents(out) == {"carbon_free_car_actual.step"}
     assert (out / "carbon_free_car_actual.step").read_text() == "an earlier part"
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_an_interrupted_run_leaves_nothing(tmp_path, number):
+def test_an_interrupted_run_leaves_nothing(cadgen, tmp_path, number):
     """The signal comes when STEP, STL and 3MF stand in the staging folder and DXF is about to be written."""
     script = (
         "import os, signal\n"
@@ -131,10 +156,7 @@ def test_an_interrupted_run_leaves_nothing(tmp_path, number):
         f"files._FORMATS['DXF'] = lambda job: os.kill(os.getpid(), {int(number)}) or iter(())\n"
         "main()\n"
     )
-    result = subprocess.run(
-        [sys.executable, "-c", script, "cam", "--out", "out"], cwd=tmp_path, capture_output=True, text=True
-    )
-    assert result.returncode == 130
+    result = cadgen("cam", "--out", "out", code=130, script=script)
     assert result.stderr.strip() == "cadgen: interrupted: nothing was written"
     assert result.stdout == ""
     assert contents(tmp_path) == set()

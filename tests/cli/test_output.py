@@ -107,7 +107,14 @@ def test_what_is_left_out_is_said_with_its_reason(capsys, monkeypatch):
 def test_numbers_are_never_folded(capsys, monkeypatch, columns):
     monkeypatch.setenv("COLUMNS", str(columns))
     check = Check("rod pushed out", 0.000456, "µm", 0.2, "max", "cam angle 126.40°", "")
-    plan = SimpleNamespace(design=SimpleNamespace(name="car"), profile="actual", checks=(check,), cure_sentences=list)
+    plan = SimpleNamespace(
+        design=SimpleNamespace(name="car"),
+        profile="actual",
+        against=None,
+        checks=(check,),
+        edges=check,
+        cure_sentences=list,
+    )
     show.checks(plan)
     printed = capsys.readouterr().out
     assert max(map(len, printed.splitlines())) <= columns
@@ -120,8 +127,10 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
     check = Check("wall [red]", 1.0, "mm", 2.0, "min", "hole :smile: [blank]", "move it (the design's [blank])")
     plan = SimpleNamespace(
         design=SimpleNamespace(name="car[1]"),
+        against=None,
         profile="actual",
         checks=(check,),
+        edges=check,
         cure_sentences=lambda: ["[x] cures it"],
     )
     show.checks(plan)

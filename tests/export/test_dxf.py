@@ -10,7 +10,7 @@ from cadgen.curves.biarc import arcs
 from cadgen.curves.contour import circle, keyway_bore
 from cadgen.curves.spline import splines
 from cadgen.errors import FileError
-from cadgen.export.dxf import BORE, HOLES, PROFILE, read_dxf, write_dxf
+from cadgen.export.dxf import BORE, HOLES, NOTES, PROFILE, read_dxf, write_dxf
 
 BORE_CONTOUR = keyway_bore(8.0, 3.0, 1.4, np.radians(20))
 HOLE_CONTOURS = tuple(circle((39.0 * np.cos(a), 39.0 * np.sin(a)), 9.0) for a in np.arange(6) * np.pi / 3)
@@ -127,3 +127,18 @@ def test_a_gap_between_splines_is_refused(tmp_path, carbon_free_car):
     write_dxf(path, parts[:-1], BORE_CONTOUR, ())
     with pytest.raises(FileError, match="gap between two splines"):
         read_dxf(path)
+
+
+def test_a_note_stands_beside_the_outline(tmp_path):
+    path = tmp_path / "disc.dxf"
+    write_dxf(path, circle((0.0, 0.0), 30.0), BORE_CONTOUR, (), "break both edges by 0.2 mm")
+    read = read_dxf(path)
+    assert read.note == "break both edges by 0.2 mm"
+    document = ezdxf.readfile(path)
+    assert document.layers.get(NOTES).dxf.plot == 0
+    (text,) = document.modelspace().query("TEXT")
+    assert text.dxf.layer == NOTES
+    assert text.dxf.insert.y + text.dxf.height < -30.0
+    write_dxf(path, circle((0.0, 0.0), 30.0), BORE_CONTOUR, ())
+    assert read_dxf(path).note == ""
+    assert NOTES not in ezdxf.readfile(path).layers

@@ -7,9 +7,6 @@ import os
 import re
 import signal
 import stat
-import subprocess
-import sys
-import textwrap
 
 import pytest
 
@@ -19,16 +16,17 @@ from cadgen.export.folder import abandon, left_by_killed, publishing
 from cadgen.export.lock import held, locked
 from cadgen.export.manifest import file_facts, write_manifest
 from cadgen.export.verify import verify
+from tests.forks import MAIN
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 
 
 @pytest.fixture
-def cli():
+def cli(forks, tmp_path):
     """Run the command as users do."""
 
     def run(*arguments, code):
-        process = subprocess.run([sys.executable, "-m", "cadgen", *arguments], capture_output=True, text=True)
+        process = forks.run(MAIN, *arguments, cwd=tmp_path)
         assert process.returncode == code, process.stdout + process.stderr
         return process
 
@@ -61,41 +59,47 @@ def is_true(folder):
     return all(hashlib.sha256((folder / n).read_bytes()).hexdigest() == h for n, h in listed(folder).items())
 
 
-def publish(folder, number, *, block="", moving=""):
+@pytest.fixture
+def publish(forks):
     """Publish two files in another process, to which code in the block, or while it is moving, sends a signal."""
-    script = f"""
-        import ctypes, os, signal
-        from pathlib import Path
-        signal.signal(signal.{number.name}, signal.SIG_DFL)
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        from cadgen.cli import interrupt
-        from cadgen.export import folder, manifest
-        interrupt.install()
 
-        def strike():
-            os.kill(os.getpid(), signal.{number.name})
-            sum(range(1000))
+    def run(folder, number, *, block="", moving=""):
+        script = _PUBLISHING.format(number=number.name, block=block or "pass", moving=moving or None)
+        environment = os.environ | {"TERM": "dumb"}
+        return forks.run(script, cwd=folder, env=environment)
 
-        struck_from_c = ctypes.CFUNCTYPE(None)(strike)
-        move = folder._publish
-        folder._publish = lambda staging, out: [{moving or None}, move(staging, out)]
-        with folder.publishing(Path("made/out")) as staging:
-            (staging / "a").write_text("new")
-            {block or "pass"}
-            (staging / "b").write_text("new")
-            files = {{name: manifest.file_facts(staging / name) for name in ("a", "b")}}
-            manifest.write_manifest(staging, "part", {{"files": files}})
-        print("finished")
-    """
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "TERM": "dumb"}
-    return subprocess.run(
-        [sys.executable, "-c", textwrap.dedent(script)], cwd=folder, capture_output=True, text=True, env=environment
-    )
+    return run
+
+
+_PUBLISHING = """
+import ctypes, os, signal
+from pathlib import Path
+signal.signal(signal.{number}, signal.SIG_DFL)
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from cadgen.cli import interrupt
+from cadgen.export import folder, manifest
+interrupt.install()
+
+def strike():
+    os.kill(os.getpid(), signal.{number})
+    sum(range(1000))
+
+struck_from_c = ctypes.CFUNCTYPE(None)(strike)
+move = folder._publish
+folder._publish = lambda staging, out: [{moving}, move(staging, out)]
+with folder.publishing(Path("made/out")) as staging:
+    (staging / "a").write_text("new")
+    {block}
+    (staging / "b").write_text("new")
+    files = {{name: manifest.file_facts(staging / name) for name in ("a", "b")}}
+    manifest.write_manifest(staging, "part", {{"files": files}})
+print("finished")
+"""
 
 
 @pytest.mark.parametrize("number", SIGNALS)
 @pytest.mark.parametrize("where", ["strike()", "struck_from_c()"])
-def test_a_signal_ends_the_run_and_leaves_nothing(tmp_path, number, where):
+def test_a_signal_ends_the_run_and_leaves_nothing(tmp_path, publish, number, where):
     """Also amid code of a library in C, which would swallow an exception."""
     run = publish(tmp_path, number, block=where)
     assert (run.returncode, run.stdout) == (130, "")
@@ -104,13 +108,13 @@ def test_a_signal_ends_the_run_and_leaves_nothing(tmp_path, number, where):
 
 
 @pytest.mark.parametrize("number", SIGNALS)
-def test_a_signal_that_comes_too_late_lets_the_run_finish(tmp_path, number):
+def test_a_signal_that_comes_too_late_lets_the_run_finish(tmp_path, publish, number):
     run = publish(tmp_path, number, moving="strike()")
     assert (run.returncode, run.stdout, run.stderr) == (0, "finished\n", "")
     assert contents(tmp_path) == {"made", "made/out", "made/out/a", "made/out/b", "made/out/manifest.json"}
 
 
-def test_a_killed_run_is_cleared_away_by_the_next(tmp_path):
+def test_a_killed_run_is_cleared_away_by_the_next(tmp_path, publish):
     run = publish(tmp_path, signal.SIGTERM, block="os.kill(os.getpid(), signal.SIGKILL)")
     assert run.returncode == -signal.SIGKILL
     out = tmp_path / "made" / "out"
@@ -128,7 +132,7 @@ def test_a_killed_run_is_cleared_away_by_the_next(tmp_path):
 
 
 @pytest.mark.parametrize("restore", [False, True])
-def test_what_a_run_killed_amid_moving_had_replaced_is_put_back(tmp_path, cli, restore):
+def test_what_a_run_killed_amid_moving_had_replaced_is_put_back(tmp_path, publish, cli, restore):
     out = tmp_path / "made/out"
     put(out, "part", a="old", b="old")
     put(out, "other", c="old")
@@ -152,7 +156,7 @@ def test_what_a_run_killed_amid_moving_had_replaced_is_put_back(tmp_path, cli, r
     assert contents(out) == {*"abcd", "manifest.json"}
 
 
-def test_what_others_have_put_in_place_of_a_half_moved_file_stays(tmp_path):
+def test_what_others_have_put_in_place_of_a_half_moved_file_stays(tmp_path, publish):
     out = tmp_path / "made/out"
     put(out, "part", a="old", b="old")
     kill = "lambda a, b, r=os.replace: os.kill(os.getpid(), signal.SIGKILL) if b.name == 'b' else r(a, b)"

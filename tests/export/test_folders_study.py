@@ -6,7 +6,7 @@ import pytest
 
 from tests.studies.folders import case, scale
 
-CASES = 10
+CASES = 6
 
 
 @pytest.mark.skipif(os.name != "posix", reason="runs are forked")

@@ -17,7 +17,8 @@ from scipy.integrate import quad
 from cadgen.cam.blank import CamBlank, DFlat, Hub, Keyway, Lightening, SetScrew
 from cadgen.cam.contact import roll
 from cadgen.curves.closed import ClosedCurve, cross
-from cadgen.curves.contour import circle
+from cadgen.curves.contour import Contour, circle
+from cadgen.curves.inset import chamfered_off
 from cadgen.errors import DesignError, FileError
 from cadgen.export.mesh import (
     Mesh,
@@ -327,3 +328,43 @@ def test_what_does_not_fit_is_refused(carbon_free_car):
     ring = Lightening(count=6, hole_diameter=18.0, circle_diameter=125.0)
     with pytest.raises(DesignError, match=r"lightening hole . and profile overlap"):
         cam_mesh(carbon_free_car.actual.curve, replace(KEYED, lightening=ring), THICKNESS, CHORD)
+
+
+@pytest.mark.parametrize("name", ["keyway and holes", "inner hub"])
+def test_broken_edges(carbon_free_car, through_file, name):
+    """The chamfers' volume by Steiner's formula, and the outline at both edges of the land."""
+    curve = carbon_free_car.actual.curve
+    blank = replace(BLANKS[name], edge_break=0.2)
+    mesh = through_file(cam_mesh(curve, blank, THICKNESS, CHORD))
+    content = inspect(mesh, STEP, (0.2, THICKNESS - 0.2))
+    assert content.watertight
+    assert content.bodies == 1
+    exact = exact_volume(blank, curve.area()) - 2 * chamfered_off(curve, 0.2)
+    assert abs(content.volume - exact) < CHORD * content.wall_area
+    off = np.linalg.norm(content.rim.points, axis=1) - curve.radius(content.rim.angle)
+    assert np.abs(off).max() < CHORD
+    # Chamfers elsewhere, none at all, or a land that leans.
+    with pytest.raises(FileError, match=r"no face at z = 0\.3"):
+        inspect(mesh, STEP, (0.3, THICKNESS - 0.3))
+    leaning = mesh.vertices.copy()
+    leaning[np.argmax((np.abs(leaning[:, 2] - 0.2) < 1e-5) & (leaning[:, 0] > 40)), 0] += 1e-3
+    with pytest.raises(FileError, match="is not upright"):
+        inspect(Mesh(leaning, mesh.triangles), STEP, (0.2, THICKNESS - 0.2))
+
+
+@pytest.mark.parametrize(
+    "corners",
+    [
+        [[-10, -10], [10, -10], [10, 2], [3, 2], [3, 10], [-10, 10]],
+        [[-10, -10], [10, -10], [10, 9.8], [9.8, 10], [-10, 10]],
+    ],
+    ids=["hollow corner", "swallowed piece"],
+)
+def test_broken_edges_that_come_to_a_point(corners):
+    curve = Contour(np.array(corners, dtype=float), np.zeros(len(corners))).curve()
+    blank = CamBlank(bore_diameter=2.0, edge_break=0.5)
+    content = inspect(cam_mesh(curve, blank, THICKNESS, 1e-4), STEP, (0.5, THICKNESS - 0.5))
+    assert content.watertight
+    assert content.volume == pytest.approx(
+        blank.disc_volume(curve.area(), THICKNESS) - 2 * chamfered_off(curve, 0.5), rel=3e-6
+    )

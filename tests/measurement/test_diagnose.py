@@ -90,15 +90,6 @@ def test_runs_that_disagree_claim_nothing(synthetic_car, nominal):
     assert told.judgement.claimed == ()
 
 
-def test_another_cars_data_are_unexplained(appendix_car, synthetic_car, nominal):
-    other = syn.Car(appendix_car)
-    record = _lift(other, 29)
-    (told,) = calibrate([record.where(record["cam_angle_deg"] % 4 == 0)], nominal)
-    assert told.verdict == "unexplained"
-    assert told.judgement.claimed == ()
-    assert told.residual.before > 400
-
-
 def test_profile_and_transmission_and_track(synthetic_car, nominal):
     rng = np.random.default_rng(30)
     bench = syn.bench_with(syn.form_error(rng, FORM), {"lobes": (3, 0.015, 1.0)})

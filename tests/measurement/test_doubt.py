@@ -163,3 +163,4 @@ def test_another_designs_lift_is_unexplained(lift, appendix_car):
     (told,) = calibrate([lift.where(lift["cam_angle_deg"] % 4 == 0)], other)
     assert (told.verdict, told.judgement.claimed) == ("unexplained", ())
     assert "dwarfs every effect" in told.judgement.sentence
+    assert told.residual.before > 400

@@ -9,7 +9,7 @@ from cadgen.measurement.leave_out import LEAST_RUNS
 from cadgen.measurement.load import load
 from cadgen.measurement.nominal import calibrate_tricycle
 from cadgen.measurement.record import Record
-from cadgen.measurement.verdict import Judgement, unclaimed, within_error
+from cadgen.measurement.verdict import SIGMAS, Judgement, sigmas_of, unclaimed, within_error
 
 WHEELBASE = 150.0
 
@@ -52,7 +52,38 @@ def test_constant_steering_claims_no_number_within_its_error(measured):
     assert "steering zero" in unsure
     assert not set(unsure) & set(told.judgement.claimed)
     assert told.verdict == "ambiguous"
-    assert "within 2 standard deviations of nothing, and so not claimed: " in told.judgement.limits[0]
+    assert any(
+        "within 6.8 standard deviations of nothing, which 4 runs cannot tell from chance, and so not claimed: " in limit
+        for limit in told.judgement.limits
+    )
+
+
+def test_of_few_runs_more_standard_deviations_are_asked_for():
+    """Numbers that are nothing, with the deviation told from n runs, the largest of several looked at: vectorised."""
+    rng = np.random.default_rng(16)
+    for runs in (3, 4, 6, 10):
+        drawn = rng.normal(size=(40_000, 7, runs))
+        off = np.abs(drawn.mean(axis=2)) / (drawn.std(axis=2, ddof=1) / np.sqrt(runs))
+        rates = [
+            np.mean(off[:, 0] > sigmas_of(runs - 1)),
+            np.mean(off.max(axis=1) > sigmas_of(runs - 1, 7)),
+            np.mean(off[:, 0] > SIGMAS),
+            np.mean(off.max(axis=1) > SIGMAS),
+        ]
+        print(f"{runs} runs: one {100 * rates[0]:.2f} %, of seven {100 * rates[1]:.2f} %; at two sigma {rates[2:]}")
+        assert 0.042 < rates[0] < 0.049
+        assert rates[1] < 0.049
+        assert rates[2] > 0.07
+    assert sigmas_of(1e9) == pytest.approx(SIGMAS, abs=1e-6)
+    assert sigmas_of(0) == float("inf")
+
+
+# Straight runs of two fitted rows: steering zero, wheelbase and markers were driven to their bounds, where the values
+# of runs left out agreed because all of them were held there.
+def test_numbers_on_their_bounds_are_not_claimed():
+    told = calibrate_tricycle([log(logged=0.0, true=0.0, seed=2, rows=12)], WHEELBASE)
+    assert (told.verdict, told.judgement.claimed) == ("ambiguous", ())
+    assert "steering_zero_deg of steering zero is on the bound of what can be" in " ".join(told.judgement.limits)
 
 
 @pytest.mark.parametrize(

@@ -42,8 +42,8 @@ def data(seed: int, number: int) -> Data:
     """Files of a seed and number."""
     rng = random.Random(f"{seed}/calibrate/{number}")
     files, changes = {}, []
-    for n in range(rng.choices([1, 2, 3], weights=[7, 2, 1])[0]):
-        if rng.random() < 0.2:
+    for n in range(rng.choices([1, 2, 3], weights=[8, 1, 1])[0]):
+        if rng.random() < 0.15:
             what, content = _made(rng)
         else:
             what, content = _changed(rng, rng.choice(names()))
@@ -66,12 +66,12 @@ def _changed(rng: random.Random, name: str) -> tuple[str, bytes]:
         rows = [row for row in rows if row[0] in keep]
     what = [name]
     for _ in range(rng.choices([0, 1, 2], weights=[1, 6, 3])[0]):
-        change = rng.choice(CHANGES)
+        change = rng.choice(READABLE if rng.random() < STILL_READABLE else CHANGES)
         told, header, rows = change(rng, header, rows)
         what.append(told)
     out = io.StringIO()
     csv.writer(out, lineterminator="\n").writerows([header, *rows])
-    text = "\n".join([*(remarks if rng.random() < 0.8 else []), out.getvalue()]).encode()
+    text = "\n".join([*(remarks if rng.random() < 0.95 else []), out.getvalue()]).encode()
     if rng.random() < 0.05:
         told, text = rng.choice(
             [("empty", b""), ("zeros", b"\0" * 50), ("cut", text[: rng.randrange(len(text))]),
@@ -91,6 +91,11 @@ def _column(rng: random.Random, header: list[str]) -> int:
 def _drop(rng: random.Random, header: list[str], rows: Rows) -> Changed:
     c = _column(rng, header)
     return f"without {header[c]}", header[:c] + header[c + 1 :], [row[:c] + row[c + 1 :] for row in rows]
+
+
+def _reading(rng: random.Random, header: list[str]) -> int:
+    """A column of what an instrument reads: neither the run nor a setting."""
+    return rng.choice([c for c, name in enumerate(header) if name not in SETTINGS] or [0])
 
 
 def _permute(rng: random.Random, header: list[str], rows: Rows) -> Changed:
@@ -134,6 +139,33 @@ def _noisy(rng: random.Random, header: list[str], rows: Rows) -> Changed:
     return f"{header[c]} with noise {size:.2g}", header, _applied(rows, c, lambda x: x + rng.gauss(0, size))
 
 
+def _near(rng: random.Random, header: list[str], rows: Rows) -> Changed:
+    """A scale and an offset as an instrument's or a workshop's."""
+    c, factor, more = _reading(rng, header), rng.uniform(0.97, 1.03), rng.choice([0.0, 1e-3, 0.1, -0.5])
+    return f"{header[c]} times {factor:.3f} plus {more:g}", header, _applied(rows, c, lambda x: x * factor + more)
+
+
+def _disturbed(rng: random.Random, header: list[str], rows: Rows) -> Changed:
+    """A bump, a drift or noise of a share of what the column spans."""
+    c = _reading(rng, header)
+    values = [float(row[c]) for row in rows if c < len(row) and _is_number(row[c])]
+    size = (max(values, default=0.0) - min(values, default=0.0)) * 10 ** rng.uniform(-4, -1)
+    how = rng.choice(["noise", "drift", "bump"])
+    centre, width = rng.random() * len(rows), 1 + len(rows) * rng.choice([0.003, 0.03, 0.3])
+    for n, row in enumerate(rows):
+        if c < len(row) and _is_number(row[c]):
+            shift = {"noise": rng.gauss(0, 1), "drift": n / len(rows), "bump": math.exp(-(((n - centre) / width) ** 2))}
+            row[c] = f"{float(row[c]) + size * shift[how]:.5f}"
+    return f"{header[c]} with a {how} of {size:.2g}", header, rows
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        return math.isfinite(float(cell))
+    except ValueError:
+        return False
+
+
 def _rounded(rng: random.Random, header: list[str], rows: Rows) -> Changed:
     c, digits = _column(rng, header), rng.choice([-2, -1, 0, 1])
     return f"{header[c]} to {digits} digits", header, _applied(rows, c, lambda x: round(x, digits))
@@ -162,6 +194,18 @@ def _runs_named(rng: random.Random, header: list[str], rows: Rows) -> Changed:
     return how, header, rows
 
 
+def _finely_rounded(rng: random.Random, header: list[str], rows: Rows) -> Changed:
+    c, digits = _reading(rng, header), rng.choice([1, 2, 3])
+    return f"{header[c]} to {digits} digits", header, _applied(rows, c, lambda x: round(x, digits))
+
+
+def _repeated(rng: random.Random, header: list[str], rows: Rows) -> Changed:
+    """One more run, nearly the first one's."""
+    c = _reading(rng, header)
+    run = [["more", *row[1:]] for row in rows if row[:1] == rows[0][:1]]
+    return f"a run repeated with other {header[c]}", header, rows + _applied(run, c, lambda x: x + rng.gauss(0, 1e-3))
+
+
 def _copied(rng: random.Random, header: list[str], rows: Rows) -> Changed:
     return "runs copied", header, rows + [["copy", *row[1:]] for row in rows if row[:1] == rows[0][:1]]
 
@@ -184,6 +228,10 @@ CHANGES = (
     _drop, _permute, _swap, _cell, _constant, _constant, _scaled, _scaled, _shifted, _noisy, _rounded, _few, _thinned,
     _shuffled, _runs_named, _copied, _many, _part,
 )  # fmt: skip
+# Changes that leave a file readable come first, so that most cases reach the inference behind the reader.
+STILL_READABLE = 0.85
+READABLE = (_near, _near, _disturbed, _disturbed, _disturbed, _finely_rounded, _thinned, _repeated, _permute)
+SETTINGS = ("run", "direction", "cam_angle_deg", "motor_angle_deg", "t_s", "zone", "n")
 
 
 def _jittered(rng: random.Random, cell: str) -> str:
@@ -205,8 +253,8 @@ def _applied(rows: Rows, c: int, change: Callable[[float], float]) -> Rows:
 def _made(rng: random.Random) -> tuple[str, bytes]:
     """A logged track that says little: the wheel held, straight on, one circle, few points, standing still."""
     steering = rng.choice([0.0, 5.0, -20.0, 60.0, 90.0])
-    runs, count = rng.choice([1, 2, 4, 6]), rng.choice([1, 2, 24, 60, 200])
-    step, noise = rng.choice([0.0, 5.0, 20.0]), rng.choice([0.0, 0.3, 5.0])
+    runs, count = rng.choice([1, 2, 4, 6]), rng.choice([2, 24, 24, 60, 60, 200])
+    step, noise = rng.choice([0.0, 5.0, 5.0, 20.0, 20.0]), rng.choice([0.0, 0.3, 0.3, 5.0, 5.0])
     lines = ["run,t_s,distance_mm,steering_deg,x_mm,y_mm,heading_deg"]
     for run in range(runs):
         x = y = heading = 0.0

@@ -7,7 +7,6 @@ force of `tests.studies.paths_truth` saying so too; what passes must keep its li
 the curve is fitted as for files, and every hundredth is written in full.
 """
 
-import argparse
 import tempfile
 import traceback
 from collections import Counter
@@ -27,13 +26,14 @@ from cadgen.errors import CadgenError
 from cadgen.export.points import read_xyz, write_xyz
 from cadgen.workflow.cam import CamPlan, plan_cam
 from cadgen.workflow.files import write_cam
+from tests.studies.command import DOCS, options, tell
 from tests.studies.paths_truth import TURN, Truth
 
 KINDS = ("dense", "straight", "dwelling", "rippling", "blend")
 PRESSURE_LIMIT = radians(35)
 LOST_LIMIT_UM = 1.0
 CUTTER = 2.0
-RECORD = Path("docs/studies/paths.md")
+RECORD = DOCS / "paths.md"
 
 
 @dataclass(frozen=True)
@@ -208,7 +208,7 @@ def _refusal(message: str, truth: Truth) -> str:
         "steeper than radial": steep,
         "overhangs": steep,
         "steering": truth.greatest_steering() > radians(30),
-        "nothing is left of the disc": truth.greatest_steering() > radians(30),
+        "nothing is left of the disc": truth.room() < 0,
     }
     return "refused" if any(part in message and true for part, true in founded.items()) else f"false refusal: {message}"
 
@@ -245,11 +245,7 @@ def run(cases: int, seed: int) -> Iterator[tuple[int, str, str]]:
 
 def main() -> None:
     """Run the study and print, or record, its counts."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cases", type=int, default=2500)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--record", action="store_true")
-    args = parser.parse_args()
+    args = options(__doc__, cases=2500)
     counts: Counter[tuple[str, str]] = Counter()
     wrong = []
     for number, kind, said in run(args.cases, args.seed):
@@ -280,10 +276,7 @@ def main() -> None:
             "",
         ]
     )
-    print(text)
-    if args.record:
-        RECORD.parent.mkdir(parents=True, exist_ok=True)
-        RECORD.write_text(text)
+    tell(text, RECORD if args.record else None)
 
 
 if __name__ == "__main__":

@@ -30,28 +30,50 @@ class Truth:
     blend: float
 
     @cached_property
-    def _samples(self) -> tuple[np.ndarray, np.ndarray]:
-        """Cam angle and tan(beta) along the whole path, dense; a span's two ends lie a little inside it."""
+    def _spline(self) -> tuple[object, np.ndarray]:
+        """The spline through the waypoints, and the parameters of these."""
         points = self.waypoints
         if self.kind == "quintic":
             u = np.concatenate([[0.0], np.cumsum(np.sqrt(np.linalg.norm(np.diff(points, axis=0), axis=1)))])
             ends = [(3, np.zeros(2)), (4, np.zeros(2))]
-            spline = make_interp_spline(u, points, k=5, bc_type=(ends, ends))
-        else:
-            u = np.arange(len(points), dtype=float)
-            first = (-11 * points[0] + 18 * points[1] - 9 * points[2] + 2 * points[3]) / 6
-            spline = CubicSpline(u, points, bc_type=((1, first), (2, np.zeros(2))))
-        each = PER_SPAN * max(1, round(LEAST_SAMPLES / PER_SPAN / (len(points) - 1)))
-        share = (np.arange(each) + 0.5) / each
-        at = (u[:-1, None] + np.diff(u)[:, None] * share).ravel()
+            return make_interp_spline(u, points, k=5, bc_type=(ends, ends)), u
+        u = np.arange(len(points), dtype=float)
+        first = (-11 * points[0] + 18 * points[1] - 9 * points[2] + 2 * points[3]) / 6
+        return CubicSpline(u, points, bc_type=((1, first), (2, np.zeros(2)))), u
+
+    def _along(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Travel of the drive wheel by parameter, mm, and tan(beta), at parameters."""
+        spline, _ = self._spline
         d1, d2 = spline(at, 1), spline(at, 2)
         speed = np.hypot(*d1.T)
         bend = (d1[:, 0] * d2[:, 1] - d1[:, 1] * d2[:, 0]) / speed**3
         shrink = 1 - self.offset * bend
-        steps = speed * shrink * np.repeat(np.diff(u) / each, each)
-        length = np.concatenate([[0.0], np.cumsum(steps)])
         right = -bend / shrink
-        return TURN * (length[:-1] + length[1:]) / 2 / length[-1], self.wheelbase * right / (1 - self.wheel * right)
+        return speed * shrink, self.wheelbase * right / (1 - self.wheel * right)
+
+    @cached_property
+    def _samples(self) -> tuple[np.ndarray, np.ndarray]:
+        """Cam angle and tan(beta) along the whole path, dense; a span's two ends lie a little inside it."""
+        _, u = self._spline
+        spans = len(self.waypoints) - 1
+        each = PER_SPAN * max(1, round(LEAST_SAMPLES / PER_SPAN / spans))
+        share = (np.arange(each) + 0.5) / each
+        travel, tangent = self._along((u[:-1, None] + np.diff(u)[:, None] * share).ravel())
+        length = np.concatenate([[0.0], np.cumsum(travel * np.repeat(np.diff(u) / each, each))])
+        return TURN * (length[:-1] + length[1:]) / 2 / length[-1], tangent
+
+    def _first(self) -> tuple[np.ndarray, np.ndarray]:
+        """Cam angle and tan(beta) close by the start, where a cubic may bend within a thousandth of its first span."""
+        theta, _ = self._samples
+        _, u = self._spline
+        step = (u[1] - u[0]) * 1e-5
+        travel, tangent = self._along(u[0] + step * (np.arange(9) + 0.5))
+        whole = len(theta) // (len(self.waypoints) - 1)
+        first_span = np.sum(self._along(u[0] + np.diff(u[:2]) * (np.arange(whole) + 0.5) / whole)[0])
+        # The first span's share of the turn is known from the samples.
+        span_angle = (theta[whole - 1] + theta[whole]) / 2
+        angle = np.cumsum(travel) - travel / 2
+        return angle * step * span_angle / (first_span * (u[1] - u[0]) / whole), tangent
 
     def nodes_angle(self) -> np.ndarray:
         """Cam angles at every 64th of a span, where the track's nodes stand, rad."""
@@ -66,9 +88,9 @@ class Truth:
         theta, tangent = self._samples
         start = TURN - self.blend
         jets = []
-        for place, inside in ((start, theta < start), (0.0, theta < 0.02)):
-            near = np.argsort(np.abs(theta - place))[:9] if place == 0.0 else np.flatnonzero(inside)[-9:]
-            fit = np.polynomial.Polynomial.fit(theta[near] - place, tangent[near], 4)
+        last = np.flatnonzero(theta < start)[-9:]
+        for place, (x, y) in ((start, (theta[last], tangent[last])), (0.0, self._first())):
+            fit = np.polynomial.Polynomial.fit(x - place, y, 4)
             jets.append([fit.deriv(order)(0.0) if order else fit(0.0) for order in range(3)])
         h = self.blend
         rows, wanted = [], []
@@ -117,6 +139,12 @@ class Truth:
             bends.append((r**2 + 2 * r1**2 - r * r2) / (r**2 + r1**2) ** 1.5)
         bend = np.concatenate(bends)
         return 1 / float(bend.max()), (1 / -float(bend.min()) if bend.min() < 0 else np.inf)
+
+    def room(self) -> float:
+        """Least distance of the camshaft from the rod's surface anywhere in the turn, mm; negative if they overlap."""
+        _, T = self.steering
+        face = np.where(T >= 0, *self.faces)
+        return float((self.base + face * T - self.rod * np.sqrt(1 + T**2)).min())
 
     def greatest_steering(self) -> float:
         """Greatest steering angle on the path, rad."""

@@ -11,11 +11,9 @@ the play, some heights apart by less than a micrometre. Two things are judged on
   the run, beside what the play alone does.
 """
 
-import argparse
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
@@ -26,6 +24,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.motion.play import TURN, follow
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.path.hermite import quintic_hermite
+from tests.studies.command import DOCS, options, tell
 
 STEPS = 36000  # of the grid: a hundredth of a degree
 ROD = Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
@@ -34,7 +33,7 @@ MOTION_LIMIT = 5e-5
 # Of tan(beta) summed along the run, rad; what play does to a lift is some 3e-3 for each fall. The plateaus fall by 5 um
 # and the valleys are rounded.
 CLOSING_LIMIT = 5e-5
-REPORT = Path(__file__).parents[2] / "docs" / "studies" / "play.md"
+REPORT = DOCS / "play.md"
 
 
 @dataclass(frozen=True)
@@ -123,17 +122,13 @@ def results(cases: int, seed: int, processes: int = 2) -> Iterator[Result]:
 
 def main() -> None:
     """Run the study and print its table."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--cases", type=int, default=300)
-    parser.add_argument("--seed", type=int, default=9)
-    parser.add_argument("--record", action="store_true", help="write docs/studies/play.md")
-    options = parser.parse_args()
-    found = list(results(options.cases, options.seed))
+    args = options(__doc__, cases=300, seed=9)
+    found = list(results(args.cases, args.seed))
     wrong = [one for one in found if not one.right]
     lines = [
         "# Study: play on lifts with plateaus, ripples and short rises",
         "",
-        f"`python -m tests.studies.play --cases {options.cases} --seed {options.seed} --record`, version",
+        f"`python -m tests.studies.play --cases {args.cases} --seed {args.seed} --record`, version",
         f"{__version__}.",
         "Sums of tan β along a turn, in rad; they turn the paper's car by some 20 times as much.",
         "",
@@ -149,10 +144,7 @@ def main() -> None:
             for one in wrong
         ),
     ]
-    print("\n".join(lines))
-    if options.record:
-        REPORT.parent.mkdir(exist_ok=True)
-        REPORT.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    tell("\n".join(lines), REPORT if args.record else None)
 
 
 if __name__ == "__main__":

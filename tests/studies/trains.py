@@ -11,17 +11,16 @@ Of every four cases one is a train as it is given and three are searches within 
 
 from __future__ import annotations
 
-import argparse
 import random
 import traceback
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from math import ceil, isclose
-from pathlib import Path
 
+from tests.studies.command import DOCS, options, tell
 from tests.studies.trains_truth import Pair, Wheel, best_train, errors, fits_as_given, given_pairs, height_of, in_mesh
 
-RECORD = Path(__file__).parents[2] / "docs" / "studies" / "trains.md"
+RECORD = DOCS / "trains.md"
 
 # ---------------------------------------------------------------- cases
 
@@ -212,16 +211,8 @@ def page(seed: int, found: list[tuple[int, str, str]]) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cases", type=int, default=200)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--record", action="store_true")
-    options = parser.parse_args()
-    text = page(options.seed, run(options.seed, options.cases))
-    print(text)
-    if options.record:
-        RECORD.parent.mkdir(parents=True, exist_ok=True)
-        RECORD.write_text(text, encoding="utf-8")
+    args = options(__doc__, cases=200)
+    tell(page(args.seed, run(args.seed, args.cases)), RECORD if args.record else None)
 
 
 if __name__ == "__main__":

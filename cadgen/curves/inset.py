@@ -1,0 +1,222 @@
+"""The parallel curve inside a closed curve, and the 45 degree chamfer between the two.
+
+A chamfer of leg c on the edge of a prism runs from the outline, at depth c, to the parallel curve c inside it, on the
+face. Every smooth piece is moved exactly; at a convex corner the moved pieces are cut off where they cross, and at a
+hollow one an arc about the corner joins them.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import degrees, tan
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal, polar_angle
+from cadgen.curves.offset import OffsetPiece
+from cadgen.errors import CheckError
+
+Array = NDArray[np.float64]
+
+_SNAP = 1e-5  # mm; moved pieces whose ends are no further apart than this are joined as they are
+_SAMPLES_PER_RADIAN = 600  # of a piece, in search of its sharpest ridge
+_NEWTON_STEPS = 30
+_CONVERGED = 1e-11  # mm between two moved pieces where they cross
+_GAUSS_POINTS, _GAUSS_STEPS = 6, 360  # per radian
+
+
+@dataclass(frozen=True)
+class Apex:
+    """A point in the place of a piece."""
+
+    point: Array
+    start: float = 0.0
+    stop: float = 1.0
+
+    def jet(self, t: Array) -> Jet:
+        """The point, without a direction."""
+        return Jet(np.tile(self.point, (len(t), 1)), np.zeros((len(t), 2)), np.zeros(len(t)))
+
+
+@dataclass(frozen=True)
+class HollowArc:
+    """A circular arc about a hollow corner, run clockwise, by the share of its sweep."""
+
+    center: Array
+    radius: float
+    first: float
+    sweep: float
+    start: float = 0.0
+    stop: float = 1.0
+
+    def jet(self, t: Array) -> Jet:
+        """Point, velocity by the share, and curvature."""
+        angle = self.first + t * self.sweep
+        out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        around = np.stack([-out[:, 1], out[:, 0]], axis=1)
+        return Jet(
+            self.center + self.radius * out,
+            self.radius * self.sweep * around,
+            np.full(len(t), np.sign(self.sweep) / self.radius),
+        )
+
+
+@dataclass(frozen=True)
+class Strip:
+    """A smooth share of a chamfer: straight lines join points at equal shares of both pieces' parameters.
+
+    Attributes:
+        outer: of the outline; an `Apex` at a hollow corner.
+        inner: of the curve inside it; an `Apex` where the outline's piece is so short that nothing of it is left there.
+    """
+
+    outer: Piece
+    inner: Piece
+
+    def within(self, t: Array) -> Array:
+        """Parameters of `inner` for those of `outer`."""
+        share = (t - self.outer.start) / (self.outer.stop - self.outer.start)
+        return np.asarray(self.inner.start + share * (self.inner.stop - self.inner.start))
+
+    def jets(self, t: Array) -> tuple[Jet, Jet]:
+        """Both pieces at parameters of `outer`, each with its velocity by its own parameter."""
+        return self.outer.jet(t), self.inner.jet(self.within(t))
+
+
+def chamfer_strips(curve: ClosedCurve, leg: float) -> tuple[Strip, ...]:
+    """The chamfer of a leg of `leg` mm along a counterclockwise curve, strip after strip.
+
+    The strips' inner pieces, end to end, are the parallel curve inside. Beside a convex corner of angle d the lines
+    stand askew by leg tan(d / 2) along the curve at most, which leaves the true chamfer by the square of that times
+    the curve's curvature over 8: 20 nm at a corner of 17 degrees with a leg of 0.5 mm.
+
+    Raises:
+        CheckError: the curve is convex somewhere with a radius of no more than the leg, or so narrow that nothing is
+            left inside it.
+    """
+    strips = _moved_inwards(curve, leg)
+    alive = list(range(len(strips)))
+    spans = [[strip.inner.start, strip.inner.stop] for strip in strips]
+    number = 0
+    while number < len(alive):
+        before, after = alive[number - 1], alive[number]
+        dead = _trim(strips, spans, before, after)
+        if dead is None:
+            number += 1
+            continue
+        # The neighbours meet each other now: begin again at their joint.
+        for other in (before, after):
+            if other != dead:
+                spans[other] = [strips[other].inner.start, strips[other].inner.stop]
+        alive.remove(dead)
+        number = 0
+    if not alive:
+        raise CheckError(_too_narrow(leg))
+    found = []
+    for index, strip in enumerate(strips):
+        if index in alive:
+            found.append(Strip(strip.outer, Span(strip.inner, *spans[index])))
+        elif not isinstance(strip.outer, Apex):
+            follower = next((k for k in alive if k > index), alive[0])
+            meeting = strips[follower].inner.jet(np.array([spans[follower][0]])).point[0]
+            found.append(Strip(strip.outer, Apex(meeting)))
+    _refuse_folds(found, leg)
+    return tuple(found)
+
+
+def inner_curve(strips: Sequence[Strip]) -> ClosedCurve:
+    """The curve that a chamfer leaves of a face."""
+    return ClosedCurve(tuple(strip.inner for strip in strips if not isinstance(strip.inner, Apex)))
+
+
+def chamfered_off(curve: ClosedCurve, leg: float) -> float:
+    """Volume that a chamfer of leg `leg` mm takes off one edge of a prism, mm^3, by Steiner's formula.
+
+    Of the area A, the parallel curve at depth d leaves A - L d + k d^2, with the length L and
+    k = (2 pi - sum of the corners' turns) / 2 + sum of tan(turn / 2) at convex corners, of turn / 2 at hollow ones;
+    integrated over d from 0 to the leg. Exact where the curve is straight beside its corners, and elsewhere within
+    leg^4 times the curvature times tan(turn / 2)^2.
+    """
+    turns = [corner.turn for corner in curve.corners()]
+    square = np.pi - sum(turns) / 2 + sum(tan(turn / 2) if turn > 0 else turn / 2 for turn in turns)
+    length = sum(_length(piece) for piece in curve.pieces)
+    return float(length * leg**2 / 2 - square * leg**3 / 3)
+
+
+def _moved_inwards(curve: ClosedCurve, leg: float) -> list[Strip]:
+    """Every piece with its moved one, and the arcs about hollow corners, before anything is cut off."""
+    corners = {corner.after: corner for corner in curve.corners()}
+    strips = []
+    for number, piece in enumerate(curve.pieces):
+        _refuse_ridge(piece, leg)
+        corner = corners.get(number)
+        if corner is not None and -leg * corner.turn > _SNAP:
+            normal = left_normal(piece.jet(np.array([piece.start])).velocity)
+            first = float(polar_angle(normal)[0]) - corner.turn
+            strips.append(Strip(Apex(corner.point), HollowArc(corner.point, leg, first, corner.turn)))
+        strips.append(Strip(piece, OffsetPiece(piece, -leg)))
+    return strips
+
+
+def _trim(strips: list[Strip], spans: list[list[float]], before: int, after: int) -> int | None:
+    """Cut two neighbours off where they cross; the number of the one of which nothing would be left."""
+    one, other = strips[before].inner, strips[after].inner
+    s, t = one.stop, other.start
+    gap = _extended(one, s)[0] - _extended(other, t)[0]
+    if np.hypot(*gap) > _SNAP:
+        for _ in range(_NEWTON_STEPS):
+            (p, u), (q, v) = _extended(one, s), _extended(other, t)
+            if np.hypot(*(p - q)) < _CONVERGED:
+                break
+            det = u[1] * v[0] - u[0] * v[1]
+            if det == 0:
+                break
+            off = q - p
+            s += (off[1] * v[0] - off[0] * v[1]) / det
+            t += (u[0] * off[1] - u[1] * off[0]) / det
+        else:
+            raise CheckError("the chamfer of the broken edges does not close at a corner: report this design")
+    spans[before][1], spans[after][0] = s, t
+    for index in (before, after):
+        if spans[index][1] <= spans[index][0]:
+            return index
+    return None
+
+
+def _extended(piece: Piece, t: float) -> tuple[Array, Array]:
+    """Point and velocity, beyond the piece's ends along the tangent there."""
+    inside = min(max(t, piece.start), piece.stop)
+    jet = piece.jet(np.array([inside]))
+    return jet.point[0] + (t - inside) * jet.velocity[0], jet.velocity[0]
+
+
+def _refuse_ridge(piece: Piece, leg: float) -> None:
+    count = max(65, int(_SAMPLES_PER_RADIAN * (piece.stop - piece.start)))
+    jet = piece.jet(np.linspace(piece.start, piece.stop, count))
+    sharpest = int(np.argmax(jet.curvature))
+    if leg * jet.curvature[sharpest] >= 1:
+        angle = degrees(float(polar_angle(jet.point[sharpest]))) % 360
+        raise CheckError(
+            f"blank.edge_break_mm is {leg:g}, but the outline is convex with a radius of "
+            f"{1 / jet.curvature[sharpest]:.3f} mm at polar angle {angle:.2f} degrees: break the edges by less"
+        )
+
+
+def _refuse_folds(strips: Sequence[Strip], leg: float) -> None:
+    """Refuse a curve inside that does not run once round the origin, as where two flanks are closer than two legs."""
+    angle = inner_curve(strips).outline(0.1).angle
+    if np.diff(angle).min() < -1e-6 or abs(angle[-1] - angle[0] - 2 * np.pi) > 1e-3:
+        raise CheckError(_too_narrow(leg))
+
+
+def _too_narrow(leg: float) -> str:
+    return f"blank.edge_break_mm is {leg:g}, but the disc is so narrow somewhere that its chamfers meet: break less"
+
+
+def _length(piece: Piece) -> float:
+    nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
+    edges = np.linspace(piece.start, piece.stop, max(9, int((piece.stop - piece.start) * _GAUSS_STEPS) + 1))
+    half = np.diff(edges) / 2
+    t = (edges[:-1] + half)[:, None] + half[:, None] * nodes
+    speed = np.linalg.norm(piece.jet(t.ravel()).velocity, axis=1).reshape(t.shape)
+    return float(np.sum((speed @ weights) * half))

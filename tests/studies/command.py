@@ -1,0 +1,23 @@
+"""The command line that the studies share: --cases, --seed, --record."""
+
+import argparse
+from pathlib import Path
+
+DOCS = Path(__file__).parents[2] / "docs" / "studies"
+
+
+def options(description: str | None, *, cases: int, seed: int = 1) -> argparse.Namespace:
+    """What the command line says, with a study's own defaults."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--cases", type=int, default=cases)
+    parser.add_argument("--seed", type=int, default=seed)
+    parser.add_argument("--record", action="store_true", help=f"write the page in {DOCS.parent.name}/{DOCS.name}")
+    return parser.parse_args()
+
+
+def tell(text: str, file: Path | None) -> None:
+    """Print a study's page, and record it in a file if there is one."""
+    print(text)
+    if file is not None:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text if text.endswith("\n") else text + "\n", encoding="utf-8")
