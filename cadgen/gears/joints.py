@@ -1,7 +1,9 @@
 """Play beside that of the teeth: wheels loose on their shafts (`fits`), and shafts loose in their bearings.
 
 **Bearings.** Shafts that can move by C across their bearings let the axes of a mesh stand further apart by as much as
-C, half of it from either; by eq. 1 that opens 2 C tan(alpha) on the pitch circle.
+C, half of it from either; by eq. 1 that opens 2 C tan(alpha) on the pitch circle. That a force which turns round may
+carry a shaft across its bearings, by up to 2 C / cos(alpha) there, is not counted: weight, the rod's force or a preload
+hold it.
 
 Each counts at its place: at the camshaft in full, elsewhere divided by the turns of its shaft for one of the camshaft.
 """
