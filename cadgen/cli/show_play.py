@@ -100,7 +100,9 @@ def remedies(sheet: "Sequence[Remedy]") -> None:
     if not sheet:
         return
     console = Output()
-    table = plain_table("\nwhat can be done: position errors in the worst car of the bands of play, friction and drag")
+    table = plain_table(
+        "\nwhat can be done: position errors in the worst car of the bands; remedies are compared without a brake"
+    )
     for head in ("remedy", "cut for", "end", "on the way"):
         table.add_column(head, justify="left" if head == "remedy" else "right")
     for remedy in sheet:

@@ -62,7 +62,9 @@ class _Sheet:
 
     @property
     def known(self) -> MechanicsBand:
-        return self.task.mechanics or MechanicsBand(follower=self.task.follower, friction=USUAL)
+        """What is known of the car without a brake, so that remedies can be compared."""
+        known = self.task.mechanics or MechanicsBand(follower=self.task.follower, friction=USUAL)
+        return replace(known, drag=(0.0, 0.0), behind=0.0)
 
     @property
     def plays(self) -> list[float]:
@@ -79,9 +81,10 @@ class _Sheet:
 
 
 def remedies(design: Design, against: Against, step: Callable[[str], None] = lambda text: None) -> tuple[Remedy, ...]:
-    """Every remedy for the car at hand, in the worst of its plays, frictions and drags.
+    """Every remedy for the car at hand, in the worst of its plays and frictions, and the design as it is.
 
-    A design without [mechanics] is looked at with the friction that rods usually have.
+    Remedies are compared without the brake that the design may have. A design without [mechanics] is looked at with
+    the friction that rods usually have.
 
     Args:
         design: a loaded design.
@@ -92,10 +95,14 @@ def remedies(design: Design, against: Against, step: Callable[[str], None] = lam
     sheet = _Sheet(design, against.task, against.band)
     own = [one for one in against.judged if one.train == design.optimize.order and not one.measured]
     plain = next(one for one in own if one.profile == "actual")
-    cases = sheet.known.cases
-    found = [sheet.row("plain cam", plain.lift, plain.rolled, cases)]
+    cases, chosen = sheet.known.cases, against.chosen
+    as_it_is = against.task.mechanics.cases if against.task.mechanics else cases
+    found = [
+        sheet.row(f"this design: {chosen.profile}", chosen.lift, chosen.rolled, as_it_is),
+        sheet.row("plain cam", plain.lift, plain.rolled, cases),
+    ]
     found += _reordered(sheet)
-    found += _compensated(sheet, own)
+    found += _compensated(sheet)
     found += _tight_joint(sheet)
     found += _split_wheel(sheet)
     found += _bearing(sheet)
@@ -114,7 +121,7 @@ def _reordered(sheet: _Sheet) -> list[Remedy]:
     return [sheet.row("plain cam, reordered", lift, lift, sheet.known.cases, plays=plays, build=build)]
 
 
-def _compensated(sheet: _Sheet, own: list[Judged]) -> list[Remedy]:
+def _compensated(sheet: _Sheet) -> list[Remedy]:
     """Profiles compensated for the car in the middle of the bands, and for all of them."""
     task, known = sheet.task, sheet.known
     play = sum(sheet.plays) / len(sheet.plays)
@@ -131,14 +138,9 @@ def _compensated(sheet: _Sheet, own: list[Judged]) -> list[Remedy]:
             f"leaves {left:.0f} mm: measure both on the car",
         )
     ]
-    robust = next((j for j in own if j.profile == "compensated"), None)
-    if robust is not None and task.mechanics is not None:
-        rows.append(sheet.row("compensated for all", robust.lift, robust.rolled, known.cases, cut_for=robust.made_for))
-    else:
-        ends = min(sheet.plays), max(sheet.plays)
-        best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=known.corners)
-        rows.append(sheet.row("compensated for all", best.lift, best.lift, known.cases, cut_for=best.made_for))
-    return rows
+    ends = min(sheet.plays), max(sheet.plays)
+    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=known.corners)
+    return [*rows, sheet.row("compensated for all", best.lift, best.lift, known.cases, cut_for=best.made_for)]
 
 
 def _tight_joint(sheet: _Sheet) -> list[Remedy]:
