@@ -127,7 +127,9 @@ def draw(found: dict[str, list[float]], ball: float, file: Path) -> None:
     axes.plot(BEARING, [ball, ball], linewidth=4, label="bearing, compensated")
     axes.axvspan(0.05, 0.3, color="#eeeeee", zorder=0)
     axes.text(0.175, 1350, "rods that rub", ha="center", color="#666666")
-    axes.set(xlabel="friction between rod and disc", ylabel="worst end of the run (mm)", ylim=(-15, 1420), xlim=(0, 0.6))
+    axes.set(
+        xlabel="friction between rod and disc", ylabel="worst end of the run (mm)", ylim=(-15, 1420), xlim=(0, 0.6)
+    )
     axes.legend(loc="upper right", fontsize=8)
     picture.savefig(file, metadata={"Date": None})
 

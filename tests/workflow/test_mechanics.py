@@ -1,0 +1,138 @@
+"""Friction and drag from the design file to the choice, the checks and the words."""
+
+import numpy as np
+import pytest
+
+from cadgen.design import stages, variation
+from cadgen.design.load import load_design
+from cadgen.errors import DesignError
+from cadgen.workflow.cam import plan_cam
+from cadgen.workflow.remedies import remedies
+
+FRICTION = ["mechanics.friction_least=0.05", "mechanics.friction_greatest=0.3", "optimize.max_lift_error_um="]
+
+
+def band(*overrides, name="carbon_free_car"):
+    design = load_design(name, overrides)
+    return variation.mechanics(design, stages.follower(design), stages.lift(design))
+
+
+@pytest.fixture(scope="module")
+def workshop():
+    return plan_cam(load_design("workshop_car"))
+
+
+@pytest.fixture(scope="module")
+def rubbing():
+    return plan_cam(load_design("carbon_free_car", FRICTION), "optimized")
+
+
+def test_the_workshop_s_car_does_not_mind_its_play(workshop):
+    assert workshop.passed
+    assert workshop.against.chosen.profile == "actual"
+    assert workshop.against.chosen.band.worst_distance < 1.0
+    assert workshop.against.rubbing == ""
+    checks = {check.name: check for check in workshop.checks}
+    assert checks["cam runs ahead"].value == 0.0
+    assert checks["cam holds"].value == pytest.approx(42.0 / 32.4, rel=5e-3)
+    assert workshop.design.blank.edge_break_mm == 0.2
+    facts = workshop.facts()["play"]["mechanics"]
+    assert facts["friction"] == [0.05, 0.20]
+    assert facts["drag_Nmm"] == [42.0, 60.0]
+
+
+def test_a_cam_for_a_rod_that_rubs(rubbing):
+    against = rubbing.against
+    assert against.chosen.profile == "compensated"
+    assert against.chosen.band.worst_distance <= 510.0
+    assert against.chosen.band.worst.friction == pytest.approx(0.3)
+    # The window of the dilation is not the play of the run that it is judged by.
+    assert against.chosen.made_for < against.chosen.play == pytest.approx(sum(against.band.ends) / 2)
+    assert any("a change by 0.01 moves the end of the run" in reason for reason in against.reasons)
+    checks = {check.name: check for check in rubbing.checks}
+    assert checks["cam runs ahead"].value > 20.0
+    assert "cam holds" not in checks
+
+
+def test_the_sheet_of_remedies(rubbing):
+    sheet = {remedy.name: remedy for remedy in remedies(rubbing.design, rubbing.against)}
+    ends = {name: remedy.worst_end for name, remedy in sheet.items()}
+    assert ends["plain cam"] > ends["plain cam, reordered"] > ends["compensated for all"]
+    assert ends["compensated for all"] <= 510.0
+    assert ends["compensated for all"] < ends["compensated for one car"]
+    assert ends["ball bearing, compensated"] <= 350.0
+    assert ends["plain cam, trimmed"] <= 80.0
+    assert ends["plain cam, drag that holds"] <= 1.0
+    assert all(remedy.on_way >= remedy.worst_end - 0.01 for remedy in sheet.values())
+    assert "41" in sheet["plain cam, drag that holds"].build or "40.8" in sheet["plain cam, drag that holds"].build
+
+
+def test_a_design_that_says_nothing_of_friction_is_told_what_a_rod_would_make_of_it():
+    plan = plan_cam(load_design("carbon_free_car"))
+    assert plan.against.chosen.made_for == plan.against.chosen.play  # as without friction
+    assert "up to 814 mm off" in plan.against.rubbing
+    assert "1207 mm" in plan.against.rubbing
+    assert plan.facts()["play"]["friction_note"] == plan.against.rubbing
+
+
+def test_hardware_that_the_design_allows():
+    known = band(*FRICTION, 'optimize.hardware=["drag"]')
+    assert known.drag == pytest.approx((1.25 * 32.63, 1.25 * 32.63), rel=1e-3)
+    # A brake that is strong enough stays as it is.
+    kept = band(*FRICTION, 'optimize.hardware=["drag"]', "mechanics.drag_least_Nmm=50")
+    assert kept.drag == (50.0, 50.0)
+    assert band(*FRICTION).drag == (0.0, 0.0)
+    trimmed = plan_cam(load_design("carbon_free_car", [*FRICTION, 'optimize.hardware=["trim"]']), "optimized")
+    assert trimmed.against.chosen.profile == "actual"
+    assert any("after a trial run" in reason for reason in trimmed.against.reasons)
+
+
+def test_friction_follows_from_the_materials():
+    assert band("mechanics.rod_force_N=1").friction == (0.05, 0.30)
+    greased = band("mechanics.rod_force_N=1", "blank.material=aluminium")
+    assert greased.friction == (0.05, 0.20)
+    assert band("mechanics.greased=false", "blank.material=PLA").friction == (0.25, 0.60)
+    assert band("mechanics.rod_force_N=1", "follower.material=ball_bearing").friction == (0.0, 0.02)
+    assert band() is None
+
+
+@pytest.mark.parametrize(
+    ("overrides", "said"),
+    [
+        (["mechanics.rod_rate_N_per_mm=0.5"], "the rod leaves the disc: raise mechanics.rod_force_N to 3.3 or more"),
+        (["mechanics.drag_least_Nmm=50", "mechanics.drive_torque_Nmm=60"], "mechanics.drive_torque_Nmm is 60"),
+        (['optimize.hardware=["drag"]'], "add [mechanics]"),
+    ],
+)
+def test_forces_that_cannot_be_are_refused(overrides, said):
+    with pytest.raises(DesignError) as error:
+        band(*overrides)
+    assert said in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("overrides", "said"),
+    [
+        (["mechanics.friction_least=-0.1", "mechanics.friction_greatest=0.1"], "at least 0"),
+        (["mechanics.friction_least=0.1", "mechanics.friction_greatest=9"], "at most 1.5"),
+        (["mechanics.friction_least=0.1"], "give both or neither"),
+        (["mechanics.friction_least=0.3", "mechanics.friction_greatest=0.1"], "exchange them"),
+        (["mechanics.drag_least_Nmm=5", "mechanics.drag_greatest_Nmm=1"], "exchange them"),
+        (["mechanics.drag_least_Nmm=50", "mechanics.drive_torque_Nmm=40"], "it cannot turn that"),
+        (["follower.width_mm=5"], "the width of a ball bearing"),
+        (["blank.material=cheese"], '"aluminium", "steel"'),
+    ],
+)
+def test_a_file_that_cannot_be_is_refused(overrides, said):
+    with pytest.raises(DesignError) as error:
+        load_design("carbon_free_car", overrides)
+    assert said in str(error.value)
+
+
+def test_a_bearing_too_narrow_fails_a_check():
+    overrides = ["follower.radius_mm=5.5", "follower.material=ball_bearing", "follower.width_mm=4"]
+    plan = plan_cam(load_design("carbon_free_car", overrides), "actual")
+    (failed,) = plan.failed
+    assert failed.name == "bearing width"
+    assert failed.value > 5.0
+    assert np.isfinite(failed.value)
