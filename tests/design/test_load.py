@@ -194,7 +194,7 @@ def test_the_default_is_the_carbon_free_car() -> None:
 
 
 def test_packaged_designs_are_named_after_their_files() -> None:
-    assert set(packaged_designs()) == {"carbon_free_car", "appendix_car"}
+    assert set(packaged_designs()) == {"carbon_free_car", "appendix_car", "workshop_car"}
     for name in packaged_designs():
         assert load_design(name).name == name
 
