@@ -6,7 +6,7 @@ import numpy as np
 from scipy.stats import f as f_distribution
 
 from cadgen.errors import FileError
-from cadgen.measurement.effects.base import DEG, UNITS, Array
+from cadgen.measurement.effects.base import DEG, UNITS, Array, causes
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import Hypothesis
 from cadgen.measurement.load import instrument
@@ -112,7 +112,7 @@ def doubted(
             f"what remains is {left / allowed:.1f} times what noise and the stated form error make: nothing is claimed"
         )
         return replace(judgement, claimed=(), limits=(*judgement.limits, limit))
-    if len(best.effects) == LARGEST_SUBSET and chance < UNFIT:
+    if causes(best.effects) == LARGEST_SUBSET and chance < UNFIT:
         sentence = (
             f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "
             f"form error: there are more than {LARGEST_SUBSET} effects, so sizes are not sure and nothing is claimed."

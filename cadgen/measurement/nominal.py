@@ -17,6 +17,7 @@ from cadgen.measurement.effects.base import UNITS, Active, through
 from cadgen.measurement.effects.disc import Disc
 from cadgen.measurement.load import join
 from cadgen.measurement.models.base import Model
+from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.models.lift import LiftModel, nominal_disc
 from cadgen.measurement.models.profile import ProfileModel
 from cadgen.measurement.models.track import TrackModel
@@ -25,6 +26,7 @@ from cadgen.measurement.models.tricycle import TricycleModel
 from cadgen.measurement.record import Record
 from cadgen.measurement.steered import diagnose_steered
 from cadgen.measurement.units import refuse_wrong_log, refuse_wrong_units
+from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.sampled import sampled_lift
 from cadgen.path.track import Track
 from cadgen.steering.car import Car
@@ -50,6 +52,8 @@ class Nominal:
         form_error: stated form error of the disc, rms, mm.
         train_error: the same of the train, rms, rad.
         known: effects on the disc that the lift already has.
+        cut: lift that the cam was cut for, by whose slope friction holds the cam or lets it go; `lift` if left out.
+        mechanics: what the design says of rod force and drag; nothing if left out.
     """
 
     lift: LiftCurve
@@ -62,6 +66,8 @@ class Nominal:
     form_error: float = MACHINED_UM / 1e3
     train_error: float = TRAIN_DEG * pi / 180
     known: Active = ()
+    cut: LiftCurve | None = None
+    mechanics: Mechanics | None = None
 
     @cached_property
     def disc(self) -> Disc:
@@ -83,8 +89,12 @@ class Nominal:
                 raise DesignError(f"{record.source}: the design has no gear train; add its stages to judge this file")
             return TransmissionModel(record, self.lift, self.ratios, teeth=self.teeth, floor=self.train_error)
         if record.kind == "track":
-            return TrackModel(record, self.lift, self.car, self.track, self.follower.inner, floor=self.form_error)
+            return TrackModel(record, self.lift, self.car, self.track, self._forces, floor=self.form_error)
         raise DesignError(f"{record.source}: data of kind {record.kind} are not traced to effects of this design")
+
+    @property
+    def _forces(self) -> Forces:
+        return Forces(self.cut or self.lift, self.mechanics or Mechanics(follower=self.follower))
 
     def with_disc(self, known: Active) -> "Nominal":
         """The same with a disc that is known to differ: what is measured behind it is not blamed for that again.
@@ -104,7 +114,7 @@ class Nominal:
         )
         steering = self.lift.tan_beta(angle) + after - before
         lift = sampled_lift(angle, steering, blend_start=self.lift.blend_start, level=self.lift.level)
-        return replace(self, lift=lift, known=(*self.known, *known))
+        return replace(self, lift=lift, known=(*self.known, *known), cut=self.cut or self.lift)
 
 
 def calibrate(records: Sequence[Record], nominal: Nominal, step: Step = lambda text: None) -> tuple[Diagnosis, ...]:

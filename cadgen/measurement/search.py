@@ -1,6 +1,6 @@
 """Compare every small subset of the catalogue by its linearised misfit, and hand the best to the exact fit.
 
-Subsets of up to three freely combining effects are all tried. The numerous ones (orders of waviness, places of bumps
+Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous ones (orders of waviness, places of bumps
 and steps) are tried beside the best of these, one at a time; one that wins joins the free ones in the next round.
 After each round the catalogue is linearised anew about the best exact fit, until that no longer changes.
 """
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
-from cadgen.measurement.effects.base import Active, Array, Effect
+from cadgen.measurement.effects.base import Active, Array, Effect, causes
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.models.base import Model, slopes
@@ -91,7 +91,7 @@ def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
     core = tuple(e for e in model.catalogue if not e.numerous)
     named = tuple(e for e in model.catalogue if e.numerous)
-    entries = Counter(e.sort for e in model.catalogue if not e.shape)
+    entries = Counter(e.sort for e in model.catalogue if not (e.shape or e.parts))
     anonymous = len(model.shapes) + sum(e.shape for e in named)
     search = Search(len(model.rows.run), entries, max(anonymous, 1))
     none = fit(model, evidence, (), [], search)
@@ -142,7 +142,7 @@ def _promising(
         np.arange(width, width + datum.shape[1]),
     )
     rated = sorted(_rate_free(this, search), key=lambda r: r.score)
-    bases = [r for r in rated if len(r.effects) < LARGEST_SUBSET][:BASES]
+    bases = [r for r in rated if causes(r.effects) < LARGEST_SUBSET][:BASES]
     rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
     rated.sort(key=lambda r: r.score)
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
@@ -156,11 +156,9 @@ def _rate_free(this: Round, search: Search) -> Iterator[Rated]:
     """Every subset of the freely combining effects."""
     free = this.free
     bundles: dict[int, list[tuple[int, ...]]] = {0: [()]}
-    for size in range(1, LARGEST_SUBSET + 1):
-        for subset in combinations(range(len(free.effects)), size):
-            if _compatible([free.effects[i] for i in subset]):
-                width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
-                bundles.setdefault(width, []).append(subset)
+    for subset in _subsets(free.effects):
+        width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
+        bundles.setdefault(width, []).append(subset)
     for width, subsets in bundles.items():
         columns = np.array(
             [np.concatenate([_range(free.spans[i]) for i in subset] or [_range(slice(0, 0))]) for subset in subsets]
@@ -173,6 +171,20 @@ def _rate_free(this: Round, search: Search) -> Iterator[Rated]:
             values = _completed(effects, estimate[row], [free.spans[i] for i in subset])
             if sound[row] and _possible(effects, values):
                 yield Rated(float(score[row]) + search.penalty(effects, width), effects, values, columns[row])
+
+
+def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
+    """Places of effects that may be at work together, but for none at all."""
+    alone = [i for i, e in enumerate(effects) if not e.beside]
+    for size in range(1, LARGEST_SUBSET + 1):
+        for subset in combinations(alone, size):
+            chosen = [effects[i] for i in subset]
+            if not _compatible(chosen):
+                continue
+            names = {e.name for e in chosen}
+            companions = [i for i, e in enumerate(effects) if e.beside in names]
+            for more in range(len(companions) + 1):
+                yield from (tuple(sorted(subset + some)) for some in combinations(companions, more))
 
 
 def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
@@ -195,6 +207,7 @@ def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> It
             tail[:width] = estimate[row]
             values = np.concatenate([base.estimate, tail])
             if sound[row] and _compatible(list(effects)) and _possible(effects, values):
+                effects = tuple(part for e in effects for part in (e.parts or (e,)))
                 penalty = search.penalty(effects, sum(len(e.parameters) for e in effects))
                 yield Rated(float(score[row]) + penalty, effects, values, base.columns)
 

@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.cam.contact import roll_curve
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
 from cadgen.design import gears, stages, variation
 from cadgen.design.schema import Design
 from cadgen.errors import FileError
@@ -23,6 +25,7 @@ from cadgen.measurement.record import Record
 from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_play, settled, shared
 from cadgen.measurement.verdict import Judgement
 from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
+from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.sampled import rolled_lift
 from cadgen.workflow.cam import Step, plan_cam
 
@@ -237,14 +240,17 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
     plan = plan_cam(design, profile, step)
     bare = design.as_designed()
     follower = replace(stages.follower(bare), radius=plan.follower.radius and stages.follower(bare).radius)
-    lift = plan.lift
+    lift = cut = plan.lift
     if design.as_built is not None or profile not in _EXACT:
         # What is cut gives the rod of the designed car another lift than the planned one.
         angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
         lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
+        cut = cut if profile in _EXACT else lift
     ratios, teeth = _train(design)
     return Nominal(
         lift=lift,
+        cut=cut,
+        mechanics=_forces(bare, follower, cut),
         follower=follower,
         profile=plan.on_shaft,
         car=stages.car(bare),
@@ -252,6 +258,12 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
         ratios=ratios,
         teeth=teeth,
     )
+
+
+def _forces(design: Design, rod: Follower, lift: LiftCurve) -> Mechanics | None:
+    """Rod force and drag by [mechanics]; None without it."""
+    band = variation.mechanics(design, rod, lift)
+    return None if band is None else band.nominal
 
 
 def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
