@@ -57,8 +57,11 @@ class Numerous:
         self.effects, self.spans = columns.effects, columns.spans
         self.white = evidence.whiten(columns.values)
         self.halves = evidence.halves(self.white)
-        widths = np.array([s.stop - s.start for s in self.spans], dtype=np.intp)
-        self.groups = [self._group(int(width), np.flatnonzero(widths == width)) for width in np.unique(widths)]
+        sorts = [(s.stop - s.start, bool(e.parts)) for e, s in zip(self.effects, self.spans, strict=True)]
+        self.groups = [
+            self._group(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
+            for sort in sorted(set(sorts))
+        ]
 
     def _group(self, width: int, which: Index) -> tuple[int, Index, Index, Array]:
         """Effects that have so many columns, the columns, shape (k, width), and their products (g, k, width, width)."""
@@ -148,7 +151,9 @@ def _promising(
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
     datum_start = [(e, v) for e, v in best.active if e in model.datum]
-    chosen = rated[:REFINED] + named[:NAMED]
+    # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted.
+    beside = [r for r in rated[REFINED:] if any(e.beside for e in r.effects) and r not in named[:NAMED]]
+    chosen = rated[:REFINED] + named[:NAMED] + beside[:NAMED]
     return [(r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen]
 
 
@@ -188,7 +193,7 @@ def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
 
 
 def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
-    """A subset with each of the numerous effects in turn, by the Schur complement; the best few of each width."""
+    """A subset with each of the numerous effects in turn, by the Schur complement; the best few of each group."""
     held = np.concatenate([base.columns, this.always])
     inner = this.products[:, held[:, None], held]
     right = np.concatenate([this.cross[:, held], this.products[:, held, -1:]], axis=2)

@@ -71,12 +71,15 @@ class TrackModel:
     def _run(self, active: Active) -> Array:
         nominal = Drive(self._car.wheelbase, self._car.drive_wheel_offset, self._length)
         drive = through("drive", nominal, active, self.rows)
-        following = self._forces.leads(drive.friction).follow(self._lift, drive.play)
-        # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
-        phase = float(through("cam", np.zeros(1), active, self.rows)[0])
-        nodes = np.union1d(self._grid, following.joints(phase, _TURN + phase) - phase)
+        nodes, following = self._grid, None
+        if drive.play > 0:
+            # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
+            following = self._forces.leads(drive.friction).follow(self._lift, drive.play)
+            phase = float(through("cam", np.zeros(1), active, self.rows)[0])
+            nodes = np.union1d(nodes, following.joints(phase, _TURN + phase) - phase)
         middle = (nodes[1:] + nodes[:-1]) / 2
-        steering = following.tan_beta(through("cam", middle, active, self.rows))
+        angle = through("cam", middle, active, self.rows)
+        steering = self._lift.tan_beta(angle if following is None else following.cam_angle(angle))
         steering = through("lever", steering, active, middle)
         steering = through("steering", steering, active, middle)
         curvature = -steering / (drive.wheelbase + drive.drive_wheel_offset * steering)
