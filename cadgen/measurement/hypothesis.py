@@ -129,7 +129,14 @@ class Search:
         return parameters * log(self.rows) + 2 * (choices + anonymous * log(self.shapes))
 
 
-def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Active, search: Search) -> Hypothesis:
+def fit(
+    model: Model,
+    evidence: Evidence,
+    effects: tuple[Effect, ...],
+    start: Active,
+    search: Search,
+    known: Mapping[str, tuple[float, float]] | None = None,
+) -> Hypothesis:
     """Fit a subset and the datum exactly, with the form error as a random effect.
 
     Args:
@@ -138,6 +145,7 @@ def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Ac
         effects: the subset.
         start: values to begin from; effects without one begin at their own start.
         search: for the penalty.
+        known: value and standard deviation of effects' first numbers by the effects' keys, from other measurements.
     """
     chosen = (*model.datum, *effects)
     begin = {effect.key: values for effect, values in start}
@@ -150,11 +158,13 @@ def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Ac
     def active(values: Array) -> Active:
         return list(zip(chosen, np.split(values, cuts), strict=True)) if chosen else []
 
+    prior = _Prior(chosen, known or {})
+
     def white(values: Array, spectrum: int) -> Array:
-        return evidence.standardise(model.residual(active(values)), spectrum)
+        return np.append(evidence.standardise(model.residual(active(values)), spectrum), prior.residual(values))
 
     def tangents(values: Array, spectrum: int) -> Array:
-        return -evidence.standardise(slopes(model, chosen, active(values)), spectrum)
+        return np.vstack([-evidence.standardise(slopes(model, chosen, active(values)), spectrum), prior.rows])
 
     residual = evidence.whiten(model.residual(active(x)))
     misfit = evidence.misfit(residual)
@@ -195,6 +205,21 @@ def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Ac
         spectrum=evidence.grid[spectrum],
         at_bound=tuple(n for n, v, a, b, w in zip(names, x, lower, upper, near, strict=True) if v < a + w or v > b - w),
     )
+
+
+class _Prior:
+    """What is known of some values beforehand, as rows of a least-squares problem."""
+
+    def __init__(self, chosen: tuple[Effect, ...], known: Mapping[str, tuple[float, float]]) -> None:
+        starts = np.cumsum([0, *(len(e.parameters) for e in chosen)])
+        of = [(int(starts[i]), *known[e.key]) for i, e in enumerate(chosen) if e.key in known]
+        self.rows = np.zeros((len(of), int(starts[-1])))
+        self.mean = np.array([mean / sigma for _, mean, sigma in of])
+        for row, (column, _, sigma) in enumerate(of):
+            self.rows[row, column] = 1 / sigma
+
+    def residual(self, values: Array) -> Array:
+        return np.asarray(self.rows @ values - self.mean)
 
 
 def _overlap(covariance: Array, effects: tuple[Effect, ...], price: float) -> float:

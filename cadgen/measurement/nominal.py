@@ -15,6 +15,7 @@ from cadgen.errors import DesignError
 from cadgen.measurement.diagnose import Diagnosis, Step, diagnose
 from cadgen.measurement.effects.base import UNITS, Active, through
 from cadgen.measurement.effects.disc import Disc
+from cadgen.measurement.effects.transmission import RETURN_ERROR
 from cadgen.measurement.load import join
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.models.forces import Forces
@@ -54,6 +55,7 @@ class Nominal:
         known: effects on the disc that the lift already has.
         cut: lift that the cam was cut for, by whose slope friction holds the cam or lets it go; `lift` if left out.
         mechanics: what the design says of rod force and drag; nothing if left out.
+        play: return error that was measured apart, with the rod lifted, and its standard deviation, rad.
     """
 
     lift: LiftCurve
@@ -68,6 +70,7 @@ class Nominal:
     known: Active = ()
     cut: LiftCurve | None = None
     mechanics: Mechanics | None = None
+    play: tuple[float, float] | None = None
 
     @cached_property
     def disc(self) -> Disc:
@@ -120,7 +123,8 @@ class Nominal:
 def calibrate(records: Sequence[Record], nominal: Nominal, step: Step = lambda text: None) -> tuple[Diagnosis, ...]:
     """Diagnose several records; those of one kind are taken together.
 
-    The effects on the disc that a profile's verdict claims are known to the lift and the track.
+    The effects on the disc that a profile's verdict claims are known to the lift and the track; the return error that a
+    transmission's claims, to a track that shows friction.
 
     Raises:
         DesignError, FileError: see `Nominal.model`, `load.join` and `units.refuse_wrong_units`.
@@ -131,15 +135,27 @@ def calibrate(records: Sequence[Record], nominal: Nominal, step: Step = lambda t
         refuse_wrong_units(record, nominal)
     told = {}
     behind, names = nominal, tuple[str, ...]()
-    for kind in sorted(joined, key=lambda kind: kind != "profile"):
+    play = nominal.play
+    for kind in sorted(joined, key=lambda kind: ("profile", "transmission", "lift", "track").index(kind)):
         if kind in BEHIND_THE_DISC:
-            told[kind] = _behind(diagnose(joined[kind], behind.model, step), joined[kind], nominal, names)
+            told[kind] = _behind(diagnose(joined[kind], behind.model, step, play), joined[kind], nominal, names)
             continue
         told[kind] = diagnose(joined[kind], nominal.model, step)
+        if kind == "transmission":
+            play = _play(told[kind]) or play
         if kind == "profile":
             known = [(e, v) for e, v in told[kind].active if e.name in told[kind].judgement.claimed]
             behind, names = nominal.with_disc(known), tuple(e.name for e, _ in known)
     return tuple(told[kind] for kind in kinds)
+
+
+def _play(told: Diagnosis) -> tuple[float, float] | None:
+    """Return error that a transmission's data claim, and its standard deviation, rad."""
+    for finding in told.findings:
+        if finding.effect == RETURN_ERROR.name and finding.effect in told.judgement.claimed:
+            (value,) = finding.values
+            return value.value * UNITS[value.unit], value.sigma * UNITS[value.unit]
+    return None
 
 
 def _behind(told: Diagnosis, record: Record, nominal: Nominal, names: tuple[str, ...]) -> Diagnosis:

@@ -22,6 +22,9 @@ AGREE = 1e-3
 # Play beyond this share of the tabled return error would have been seen: what is certainly less is none.
 NO_PLAY = 0.1
 
+# The same of friction: less than this a ball bearing has, with its seals.
+NO_FRICTION = 0.02
+
 # Physical things -> their names by kind of data, the kind first that shows best what the car does.
 THINGS: dict[str, tuple[tuple[str, str], ...]] = {
     "return error": (
@@ -31,6 +34,7 @@ THINGS: dict[str, tuple[tuple[str, str], ...]] = {
         ("lift", "backlash"),
         ("lift", "backlash, held by the spring"),
     ),
+    "sliding friction": (("track", "sliding friction"), ("transmission", "sliding friction")),
     "cam phase": (("track", "cam phase"), ("lift", "phase")),
     "eccentric bore": (("profile", "eccentric bore"), ("lift", "eccentric bore")),
     "worn nose": (("profile", "worn nose"), ("lift", "worn nose")),
@@ -125,8 +129,17 @@ def no_play(source: str, kind: Kind, fitted: Finding, tabled_deg: float) -> Clai
         fitted: the play beside what the verdict names.
         tabled_deg: return error that would be assumed without this record.
     """
+    return _absent(source, kind, fitted, NO_PLAY * tabled_deg)
+
+
+def no_friction(source: str, kind: Kind, fitted: Finding) -> Claim | None:
+    """The claim that the rod slides freely, or None where the data would not have shown friction; see `no_play`."""
+    return _absent(source, kind, fitted, NO_FRICTION)
+
+
+def _absent(source: str, kind: Kind, fitted: Finding, most: float) -> Claim | None:
     (value,) = fitted.values
-    if not (value.sigma > 0 and abs(value.value) + 2 * value.sigma <= NO_PLAY * tabled_deg):
+    if not (value.sigma > 0 and abs(value.value) + 2 * value.sigma <= most):
         return None
     none = replace(value, value=0.0, sigma=hypot(value.value, value.sigma))
     return Claim(source, kind, replace(fitted, values=(none,), at_bound=()))

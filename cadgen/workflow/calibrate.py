@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import degrees, pi
+from math import degrees, pi, radians
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +22,7 @@ from cadgen.measurement.names import Kind, Place
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal, calibrate_tricycle
 from cadgen.measurement.nominal import calibrate as judge
 from cadgen.measurement.record import Record
-from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_play, settled, shared
+from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
 from cadgen.measurement.verdict import Judgement
 from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
 from cadgen.motion.mechanics import Mechanics
@@ -34,6 +34,7 @@ ZONES: Kind = "zones"
 # Profiles whose planned lift is what the rod gets from them.
 _EXACT = ("actual", "theoretical", "optimized", "compensated", "smoothed", "smoothed+compensated")
 _STATIONS = 3600  # at which any other is rolled
+INCLINOMETER_DEG = 0.01  # standard deviation of play.measured_deg
 
 
 @dataclass(frozen=True)
@@ -189,17 +190,19 @@ def calibrate(
     floor, stated = stated_form_error(sources, form_error_um)
     told: dict[str, Diagnosis] = {}
     track_length = None
+    means = [s.record for s in sources if s.kind == ZONES]
+    zones = _zone_means(design, join(means)) if means else None
     modelled = [s.record for s in sources if s.kind not in (STEERED, ZONES)]
     if modelled:
         known = replace(nominal or nominal_of(design, profile, step), form_error=floor * 1e-3)
+        if zones is not None and zones.judgement.claimed:
+            known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
         track_length = known.track.length
         told.update((one.kind, one) for one in judge(modelled, known, step))
     wheelbase = None
     if logged := [s.record for s in sources if s.kind == STEERED]:
         wheelbase = _wheelbase(design, logged)
         told[STEERED] = calibrate_tricycle(logged, wheelbase[0], step)
-    means = [s.record for s in sources if s.kind == ZONES]
-    zones = _zone_means(design, join(means)) if means else None
     found = _claims(design, told.values(), zones)
     others = {d.source: [c for c in found if c.source != d.source] for d in told.values()}
     decided = {d.source: one for d in told.values() if (one := settled(d, others[d.source]))}
@@ -251,6 +254,7 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
         lift=lift,
         cut=cut,
         mechanics=_forces(bare, follower, cut),
+        play=_measured_play(bare),
         follower=follower,
         profile=plan.on_shaft,
         car=stages.car(bare),
@@ -264,6 +268,12 @@ def _forces(design: Design, rod: Follower, lift: LiftCurve) -> Mechanics | None:
     """Rod force and drag by [mechanics]; None without it."""
     band = variation.mechanics(design, rod, lift)
     return None if band is None else band.nominal
+
+
+def _measured_play(design: Design) -> tuple[float, float] | None:
+    """Return error of [play] that was measured with the rod lifted, and its standard deviation, rad."""
+    given = None if design.play is None else design.play.measured_deg
+    return None if given is None else (radians(given), radians(INCLINOMETER_DEG))
 
 
 def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
@@ -282,6 +292,8 @@ def _claims(design: Design, told: Iterable[Diagnosis], zones: ZoneMeans | None) 
         found += claims(one)
         if tabled is not None and one.unnamed_play is not None:
             found.append(no_play(one.source, one.kind, one.unnamed_play, degrees(tabled)))
+        if one.unnamed_friction is not None:
+            found.append(no_friction(one.source, one.kind, one.unnamed_friction))
     if zones is not None and zones.judgement.claimed:
         found.append(Claim(zones.source, ZONES, zones.finding))
     elif zones is not None and tabled is not None and zones.judgement.verdict in SOUND:
