@@ -183,7 +183,7 @@ def diagnose(
     none = next(h for h in found if not h.effects)
     before, after = (registered(model, noise, model.residual(h.active)) for h in (none, best))
     judgement = doubted(judgement, record, model, noise, best, after, unfit(model, evidence, noise, best))
-    judgement = with_friction_judged(judgement, best)
+    judgement = with_friction_judged(judgement, best, play_known=play is not None and not another)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))
     own, repeating = [], []

@@ -14,8 +14,8 @@ from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.verdict import Judgement, unclaimed
 
-# Parted are play and friction if these are above their standard deviations: the play's relative to its size.
-PARTED_PLAY, PARTED_FRICTION = 0.01, 0.01
+# Play and friction are parted if their standard deviations are no more than these, the play's relative to its size.
+PARTED_PLAY, PARTED_FRICTION = 0.015, 0.015
 # A play known beforehand that is so many standard deviations off what the data say of it by themselves is another one.
 ANOTHER = 3.3
 
@@ -31,7 +31,7 @@ def with_known_play(
         known: play and its standard deviation, rad.
 
     Returns:
-        The subset fitted anew, and why it was not, if so.
+        The subset fitted anew, or itself, and why what is known was not used, if so.
     """
     pair = _pair(best)
     if pair is None or known is None:
@@ -49,8 +49,14 @@ def with_known_play(
     return replace(again, penalty=best.penalty, spectrum=best.spectrum), ""
 
 
-def with_friction_judged(judgement: Judgement, best: Hypothesis) -> Judgement:
-    """A judgement that says so where play and friction are not parted, and claims no friction without play."""
+def with_friction_judged(judgement: Judgement, best: Hypothesis, *, play_known: bool) -> Judgement:
+    """A judgement that says so where play and friction are not parted, and claims no friction without play.
+
+    Args:
+        judgement: on the best subset.
+        best: that subset.
+        play_known: whether its play is one that was measured apart.
+    """
     pair = _pair(best)
     if pair is None:
         return judgement
@@ -59,7 +65,8 @@ def with_friction_judged(judgement: Judgement, best: Hypothesis) -> Judgement:
         return unclaimed(judgement, [friction.name], f"{friction.name} shows only with a {play.name} that is sure")
     numbers = {e.key: (float(v[0]), float(s[0])) for e, v, s in best.values()}
     (value, error), (holds, unsure) = numbers[play.key], numbers[friction.key]
-    if friction.name not in judgement.claimed or (error <= PARTED_PLAY * value and unsure <= PARTED_FRICTION):
+    sure = (play_known or error <= PARTED_PLAY * value) and unsure <= PARTED_FRICTION
+    if friction.name not in judgement.claimed or sure:
         return judgement
     scale = play.parameters[0].scale
     limit = (

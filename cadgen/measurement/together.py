@@ -22,8 +22,8 @@ AGREE = 1e-3
 # Play beyond this share of the tabled return error would have been seen: what is certainly less is none.
 NO_PLAY = 0.1
 
-# The same of friction: less than this a ball bearing has, with its seals.
-NO_FRICTION = 0.02
+# The same of friction: a ball bearing with its seals has less, a rod that slides more.
+NO_FRICTION = 0.03
 
 # Physical things -> their names by kind of data, the kind first that shows best what the car does.
 THINGS: dict[str, tuple[tuple[str, str], ...]] = {
