@@ -74,8 +74,9 @@ def tabled_play(design: Design) -> float | None:
 def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand | None:
     """What is known of the forces on the cam; None if the design has no [mechanics].
 
-    Where `optimize.hardware` allows a brake, its drag is one that holds. A friction that [as_built] has comes before the
-    band of [mechanics]; a return error that it has from a track without one was found without friction, and keeps that.
+    Where `optimize.hardware` allows a brake, its drag is one that holds. A friction that [as_built] has comes before
+    the band of [mechanics]; a return error that it has from a track without one was found without friction, and keeps
+    that.
 
     Args:
         design: the design.

@@ -234,9 +234,7 @@ def diagnose(
     )
 
 
-def _unnamed(
-    model: Model, evidence: Evidence, judgement: Judgement, best: Hypothesis, name: str
-) -> Finding | None:
+def _unnamed(model: Model, evidence: Evidence, judgement: Judgement, best: Hypothesis, name: str) -> Finding | None:
     """How much play or friction there could be where several runs and a sound verdict name none."""
     effect = next((e for e in model.catalogue if e.name == name), None)
     if effect is None or effect in best.effects or model.rows.runs < 2 or judgement.verdict not in SOUND:

@@ -7,6 +7,7 @@ from scipy.stats import f as f_distribution
 
 from cadgen.errors import FileError
 from cadgen.measurement.effects.base import DEG, UNITS, Array, causes
+from cadgen.measurement.effects.friction import NO_FRICTION
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import Hypothesis
 from cadgen.measurement.load import instrument
@@ -14,7 +15,7 @@ from cadgen.measurement.models.base import Model, highest_order
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.search import LARGEST_SUBSET
-from cadgen.measurement.verdict import WITHIN_ERROR, Judgement, unclaimed, within_error
+from cadgen.measurement.verdict import SIGMAS, WITHIN_ERROR, Judgement, unclaimed, within_error
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
@@ -118,13 +119,16 @@ def doubted(
             f"form error: there are more than {LARGEST_SUBSET} effects, so sizes are not sure and nothing is claimed."
         )
         return replace(judgement, verdict="ambiguous", sentence=sentence, claimed=())
-    stuck = {e.name: p.name for e in best.effects for p in e.parameters if p.name in best.at_bound and not e.shape}
+    # That there is no friction is as sure a finding as that there is some.
+    free = {e.name for e, v, s in best.values() if e.beside and v[0] + SIGMAS * s[0] <= NO_FRICTION}
+    named = [e for e in best.effects if not e.shape and e.name not in free]
+    stuck = {e.name: p.name for e in named for p in e.parameters if p.name in best.at_bound}
     for name, value in stuck.items():
         judgement = unclaimed(judgement, [name], f"{value} of {name} is on the bound of what can be")
     unsure = [
         e.name
         for e, values, sigma in best.values()
-        if within_error([p.unit for p in e.parameters], values, sigma) and not e.shape
+        if e in named and within_error([p.unit for p in e.parameters], values, sigma)
     ]
     return unclaimed(judgement, unsure, WITHIN_ERROR)
 

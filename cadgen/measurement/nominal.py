@@ -90,7 +90,9 @@ class Nominal:
         if record.kind == "transmission":
             if not self.ratios:
                 raise DesignError(f"{record.source}: the design has no gear train; add its stages to judge this file")
-            return TransmissionModel(record, self.lift, self.ratios, teeth=self.teeth, floor=self.train_error)
+            return TransmissionModel(
+                record, self.lift, self.ratios, self._forces, teeth=self.teeth, floor=self.train_error
+            )
         if record.kind == "track":
             return TrackModel(record, self.lift, self.car, self.track, self._forces, floor=self.form_error)
         raise DesignError(f"{record.source}: data of kind {record.kind} are not traced to effects of this design")

@@ -1,7 +1,7 @@
 """Compare every small subset of the catalogue by its linearised misfit, and hand the best to the exact fit.
 
-Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous ones (orders of waviness, places of bumps
-and steps) are tried beside the best of these, one at a time; one that wins joins the free ones in the next round.
+Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous
+ones (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that wins joins the free ones in the next round.
 After each round the catalogue is linearised anew about the best exact fit, until that no longer changes.
 """
 
@@ -27,6 +27,8 @@ REFINED = 5
 NAMED = 2
 BASES = 20
 ROUNDS = 4
+# What is left is more than chance if its chi-square is so many standard deviations above its mean.
+CHANCE = 3.0
 # Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
 COLLINEAR = 0.99999
 
@@ -151,10 +153,21 @@ def _promising(
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
     datum_start = [(e, v) for e, v in best.active if e in model.datum]
-    # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted.
-    beside = [r for r in rated[REFINED:] if any(e.beside for e in r.effects) and r not in named[:NAMED]]
-    chosen = rated[:REFINED] + named[:NAMED] + beside[:NAMED]
+    chosen = rated[:REFINED] + named[:NAMED]
+    if _leaves_more(model, evidence, best):
+        # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted.
+        beside: dict[frozenset[str], Rated] = {}
+        for r in rated:
+            if any(e.beside for e in r.effects):
+                beside.setdefault(frozenset(e.key for e in r.effects), r)
+        chosen += [r for r in list(beside.values())[:NAMED] if r not in chosen]
     return [(r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen]
+
+
+def _leaves_more(model: Model, evidence: Evidence, best: Hypothesis) -> bool:
+    """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?"""
+    left = evidence.standardise(model.residual(best.active), best.within)
+    return bool(left @ left > len(left) + CHANCE * np.sqrt(2 * len(left)))
 
 
 def _rate_free(this: Round, search: Search) -> Iterator[Rated]:

@@ -14,6 +14,7 @@ import numpy as np
 from scipy.stats import chi2
 
 from cadgen.measurement.diagnose import Diagnosis, Finding, Value
+from cadgen.measurement.effects.friction import NO_FRICTION
 from cadgen.measurement.names import Kind
 
 # Less likely than this, and the values are not those of one effect.
@@ -21,9 +22,6 @@ AGREE = 1e-3
 
 # Play beyond this share of the tabled return error would have been seen: what is certainly less is none.
 NO_PLAY = 0.1
-
-# The same of friction: a ball bearing with its seals has less, a rod that slides more.
-NO_FRICTION = 0.03
 
 # Physical things -> their names by kind of data, the kind first that shows best what the car does.
 THINGS: dict[str, tuple[tuple[str, str], ...]] = {

@@ -54,6 +54,8 @@ class World:
         slope = (np.roll(self.ends, -1) - self.ends) * CELLS / TURN
         # Friction above which each cell holds the cam; on a rise none is needed.
         self.holds = np.where(slope < 0, _ratio(built.follower, self.middle, slope), -1.0)
+        # The same of a cam that is turned back: its rises are falls.
+        self.holds_back = np.where(slope > 0, _ratio(built.follower, self.middle, -slope), -1.0)
 
     def cam(self, car: FrictionCar) -> np.ndarray:
         """Cell in which the cam stands while the motor is in each cell of the turn."""

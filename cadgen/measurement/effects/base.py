@@ -32,6 +32,7 @@ class Parameter:
         step: a small but visible value, for differences.
         start: where a search begins.
         meaning: of a positive value, or of the number; empty only for forms without a name.
+        stepwise: whether what is expected answers in steps, so that it is sought by trial instead of by slopes.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Parameter:
     step: float
     start: float = 0.0
     meaning: str = ""
+    stepwise: bool = False
 
     @property
     def scale(self) -> float:

@@ -8,6 +8,8 @@ from cadgen.measurement.effects.base import Array, Effect, Parameter
 
 # At which a search begins. The play is found about each in proportion; between two of them the exact fit finds its way.
 FRICTIONS = (0.1, 0.2, 0.3, 0.4, 0.5)
+# A ball bearing with its seals holds the cam by less than this, a rod that slides by more.
+NO_FRICTION = 0.03
 DRAG = ("drag on the camshaft",)
 MEASURE_FRICTION = (
     "measure the play with the rod lifted off the disc, where no friction holds the cam; and, the rod still lifted, "
