@@ -22,7 +22,8 @@ Build = Callable[[Record], Model]
 Step = Callable[[str], None]
 # Name of the play in the kinds of data that show it by themselves, and verdicts beside which its absence counts.
 PLAY = {"track": "backlash", "transmission": "return error"}
-FRICTION = "sliding friction"
+# The same of friction; a transmission that shows none was read with the rod lifted.
+FRICTION = {"track": "sliding friction"}
 SOUND = ("none", "traced", "combination")
 # What the linear datum freedoms of one run are, by kind: name, and each number with its unit.
 DATUM = {
@@ -230,7 +231,7 @@ def diagnose(
         active=[(e, v) for e, v in best.active if e in best.effects],
         measured=model.measured,
         unnamed_play=_unnamed(model, evidence, judgement, best, PLAY.get(model.kind, "")),
-        unnamed_friction=_unnamed(model, evidence, judgement, best, FRICTION),
+        unnamed_friction=_unnamed(model, evidence, judgement, best, FRICTION.get(model.kind, "")),
     )
 
 

@@ -1,7 +1,8 @@
 """Compare every small subset of the catalogue by its linearised misfit, and hand the best to the exact fit.
 
 Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous
-ones (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that wins joins the free ones in the next round.
+ones (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that wins
+joins the free ones in the next round.
 After each round the catalogue is linearised anew about the best exact fit, until that no longer changes.
 """
 

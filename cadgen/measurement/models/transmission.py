@@ -101,13 +101,26 @@ def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array
         drawn: where the rod draws the cam ahead and back, from `Forces.drawn`, at the cam's angle when it is pushed
             ahead; nowhere if left out.
     """
-    out, half, before, y = [], width / 2, -1, 0.0
+    out = np.empty(len(asked))
+    known: dict[bytes, Array] = {}
+    for number in np.unique(run):
+        mine = run == number
+        way = asked[mine]
+        key = way.tobytes()  # runs are mostly turned alike
+        if key not in known:
+            known[key] = _followed(way, width / 2, drawn)
+        out[mine] = known[key]
+    return out
+
+
+def _followed(asked: Array, half: float, drawn: tuple[Array, Array] | None) -> Array:
+    """The play operator on one run."""
+    out, y = [], float(asked[0])
     ahead, back = (stretches.tolist() for stretches in drawn) if drawn else ([], [])
     begins = [[begin for begin, _ in some] for some in (ahead, back)]
-    for u, number in zip(asked.tolist(), run.tolist(), strict=True):
-        y = u if number != before else min(max(y, u - half), u + half)
-        before = number
-        if drawn:
+    for number, u in enumerate(asked.tolist()):
+        y = min(max(y, u - half), u + half)
+        if drawn and number:
             at = (y + half) % _TURN
             if (inside := _inside(ahead, begins[0], at)) is not None:
                 y = min(y + inside[1] - at, u + half)
