@@ -123,10 +123,11 @@ class Search:
         """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(choices).
 
         Beforehand all sorts are alike likely, and so are the entries of one sort; every further cause is as unlikely as
-        the first, whatever others there are.
+        the first, whatever others there are. What acts beside another is no further cause: every rod rubs, and only
+        the number is paid for.
         """
-        named = [e.sort for e in effects if not e.shape]
-        anonymous = len(effects) - len(named)
+        named = [e.sort for e in effects if not (e.shape or e.beside)]
+        anonymous = sum(e.shape for e in effects)
         choices = sum(log(max(len(self.entries), 1) * self.entries.get(sort, 1)) for sort in named)
         return parameters * log(self.rows) + 2 * (choices + anonymous * log(self.shapes))
 

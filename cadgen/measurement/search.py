@@ -97,7 +97,7 @@ def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
     core = tuple(e for e in model.catalogue if not e.numerous)
     named = tuple(e for e in model.catalogue if e.numerous)
-    entries = Counter(e.sort for e in model.catalogue if not (e.shape or e.parts))
+    entries = Counter(e.sort for e in model.catalogue if not (e.shape or e.parts or e.beside))
     anonymous = len(model.shapes) + sum(e.shape for e in named)
     search = Search(len(model.rows.run), entries, max(anonymous, 1))
     none = fit(model, evidence, (), [], search)
