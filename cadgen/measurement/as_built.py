@@ -115,8 +115,12 @@ class AsBuilt:
     @property
     def runs_free(self) -> bool:
         """Whether the return error was found on a track as if the rod slid without friction."""
-        found = any(one.place == "car" and one.effect.name == BACKLASH.name and one.on_track for one in self.effects)
-        return found and self.friction is None
+        return self.shows_play_with_rod and self.friction is None
+
+    @property
+    def shows_play_with_rod(self) -> bool:
+        """Whether the return error, or that there is none, was found on a track."""
+        return any(one.place == "car" and one.effect.name == BACKLASH.name and one.on_track for one in self.effects)
 
     @property
     def phase(self) -> float:

@@ -25,7 +25,7 @@ from cadgen.measurement.record import Record
 from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
 from cadgen.measurement.verdict import Judgement
 from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
-from cadgen.motion.mechanics import Mechanics
+from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.workflow.cam import Step, plan_cam
 
@@ -103,6 +103,8 @@ class Calibration:
         claims: what the verdicts claim, with what is settled, and that there is no play where that was seen.
         settled: source of an ambiguous record -> what others decide in it.
         warnings: what does not fit, but was let pass.
+        holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
+            show a car without play.
     """
 
     design: Design
@@ -117,6 +119,7 @@ class Calibration:
     claims: tuple[Claim, ...]
     settled: dict[str, Settled]
     warnings: tuple[str, ...]
+    holds: tuple[float, float] | None = None
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
@@ -189,7 +192,7 @@ def calibrate(
     _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
     told: dict[str, Diagnosis] = {}
-    track_length = None
+    track_length, holds = None, None
     means = [s.record for s in sources if s.kind == ZONES]
     zones = _zone_means(design, join(means)) if means else None
     modelled = [s.record for s in sources if s.kind not in (STEERED, ZONES)]
@@ -199,11 +202,14 @@ def calibrate(
             known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
         track_length = known.track.length
         told.update((one.kind, one) for one in judge(modelled, known, step))
+        holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
     if logged := [s.record for s in sources if s.kind == STEERED]:
         wheelbase = _wheelbase(design, logged)
         told[STEERED] = calibrate_tricycle(logged, wheelbase[0], step)
     found = _claims(design, told.values(), zones)
+    if not any(c.absent and c.thing == "return error" and c.kind == "track" for c in found):
+        holds = None
     others = {d.source: [c for c in found if c.source != d.source] for d in told.values()}
     decided = {d.source: one for d in told.values() if (one := settled(d, others[d.source]))}
     return Calibration(
@@ -219,6 +225,7 @@ def calibrate(
         claims=(*found, *(claim for one in decided.values() for claim in one.claims)),
         settled=decided,
         warnings=tuple(_warnings(design, profile, sources)),
+        holds=holds,
     )
 
 
