@@ -213,7 +213,12 @@ def _friction_error(o: Outcome) -> float:
 
 
 def _lifted(o: Outcome) -> str:
-    return "-" if o.lifted is None else f"{o.lifted[0]:.3f}°, {o.lifted[1]:.3f}{'' if o.lifted[2] else ', not parted'}"
+    if o.lifted is None:
+        return "-"
+    play, friction, parted = o.lifted
+    if np.isnan(play) or np.isnan(friction):
+        return "not both named"
+    return f"{play:.3f}°, {friction:.3f}{'' if parted else ', not parted'}"
 
 
 def _shown(value: float | None, unit: str = "") -> str:

@@ -46,5 +46,6 @@ def rubbing(play: Effect, friction: Effect, act: Callable[[Any, Array, Any], Any
         family=play.family,
         variant=f"from {start:g}",
         numerous=True,
+        separated_by=friction.separated_by,
         parts=(play, friction),
     )
