@@ -124,6 +124,7 @@ class Diagnosis:
         measured: coordinate of each row of a track, mm; None for what is no track.
         known: effects that another record told, and that this one was judged with.
         unnamed_play: the play that a sound verdict does not name, fitted beside what it does; None otherwise.
+        play_known: whether the play found has in it what was measured of it apart.
         unnamed_friction: the same of friction beside a play that a track names.
     """
 
@@ -146,6 +147,7 @@ class Diagnosis:
     known: tuple[str, ...] = ()
     unnamed_play: Finding | None = None
     unnamed_friction: Finding | None = None
+    play_known: bool = False
 
     @property
     def verdict(self) -> str:
@@ -180,11 +182,13 @@ def diagnose(
     step(f"{record.source}: comparing all small subsets of {len(model.catalogue)} effects")
     found = find(model, evidence)
     judgement, best = judge(model, evidence, noise, found)
+    found_alone = best
     best, another = with_known_play(model, evidence, best, play)
+    play_known = best is not found_alone
     none = next(h for h in found if not h.effects)
     before, after = (registered(model, noise, model.residual(h.active)) for h in (none, best))
     judgement = doubted(judgement, record, model, noise, best, after, unfit(model, evidence, noise, best))
-    judgement = with_friction_judged(judgement, best, play_known=play is not None and not another)
+    judgement = with_friction_judged(judgement, best, play_known=play_known)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))
     own, repeating = [], []
@@ -232,6 +236,7 @@ def diagnose(
         measured=model.measured,
         unnamed_play=_unnamed(model, evidence, judgement, best, PLAY.get(model.kind, "")),
         unnamed_friction=_unnamed(model, evidence, judgement, best, FRICTION.get(model.kind, "")),
+        play_known=play_known,
     )
 
 

@@ -48,6 +48,7 @@ class Claim:
     Attributes:
         source, kind: of the record.
         finding: the effect with its values.
+        informed: True if its value has in it what other records say of this thing.
         remainder: True if an effect of this name was known from the profile, so that this is what it leaves.
     """
 
@@ -55,6 +56,7 @@ class Claim:
     kind: Kind
     finding: Finding
     remainder: bool = False
+    informed: bool = False
 
     @property
     def thing(self) -> str:
@@ -149,6 +151,8 @@ def at_work(found: Sequence[Claim]) -> tuple[Claim, Claim]:
     Where they agree it is the most accurate one, with the mean of all; where they do not, the one whose kind of data
     is nearest to what the car drives with, as it was found.
     """
+    if informed := next((claim for claim in found if claim.informed), None):
+        return informed, informed
     common = shared(found)
     if not (common and common[0].agrees):
         best = min(found, key=lambda claim: claim.rank)
@@ -161,7 +165,7 @@ def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
     """Things claimed in two records or more, with their common values."""
     out = []
     for thing in dict.fromkeys(claim.thing for claim in found):
-        several = [claim for claim in found if claim.thing == thing]
+        several = [claim for claim in found if claim.thing == thing and not claim.informed]
         if len({claim.source for claim in several}) > 1:
             values, chance = _mean([claim.finding for claim in several])
             out.append(Shared(thing, values, tuple(claim.source for claim in several), chance))
@@ -197,7 +201,8 @@ def settled(told: Diagnosis, others: Sequence[Claim]) -> Settled | None:
 
 
 def _claim(told: Diagnosis, finding: Finding) -> Claim:
-    return Claim(told.source, told.kind, finding, finding.effect in told.known)
+    informed = told.play_known and _thing(told.kind, finding.effect) == "return error"
+    return Claim(told.source, told.kind, finding, finding.effect in told.known, informed)
 
 
 def _thing(kind: str, effect: str) -> str:

@@ -189,3 +189,16 @@ def test_a_true_play_goes_by_the_friction_of_the_design():
     design = load_design(None, keys)
     assert variation.mechanics(design, stages.follower(design), stages.lift(design)).friction == (0.1, 0.3)
     assert variation.measured_play(design) == pytest.approx(radians(0.8))
+
+
+def test_a_play_that_has_the_others_in_it_is_taken_as_it_is():
+    from cadgen.measurement.diagnose import Finding, Value
+    from cadgen.measurement.together import Claim, at_work, shared
+
+    def claim(kind, effect, value, **more):
+        return Claim(kind, kind, Finding(effect, (Value("return_error_deg", value, 0.01, "deg"),), (), ()), **more)
+
+    train, track = claim("transmission", "return error", 0.80), claim("track", "backlash", 0.81, informed=True)
+    assert at_work([train, track]) == (track, track)
+    assert shared([train, track]) == ()
+    assert at_work([train, replace(track, informed=False)])[1].finding.values[0].value == pytest.approx(0.805)
