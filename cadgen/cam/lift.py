@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import degrees
+from math import degrees, factorial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,6 +91,21 @@ class LiftCurve:
             found = found[1:]
         return np.array([[a, min(b, a + _TURN)] for a, b in found]).reshape(-1, 2)
 
+    @cached_property
+    def mirrored(self) -> "LiftCurve":
+        """The lift of a cam that turns the other way: tan(beta) at minus the cam angle."""
+        x, degree = self.tan_beta.x, self.tan_beta.c.shape[0] - 1
+        taylor, derivative = [], self.tan_beta.c
+        for order in range(degree + 1):
+            value = np.zeros(len(x) - 1)
+            for row in derivative:
+                value = value * np.diff(x) + row
+            taylor.append((-1) ** order * value / factorial(order))
+            derivative = derivative[:-1] * np.arange(len(derivative) - 1, 0, -1)[:, None]
+        curve = PPoly(np.stack(taylor[::-1])[:, ::-1], _TURN - x[::-1], extrapolate="periodic")
+        level = None if self.known_level is None else _mirrored(self.known_level)
+        return LiftCurve(curve, (-self.kinks) % _TURN, _TURN, level)
+
     def extrema(self) -> tuple[Array, Array]:
         """Cam angles of the peaks and of the valleys of the lift, rad, in order."""
         slope = self.tan_beta.derivative()
@@ -100,6 +115,11 @@ class LiftCurve:
         probe = 1e-7
         before, after = slope(roots - probe), slope(roots + probe)
         return roots[(before > 0) & (after < 0)], roots[(before < 0) & (after > 0)]
+
+
+def _mirrored(stretches: Array) -> Array:
+    begin = (-stretches[:, 1]) % _TURN
+    return np.stack([begin, begin + stretches[:, 1] - stretches[:, 0]], axis=1)
 
 
 def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftCurve:

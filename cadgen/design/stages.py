@@ -58,7 +58,8 @@ def as_built(design: Design) -> AsBuilt:
         if one.place != "noted":
             known = one.known()
             values = tuple(one.numbers[p.name] * p.scale for p in known.parameters)
-            placed.append(Placed(known, values, one.place))
+            sigma = (one.values[0].sigma or 0.0) * known.parameters[0].scale
+            placed.append(Placed(known, values, one.place, sigma, one.kind == "track"))
     return AsBuilt(tuple(placed))
 
 

@@ -80,7 +80,9 @@ def tabled_play(design: Design) -> float | None:
 def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand | None:
     """What is known of the forces on the cam; None if the design has no [mechanics].
 
-    Where `optimize.hardware` allows a brake, its drag is one that holds.
+    Where `optimize.hardware` allows a brake, its drag is one that holds. A friction that [as_built] has comes before
+    the band of [mechanics]; a return error that it has from a track without one was found without friction, and keeps
+    that.
 
     Args:
         design: the design.
@@ -90,8 +92,10 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
     Raises:
         DesignError: the rod's force is used up somewhere on the lift, or the drive cannot turn the cam.
     """
-    given = design.mechanics
+    given, known = design.mechanics, stages.as_built(design)
     hardware = design.optimize.hardware or ()
+    if given is None and known.friction is not None and not hardware:
+        return MechanicsBand(follower=rod, friction=_measured(known.friction))
     if given is None:
         if hardware:
             raise DesignError(
@@ -100,7 +104,11 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
                 f"--set mechanics.friction_greatest={USUAL[1]:g}"
             )
         return None
-    if given.friction_least is None or given.friction_greatest is None:
+    if known.friction is not None:
+        friction = _measured(known.friction)
+    elif known.runs_free:
+        friction = 0.0, 0.0
+    elif given.friction_least is None or given.friction_greatest is None:
         material = design.follower.material or "steel"
         friction = friction_band(material, design.blank.material, greased=given.greased)
     else:
@@ -118,6 +126,12 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
         band = replace(band, drag=(need.drag, max(need.drag, band.drag[1])))
     _refuse_weak_drive(design, band, lift)
     return band
+
+
+def _measured(friction: tuple[float, float]) -> tuple[float, float]:
+    """Band of a measured friction: two standard deviations to either side; none about none."""
+    value, sigma = friction
+    return (max(value - 2 * sigma, 0.0), value + 2 * sigma) if value > 0 else (0.0, 0.0)
 
 
 def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve) -> None:

@@ -25,6 +25,7 @@ from cadgen.measurement.effects.disc import (
     lost_motion,
     ramped_reversal,
 )
+from cadgen.measurement.effects.track import BACKLASH, SLIDING_FRICTION
 from cadgen.measurement.models.lift import nominal_disc
 from cadgen.measurement.names import Place
 from cadgen.steering.car import Car
@@ -42,11 +43,18 @@ _OVERLAP = 1e-3
 
 @dataclass(frozen=True)
 class Placed:
-    """An effect, its values in mm and rad, and what becomes of it."""
+    """An effect, its values in mm and rad, and what becomes of it.
+
+    Attributes:
+        sigma: standard deviation of the first value; 0 if it is not known.
+        on_track: whether a track showed it.
+    """
 
     effect: Effect
     values: tuple[float, ...]
     place: Place
+    sigma: float = 0.0
+    on_track: bool = False
 
 
 @dataclass(frozen=True)
@@ -95,6 +103,24 @@ class AsBuilt:
     def play(self) -> float | None:
         """Return error B, rad; None if it was not found."""
         return self._of_car("return_error_deg") if "return_error_deg" in self._numbers() else None
+
+    @property
+    def friction(self) -> tuple[float, float] | None:
+        """Sliding friction between rod and disc, and its standard deviation; None if it was not found."""
+        for one in self.effects:
+            if one.place == "car" and one.effect.name == SLIDING_FRICTION.name:
+                return one.values[0], one.sigma
+        return None
+
+    @property
+    def runs_free(self) -> bool:
+        """Whether the return error was found on a track as if the rod slid without friction."""
+        return self.shows_play_with_rod and self.friction is None
+
+    @property
+    def shows_play_with_rod(self) -> bool:
+        """Whether the return error, or that there is none, was found on a track."""
+        return any(one.place == "car" and one.effect.name == BACKLASH.name and one.on_track for one in self.effects)
 
     @property
     def phase(self) -> float:

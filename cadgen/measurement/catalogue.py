@@ -10,6 +10,7 @@ from cadgen.measurement.effects.disc import LAST_LOBE, NOSE_WIDTHS_DEG, PROFILE_
 from cadgen.measurement.effects.lift import LIFT_EFFECTS
 from cadgen.measurement.effects.track import TRACK_EFFECTS
 from cadgen.measurement.effects.transmission import RATE, RETURN_ERROR, WIND_UP, runout, tooth_mesh
+from cadgen.measurement.effects.transmission import SLIDING_FRICTION as TRAIN_FRICTION
 from cadgen.measurement.effects.tricycle import TRICYCLE_EFFECTS
 from cadgen.measurement.names import Kind
 
@@ -17,7 +18,7 @@ _EFFECTS: dict[Kind, tuple[Effect, ...]] = {
     "lift": (*LIFT_EFFECTS, worn_nose(0, NOSE_WIDTHS_DEG[0])),
     "profile": (*PROFILE_EFFECTS, worn_nose(0, NOSE_WIDTHS_DEG[0]), undulation(2), undulation(LAST_LOBE + 1)),
     # Orders are those of the train; what is only noted does not need them.
-    "transmission": (RETURN_ERROR, RATE, WIND_UP, runout("the camshaft", 1.0), tooth_mesh(1, 1.0)),
+    "transmission": (RETURN_ERROR, TRAIN_FRICTION, RATE, WIND_UP, runout("the camshaft", 1.0), tooth_mesh(1, 1.0)),
     "track": TRACK_EFFECTS,
     "zones": (RETURN_ERROR,),
     "steered track": TRICYCLE_EFFECTS,

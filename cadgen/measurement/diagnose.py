@@ -1,13 +1,14 @@
 """From measured data to a verdict: noise, search, comparison of the rivals, and a test on runs left out."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved, unfit
 from cadgen.measurement.effects.base import UNITS, Active, Array, Effect
 from cadgen.measurement.evidence import Evidence
+from cadgen.measurement.friction import with_friction_judged, with_known_play
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.models.base import Model, per_run, slopes
 from cadgen.measurement.models.profile import ProfileModel
@@ -21,6 +22,8 @@ Build = Callable[[Record], Model]
 Step = Callable[[str], None]
 # Name of the play in the kinds of data that show it by themselves, and verdicts beside which its absence counts.
 PLAY = {"track": "backlash", "transmission": "return error"}
+# The same of friction; a transmission that shows none was read with the rod lifted.
+FRICTION = {"track": "sliding friction"}
 SOUND = ("none", "traced", "combination")
 # What the linear datum freedoms of one run are, by kind: name, and each number with its unit.
 DATUM = {
@@ -126,6 +129,8 @@ class Diagnosis:
         measured: coordinate of each row of a track, mm; None for what is no track.
         known: effects that another record told, and that this one was judged with.
         unnamed_play: the play that a sound verdict does not name, fitted beside what it does; None otherwise.
+        play_known: whether the play found has in it what was measured of it apart.
+        unnamed_friction: the same of friction beside a play that a track names.
     """
 
     source: str
@@ -146,6 +151,8 @@ class Diagnosis:
     measured: Array | None = None
     known: tuple[str, ...] = ()
     unnamed_play: Finding | None = None
+    unnamed_friction: Finding | None = None
+    play_known: bool = False
 
     @property
     def verdict(self) -> str:
@@ -158,13 +165,16 @@ class Diagnosis:
         return len(self.per_run.before)
 
 
-def diagnose(record: Record, build: Build, step: Step = lambda text: None) -> Diagnosis:
+def diagnose(
+    record: Record, build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
+) -> Diagnosis:
     """Trace what a record shows to effects, or say why not.
 
     Args:
         record: measured data of one kind.
         build: makes the forward model of a record; called again for records with some runs left out.
         step: told what is being done.
+        play: return error that was measured apart, and its standard deviation, rad.
 
     Raises:
         FileError: one run only, with too few rows to tell its noise.
@@ -177,9 +187,15 @@ def diagnose(record: Record, build: Build, step: Step = lambda text: None) -> Di
     step(f"{record.source}: comparing all small subsets of {len(model.catalogue)} effects")
     found = find(model, evidence)
     judgement, best = judge(model, evidence, noise, found)
+    found_alone = best
+    best, another = with_known_play(model, evidence, best, play)
+    play_known = best is not found_alone
     none = next(h for h in found if not h.effects)
     before, after = (registered(model, noise, model.residual(h.active)) for h in (none, best))
     judgement = doubted(judgement, record, model, noise, best, after, unfit(model, evidence, noise, best))
+    judgement = with_friction_judged(judgement, best, play_known=play_known)
+    if another:
+        judgement = replace(judgement, limits=(*judgement.limits, another))
     own, repeating = [], []
     for run in range(record.runs) if record.runs > 1 else ():
         step(f"{record.source}: run {run + 1} left out")
@@ -223,19 +239,22 @@ def diagnose(record: Record, build: Build, step: Step = lambda text: None) -> Di
         after=after,
         active=[(e, v) for e, v in best.active if e in best.effects],
         measured=model.measured,
-        unnamed_play=_unnamed_play(model, evidence, judgement, best),
+        unnamed_play=_unnamed(model, evidence, judgement, best, PLAY.get(model.kind, "")),
+        unnamed_friction=_unnamed(model, evidence, judgement, best, FRICTION.get(model.kind, "")),
+        play_known=play_known,
     )
 
 
-def _unnamed_play(model: Model, evidence: Evidence, judgement: Judgement, best: Hypothesis) -> Finding | None:
-    """How much play there could be where several runs and a sound verdict name none."""
-    name = PLAY.get(model.kind)
-    play = next((e for e in model.catalogue if e.name == name), None)
-    if play is None or play in best.effects or model.rows.runs < 2 or judgement.verdict not in SOUND:
+def _unnamed(model: Model, evidence: Evidence, judgement: Judgement, best: Hypothesis, name: str) -> Finding | None:
+    """How much play or friction there could be where several runs and a sound verdict name none."""
+    effect = next((e for e in model.catalogue if e.name == name), None)
+    if effect is None or effect in best.effects or model.rows.runs < 2 or judgement.verdict not in SOUND:
+        return None
+    if effect.beside and effect.beside not in judgement.claimed:
         return None
     # With the effects found free beside it, what they could hide of it widens its error.
-    beside = fit(model, evidence, (*best.effects, play), best.active, Search(1))
-    return next(_finding(beside, *entry) for entry in beside.values() if entry[0] == play)
+    beside = fit(model, evidence, (*best.effects, effect), best.active, Search(1))
+    return next(_finding(beside, *entry) for entry in beside.values() if entry[0] == effect)
 
 
 def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> Finding:

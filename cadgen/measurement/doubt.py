@@ -6,7 +6,8 @@ import numpy as np
 from scipy.stats import f as f_distribution
 
 from cadgen.errors import FileError
-from cadgen.measurement.effects.base import DEG, UNITS, Array
+from cadgen.measurement.effects.base import DEG, UNITS, Array, causes
+from cadgen.measurement.effects.friction import NO_FRICTION
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import Hypothesis
 from cadgen.measurement.load import instrument
@@ -14,7 +15,7 @@ from cadgen.measurement.models.base import Model, highest_order
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.search import LARGEST_SUBSET
-from cadgen.measurement.verdict import Judgement, unclaimed, within_error, within_words
+from cadgen.measurement.verdict import SIGMAS, Judgement, unclaimed, within_error, within_words
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
@@ -112,19 +113,22 @@ def doubted(
             f"what remains is {left / allowed:.1f} times what noise and the stated form error make: nothing is claimed"
         )
         return replace(judgement, claimed=(), limits=(*judgement.limits, limit))
-    if len(best.effects) == LARGEST_SUBSET and chance < UNFIT:
+    if causes(best.effects) == LARGEST_SUBSET and chance < UNFIT:
         sentence = (
             f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "
             f"form error: there are more than {LARGEST_SUBSET} effects, so sizes are not sure and nothing is claimed."
         )
         return replace(judgement, verdict="ambiguous", sentence=sentence, claimed=())
-    stuck = {e.name: p.name for e in best.effects for p in e.parameters if p.name in best.at_bound and not e.shape}
+    # That there is no friction is as sure a finding as that there is some.
+    free = {e.name for e, v, s in best.values() if e.beside and v[0] + SIGMAS * s[0] <= NO_FRICTION}
+    named = [e for e in best.effects if not e.shape and e.name not in free]
+    stuck = {e.name: p.name for e in named for p in e.parameters if p.name in best.at_bound}
     for name, value in stuck.items():
         judgement = unclaimed(judgement, [name], f"{value} of {name} is on the bound of what can be")
     unsure = [
         e.name
         for e, values, sigma in best.values()
-        if within_error([p.unit for p in e.parameters], values, sigma) and not e.shape
+        if e in named and within_error([p.unit for p in e.parameters], values, sigma)
     ]
     return unclaimed(judgement, unsure, within_words())
 

@@ -1,6 +1,6 @@
 """A subset of the catalogue, fitted exactly and scored."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from math import log
@@ -17,6 +17,8 @@ from cadgen.measurement.models.base import Model, slopes
 _MOST_STEPS = 12
 # However alike two effects are, both together must be narrowed by the data to a tenth of what was thought before.
 LEAST_PRICE = 2 * log(10)
+# Steps of the trials for a value that what is expected answers in steps, so many to either side, moved so often.
+_COARSE, _FINE, _REACH, _MOST_MOVES = 0.015, 0.0025, 6, 3
 # A fitted value this close to a bound, relative to the range, stands on it.
 _AT_BOUND = 1e-6
 
@@ -121,15 +123,23 @@ class Search:
         """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(choices).
 
         Beforehand all sorts are alike likely, and so are the entries of one sort; every further cause is as unlikely as
-        the first, whatever others there are.
+        the first, whatever others there are. What acts beside another is no further cause: every rod rubs, and only
+        the number is paid for.
         """
-        named = [e.sort for e in effects if not e.shape]
-        anonymous = len(effects) - len(named)
+        named = [e.sort for e in effects if not (e.shape or e.beside)]
+        anonymous = sum(e.shape for e in effects)
         choices = sum(log(max(len(self.entries), 1) * self.entries.get(sort, 1)) for sort in named)
         return parameters * log(self.rows) + 2 * (choices + anonymous * log(self.shapes))
 
 
-def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Active, search: Search) -> Hypothesis:
+def fit(
+    model: Model,
+    evidence: Evidence,
+    effects: tuple[Effect, ...],
+    start: Active,
+    search: Search,
+    known: Mapping[str, tuple[float, float]] | None = None,
+) -> Hypothesis:
     """Fit a subset and the datum exactly, with the form error as a random effect.
 
     Args:
@@ -138,6 +148,7 @@ def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Ac
         effects: the subset.
         start: values to begin from; effects without one begin at their own start.
         search: for the penalty.
+        known: value and standard deviation of effects' first numbers by the effects' keys, from other measurements.
     """
     chosen = (*model.datum, *effects)
     begin = {effect.key: values for effect, values in start}
@@ -150,14 +161,22 @@ def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Ac
     def active(values: Array) -> Active:
         return list(zip(chosen, np.split(values, cuts), strict=True)) if chosen else []
 
+    prior = _Prior(chosen, known or {})
+    stepwise = np.array([p.stepwise for e in chosen for p in e.parameters], dtype=bool)
+
     def white(values: Array, spectrum: int) -> Array:
-        return evidence.standardise(model.residual(active(values)), spectrum)
+        return np.append(evidence.standardise(model.residual(active(values)), spectrum), prior.residual(values))
 
     def tangents(values: Array, spectrum: int) -> Array:
-        return -evidence.standardise(slopes(model, chosen, active(values)), spectrum)
+        columns = slopes(model, chosen, active(values)) * ~stepwise
+        return np.vstack([-evidence.standardise(columns, spectrum), prior.rows])
 
-    residual = evidence.whiten(model.residual(active(x)))
-    misfit = evidence.misfit(residual)
+    def misfit_at(values: Array) -> Array:
+        return evidence.misfit(evidence.whiten(model.residual(active(values))))
+
+    if stepwise.any():
+        x, _ = _tried(misfit_at, x, stepwise, bounds, _COARSE)
+    misfit = misfit_at(x)
     spectrum = _least(misfit, evidence.within)
     covariance = np.empty((0, 0))
     if len(x):
@@ -175,12 +194,16 @@ def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Ac
                 max_nfev=_MOST_STEPS,
             )
             x = solution.x
-            misfit = evidence.misfit(evidence.whiten(model.residual(active(x))))
+            misfit = misfit_at(x)
             jacobian = np.asarray(solution.jac)
             covariance = np.linalg.pinv(jacobian.T @ jacobian)
             before, spectrum = spectrum, _least(misfit, evidence.within)
             if spectrum == before:
                 break
+        if stepwise.any():
+            x, variance = _tried(misfit_at, x, stepwise, bounds, _FINE)
+            covariance[np.diag_indices(len(x))] += np.where(stepwise, variance, 0.0)
+            misfit = misfit_at(x)
     near = 1e-3 * (upper - lower)
     names = [p.name for e in chosen for p in e.parameters]
     parameters = sum(len(e.parameters) for e in effects)
@@ -195,6 +218,38 @@ def fit(model: Model, evidence: Evidence, effects: tuple[Effect, ...], start: Ac
         spectrum=evidence.grid[spectrum],
         at_bound=tuple(n for n, v, a, b, w in zip(names, x, lower, upper, near, strict=True) if v < a + w or v > b - w),
     )
+
+
+def _tried(
+    misfit: Callable[[Array], Array], x: Array, stepwise: NDArray[np.bool_], bounds: Array, step: float
+) -> tuple[Array, float]:
+    """Values with the stepwise one at its likely mean over trials about it, and its variance."""
+    k = int(np.argmax(stepwise))
+    for _ in range(_MOST_MOVES):
+        trials = np.unique(np.clip(x[k] + step * np.arange(-_REACH, _REACH + 1), bounds[0, k], bounds[1, k]))
+        found = np.array([misfit(np.where(stepwise, trial, x)).min() for trial in trials])
+        weight = np.exp((found.min() - found) / 2)
+        weight /= weight.sum()
+        best, before = int(np.argmin(found)), x[k]
+        x = np.where(stepwise, weight @ trials, x)
+        if 0 < best < len(trials) - 1 or abs(x[k] - before) < step:
+            break
+    return x, float(weight @ (trials - x[k]) ** 2 + step**2 / 12)
+
+
+class _Prior:
+    """What is known of some values beforehand, as rows of a least-squares problem."""
+
+    def __init__(self, chosen: tuple[Effect, ...], known: Mapping[str, tuple[float, float]]) -> None:
+        starts = np.cumsum([0, *(len(e.parameters) for e in chosen)])
+        of = [(int(starts[i]), *known[e.key]) for i, e in enumerate(chosen) if e.key in known]
+        self.rows = np.zeros((len(of), int(starts[-1])))
+        self.mean = np.array([mean / sigma for _, mean, sigma in of])
+        for row, (column, _, sigma) in enumerate(of):
+            self.rows[row, column] = 1 / sigma
+
+    def residual(self, values: Array) -> Array:
+        return np.asarray(self.rows @ values - self.mean)
 
 
 def _overlap(covariance: Array, effects: tuple[Effect, ...], price: float) -> float:

@@ -15,8 +15,10 @@ from cadgen.errors import DesignError
 from cadgen.measurement.diagnose import Diagnosis, Step, diagnose
 from cadgen.measurement.effects.base import UNITS, Active, through
 from cadgen.measurement.effects.disc import Disc
+from cadgen.measurement.effects.transmission import RETURN_ERROR
 from cadgen.measurement.load import join
 from cadgen.measurement.models.base import Model
+from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.models.lift import LiftModel, nominal_disc
 from cadgen.measurement.models.profile import ProfileModel
 from cadgen.measurement.models.track import TrackModel
@@ -25,6 +27,7 @@ from cadgen.measurement.models.tricycle import TricycleModel
 from cadgen.measurement.record import Record
 from cadgen.measurement.steered import diagnose_steered
 from cadgen.measurement.units import refuse_wrong_log, refuse_wrong_units
+from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.sampled import sampled_lift
 from cadgen.path.track import Track
 from cadgen.steering.car import Car
@@ -50,6 +53,9 @@ class Nominal:
         form_error: stated form error of the disc, rms, mm.
         train_error: the same of the train, rms, rad.
         known: effects on the disc that the lift already has.
+        cut: lift that the cam was cut for, by whose slope friction holds the cam or lets it go; `lift` if left out.
+        mechanics: what the design says of rod force and drag; nothing if left out.
+        play: return error that was measured apart, with the rod lifted, and its standard deviation, rad.
     """
 
     lift: LiftCurve
@@ -62,6 +68,9 @@ class Nominal:
     form_error: float = MACHINED_UM / 1e3
     train_error: float = TRAIN_DEG * pi / 180
     known: Active = ()
+    cut: LiftCurve | None = None
+    mechanics: Mechanics | None = None
+    play: tuple[float, float] | None = None
 
     @cached_property
     def disc(self) -> Disc:
@@ -81,10 +90,16 @@ class Nominal:
         if record.kind == "transmission":
             if not self.ratios:
                 raise DesignError(f"{record.source}: the design has no gear train; add its stages to judge this file")
-            return TransmissionModel(record, self.lift, self.ratios, teeth=self.teeth, floor=self.train_error)
+            return TransmissionModel(
+                record, self.lift, self.ratios, self._forces, teeth=self.teeth, floor=self.train_error
+            )
         if record.kind == "track":
-            return TrackModel(record, self.lift, self.car, self.track, self.follower.inner, floor=self.form_error)
+            return TrackModel(record, self.lift, self.car, self.track, self._forces, floor=self.form_error)
         raise DesignError(f"{record.source}: data of kind {record.kind} are not traced to effects of this design")
+
+    @property
+    def _forces(self) -> Forces:
+        return Forces(self.cut or self.lift, self.mechanics or Mechanics(follower=self.follower))
 
     def with_disc(self, known: Active) -> "Nominal":
         """The same with a disc that is known to differ: what is measured behind it is not blamed for that again.
@@ -104,13 +119,14 @@ class Nominal:
         )
         steering = self.lift.tan_beta(angle) + after - before
         lift = sampled_lift(angle, steering, blend_start=self.lift.blend_start, level=self.lift.level)
-        return replace(self, lift=lift, known=(*self.known, *known))
+        return replace(self, lift=lift, known=(*self.known, *known), cut=self.cut or self.lift)
 
 
 def calibrate(records: Sequence[Record], nominal: Nominal, step: Step = lambda text: None) -> tuple[Diagnosis, ...]:
     """Diagnose several records; those of one kind are taken together.
 
-    The effects on the disc that a profile's verdict claims are known to the lift and the track.
+    The effects on the disc that a profile's verdict claims are known to the lift and the track; the return error that a
+    transmission's claims, to a track that shows friction.
 
     Raises:
         DesignError, FileError: see `Nominal.model`, `load.join` and `units.refuse_wrong_units`.
@@ -121,15 +137,27 @@ def calibrate(records: Sequence[Record], nominal: Nominal, step: Step = lambda t
         refuse_wrong_units(record, nominal)
     told = {}
     behind, names = nominal, tuple[str, ...]()
-    for kind in sorted(joined, key=lambda kind: kind != "profile"):
+    play = nominal.play
+    for kind in sorted(joined, key=lambda kind: ("profile", "transmission", "lift", "track").index(kind)):
         if kind in BEHIND_THE_DISC:
-            told[kind] = _behind(diagnose(joined[kind], behind.model, step), joined[kind], nominal, names)
+            told[kind] = _behind(diagnose(joined[kind], behind.model, step, play), joined[kind], nominal, names)
             continue
         told[kind] = diagnose(joined[kind], nominal.model, step)
+        if kind == "transmission":
+            play = _play(told[kind]) or play
         if kind == "profile":
             known = [(e, v) for e, v in told[kind].active if e.name in told[kind].judgement.claimed]
             behind, names = nominal.with_disc(known), tuple(e.name for e, _ in known)
     return tuple(told[kind] for kind in kinds)
+
+
+def _play(told: Diagnosis) -> tuple[float, float] | None:
+    """Return error that a transmission's data claim, and its standard deviation, rad."""
+    for finding in told.findings:
+        if finding.effect == RETURN_ERROR.name and finding.effect in told.judgement.claimed:
+            (value,) = finding.values
+            return value.value * UNITS[value.unit], value.sigma * UNITS[value.unit]
+    return None
 
 
 def _behind(told: Diagnosis, record: Record, nominal: Nominal, names: tuple[str, ...]) -> Diagnosis:

@@ -47,7 +47,7 @@ def _row(effect: Effect) -> str:
 
 
 def _number(p: Parameter) -> str:
-    space = "" if p.unit == "deg" else " "
+    space = "" if p.unit in ("deg", "") else " "
     return f"`{p.name}` ({p.lower:g} to {p.upper:g}{space}{_UNITS[p.unit]}): {p.meaning}"
 
 

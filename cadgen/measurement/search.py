@@ -1,7 +1,8 @@
 """Compare every small subset of the catalogue by its linearised misfit, and hand the best to the exact fit.
 
-Subsets of up to three freely combining effects are all tried. The numerous ones (orders of waviness, places of bumps
-and steps) are tried beside the best of these, one at a time; one that wins joins the free ones in the next round.
+Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous
+ones (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that wins
+joins the free ones in the next round.
 After each round the catalogue is linearised anew about the best exact fit, until that no longer changes.
 """
 
@@ -14,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
-from cadgen.measurement.effects.base import Active, Array, Effect
+from cadgen.measurement.effects.base import Active, Array, Effect, causes
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.models.base import Model, slopes
@@ -27,6 +28,8 @@ REFINED = 5
 NAMED = 2
 BASES = 20
 ROUNDS = 4
+# What is left is more than chance if its chi-square is so many standard deviations above its mean.
+CHANCE = 3.0
 # Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
 COLLINEAR = 0.99999
 
@@ -57,8 +60,11 @@ class Numerous:
         self.effects, self.spans = columns.effects, columns.spans
         self.white = evidence.whiten(columns.values)
         self.halves = evidence.halves(self.white)
-        widths = np.array([s.stop - s.start for s in self.spans], dtype=np.intp)
-        self.groups = [self._group(int(width), np.flatnonzero(widths == width)) for width in np.unique(widths)]
+        sorts = [(s.stop - s.start, bool(e.parts)) for e, s in zip(self.effects, self.spans, strict=True)]
+        self.groups = [
+            self._group(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
+            for sort in sorted(set(sorts))
+        ]
 
     def _group(self, width: int, which: Index) -> tuple[int, Index, Index, Array]:
         """Effects that have so many columns, the columns, shape (k, width), and their products (g, k, width, width)."""
@@ -91,7 +97,7 @@ def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
     core = tuple(e for e in model.catalogue if not e.numerous)
     named = tuple(e for e in model.catalogue if e.numerous)
-    entries = Counter(e.sort for e in model.catalogue if not e.shape)
+    entries = Counter(e.sort for e in model.catalogue if not (e.shape or e.parts or e.beside))
     anonymous = len(model.shapes) + sum(e.shape for e in named)
     search = Search(len(model.rows.run), entries, max(anonymous, 1))
     none = fit(model, evidence, (), [], search)
@@ -142,25 +148,36 @@ def _promising(
         np.arange(width, width + datum.shape[1]),
     )
     rated = sorted(_rate_free(this, search), key=lambda r: r.score)
-    bases = [r for r in rated if len(r.effects) < LARGEST_SUBSET][:BASES]
+    bases = [r for r in rated if causes(r.effects) < LARGEST_SUBSET][:BASES]
     rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
     rated.sort(key=lambda r: r.score)
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
     datum_start = [(e, v) for e, v in best.active if e in model.datum]
     chosen = rated[:REFINED] + named[:NAMED]
+    if _leaves_more(model, evidence, best):
+        # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted.
+        beside: dict[frozenset[str], Rated] = {}
+        for r in rated:
+            if any(e.beside for e in r.effects):
+                beside.setdefault(frozenset(e.key for e in r.effects), r)
+        chosen += [r for r in list(beside.values())[:NAMED] if r not in chosen]
     return [(r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen]
+
+
+def _leaves_more(model: Model, evidence: Evidence, best: Hypothesis) -> bool:
+    """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?"""
+    left = evidence.standardise(model.residual(best.active), best.within)
+    return bool(left @ left > len(left) + CHANCE * np.sqrt(2 * len(left)))
 
 
 def _rate_free(this: Round, search: Search) -> Iterator[Rated]:
     """Every subset of the freely combining effects."""
     free = this.free
     bundles: dict[int, list[tuple[int, ...]]] = {0: [()]}
-    for size in range(1, LARGEST_SUBSET + 1):
-        for subset in combinations(range(len(free.effects)), size):
-            if _compatible([free.effects[i] for i in subset]):
-                width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
-                bundles.setdefault(width, []).append(subset)
+    for subset in _subsets(free.effects):
+        width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
+        bundles.setdefault(width, []).append(subset)
     for width, subsets in bundles.items():
         columns = np.array(
             [np.concatenate([_range(free.spans[i]) for i in subset] or [_range(slice(0, 0))]) for subset in subsets]
@@ -175,8 +192,22 @@ def _rate_free(this: Round, search: Search) -> Iterator[Rated]:
                 yield Rated(float(score[row]) + search.penalty(effects, width), effects, values, columns[row])
 
 
+def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
+    """Places of effects that may be at work together, but for none at all."""
+    alone = [i for i, e in enumerate(effects) if not e.beside]
+    for size in range(1, LARGEST_SUBSET + 1):
+        for subset in combinations(alone, size):
+            chosen = [effects[i] for i in subset]
+            if not _compatible(chosen):
+                continue
+            names = {e.name for e in chosen}
+            companions = [i for i, e in enumerate(effects) if e.beside in names]
+            for more in range(len(companions) + 1):
+                yield from (tuple(sorted(subset + some)) for some in combinations(companions, more))
+
+
 def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
-    """A subset with each of the numerous effects in turn, by the Schur complement; the best few of each width."""
+    """A subset with each of the numerous effects in turn, by the Schur complement; the best few of each group."""
     held = np.concatenate([base.columns, this.always])
     inner = this.products[:, held[:, None], held]
     right = np.concatenate([this.cross[:, held], this.products[:, held, -1:]], axis=2)
@@ -195,6 +226,7 @@ def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> It
             tail[:width] = estimate[row]
             values = np.concatenate([base.estimate, tail])
             if sound[row] and _compatible(list(effects)) and _possible(effects, values):
+                effects = tuple(part for e in effects for part in (e.parts or (e,)))
                 penalty = search.penalty(effects, sum(len(e.parameters) for e in effects))
                 yield Rated(float(score[row]) + penalty, effects, values, base.columns)
 

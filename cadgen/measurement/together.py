@@ -14,6 +14,7 @@ import numpy as np
 from scipy.stats import chi2
 
 from cadgen.measurement.diagnose import Diagnosis, Finding, Value
+from cadgen.measurement.effects.friction import NO_FRICTION
 from cadgen.measurement.names import Kind
 
 # Less likely than this, and the values are not those of one effect.
@@ -31,6 +32,7 @@ THINGS: dict[str, tuple[tuple[str, str], ...]] = {
         ("lift", "backlash"),
         ("lift", "backlash, held by the spring"),
     ),
+    "sliding friction": (("track", "sliding friction"), ("transmission", "sliding friction")),
     "cam phase": (("track", "cam phase"), ("lift", "phase")),
     "eccentric bore": (("profile", "eccentric bore"), ("lift", "eccentric bore")),
     "worn nose": (("profile", "worn nose"), ("lift", "worn nose")),
@@ -46,6 +48,7 @@ class Claim:
     Attributes:
         source, kind: of the record.
         finding: the effect with its values.
+        informed: True if its value has in it what other records say of this thing.
         remainder: True if an effect of this name was known from the profile, so that this is what it leaves.
     """
 
@@ -53,6 +56,7 @@ class Claim:
     kind: Kind
     finding: Finding
     remainder: bool = False
+    informed: bool = False
 
     @property
     def thing(self) -> str:
@@ -125,8 +129,17 @@ def no_play(source: str, kind: Kind, fitted: Finding, tabled_deg: float) -> Clai
         fitted: the play beside what the verdict names.
         tabled_deg: return error that would be assumed without this record.
     """
+    return _absent(source, kind, fitted, NO_PLAY * tabled_deg)
+
+
+def no_friction(source: str, kind: Kind, fitted: Finding) -> Claim | None:
+    """The claim that the rod slides freely, or None where the data would not have shown friction; see `no_play`."""
+    return _absent(source, kind, fitted, NO_FRICTION)
+
+
+def _absent(source: str, kind: Kind, fitted: Finding, most: float) -> Claim | None:
     (value,) = fitted.values
-    if not (value.sigma > 0 and abs(value.value) + 2 * value.sigma <= NO_PLAY * tabled_deg):
+    if not (value.sigma > 0 and abs(value.value) + 2 * value.sigma <= most):
         return None
     none = replace(value, value=0.0, sigma=hypot(value.value, value.sigma))
     return Claim(source, kind, replace(fitted, values=(none,), at_bound=()))
@@ -138,6 +151,8 @@ def at_work(found: Sequence[Claim]) -> tuple[Claim, Claim]:
     Where they agree it is the most accurate one, with the mean of all; where they do not, the one whose kind of data
     is nearest to what the car drives with, as it was found.
     """
+    if informed := next((claim for claim in found if claim.informed), None):
+        return informed, informed
     common = shared(found)
     if not (common and common[0].agrees):
         best = min(found, key=lambda claim: claim.rank)
@@ -150,7 +165,7 @@ def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
     """Things claimed in two records or more, with their common values."""
     out = []
     for thing in dict.fromkeys(claim.thing for claim in found):
-        several = [claim for claim in found if claim.thing == thing]
+        several = [claim for claim in found if claim.thing == thing and not claim.informed]
         if len({claim.source for claim in several}) > 1:
             values, chance = _mean([claim.finding for claim in several])
             out.append(Shared(thing, values, tuple(claim.source for claim in several), chance))
@@ -186,7 +201,8 @@ def settled(told: Diagnosis, others: Sequence[Claim]) -> Settled | None:
 
 
 def _claim(told: Diagnosis, finding: Finding) -> Claim:
-    return Claim(told.source, told.kind, finding, finding.effect in told.known)
+    informed = told.play_known and _thing(told.kind, finding.effect) == "return error"
+    return Claim(told.source, told.kind, finding, finding.effect in told.known, informed)
 
 
 def _thing(kind: str, effect: str) -> str:

@@ -89,6 +89,15 @@ def levers(lift: LiftCurve, follower: Follower, theta: Array) -> Levers:
     )
 
 
+def holding_friction(lift: LiftCurve, follower: Follower) -> tuple[float, float]:
+    """Sliding friction from which on a cam without drag never leads, and the cam angle that takes it, rad."""
+    theta = np.arange(0.0, TURN, _STEP)
+    at = levers(lift, follower, theta)
+    needed = np.where(at.driving > 0, at.driving / at.holding, 0.0)
+    most = int(np.argmax(needed))
+    return float(needed[most]), float(theta[most])
+
+
 @dataclass(frozen=True, kw_only=True)
 class Mechanics:
     """Forces on the cam of one car.

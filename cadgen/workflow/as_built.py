@@ -23,7 +23,8 @@ def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
     given = design.as_built
     if given is None:
         return None
-    phase = stages.as_built(design).phase
+    known = stages.as_built(design)
+    phase = known.phase
     return {
         "measured_with": given.profile,
         "sources": [source.model_dump(mode="json") for source in given.sources],
@@ -35,6 +36,8 @@ def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
             "wheel_turns": None if design.train is None else stop / TURN * float(gears.train(design).ratio),
         },
         "play_measured": variation.measured_play(design) is not None,
+        "friction_measured": None if known.friction is None else known.friction[0],
+        "play_found_without_friction": known.runs_free,
         "phase_deg": degrees(phase),
         "key_turned_deg": -degrees(phase) if stages.has_key(design) else None,
     }
@@ -49,6 +52,7 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
     lines = [f"As built: {_told(used)}." if used else "As built: nothing that a cam or a run depends on."]
     if noted:
         lines.append(f"Only noted: {_told(noted)}.")
+    lines += _friction_sentences(design)
     if abs(stop - _stop_as_designed(design)) > _LEAST_SHIFT:
         turns = ""
         if design.train is not None:
@@ -67,6 +71,29 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
             "measured one stood: without a keyway or D-flat nothing does it for you."
         )
     return lines
+
+
+def _friction_sentences(design: Design) -> list[str]:
+    """What the play goes by that a track showed, and that a car without play may be held."""
+    known = stages.as_built(design)
+    if known.play == 0 and known.shows_play_with_rod and known.friction is None:
+        return [
+            "The car showed no play with the rod on: its gears have none, or friction or drag holds the cam, and then "
+            "oil or shaking sets it free: measure the play with the rod lifted."
+        ]
+    if known.runs_free and known.play:
+        instead = " instead of the friction of [mechanics]" if design.mechanics is not None else ""
+        return [
+            f"The return error was found on a track as if the rod slid without friction, and is used so{instead}: "
+            "calibrate that track again to look for friction too; a play measured with the rod lifted belongs in "
+            "play.measured_deg."
+        ]
+    if known.friction is not None and known.friction[0] > 0:
+        return [
+            "Friction was measured on this car as it was then: oil, wear or shaking change it, and with it where the "
+            "cam leads its gears."
+        ]
+    return []
 
 
 def assumed_play(design: Design) -> list[str]:

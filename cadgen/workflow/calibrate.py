@@ -3,12 +3,14 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import degrees, pi
+from math import degrees, pi, radians
 from pathlib import Path
 
 import numpy as np
 
 from cadgen.cam.contact import roll_curve
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
 from cadgen.design import gears, stages, variation
 from cadgen.design.schema import Design
 from cadgen.errors import FileError
@@ -20,9 +22,10 @@ from cadgen.measurement.names import Kind, Place
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal, calibrate_tricycle
 from cadgen.measurement.nominal import calibrate as judge
 from cadgen.measurement.record import Record
-from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_play, settled, shared
+from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
 from cadgen.measurement.verdict import Judgement
 from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
+from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.workflow.cam import Step, plan_cam
 
@@ -31,6 +34,7 @@ ZONES: Kind = "zones"
 # Profiles whose planned lift is what the rod gets from them.
 _EXACT = ("actual", "theoretical", "optimized", "compensated", "smoothed", "smoothed+compensated")
 _STATIONS = 3600  # at which any other is rolled
+INCLINOMETER_DEG = 0.01  # standard deviation of play.measured_deg
 
 
 @dataclass(frozen=True)
@@ -99,6 +103,8 @@ class Calibration:
         claims: what the verdicts claim, with what is settled, and that there is no play where that was seen.
         settled: source of an ambiguous record -> what others decide in it.
         warnings: what does not fit, but was let pass.
+        holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
+            show a car without play.
     """
 
     design: Design
@@ -113,6 +119,7 @@ class Calibration:
     claims: tuple[Claim, ...]
     settled: dict[str, Settled]
     warnings: tuple[str, ...]
+    holds: tuple[float, float] | None = None
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
@@ -185,19 +192,24 @@ def calibrate(
     _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
     told: dict[str, Diagnosis] = {}
-    track_length = None
+    track_length, holds = None, None
+    means = [s.record for s in sources if s.kind == ZONES]
+    zones = _zone_means(design, join(means)) if means else None
     modelled = [s.record for s in sources if s.kind not in (STEERED, ZONES)]
     if modelled:
         known = replace(nominal or nominal_of(design, profile, step), form_error=floor * 1e-3)
+        if zones is not None and zones.judgement.claimed:
+            known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
         track_length = known.track.length
         told.update((one.kind, one) for one in judge(modelled, known, step))
+        holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
     if logged := [s.record for s in sources if s.kind == STEERED]:
         wheelbase = _wheelbase(design, logged)
         told[STEERED] = calibrate_tricycle(logged, wheelbase[0], step)
-    means = [s.record for s in sources if s.kind == ZONES]
-    zones = _zone_means(design, join(means)) if means else None
     found = _claims(design, told.values(), zones)
+    if not any(c.absent and c.thing == "return error" and c.kind == "track" for c in found):
+        holds = None
     others = {d.source: [c for c in found if c.source != d.source] for d in told.values()}
     decided = {d.source: one for d in told.values() if (one := settled(d, others[d.source]))}
     return Calibration(
@@ -213,6 +225,7 @@ def calibrate(
         claims=(*found, *(claim for one in decided.values() for claim in one.claims)),
         settled=decided,
         warnings=tuple(_warnings(design, profile, sources)),
+        holds=holds,
     )
 
 
@@ -237,14 +250,18 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
     plan = plan_cam(design, profile, step)
     bare = design.as_designed()
     follower = replace(stages.follower(bare), radius=plan.follower.radius and stages.follower(bare).radius)
-    lift = plan.lift
+    lift = cut = plan.lift
     if design.as_built is not None or profile not in _EXACT:
         # What is cut gives the rod of the designed car another lift than the planned one.
         angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
         lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
+        cut = cut if profile in _EXACT else lift
     ratios, teeth = _train(design)
     return Nominal(
         lift=lift,
+        cut=cut,
+        mechanics=_forces(bare, follower, cut),
+        play=_measured_play(bare),
         follower=follower,
         profile=plan.on_shaft,
         car=stages.car(bare),
@@ -252,6 +269,18 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
         ratios=ratios,
         teeth=teeth,
     )
+
+
+def _forces(design: Design, rod: Follower, lift: LiftCurve) -> Mechanics | None:
+    """Rod force and drag by [mechanics]; None without it."""
+    band = variation.mechanics(design, rod, lift)
+    return None if band is None else band.nominal
+
+
+def _measured_play(design: Design) -> tuple[float, float] | None:
+    """Return error of [play] that was measured with the rod lifted, and its standard deviation, rad."""
+    given = None if design.play is None else design.play.measured_deg
+    return None if given is None else (radians(given), radians(INCLINOMETER_DEG))
 
 
 def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
@@ -270,6 +299,8 @@ def _claims(design: Design, told: Iterable[Diagnosis], zones: ZoneMeans | None) 
         found += claims(one)
         if tabled is not None and one.unnamed_play is not None:
             found.append(no_play(one.source, one.kind, one.unnamed_play, degrees(tabled)))
+        if one.unnamed_friction is not None:
+            found.append(no_friction(one.source, one.kind, one.unnamed_friction))
     if zones is not None and zones.judgement.claimed:
         found.append(Claim(zones.source, ZONES, zones.finding))
     elif zones is not None and tabled is not None and zones.judgement.verdict in SOUND:

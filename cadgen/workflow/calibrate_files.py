@@ -149,6 +149,7 @@ def _record(told: Diagnosis) -> dict[str, Any]:
         "known_from_profile": list(told.known),
         "effects": [_finding(f, f.effect in j.claimed) for f in told.findings],
         "unnamed_play": told.unnamed_play and _finding(told.unnamed_play),
+        "unnamed_friction": told.unnamed_friction and _finding(told.unnamed_friction),
         "datum": [_finding(f) for f in told.datum],
         "unit": told.unit,
         "residual": {

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from cadgen.design.section import listed
 from cadgen.measurement.catalogue import named
 from cadgen.measurement.diagnose import Diagnosis, Finding, Value
+from cadgen.measurement.effects.friction import MEASURE_FRICTION
 from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
 from cadgen.workflow.calibrate import STEERED, Built, Calibration, Source, ZoneMeans
@@ -248,7 +249,21 @@ def _together(c: Calibration) -> list[Block]:
 def _built(c: Calibration) -> list[Block]:
     if not c.built:
         return [Heading("as built"), "Nothing is claimed, so there is no as-built design."]
-    return [Heading("as built"), *(sentence(one) for one in c.built)]
+    return [Heading("as built"), *(sentence(one) for one in c.built), *_held(c)]
+
+
+def _held(c: Calibration) -> list[Block]:
+    """That a car without play may be held by friction or drag."""
+    if c.holds is None:
+        return []
+    friction, angle = c.holds
+    most = c.design.mechanics.drag_Nmm[1] if c.design.mechanics else 0.0
+    drag = f"the drag of up to {most:g} N·mm that the design has" if most else "drag"
+    return [
+        f"No play shows on this track, though the design allows some. Either the gears have none, or the cam is held: "
+        f"sliding friction above {friction:.2f} does that everywhere (at {np.degrees(angle):.0f}° it takes most), or "
+        f"{drag}, and oil or shaking would set it free. To know, {MEASURE_FRICTION}."
+    ]
 
 
 def sentence(one: Built) -> str:

@@ -38,6 +38,7 @@ def test_one_thing_is_at_work_once_and_by_the_data_that_show_it_best(car):
     assert places == [
         ("transmission", "return error", "noted"),
         ("track", "backlash", "car"),
+        ("track", "sliding friction", "car"),
         ("zones", "return error", "noted"),
     ]
     # 1.66, 0.86 and 0.81 degrees are not one return error.

@@ -32,6 +32,7 @@ class Parameter:
         step: a small but visible value, for differences.
         start: where a search begins.
         meaning: of a positive value, or of the number; empty only for forms without a name.
+        stepwise: whether what is expected answers in steps, so that it is sought by trial instead of by slopes.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Parameter:
     step: float
     start: float = 0.0
     meaning: str = ""
+    stepwise: bool = False
 
     @property
     def scale(self) -> float:
@@ -66,6 +68,8 @@ class Effect:
         includes: name of an effect that this one becomes for some values.
         places: where the effect may be, the likeliest first; any effect may be `noted`.
         given: numbers that are not fitted but make it this effect, by the names they are written under.
+        beside: name of the effect without which it does nothing; with that it counts as one cause.
+        parts: effects that it stands for while a search begins, each with its share of the parameters in order.
         variant: tells entries of one name apart (which nose, from which width the search begins).
     """
 
@@ -83,6 +87,8 @@ class Effect:
     includes: str = ""
     places: tuple[Place, ...] = ("noted",)
     given: tuple[tuple[str, float], ...] = ()
+    beside: str = ""
+    parts: tuple["Effect", ...] = ()
 
     @property
     def key(self) -> str:
@@ -112,6 +118,11 @@ class Effect:
 
 
 Active = Sequence[tuple[Effect, Array]]
+
+
+def causes(effects: Iterable[Effect]) -> int:
+    """How many causes effects have: what acts beside another adds none."""
+    return sum(not effect.beside for effect in effects)
 
 
 def through(stage: str, thing: Thing, active: Iterable[tuple[Effect, Array]], at: Any) -> Thing:

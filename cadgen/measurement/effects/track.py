@@ -3,6 +3,9 @@
 Stages: `drive` (the `Drive`: numbers of the car and its train), `cam` (cam angle), `lever` (tan beta of the rod ->
 of the fork), `steering` (-> of the front wheel). `at` are the `Rows` of the stations.
 
+Friction and drag hold the cam on the gentler parts of each fall, where it would else run ahead by the play: they do
+nothing without play, and act beside it.
+
 A gain of the lever and an error of the wheelbase turn every curvature into the same other one,
 -(1 + g) T / (L + A1 (1 + g) T) = -T / (L / (1 + g) + A1 T), so no track can tell them apart; nor, but for a second
 order in the angle, a yaw of the rear axle from a steering zero.
@@ -13,6 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cadgen.measurement.effects.base import Array, Effect, Parameter
+from cadgen.measurement.effects.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
 
 _TURN = 2 * np.pi
 
@@ -26,6 +30,7 @@ class Drive:
         drive_wheel_offset: A1, mm.
         length: travel of the drive wheel for one turn of the cam, mm.
         play: return error at the camshaft, rad.
+        friction: sliding, between rod and disc.
         slip: share of the travel lost for each unit of |tan beta|.
     """
 
@@ -33,6 +38,7 @@ class Drive:
     drive_wheel_offset: float
     length: float
     play: float = 0.0
+    friction: float = 0.0
     slip: float = 0.0
 
 
@@ -52,6 +58,14 @@ def _play(drive: Drive, p: Array, at: object) -> Drive:
     return replace(drive, play=float(p[0]))
 
 
+def _friction(drive: Drive, p: Array, at: object) -> Drive:
+    return replace(drive, friction=float(p[0]))
+
+
+def _rubbing(drive: Drive, p: Array, at: object) -> Drive:
+    return _friction(_play(drive, p[:1], at), p[1:], at)
+
+
 def _phase(angle: Array, p: Array, at: object) -> Array:
     return np.asarray(angle + p[0])
 
@@ -64,6 +78,37 @@ def _zero(steering: Array, p: Array, at: object) -> Array:
 def _gain(steering: Array, p: Array, at: object) -> Array:
     return np.asarray(steering * (1 + p[0]))
 
+
+BACKLASH = Effect(
+    name="backlash",
+    stage="drive",
+    parameters=(
+        Parameter(
+            name="return_error_deg",
+            unit="deg",
+            lower=0.0,
+            upper=4.0,
+            step=0.02,
+            meaning="whole play at the camshaft, between two stops",
+        ),
+    ),
+    act=_play,
+    places=("car",),
+    family="play",
+    confused_with="cam phase, steering zero",
+    separated_by="hold the motor and turn the camshaft to and fro: an inclinometer shows the play",
+)
+SLIDING_FRICTION = Effect(
+    name="sliding friction",
+    stage="drive",
+    parameters=(friction(step=0.002),),
+    act=_friction,
+    places=("car",),
+    beside="backlash",
+    twins=DRAG,
+    confused_with="less play",
+    separated_by=MEASURE_FRICTION,
+)
 
 TRACK_EFFECTS = (
     Effect(
@@ -177,24 +222,8 @@ TRACK_EFFECTS = (
         confused_with="backlash",
         separated_by="mark the keyway and the rod's place at the start",
     ),
-    Effect(
-        name="backlash",
-        stage="drive",
-        parameters=(
-            Parameter(
-                name="return_error_deg",
-                unit="deg",
-                lower=0.0,
-                upper=4.0,
-                step=0.02,
-                meaning="whole play at the camshaft, between two stops",
-            ),
-        ),
-        act=_play,
-        places=("car",),
-        confused_with="cam phase, steering zero",
-        separated_by="hold the motor and turn the camshaft to and fro: an inclinometer shows the play",
-    ),
+    BACKLASH,
+    SLIDING_FRICTION,
 )
 
 
@@ -217,6 +246,6 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
 
 
 def track_effects() -> tuple[Effect, ...]:
-    """The catalogue for tracks, with the local forms that compete."""
+    """The catalogue for tracks, with play at several frictions to begin from, and the local forms that compete."""
     bumps = [steering_bump(c, w) for w in (5.0, 15.0) for c in np.arange(w / 2, 360.0, w)]
-    return (*TRACK_EFFECTS, *bumps)
+    return (*TRACK_EFFECTS, *(rubbing(BACKLASH, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS), *bumps)

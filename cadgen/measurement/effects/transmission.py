@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cadgen.measurement.effects.base import Array, Effect, Parameter
+from cadgen.measurement.effects.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
 from cadgen.measurement.record import Rows
 
 
@@ -28,9 +29,15 @@ class Turns(Rows):
 
 @dataclass(frozen=True)
 class Play:
-    """What stands between the last gear and the camshaft: width of the play, rad."""
+    """What stands between the last gear and the camshaft.
+
+    Attributes:
+        width: of the play, rad.
+        friction: between rod and disc; None with the rod lifted, or where friction holds the cam everywhere.
+    """
 
     width: float = 0.0
+    friction: float | None = None
 
 
 def _deg(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
@@ -40,6 +47,14 @@ def _deg(name: str, meaning: str, limit: float, lower: float | None = None) -> P
 
 def _play(play: Play, p: Array, at: Turns) -> Play:
     return replace(play, width=float(p[0]))
+
+
+def _friction(play: Play, p: Array, at: Turns) -> Play:
+    return replace(play, friction=float(p[0]))
+
+
+def _rubbing(play: Play, p: Array, at: Turns) -> Play:
+    return _friction(_play(play, p[:1], at), p[1:], at)
 
 
 def _rate(angle: Array, p: Array, at: Turns) -> Array:
@@ -63,9 +78,21 @@ RETURN_ERROR = Effect(
     parameters=(_deg("return_error_deg", "whole play at the camshaft, between two stops", 5.0, 0.0),),
     act=_play,
     places=("car",),
+    family="play",
     twins=("wind-up under friction", "lag at one speed"),
     confused_with="lag of an encoder, twist of the shafts under friction",
     separated_by="measure at two speeds and with a weight on the rod: lag follows the speed, twist the torque",
+)
+SLIDING_FRICTION = Effect(
+    name="sliding friction",
+    stage="play",
+    parameters=(replace(friction(step=0.02), stepwise=True),),
+    act=_friction,
+    places=("car",),
+    beside="return error",
+    twins=DRAG,
+    confused_with="a lifted rod, where it is large",
+    separated_by=MEASURE_FRICTION,
 )
 RATE = Effect(
     name="rate",
@@ -136,7 +163,8 @@ def transmission_effects(ratios: tuple[float, ...], teeth: tuple[int, ...], high
     """
     orders = [float(np.prod(ratios[k:])) for k in range(len(ratios) + 1)]
     names = ["the motor shaft", *(f"shaft {k}" for k in range(1, len(ratios))), "the camshaft"]
-    effects = [RETURN_ERROR, RATE, WIND_UP]
+    effects = [RETURN_ERROR, SLIDING_FRICTION, RATE, WIND_UP]
+    effects += [rubbing(RETURN_ERROR, SLIDING_FRICTION, _rubbing, start) for start in (0.0, *FRICTIONS)]
     effects += [runout(n, o) for n, o in zip(names, orders, strict=True) if o <= highest]
     meshes = [(k + 1, z * orders[k + 1]) for k, z in enumerate(teeth)]
     return tuple(effects + [tooth_mesh(stage, order) for stage, order in meshes if order <= highest])

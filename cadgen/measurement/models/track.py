@@ -6,8 +6,8 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.measurement.effects.base import Active, Array, Effect, through
 from cadgen.measurement.effects.track import Drive, track_effects
 from cadgen.measurement.models.base import elapsed, fourier
+from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.record import Record, Rows
-from cadgen.motion.play import Following, falls
 from cadgen.path.track import Track
 from cadgen.steering.car import Car
 
@@ -29,12 +29,10 @@ class TrackModel:
     unit = "mm"
 
     def __init__(
-        self, record: Record, lift: LiftCurve, car: Car, track: Track, inner_face: float, *, floor: float
+        self, record: Record, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
     ) -> None:
-        self._lift, self._car, self._length = lift, car, track.length
-        self._falls = falls(lift)
+        self._lift, self._car, self._length, self._forces = lift, car, track.length, forces
         self._grid = np.linspace(0.0, _TURN, STEPS + 1)
-        self._middle = (self._grid[1:] + self._grid[:-1]) / 2
         x, y = track.position(0.0)
         self._start = complex(x, y)
         self._heading = float(track.heading(np.array([0.0]))[0])
@@ -59,7 +57,7 @@ class TrackModel:
         self.catalogue = track_effects()
         self.shapes: tuple[Effect, ...] = ()
         self.datum: tuple[Effect, ...] = ()
-        self.floor = floor / inner_face
+        self.floor = floor / forces.mechanics.follower.inner
         self.slip = np.empty(0)
         self.offsets = self._pose(run, record.runs)
         self.form, self.order = self._form_response(record)
@@ -73,17 +71,24 @@ class TrackModel:
     def _run(self, active: Active) -> Array:
         nominal = Drive(self._car.wheelbase, self._car.drive_wheel_offset, self._length)
         drive = through("drive", nominal, active, self.rows)
-        angle = through("cam", self._middle, active, self.rows)
-        angle = Following(self._lift, drive.play, self._falls).cam_angle(angle)
-        steering = through("lever", self._lift.tan_beta(angle), active, self._middle)
-        steering = through("steering", steering, active, self._middle)
+        nodes, following = self._grid, None
+        if drive.play > 0:
+            # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
+            following = self._forces.leads(drive.friction).follow(self._lift, drive.play)
+            phase = float(through("cam", np.zeros(1), active, self.rows)[0])
+            nodes = np.union1d(nodes, following.joints(phase, _TURN + phase) - phase)
+        middle = (nodes[1:] + nodes[:-1]) / 2
+        angle = through("cam", middle, active, self.rows)
+        steering = self._lift.tan_beta(angle if following is None else following.cam_angle(angle))
+        steering = through("lever", steering, active, middle)
+        steering = through("steering", steering, active, middle)
         curvature = -steering / (drive.wheelbase + drive.drive_wheel_offset * steering)
-        travel = drive.length * np.diff(self._grid) / _TURN * (1 - drive.slip * np.abs(steering))
+        travel = drive.length * np.diff(nodes) / _TURN * (1 - drive.slip * np.abs(steering))
         turn = curvature * travel
         heading = self._heading + np.cumsum(turn) - turn / 2
         place = self._start + np.concatenate([[0], np.cumsum(travel * np.exp(1j * heading))])
-        at = np.interp(self._motor, self._grid, np.arange(STEPS + 1))
-        low = np.minimum(at.astype(np.intp), STEPS - 1)
+        at = np.interp(self._motor, nodes, np.arange(len(nodes)))
+        low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
 
     def _pose(self, run: Array, runs: int) -> Array:

@@ -1,5 +1,6 @@
 """The camshaft behind the train: motor angle -> gears -> play -> camshaft."""
 
+from bisect import bisect_right
 from functools import cached_property
 
 import numpy as np
@@ -10,6 +11,7 @@ from cadgen.measurement.effects.base import Active, Array, Effect, through
 from cadgen.measurement.effects.shapes import shapes
 from cadgen.measurement.effects.transmission import Play, Turns, transmission_effects
 from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run
+from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.record import Record
 
 _TURN = 2 * np.pi
@@ -31,13 +33,14 @@ class TransmissionModel:
         record: Record,
         lift: LiftCurve,
         ratios: tuple[float, ...],
+        forces: Forces,
         *,
         teeth: tuple[int, ...] = (),
         floor: float,
     ) -> None:
         turned = np.radians(record["motor_angle_deg"]) / float(np.prod(ratios))
         first = np.array([turned[record.run == k][0] for k in range(record.runs)])[record.run]
-        self._all = turned
+        self._all, self._forces = turned, forces
         self._run_all = record.run
         # A run that comes back passes its start again: what matters is whether it has been away.
         away = np.zeros(len(turned), dtype=bool)
@@ -78,18 +81,60 @@ class TransmissionModel:
         asked = through("ratio", self._all, active, self.rows)
         asked = through("mesh", asked, active, self.rows)
         play = through("play", Play(), active, self.rows)
-        angle = follow(asked, self._run_all, play.width) if play.width > 0 else asked
+        angle = asked
+        if play.width > 0:
+            drawn = None if play.friction is None else self._forces.drawn(play.friction)
+            angle = follow(asked, self._run_all, play.width, drawn)
         return np.asarray(self._reading - through("reading", angle[self._used], active, self.rows))
 
 
-def follow(asked: Array, run: NDArray[np.intp], width: float) -> Array:
-    """The play operator: the camshaft stays where it is until a flank of the gap takes it along.
+def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array, Array] | None = None) -> Array:
+    """The play operator: the camshaft stays where it is until a flank of the gap takes it along, or the rod draws it.
 
-    y_i = clip(y_(i-1), u_i - width/2, u_i + width/2), from the middle of the gap at the start of each run.
+    y_i = clip(y_(i-1), u_i - width/2, u_i + width/2), from the middle of the gap at the start of each run; then, within
+    a stretch where the rod draws, to its end or to the flank.
+
+    Args:
+        asked: u, angle that the gears ask for, shape (n,), rad, in the order turned.
+        run: of each.
+        width: of the play, rad.
+        drawn: where the rod draws the cam ahead and back, from `Forces.drawn`, at the cam's angle when it is pushed
+            ahead; nowhere if left out.
     """
-    out, half, before, y = [], width / 2, -1, 0.0
-    for u, number in zip(asked.tolist(), run.tolist(), strict=True):
-        y = u if number != before else min(max(y, u - half), u + half)
-        before = number
+    out = np.empty(len(asked))
+    known: dict[bytes, Array] = {}
+    for number in np.unique(run):
+        mine = run == number
+        way = asked[mine]
+        key = way.tobytes()  # runs are mostly turned alike
+        if key not in known:
+            known[key] = _followed(way, width / 2, drawn)
+        out[mine] = known[key]
+    return out
+
+
+def _followed(asked: Array, half: float, drawn: tuple[Array, Array] | None) -> Array:
+    """The play operator on one run."""
+    out, y = [], float(asked[0])
+    ahead, back = (stretches.tolist() for stretches in drawn) if drawn else ([], [])
+    begins = [[begin for begin, _ in some] for some in (ahead, back)]
+    for number, u in enumerate(asked.tolist()):
+        y = min(max(y, u - half), u + half)
+        if drawn and number:
+            at = (y + half) % _TURN
+            if (inside := _inside(ahead, begins[0], at)) is not None:
+                y = min(y + inside[1] - at, u + half)
+            elif (inside := _inside(back, begins[1], at)) is not None:
+                y = max(y + inside[0] - at, u - half)
         out.append(y)
     return np.array(out)
+
+
+def _inside(stretches: list[list[float]], begins: list[float], at: float) -> tuple[float, float] | None:
+    """Begin and end of the stretch that an angle of [0, 2 pi) lies in, on the angle's own turn; None if in none."""
+    if not stretches:
+        return None
+    number = bisect_right(begins, at) - 1
+    turn = 0.0 if number >= 0 else _TURN
+    begin, end = stretches[number][0] - turn, stretches[number][1] - turn
+    return (begin, end) if at < end else None

@@ -1,0 +1,53 @@
+"""Where the cam leads its gears, by friction, whichever way it is turned."""
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from cadgen.cam.lift import LiftCurve
+from cadgen.measurement.effects.base import Array
+from cadgen.motion.mechanics import Leads, Mechanics
+from cadgen.motion.play import TURN
+
+_KEPT = 32  # fits go back and forth between few frictions
+
+
+@dataclass(frozen=True)
+class Forces:
+    """The cam that is measured and what acts on it.
+
+    Attributes:
+        cut: lift that it was cut for.
+        mechanics: rod force and drag; the friction is what is sought.
+    """
+
+    cut: LiftCurve
+    mechanics: Mechanics
+    _known: dict[tuple[float, bool], Leads] = field(default_factory=dict, repr=False)
+
+    def leads(self, friction: float, *, back: bool = False) -> Leads:
+        """Where the cam leads with a sliding friction; remembered, since most differences leave friction alone.
+
+        Args:
+            friction: between rod and disc.
+            back: of a cam that is turned back, by the angle that it has turned back.
+        """
+        key = friction, back
+        if key not in self._known:
+            if len(self._known) >= _KEPT:
+                self._known.pop(next(iter(self._known)))
+            mechanics = replace(self.mechanics, friction=friction)
+            self._known[key] = mechanics.leads(self.cut.mirrored if back else self.cut)
+        return self._known[key]
+
+    def drawn(self, friction: float) -> tuple[Array, Array]:
+        """Where the rod draws a free cam on, and where it draws it back.
+
+        Returns:
+            Cam angles between which it does, shape (k, 2) each, rad, begins in [0, 2 pi) and in order: the first draw
+            to their ends, the second to their begins.
+        """
+        ahead, mirrored = self.leads(friction).stretches, self.leads(friction, back=True).stretches
+        begin = (-mirrored[:, 1]) % TURN
+        back = np.stack([begin, begin + mirrored[:, 1] - mirrored[:, 0]], axis=1)
+        return ahead, back[np.argsort(back[:, 0])]
