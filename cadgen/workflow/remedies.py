@@ -13,7 +13,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.design import stages, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
-from cadgen.motion.friction import BEARING, USUAL
+from cadgen.motion.friction import BEARING
 from cadgen.motion.mechanics import Mechanics, MechanicsBand
 from cadgen.optimize.band import PlayBand, best_for_band, over_band
 from cadgen.optimize.judge import Judged, Task
@@ -59,46 +59,68 @@ class _Sheet:
     design: Design
     task: Task
     band: PlayBand
+    mechanics: MechanicsBand
 
     @property
     def known(self) -> MechanicsBand:
         """What is known of the car without a brake, so that remedies can be compared."""
-        known = self.task.mechanics or MechanicsBand(follower=self.task.follower, friction=USUAL)
-        return replace(known, drag=(0.0, 0.0), behind=0.0)
+        return replace(self.mechanics, drag=(0.0, 0.0), behind=0.0)
 
     @property
     def plays(self) -> list[float]:
         measured = self.band.measured
         return list(self.band.ends) if measured is None else [measured]
 
-    def row(self, name: str, lift: LiftCurve, rolled: LiftCurve, cases: tuple[Mechanics, ...], **more: Any) -> Remedy:
-        task = self.task
-        plays = more.pop("plays", self.plays)
+    def row(
+        self,
+        name: str,
+        lift: LiftCurve,
+        rolled: LiftCurve,
+        cases: tuple[Mechanics, ...],
+        *,
+        plays: list[float] | None = None,
+        cut_for: float | None = None,
+        build: str = "",
+    ) -> Remedy:
+        """A remedy judged by its worst run.
+
+        Args:
+            name: of the remedy.
+            lift: that the cam is cut for.
+            rolled: that the rod gets.
+            cases: frictions and drags.
+            plays: return errors, rad; those of the design if left out.
+            cut_for, build: as in `Remedy`.
+        """
+        task, plays = self.task, self.plays if plays is None else plays
         ends = over_band(rolled, task.lift, task.car, task.length, np.array(plays), mechanics=cases, cut=lift)
         way = worst_on_way(task, rolled, lift, plays, cases)
-        cut_for = more.pop("cut_for", None)
-        return Remedy(name=name, worst_end=ends.worst_distance, on_way=way, cut_for=cut_for, **more)
+        return Remedy(name=name, cut_for=cut_for, worst_end=ends.worst_distance, on_way=way, build=build)
 
 
 def remedies(design: Design, against: Against, step: Callable[[str], None] = lambda text: None) -> tuple[Remedy, ...]:
     """Every remedy for the car at hand, in the worst of its plays and frictions, and the design as it is.
 
-    Remedies are compared without the brake that the design may have. A design without [mechanics] is looked at with
-    the friction that rods usually have.
+    Remedies are compared without the brake that the design may have.
 
     Args:
         design: a loaded design.
         against: its profiles against play, with those of all its trains.
         step: told what is being done.
+
+    Raises:
+        DesignError: the design says nothing of friction and drag.
     """
+    mechanics = against.task.mechanics
+    if mechanics is None:
+        raise DesignError("remedies against play go by the rod's force and friction: add [mechanics]")
     step("comparing remedies against play")
-    sheet = _Sheet(design, against.task, against.band)
+    sheet = _Sheet(design, against.task, against.band, mechanics)
     own = [one for one in against.judged if one.train == design.optimize.order and not one.measured]
     plain = next(one for one in own if one.profile == "actual")
     cases, chosen = sheet.known.cases, against.chosen
-    as_it_is = against.task.mechanics.cases if against.task.mechanics else cases
     found = [
-        sheet.row(f"this design: {chosen.profile}", chosen.lift, chosen.rolled, as_it_is),
+        sheet.row(f"this design: {chosen.profile}", chosen.lift, chosen.rolled, mechanics.cases),
         sheet.row("plain cam", plain.lift, plain.rolled, cases),
     ]
     found += _reordered(sheet)
