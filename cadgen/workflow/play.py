@@ -236,7 +236,8 @@ def against_play(
             chosen, choice = _best(design, task, found[own], bands[own], check)
         except CheckError as error:
             others = {name: band for name, band in bands.items() if name != own}
-            raise CheckError(f"{error}{_other_order(design, task, others, check)}") from error
+            other = _other_order(design, task, others, check)
+            raise CheckError(f"{error}{other}{_with_friction(design, task)}") from error
         reasons += choice
     reasons += _lost_sentences(task, chosen)
     reasons += joint_sentences(design)
@@ -288,6 +289,17 @@ def _lost_sentences(task: Task, one: Judged) -> list[str]:
         f"{degrees(one.made_for):.3f}° and cannot be driven: the rod misses at most {missed:.3g} mm of "
         f"lift there, at cam angle {degrees(worst.cam_angle):.2f}°"
     ]
+
+
+def _with_friction(design: Design, task: Task) -> str:
+    """What helps where friction keeps every profile from its limit, in words."""
+    known = task.mechanics
+    if known is None or known.friction[1] == 0 or "drag" in (design.optimize.hardware or ()):
+        return ""
+    return (
+        "; with friction no profile gives the lift wanted on each fall, but a brake on the disc does: --set "
+        "'optimize.hardware=[\"drag\"]', or remove optimize.max_lift_error_um to see what else helps in cadgen optimize"
+    )
 
 
 def _other_order(design: Design, task: Task, bands: dict[str, PlayBand], check: Checker) -> str:

@@ -62,7 +62,7 @@ def test_the_report_says_what_was_found(run_of_a_track):
         "Traced to backlash",
         "the start pose of each run",
         "hold the motor and turn the camshaft to and fro",
-        "Traced to return error: 0.805°, 95 % from 0.710 to 0.900°",
+        "Traced to return error: 0.805°, 95 % from 0.710 to 0.901°",
         "as-given train by [train] is 0.962°: outside the interval, B is 3.2 standard errors below it",
         "reordered train by [train] is 0.724°: inside the interval, B is 1.7 standard errors above it",
         "turned 113.38 ± 0.04° and not 120.00°",
@@ -104,6 +104,7 @@ def test_the_json_document_has_every_number(run_of_a_track):
     assert facts["shared"][0]["agrees"]
     assert [(one["effect"], one["place"]) for one in facts["as_built"]] == [
         ("backlash", "car"),
+        ("sliding friction", "car"),
         ("return error", "noted"),
     ]
     assert [file["kind"] for file in facts["files"]] == ["track", "zones"]
@@ -120,8 +121,9 @@ def test_the_as_built_design_is_the_design_with_what_was_measured(run_of_a_track
     assert built.path == plain.path
     assert built.as_built is not None
     assert [source.file for source in built.as_built.sources] == ["track_c.csv", "paper_section5.csv"]
-    backlash, noted = built.as_built.effects
+    backlash, friction, noted = built.as_built.effects
     assert (backlash.effect, backlash.place, noted.place) == ("backlash", "car", "noted")
+    assert (friction.effect, friction.numbers["friction"]) == ("sliding friction", pytest.approx(0.0, abs=0.01))
     assert "# backlash, from track: return_error_deg 0.86" in text
     # Two digits of the standard deviation, and the value to the same decimal.
     (value,) = tomllib.loads(text, parse_float=str)["as_built"]["effects"][0]["values"]

@@ -20,7 +20,7 @@ from cadgen.workflow.files import write_cam
 Array = NDArray[np.float64]
 
 STEP, FINE = 4e-3, 1e-3  # mm, of the outlines rolled round the turn and where the difference is greatest
-STATIONS, PLACES, WITHIN = 1800, 8, 9
+STATIONS, PLACES, WITHIN = 900, 4, 9
 TRAVEL, HOLLOW, MOST_BETWEEN = 0.02, 0.6, 100  # mm; a chord of a hollow, where the contact moves fast, is 0.1 mm long
 FORMATS = (".step", ".nc")  # where rolling and reading had their own errors in it; any may be asked for
 # Rolling tells lifts to some 0.0002 um, so that an error of 0.01 um is not known to a hundredth.
@@ -80,7 +80,7 @@ def test_stated_lift_errors_are_those_of_a_dense_rolling(name, tmp_path):
         ".3mf": lambda step: inspect(read_3mf(file(".3mf"))[0], step).rim,
         "_arcs.dxf": lambda step: read_dxf(file("_arcs.dxf"), step).profile,
         "_spline.dxf": lambda step: read_dxf(file("_spline.dxf"), step).profile,
-        ".nc": lambda step: read_gcode(file(".nc"), design.machining, plan.rod.thickness, step),
+        ".nc": lambda step: read_gcode(file(".nc"), design.machining, plan.rod.land, step),
         ".xyz": lambda step: read_xyz(file(".xyz"), step),
         ".csv": lambda step: contact_outline(read_csv(file(".csv")), step),
     }
