@@ -26,7 +26,8 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
     written = None
     with show.progress(not as_json) as step:
         plan = plan_cam(loaded, "optimized", step, all_trains=True)
-        sheet = remedies(loaded, against_of(plan), step) if loaded.mechanics else ()
+        against = against_of(plan)
+        sheet = remedies(loaded, against, step) if against.task.mechanics else ()
         if out is not None:
             from cadgen.workflow.simulate import write_comparison
 

@@ -5,6 +5,7 @@ import os
 import shutil
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from math import isinf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -90,6 +91,8 @@ def figures(title: str, found: "Sequence[Check]") -> None:
         table.add_column("where", overflow="fold")
     for check in found:
         verdict = Text("ok", "green") if check.passed else Text("FAIL", "red")
+        if isinf(check.limit):  # a figure, not a verdict
+            verdict = Text("")
         bound = "<=" if check.bound == "max" else ">="
         table.add_row(
             Text.assemble(check.name, (f"\n{check.place}", "dim")) if narrow else check.name,

@@ -1,7 +1,7 @@
 """Tables of the commands on play."""
 
 from collections.abc import Sequence
-from math import degrees, isnan
+from math import degrees
 from typing import TYPE_CHECKING
 
 from cadgen.cli.show import Output, friction, plain_table
@@ -70,22 +70,25 @@ def methods(plan: "CamPlan") -> None:
             _share(against.sum_gain(one), 2) if summed and not first else "",
             style=style,
         )
-    worst = against.bound
-    errors.add_row(
-        "bound, same peaks",
-        *("", "", ""),
-        f"{degrees(worst.heading):.2f}°",
-        f"{worst.distance:.0f} mm",
-        _share(against.worst_gain(worst.distance)),
-        style="dim",
-    )
+    # The bound is for a rod that slides without friction.
+    bounded = against.task.mechanics is None
+    if bounded:
+        worst = against.bound
+        errors.add_row(
+            "bound, same peaks",
+            *("", "", ""),
+            f"{degrees(worst.heading):.2f}°",
+            f"{worst.distance:.0f} mm",
+            _share(against.worst_gain(worst.distance)),
+            style="dim",
+        )
     console.print(errors)
     console.print(costs)
     for text in (
         *assumed_play(plan.design),
         *as_built_sentences(plan.design, against.task.lift.blend_start),
         *against.reasons,
-        "The bound: no profile with the same peaks and valleys betters it, to first order.",
+        *(["The bound: no profile with the same peaks and valleys betters it, to first order."] if bounded else []),
         f"The paper's two methods together take {PAPER_PERCENT} % off its sum of deflection errors.",
     ):
         console.print(text)
@@ -107,7 +110,7 @@ def remedies(sheet: "Sequence[Remedy]") -> None:
         table.add_column(head, justify="left" if head == "remedy" else "right")
     for remedy in sheet:
         cut_for = "" if remedy.cut_for is None else f"{degrees(remedy.cut_for):.3f}°"
-        ends = ("none", "") if isnan(remedy.worst_end) else (f"{remedy.worst_end:.0f} mm", f"{remedy.on_way:.0f} mm")
+        ends = tuple("none" if off is None else f"{off:.0f} mm" for off in (remedy.worst_end, remedy.on_way))
         table.add_row(remedy.name, cut_for, *ends)
     console.print(table)
     for remedy in sheet:
@@ -130,8 +133,16 @@ def runs(simulation: "Simulation") -> None:
         *as_built_sentences(design, float(simulation.planned.motor[-1])),
     ):
         console.print(text)
+    known = simulation.against.task.mechanics
+    forces = ""
+    if known is not None:
+        forces = f", friction {known.nominal.friction:.3g}, drag {known.nominal.drag:.3g} N·mm"
+        console.print(
+            "The run is that of the car in the middle of its bands of friction and drag; the choice goes by all."
+        )
     table = plain_table(
-        f"{simulation.plan.design.name}, return error {degrees(simulation.play):.3f}°: events of the {before.title}"
+        f"{simulation.plan.design.name}, return error {degrees(simulation.play):.3f}°{forces}: events of the "
+        f"{before.title}"
     )
     for column in ("event", "cam angle", "lift", "deflection"):
         table.add_column(column, justify="left" if column == "event" else "right")

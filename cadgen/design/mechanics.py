@@ -8,7 +8,11 @@ from cadgen.design.section import Section
 
 
 class Mechanics(Section):
-    """The rod's force, friction and drag. Left out, the rod is reckoned to slide without friction."""
+    """The rod's force, friction and drag.
+
+    Left out, the rod is reckoned to slide without friction, unless `follower.material` or `blank.material` says what
+    slides on what.
+    """
 
     rod_force_N: float = Field(
         default=1.0,

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.design import gears, stages
+from cadgen.design.mechanics import Mechanics
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import DesignError
@@ -94,6 +95,8 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
     """
     given, known = design.mechanics, stages.as_built(design)
     hardware = design.optimize.hardware or ()
+    if given is None and (design.follower.material or design.blank.material):
+        given = Mechanics()  # their friction follows from the materials
     if given is None and known.friction is not None and not hardware:
         return MechanicsBand(follower=rod, friction=_measured(known.friction))
     if given is None:
@@ -121,9 +124,11 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
         drag=given.drag_Nmm,
         behind=gears.cam_joint(design)[1] if given.drag_on == "shaft" else 0.0,
     )
-    _refuse_lost_rod(band, lift)
-    if "drag" in hardware and band.drag[0] < (need := holding(lift, band)).drag:
-        band = replace(band, drag=(need.drag, max(need.drag, band.drag[1])))
+    _refuse_lost_rod(band, lift, design.tolerances.rod_force_N or 0.0)
+    need = holding(lift, band)
+    if "drag" in hardware and (band.drag[0] < need.torque or band.behind > 0):
+        # A brake on the disc itself, which holds the play of its joint, too.
+        band = replace(band, drag=(need.drag, max(need.drag, band.drag[1])), behind=0.0)
     _refuse_weak_drive(design, band, lift)
     return band
 
@@ -134,11 +139,11 @@ def _measured(friction: tuple[float, float]) -> tuple[float, float]:
     return (max(value - 2 * sigma, 0.0), value + 2 * sigma) if value > 0 else (0.0, 0.0)
 
 
-def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve) -> None:
-    """Refuse a spring whose force ends on the way."""
+def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve, tolerance: float) -> None:
+    """Refuse a spring whose force ends on the way, or in some car within its tolerance (N)."""
     theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
     height = band.follower.lift(lift.tan_beta(theta))
-    force = band.nominal.force(height)
+    force = band.nominal.force(height) - tolerance
     worst = int(np.argmin(force))
     if force[worst] <= 0:
         raise DesignError(
@@ -150,13 +155,24 @@ def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve) -> None:
 
 def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: LiftCurve) -> None:
     """Refuse a cam that the drive cannot turn: rod, friction and drag at their greatest."""
-    most = None if design.mechanics is None else design.mechanics.drive_torque_Nmm
-    if most is None:
-        return
     theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
     needed = band.at(band.friction[1], band.drag[1]).needed(lift, theta)
     worst = int(np.argmax(needed))
-    if needed[worst] > most:
+    if needed[worst] == inf:
+        raise DesignError(
+            f"at cam angle {degrees(theta[worst]):.1f} degrees the rod jams on the rise at a friction of "
+            f"{band.friction[1]:g}, and no torque turns the cam: lower mechanics.friction_greatest, raise "
+            f"cam.base_radius_mm, or widen the turn there"
+        )
+    spent = band.drag[1] * TURN * 1e-3
+    has = None if design.mechanics is None else design.mechanics.drive_energy_J
+    if has is not None and spent > has:
+        raise DesignError(
+            f"the drag of {band.drag[1]:.3g} N mm takes {spent:.3g} J a turn of the cam, and mechanics.drive_energy_J "
+            f"is {has:g}: lower mechanics.rod_force_N and the drag that holds it"
+        )
+    most = None if design.mechanics is None else design.mechanics.drive_torque_Nmm
+    if most is not None and needed[worst] > most:
         raise DesignError(
             f"at cam angle {degrees(theta[worst]):.1f} degrees the cam needs {needed[worst]:.3g} N mm, "
             f"{band.drag[1]:.3g} of it for the drag, and mechanics.drive_torque_Nmm is {most:g}: lower "

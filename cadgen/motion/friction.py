@@ -27,12 +27,13 @@ STEEL_ON: dict[DiscMaterial, tuple[tuple[float, float], tuple[float, float]]] = 
 BEARING = (0.0, 0.02)
 # What a rod that slides may have whatever it is made of and greased or not, and what is told where nothing is given.
 USUAL = (0.05, 0.30)
+USUAL_DRY = (0.15, 0.60)
 
 
 def friction_band(follower: FollowerMaterial, disc: DiscMaterial | None, *, greased: bool) -> tuple[float, float]:
-    """Least and greatest sliding friction of a pair; `USUAL` for a steel rod on an unknown disc."""
+    """Least and greatest sliding friction of a pair; `USUAL`, or dry `USUAL_DRY`, for a rod on an unknown disc."""
     if follower == "ball_bearing":
         return BEARING
     if disc is None:
-        return USUAL
+        return USUAL if greased else USUAL_DRY
     return STEEL_ON[disc][int(greased)]

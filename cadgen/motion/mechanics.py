@@ -38,7 +38,8 @@ Array = NDArray[np.float64]
 _STEP = radians(0.05)  # between stations: torque and drag meet at most once from one to the next
 _ZOOM = 64  # stations between two; interpolation between those errs by less than 1e-8 rad
 _LEAN_STEPS = 4  # to the pressure angle of a leaning rod; each takes a hundredth of the error
-_FRICTIONS = 6  # of a band at which a run is looked at: between two neighbours its end moves evenly
+_FRICTIONS = 6  # of a band at which a run is looked at: the worst end of a profile lies at an end of the band
+_FINE_FRICTION = 0.01  # step of friction where the worst may lie within the band
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -271,9 +272,16 @@ class MechanicsBand:
     @property
     def cases(self) -> tuple[Mechanics, ...]:
         """Cars across the band, at which its worst is looked for."""
-        frictions = np.linspace(*self.friction, _FRICTIONS if self.friction[0] < self.friction[1] else 1)
-        drags = dict.fromkeys(self.drag)
-        return tuple(self.at(float(friction), drag) for drag in drags for friction in frictions)
+        return self._across(_FRICTIONS if self.friction[0] < self.friction[1] else 1)
+
+    @property
+    def fine_cases(self) -> tuple[Mechanics, ...]:
+        """Cars across the band in steps of friction of 0.01, for what is worst somewhere within it, as a trim is."""
+        return self._across(int(np.ceil((self.friction[1] - self.friction[0]) / _FINE_FRICTION)) + 1)
+
+    def _across(self, count: int) -> tuple[Mechanics, ...]:
+        frictions = np.linspace(*self.friction, count)
+        return tuple(self.at(float(friction), drag) for drag in dict.fromkeys(self.drag) for friction in frictions)
 
 
 def _in_order(stretches: Array) -> Array:

@@ -66,11 +66,11 @@ def holding(lift: LiftCurve, band: MechanicsBand) -> Holding:
     free = band.at(0.0, 0.0).torque(lift, theta)
     held = band.at(band.friction[0], 0.0).torque(lift, theta)
     worst = int(np.argmax(free))
-    torque = max(float(free[worst]), 0.0)
+    torque = max(float(free[worst]), 0.0) + 0.0  # no -0
     return Holding(
         torque=torque,
         cam_angle=float(theta[worst]),
-        with_friction=max(float(held.max()), 0.0),
+        with_friction=max(float(held.max()), 0.0) + 0.0,
         energy=MARGIN * torque * TURN * 1e-3,
     )
 
@@ -134,7 +134,7 @@ def trimmed_end(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechan
 def friction_to_fail(
     task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechanics: Mechanics, most: float
 ) -> tuple[float, float]:
-    """Frictions below and above that of the trial run at which a trimmed car ends further off than allowed.
+    """Least and greatest friction with which a trimmed car still ends within what is allowed.
 
     Args:
         task, lift, cut, play, mechanics: as in `trim`.
@@ -145,11 +145,11 @@ def friction_to_fail(
     found = []
     for way in (-1, 1):
         friction = mechanics.friction
-        while 0 < friction + way * _FRICTION_STEP < _MOST_FRICTION:
-            friction += way * _FRICTION_STEP
-            changed = replace(mechanics, friction=friction)
+        while 0 <= (further := friction + way * _FRICTION_STEP) <= _MOST_FRICTION:
+            changed = replace(mechanics, friction=further)
             if trimmed_end(task, lift, cut, play, changed, set_by.tan_beta) > allowed:
                 break
+            friction = further
         found.append(friction)
     return found[0], found[1]
 

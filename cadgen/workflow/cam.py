@@ -281,7 +281,7 @@ def plan_cam(
     step("checking the profile")
     made = as_built.precompensated(curve)
     checks = check_cam(lift, follower, curve, trims, blank, limits, cut=made)
-    checks = (*checks, *mechanics_checks(design, rod, lift, None))
+    checks = (*checks, *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)))
     return CamPlan(design, profile, track, lift, rod, made, trims, blank, checks)
 
 

@@ -60,19 +60,13 @@ def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: Mecha
         found.append(
             Check("cam runs ahead", ahead, "N·mm", inf, "max", f"cam angle {degrees(need.cam_angle):.1f}°", "")
         )
-        if band.drag[1] > 0:
-            margin = band.drag[0] / need.torque if need.torque > 0 else inf
-            found.append(
-                Check(
-                    "cam holds",
-                    margin,
-                    "",
-                    0.0,
-                    "min",
-                    f"least drag over {need.torque:.3g} N·mm, friction left aside",
-                    "",
-                )
-            )
+        if band.drag[1] > 0 and need.torque > 0:
+            # A figure, not a verdict: 1 and more holds.
+            margin = 0.0 if band.behind > 0 else band.drag[0] / need.torque
+            where = f"times what is needed, {need.torque:.3g} N·mm without friction"
+            if band.behind > 0:
+                where = f"nothing holds the disc's {degrees(band.behind):.3f}° of play on its shaft"
+            found.append(Check("cam holds", margin, "", -inf, "min", where, ""))
     if design.follower.width_mm is not None:
         found.append(
             Check(
@@ -105,11 +99,11 @@ def joint_sentences(design: Design) -> list[str]:
 def border_sentences(design: Design, task: Task, one: Judged, band: PlayBand) -> list[str]:
     """What to build or do besides the cam; warnings where it may be held in one run and lead in the next."""
     known, given = task.mechanics, design.mechanics
-    if known is None or given is None:
+    if known is None:
         return []
     lines = []
     need = holding(one.lift, known)
-    if known.drag[0] > given.drag_Nmm[0]:
+    if known.drag[0] > (0.0 if given is None else given.drag_Nmm[0]):
         lines.append(
             f"Build: a brake on the disc itself with a drag of {known.drag[0]:.3g} N·mm, a quarter more than the cam's "
             f"{need.torque:.3g} N·mm at {degrees(need.cam_angle):.1f}°, for a rod force of {known.rod_force:g} N; it "
@@ -126,6 +120,11 @@ def border_sentences(design: Design, task: Task, one: Judged, band: PlayBand) ->
         lines.append(
             "Warning: the cam leads its gears at the least friction and drag and is held at the greatest, which is the "
             "worst place to be: it may do either from run to run."
+        )
+    if held == [True, True] and known.drag[0] < need.torque:
+        lines.append(
+            "Warning: friction alone holds the cam on its gears, and oil or shaking undoes that: only drag is to be "
+            "counted on."
         )
     if known.drag[0] > 0 and known.drag[0] < need.torque:
         lines.append(

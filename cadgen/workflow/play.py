@@ -17,7 +17,7 @@ from cadgen.errors import CheckError, DesignError
 from cadgen.motion.drive import Run, start_pose
 from cadgen.motion.errors import run_error
 from cadgen.motion.play import LEAST_SWING, TURN, Following, falls
-from cadgen.optimize.band import Bound, PlayBand
+from cadgen.optimize.band import Bound, PlayBand, over_band
 from cadgen.optimize.choice import Candidate, Limit, choose
 from cadgen.optimize.judge import PROFILES, Judged, Task, bound, judge, judge_measured
 from cadgen.optimize.remedies import trims
@@ -31,6 +31,7 @@ _ALWAYS, _SMOOTHED = ("actual", "compensated"), ("smoothed", "smoothed+compensat
 # An error before that is no greater than this is what rolling errs by: no share of it can be taken off. mm and rad.
 _NO_DISTANCE, _NO_HEADING = 1.0, radians(0.01)
 _LOSS = 0.01  # share of the error before that a file may give away
+_LEAST_LOSS = 10.0  # mm; less is within what a start by hand is off
 
 Checker = Callable[[Judged], Sequence[Check]]
 
@@ -91,10 +92,10 @@ class Against:
     def loses(self, end_distance: float) -> bool:
         """Whether a file whose run ends so far off, mm, gives away what the profile is for.
 
-        It does if it ends further off than the profile itself by more than one percent of the error before.
+        It does if it ends further off than the profile itself by more than 10 mm and one percent of the error before.
         """
         error = run_error(self.run(self.before, self.chosen.play), self.task.planned())
-        return end_distance - self.chosen.error.end_distance > max(_LOSS * error.end_distance, _NO_DISTANCE)
+        return end_distance - self.chosen.error.end_distance > max(_LOSS * error.end_distance, _LEAST_LOSS)
 
     def run(self, one: Judged, play: float) -> Run:
         """The run on a profile with any play."""
@@ -126,7 +127,10 @@ class Against:
             "after": _figures(self, self.chosen),
             "compared": [_figures(self, one) for one in self.judged],
             "reasons": list(self.reasons),
-            "bound_with_same_peaks_and_valleys": {
+            # For a rod that slides without friction.
+            "bound_with_same_peaks_and_valleys": None
+            if self.task.mechanics
+            else {
                 "worst_end_heading_deg": degrees(self.bound.heading),
                 "worst_end_position_mm": self.bound.distance,
                 "worst_position_percent_off": _percent(self.worst_gain(self.bound.distance)),
@@ -379,8 +383,20 @@ def _best(
 def _limited(design: Design, task: Task, one: Judged, band: PlayBand) -> dict[str, float]:
     """The figures that limits are for, and the one that decides; after the trim, if the design allows one."""
     heading, distance = one.band.worst_heading, one.band.worst_distance
-    if band.measured is not None:
+    if band.measured is not None and task.mechanics is None:
         heading, distance = abs(one.error.end_heading), one.error.end_distance
+    elif band.measured is not None and task.mechanics is not None:
+        at_play = over_band(
+            one.rolled,
+            task.lift,
+            task.car,
+            task.length,
+            np.array([band.measured]),
+            least=one.least,
+            mechanics=task.mechanics.cases,
+            cut=one.lift,
+        )
+        heading, distance = at_play.worst_heading, at_play.worst_distance
     if task.mechanics and "trim" in (design.optimize.hardware or ()):
         plays = band.ends if band.measured is None else (band.measured,)
         trimmed = [trim.error for trim in trims(task, one.rolled, one.lift, plays, task.mechanics.cases)]

@@ -11,6 +11,7 @@ from cadgen.cam.checks import check_cam
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.lift import LiftCurve
 from cadgen.design import stages, variation
+from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 from cadgen.motion.friction import BEARING
@@ -30,15 +31,15 @@ class Remedy:
     Attributes:
         name: what is done.
         cut_for: window of a compensated profile, rad; None for the plain one.
-        worst_end: position error at the end of the run in the worst car of the bands, mm.
+        worst_end: position error at the end of the run in the worst car of the bands, mm; None if it cannot be built.
         on_way: the same anywhere on the run, mm.
         build: what to build or do besides the cam, a sentence; empty if nothing.
     """
 
     name: str
     cut_for: float | None
-    worst_end: float
-    on_way: float
+    worst_end: float | None
+    on_way: float | None
     build: str = ""
 
     def facts(self) -> dict[str, Any]:
@@ -128,8 +129,9 @@ def remedies(design: Design, against: Against, step: Callable[[str], None] = lam
     found += _tight_joint(sheet)
     found += _split_wheel(sheet)
     found += _bearing(sheet)
-    found += _trim(sheet, plain)
-    found += _drag(sheet, plain)
+    if holding(plain.lift, sheet.known).torque > 0:
+        found += _trim(sheet, plain)
+        found += _drag(sheet, plain)
     return tuple(found)
 
 
@@ -226,7 +228,15 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
     bearing, count = fitting
     follower = replace(task.follower, radius=bearing.outside / 2)
     known = replace(sheet.known, follower=follower, friction=BEARING)
+    overrides = [
+        f"follower.radius_mm={bearing.outside / 2:g}",
+        "follower.material=ball_bearing",
+        f"follower.width_mm={count * bearing.width:g}",
+    ]
+    if design.mechanics and design.mechanics.friction_least is not None:
+        overrides += ["mechanics.friction_least=", "mechanics.friction_greatest="]
     try:
+        with_overrides(design, overrides)
         ends = min(sheet.plays), max(sheet.plays)
         best = best_for_band(task.lift, follower, task.car, task.length, ends, mechanics=known.corners)
         profile = actual_profile(best.lift, follower)
@@ -239,8 +249,8 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
             Remedy(
                 name="ball bearing, compensated",
                 cut_for=None,
-                worst_end=float("nan"),
-                on_way=float("nan"),
+                worst_end=None,
+                on_way=None,
                 build=f"no cam can be made for a bearing of {bearing.outside:g} mm: {error}",
             )
         ]
@@ -253,8 +263,7 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
             known.cases,
             cut_for=best.made_for,
             build=f"{several} of {bearing.bore:g} x {bearing.outside:g} x {bearing.width:g} mm on the rod, and a cam "
-            f"for it: --set follower.radius_mm={bearing.outside / 2:g} --set follower.material=ball_bearing "
-            f"--set follower.width_mm={count * bearing.width:g}; {verdict}",
+            f"for it: --set {' --set '.join(overrides)}; {verdict}",
         )
     ]
 
@@ -262,22 +271,22 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
 def _trim(sheet: _Sheet, plain: Judged) -> list[Remedy]:
     """The plain cam with the steering set after a trial run."""
     task, known = sheet.task, sheet.known
-    found = trims(task, plain.rolled, plain.lift, sheet.plays, known.cases)
-    turns = [abs(trim.tan_beta) for trim in found]
+    found = trims(task, plain.rolled, plain.lift, sheet.plays, known.fine_cases)
     middle = sum(sheet.plays) / len(sheet.plays)
     allowed = sheet.design.optimize.max_end_position_mm or _ALLOWED_END
     low, high = friction_to_fail(task, plain.rolled, plain.lift, middle, known.nominal, allowed)
+    # A larger base radius turns the steering to the left: tan(beta) falls by its growth over the faces' distance.
     arm = (task.follower.inner + task.follower.outer) / 2
+    turns = sorted((-trim.tan_beta * arm * 1e3 for trim in found), key=abs)
     return [
         Remedy(
             name="plain cam, trimmed",
             cut_for=None,
             worst_end=max(trim.error.end_distance for trim in found),
             on_way=max(float(trim.error.distance.max()) for trim in found),
-            build=f"after a trial run set the micrometer of the base radius by {min(turns) * arm * 1e3:.0f} to "
-            f"{max(turns) * arm * 1e3:.0f} µm, so that the end is met; set at a friction of "
-            f"{known.nominal.friction:.3g}, the end stays within {allowed:g} mm more while friction stays within "
-            f"{low:.3g} to {high:.3g}",
+            build=f"after a trial run change the base radius at the micrometer by {turns[0]:+.0f} to "
+            f"{turns[-1]:+.0f} µm, so that the end is met; set at a friction of {known.nominal.friction:.3g}, the end "
+            f"stays within {allowed:g} mm more while friction stays from {low:.3g} to {high:.3g}",
         )
     ]
 
@@ -290,6 +299,8 @@ def _drag(sheet: _Sheet, plain: Judged) -> list[Remedy]:
     share = ""
     if given is not None and given.drive_energy_J is not None:
         share = f", {100 * need.energy / given.drive_energy_J:.1f} % of the drive's {given.drive_energy_J:g} J"
+        if need.energy > given.drive_energy_J:
+            share += ", which it has not got"
     return [
         sheet.row(
             "plain cam, drag that holds",
@@ -300,8 +311,8 @@ def _drag(sheet: _Sheet, plain: Judged) -> list[Remedy]:
             f"{sheet.known.rod_force:g} N: a quarter more than the cam's {need.torque:.3g} N·mm at "
             f"{degrees(need.cam_angle):.1f}° without friction ({need.with_friction:.3g} at the least friction); it "
             f"takes {need.energy:.2g} J a turn{share}, and holds until the drag falls by "
-            f"{100 * (1 - need.torque / need.drag) if need.drag else 0:.0f} % or the rod's force rises by "
-            f"{100 * (need.drag / need.torque - 1) if need.torque else 0:.0f} %; a milder path there needs less, a "
+            f"{100 * (1 - need.torque / need.drag):.0f} % or the rod's force rises by "
+            f"{100 * (need.drag / need.torque - 1):.0f} %; a milder path there needs less, a "
             f"larger base radius does not",
         )
     ]

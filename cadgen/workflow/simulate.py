@@ -21,6 +21,7 @@ from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, 
 from cadgen.workflow.as_built import as_built_facts
 from cadgen.workflow.cam import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.files import Written
+from cadgen.workflow.mechanics import mechanics_facts
 from cadgen.workflow.play import Against
 
 
@@ -69,6 +70,8 @@ class Simulation:
             "method": self.against.chosen.profile,
             "return_error_deg": degrees(self.play),
             "cut_for_deg": degrees(self.against.chosen.made_for),
+            "mechanics": mechanics_facts(self.against.task.mechanics, self.against.chosen.lift),
+            "friction_note": self.against.rubbing,
             "as_built": as_built_facts(self.plan.design, float(self.planned.motor[-1])),
             "events": [
                 {

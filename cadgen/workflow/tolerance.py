@@ -63,6 +63,7 @@ class ToleranceRun:
             "design_sha256": design.content_hash,
             "cadgen": __version__,
             "profile": self.plan.profile,
+            "friction_note": against_of(self.plan).rubbing,
             "passed": self.plan.passed,
             "failed_checks": [check.name for check in self.plan.failed],
             "as_built": as_built_facts(design, self.plan.lift.blend_start),
