@@ -39,7 +39,10 @@ def lowest_branches(radii: Array, continuation: Mapping[int, int]) -> list[Run]:
     count = radii.shape[1]
     # From the cell whose lowest branch is the most beyond doubt, once round, and to that cell again.
     two = np.sort(radii, axis=0)[:2]
-    start = int(np.argmax(two[1] - two[0])) if len(two) > 1 else 0
+    start = 0
+    if len(two) > 1:
+        reached = np.isfinite(two[0])
+        start = int(np.argmax(np.where(reached, two[1] - np.where(reached, two[0], 0.0), -np.inf)))
     around = (np.arange(count + 1) + start) % count
     radii = radii[:, around]
     owner = np.argmin(radii, axis=0)

@@ -32,6 +32,10 @@ thickness_mm = 3.0
 
 [follower]
 radius_mm = 2.5
+
+[mechanics]                        # a steel rod on greased aluminium; without it the rod slides without friction
+friction_least = 0.05
+friction_greatest = 0.20
 ```
 
 The designs {names} come with the program and go by name; without any it takes

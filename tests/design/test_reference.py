@@ -30,10 +30,13 @@ def test_the_shortest_design_of_the_page_loads(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text(example)
     design = load_design(tmp_path / "mine.toml")
     assert design.cam.faces_mm == (23.5, 26.5)
-    # Shortest: what must be there, and two keys for the faces.
+    # Shortest: what must be there, two keys for the faces, and what a rod has that slides.
     required = [key for name in tables() if must_be_there(name) for key in tables()[name].keys if key.required]
     assert sorted(re.findall(r"^(\w+) =", example, re.MULTILINE)) == sorted(
-        [*(last(key.name) for key in required), "mid_plane_mm", "thickness_mm"]
+        [
+            *(last(key.name) for key in required),
+            *("mid_plane_mm", "thickness_mm", "friction_least", "friction_greatest"),
+        ]
     )
 
 
