@@ -17,7 +17,9 @@ Array = NDArray[np.float64]
 _TRAVEL = 0.06
 _MOST_BETWEEN = 16
 # The greatest differences at stations are closed in on: this many of them, by so many stations each, in as many rounds.
-# A hump that three stations see is then met within 1e-3 of its height.
+# A hump that three stations see is then met within 1e-3 of its height. One of them sees at least eight ninths of it, so
+# that a hump that shows less than this share of the greatest is not the highest.
+_LEAST_SHARE = 0.85
 _PLACES = 48
 _WITHIN = 9
 _ROUNDS = 3
@@ -65,7 +67,9 @@ class Exact:
         # The turn closes: behind the last station comes the first one.
         stations = self.stations
         around = np.concatenate([stations[-1:] - 2 * np.pi, stations, stations[:1] + 2 * np.pi])
-        humps = np.flatnonzero((size >= np.roll(size, 1)) & (size >= np.roll(size, -1)))
+        humps = np.flatnonzero(
+            (size >= np.roll(size, 1)) & (size >= np.roll(size, -1)) & (size >= _LEAST_SHARE * greatest)
+        )
         humps = humps[np.argsort(-size[humps])[:_PLACES]]
         centre = stations[humps]
         reach = np.maximum(around[humps + 2] - centre, centre - around[humps])
