@@ -38,7 +38,7 @@ class FolderState:
 
     @property
     def is_true(self) -> bool:
-        """Whether every listed file is the one that was read back, and no move is half done."""
+        """Whether every file in the manifest has the hash stated there, and no killed run has left files half moved."""
         return not self.half_moved and all(file.state in ("as listed", "not listed") for file in self.files)
 
     def facts(self, folder: Path) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from cadgen.measurement.verdict import Judgement, unclaimed
 
 # Play and friction are parted if their standard deviations are no more than these, the play's relative to its size.
 PARTED_PLAY, PARTED_FRICTION = 0.015, 0.015
-# A play known beforehand that is so many standard deviations off what the data say of it by themselves is another one.
+# Standard deviations by which a play measured beforehand may differ from the play fitted to the data alone.
 ANOTHER = 3.3
 
 

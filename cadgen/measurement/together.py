@@ -48,7 +48,7 @@ class Claim:
     Attributes:
         source, kind: of the record.
         finding: the effect with its values.
-        informed: True if its value has in it what other records say of this thing.
+        informed: True if its value was fitted with the same quantity measured in another record.
         remainder: True if an effect of this name was known from the profile, so that this is what it leaves.
     """
 

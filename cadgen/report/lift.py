@@ -27,7 +27,7 @@ class LiftPicture:
         title: of the picture.
         follower: for the lift in mm.
         wanted: lift by motor position.
-        before: how the cam with the actual profile, or the one that was measured, follows the motor with play.
+        before: motion, with play, of the cam with the actual profile or of the measured cam.
         before_name: what it is called.
         after: the same of the profile that is compared with it.
         after_name: its name.

@@ -27,8 +27,8 @@ Step = Callable[[str], None]
 
 # If none of the trains that a search reports can be made, so many of those whose gears fit their blanks are tried.
 DEPTHS = (100, 1000, 4000)
-# Trains whose teeth are measured in mesh before a search is content with the best that fails a check. Each costs the
-# search the pairs that fail, and the limits of the search keep nearly all such pairs out.
+# Greatest number of trains whose teeth are measured in mesh. If none of these passes its checks, the first is reported
+# with the checks that it fails; the limits of the search keep nearly all failing pairs out before that.
 MOST_MEASURED = 200
 
 

@@ -381,7 +381,7 @@ def _best(
 
 
 def _limited(design: Design, task: Task, one: Judged, band: PlayBand) -> dict[str, float]:
-    """The figures that limits are for, and the one that decides; after the trim, if the design allows one."""
+    """Errors of a profile by the names of their limits in [optimize]; after the trim, if the design allows one."""
     heading, distance = one.band.worst_heading, one.band.worst_distance
     if band.measured is not None and task.mechanics is None:
         heading, distance = abs(one.error.end_heading), one.error.end_distance

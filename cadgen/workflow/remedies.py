@@ -162,9 +162,14 @@ def _compensated(sheet: _Sheet) -> list[Remedy]:
             f"leaves {left:.0f} mm: measure both on the car",
         )
     ]
-    ends = min(sheet.plays), max(sheet.plays)
+    return [*rows, _robust(sheet, "compensated for all", (min(sheet.plays), max(sheet.plays)))]
+
+
+def _robust(sheet: _Sheet, name: str, ends: tuple[float, float], build: str = "") -> Remedy:
+    """The profile with the least worst end over plays between two ends (rad), as a remedy."""
+    task, known = sheet.task, sheet.known
     best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=known.corners)
-    return [*rows, sheet.row("compensated for all", best.lift, best.lift, known.cases, cut_for=best.made_for)]
+    return sheet.row(name, best.lift, best.lift, known.cases, plays=list(ends), cut_for=best.made_for, build=build)
 
 
 def _tight_joint(sheet: _Sheet) -> list[Remedy]:
@@ -172,22 +177,10 @@ def _tight_joint(sheet: _Sheet) -> list[Remedy]:
     whole = variation.whole_play(sheet.design)
     if whole is None or not whole.loose or sheet.design.play is not None:
         return []
-    worst = max(whole.loose, key=lambda one: one.greatest)
+    worst = max(whole.loose, key=lambda joint: joint.greatest)
     low, high = sheet.band.ends
     ends = max(low - worst.least, 0.0), max(high - worst.greatest, 0.0)
-    task = sheet.task
-    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=sheet.known.corners)
-    return [
-        sheet.row(
-            "no play in one joint, compensated",
-            best.lift,
-            best.lift,
-            sheet.known.cases,
-            plays=list(ends),
-            cut_for=best.made_for,
-            build=whole.sentence(),
-        )
-    ]
+    return [_robust(sheet, "no play in one joint, compensated", ends, whole.sentence())]
 
 
 def _split_wheel(sheet: _Sheet) -> list[Remedy]:
@@ -201,20 +194,11 @@ def _split_wheel(sheet: _Sheet) -> list[Remedy]:
     last = teeth.stages[-1]
     low, high = sheet.band.ends
     ends = max(low - last.B_min, 0.0), max(high - last.B_max, 0.0)
-    task = sheet.task
-    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=sheet.known.corners)
-    return [
-        sheet.row(
-            "split wheel, compensated",
-            best.lift,
-            best.lift,
-            sheet.known.cases,
-            plays=list(ends),
-            cut_for=best.made_for,
-            build=f"a wheel of two halves under springs on the camshaft, which takes out its own mesh only, "
-            f"{degrees(last.B_max):.3f} of {degrees(high):.3f}°; its springs must hold more torque than the cam gives",
-        )
-    ]
+    build = (
+        f"a wheel of two halves under springs on the camshaft, which takes out its own mesh only, "
+        f"{degrees(last.B_max):.3f} of {degrees(high):.3f}°; its springs must hold more torque than the cam gives"
+    )
+    return [_robust(sheet, "split wheel, compensated", ends, build)]
 
 
 def _bearing(sheet: _Sheet) -> list[Remedy]:

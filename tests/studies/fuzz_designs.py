@@ -125,7 +125,7 @@ def _is_table(node: Any, defs: dict[str, Any]) -> bool:
 
 @cache
 def bases() -> dict[str, dict[str, Any]]:
-    """The packaged designs, as their files say."""
+    """The packaged designs as parsed TOML."""
     return {name: tomllib.loads(file.read_text()) for name, file in packaged_designs().items()}
 
 
