@@ -9,13 +9,16 @@ The rod rests on the point, of both faces' outlines, that asks for the greatest 
 linear in w, so the faces decide.
 """
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from cadgen.cam.follower import Follower
+from cadgen.cam.lowest import SAME
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.errors import DesignError
 
@@ -33,9 +36,11 @@ _POINTS_PER_RADIUS = 20  # of the rod at least, or two steps could agree by chan
 # that the schema allows still has some points under it.
 _MOST_POINTS = 1_500_000
 _MOST_UNDER = 10_000
-# Stations handled at once, so that the table of candidates stays within the processor's cache; fewer if it is wide.
-_BLOCK = 128
-_TABLE = 500_000
+# Stations handled at once, so that a table of candidates stays within the processor's cache; fewer if it is wide.
+_BLOCK = 512
+_TABLE = 100_000
+# Every so many points one stands for those about it, and what is under the rod is narrowed down by these first.
+_STRIDE = 8
 
 
 @dataclass(frozen=True)
@@ -62,6 +67,10 @@ class Contact:
     margin: Array
     across: Array
     pressure_angle: Array
+
+    def at(self, rows: NDArray[np.intp]) -> "Contact":
+        """The contact at some of the cam angles."""
+        return Contact(*(getattr(self, field.name)[rows] for field in fields(self)))
 
 
 def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tuple[Contact, float]:
@@ -118,19 +127,15 @@ def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
     Raises:
         DesignError: the outline does not enclose the camshaft or is not star-shaped about it.
     """
-    cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
-    ring = _Ring.of(outline, follower)
-    rows = ring.rows(cam_angle)
-    best = np.concatenate(
-        [ring.rest(block) for block in np.split(cam_angle, range(rows, len(cam_angle), rows))], axis=1
-    )
-    tan_beta, face, across, pressure_angle, margin = best
-    return Contact(cam_angle, tan_beta, follower.lift(tan_beta), face, margin, across, pressure_angle)
+    return Ring.of(outline, follower).contact(cam_angle)
 
 
 @dataclass(frozen=True)
-class _Ring:
-    """An outline sorted by polar angle, laid out for looking up all points under the rod at once."""
+class Ring:
+    """An outline sorted by polar angle, laid out for looking up all points under the rod at once.
+
+    What rolls on one outline again and again lays it out once.
+    """
 
     follower: Follower
     angle: Array
@@ -140,7 +145,8 @@ class _Ring:
     window: float
 
     @classmethod
-    def of(cls, outline: Outline, follower: Follower) -> "_Ring":
+    def of(cls, outline: Outline, follower: Follower) -> "Ring":
+        """Lay out an outline; raises `DesignError` as `roll`."""
         angle = outline.angle
         slack = 5e-9  # rad; branches that meet within 2e-9 from either side count as joined, plus rounding
         turns = angle[-1] - angle[0]
@@ -159,51 +165,96 @@ class _Ring:
         tiled = (angle + offsets[:, None]).ravel()
         near = (tiled > first - reach - 0.2) & (tiled < first + _TURN + reach + 0.2)
         pieces = outline.piece + (outline.piece.max() + 1) * np.arange(3)[:, None]
-        points = np.tile(outline.points.T, 3)[:, near]
+        points = np.ascontiguousarray(np.tile(outline.points.T, 3)[:, near])
         return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], reach)
 
-    def rows(self, theta: Array) -> int:
-        """How many of these cam angles `rest` may be asked for at once."""
-        if self.follower.radius == 0:
-            return _BLOCK
-        first, last = self._window(self._within(theta))
-        return int(np.clip(_TABLE // max(int((last - first).max(initial=1)), 1), 1, _BLOCK))
+    def contact(self, cam_angle: Array) -> Contact:
+        """Let the rod down at cam angles, rad, shape (n,)."""
+        cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
+        best = self._axis(cam_angle) if self.follower.radius == 0 else self._rest(cam_angle)
+        tan_beta, face, across, pressure_angle, margin = best
+        return Contact(cam_angle, tan_beta, self.follower.lift(tan_beta), face, margin, across, pressure_angle)
+
+    @cached_property
+    def _heads(self) -> tuple[NDArray[np.intp], Array]:
+        """Every `_STRIDE`-th point, and how far from it, mm, those are for which it stands."""
+        count = len(self.angle)
+        heads = np.arange(0, count, _STRIDE)
+        about = np.clip(heads[:, None] + np.arange(-_STRIDE // 2, _STRIDE // 2 + 1), 0, count - 1)
+        off = self.points[:, about] - self.points[:, heads, None]
+        return heads, np.sqrt(np.max(np.sum(off**2, axis=0), axis=1)) + SAME
 
     def _within(self, theta: Array) -> Array:
         """Cam angles of the turn that is laid out."""
         theta = self.angle[0] + (theta - self.angle[0]) % _TURN
         return np.where(theta < self.angle[0] + self.window, theta + _TURN, theta)
 
-    def _window(self, theta: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """The points under the rod at each cam angle: the first, and the one after the last."""
-        return np.searchsorted(self.angle, theta - self.window), np.searchsorted(self.angle, theta + self.window)
+    def _axis(self, theta: Array) -> Array:
+        """As `_rest`, for the rod's axis on its own curve."""
+        theta, follower = self._within(theta), self.follower
+        u = np.interp(theta, self.angle, self.radius) - follower.base_radius
+        carrying = follower.contact_face(u)
+        step = 1e-4  # rad; well above rounding, well below any feature
+        ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
+        slope = (ahead - behind) / (2 * step)
+        angle = np.arctan2(slope, u + follower.base_radius)
+        return np.stack([u / carrying, carrying, np.zeros_like(u), angle, follower.land * np.abs(u / carrying)])
 
-    def rest(self, theta: Array) -> Array:
+    def _rest(self, theta: Array) -> Array:
         """tan(beta), carrying face, contact's y, pressure angle and margin at each cam angle, shape (5, n)."""
         theta = self._within(theta)
+        heads, _ = self._heads
+        angle = self.angle[heads]
+        first, last = np.searchsorted(angle, theta - self.window) - 1, np.searchsorted(angle, theta + self.window) + 1
+        bounds = np.empty((2, len(theta)), dtype=np.intp)
+        for block in _blocks(last - first):
+            bounds[:, block] = self._narrowed(theta[block], first[block], int((last - first)[block].max()))
+        begin, end = bounds
+        best = np.empty((5, len(theta)))
+        for block in _blocks(end - begin):
+            best[:, block] = self._highest(theta[block], begin[block], int((end - begin)[block].max()))
+        return best
+
+    def _narrowed(self, theta: Array, first: NDArray[np.intp], width: int) -> NDArray[np.intp]:
+        """Bounds of the points that the rod may rest on, shape (2, n): the first, and the one after the last.
+
+        Points within `off` of a head ask for no more than one at u + off and |y| - off would. Where that is less than
+        what some head asks for, none of them carries.
+
+        Args:
+            theta: cam angles, shape (n,), rad.
+            first: the first head to look at, shape (n,).
+            width: how many heads to look at.
+        """
+        heads, away = self._heads
         follower = self.follower
-        if follower.radius == 0:
-            u = np.interp(theta, self.angle, self.radius) - follower.base_radius
-            carrying = follower.contact_face(u)
-            step = 1e-4  # rad; well above rounding, well below any feature
-            ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
-            slope = (ahead - behind) / (2 * step)
-            angle = np.arctan2(slope, u + follower.base_radius)
-            return np.stack([u / carrying, carrying, np.zeros_like(u), angle, follower.land * np.abs(u / carrying)])
-        first, last = self._window(theta)
-        # Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
-        width = int((last - first).max()) + 2
-        first = np.clip(first - 1, 0, len(self.angle) - width)
-        ahead, left = (sliding_window_view(values, width)[first] for values in self.points)
-        c, s = np.cos(theta)[:, None], np.sin(theta)[:, None]
-        x, y = ahead * c + left * s, left * c - ahead * s
-        under = np.abs(y) < follower.radius
-        h = np.sqrt(np.where(under, follower.radius**2 - y**2, 0.0))
-        results = []
+        first = np.clip(first, 0, len(heads) - width)
+        x, y = _turned_back(self.points[:, heads], theta, first, width)
+        off = sliding_window_view(away, width)[first]
+        u = x - follower.base_radius
+        under, h = _under(y, follower.radius)
+        near, most = _under(np.maximum(np.abs(y) - off, 0.0), follower.radius)
+        candidates = np.zeros(u.shape, dtype=bool)
         for face in (follower.inner, follower.outer):
-            needed = np.where(under, _clearing(x - follower.base_radius, h, face), -np.inf)
-            results.append(self._refine(needed, y, first, face))
-        inner, outer = results
+            least = np.where(under, _clearing(u, h, face), -np.inf).max(axis=1)
+            candidates |= near & (_clearing(u + off, most, face) >= least[:, None])
+        # The heads' own neighbours, and those that a parabola takes.
+        reach = _STRIDE // 2 + 4
+        begin = heads[first + np.argmax(candidates, axis=1)] - reach
+        end = heads[first + width - 1 - np.argmax(candidates[:, ::-1], axis=1)] + reach + 1
+        return np.stack([begin, end])
+
+    def _highest(self, theta: Array, begin: NDArray[np.intp], width: int) -> Array:
+        """As `_rest`, among the points of a window."""
+        follower = self.follower
+        begin = np.clip(begin, 0, len(self.angle) - width)
+        x, y = _turned_back(self.points, theta, begin, width)
+        u = x - follower.base_radius
+        under, h = _under(y, follower.radius)
+        inner, outer = (
+            self._refine(np.where(under, _clearing(u, h, face), -np.inf), y, begin, face)
+            for face in (follower.inner, follower.outer)
+        )
         best = np.where(inner[0] >= outer[0], inner, outer)
         return np.vstack([best, best[1] * np.abs(inner[0] - outer[0])])
 
@@ -230,3 +281,28 @@ class _Ring:
         across = y[row, chosen] + np.abs(shift) * (y[row, beside] - y[row, chosen])
         angle = np.arcsin(np.clip(across / self.follower.radius, -1.0, 1.0))
         return np.stack([np.maximum(refined, sampled), np.full(len(needed), face), across, angle])
+
+
+def _blocks(width: NDArray[np.intp]) -> Iterator[slice]:
+    """Stations to handle at once, so many that a table of so many points for each stays small."""
+    if not len(width):
+        return
+    rows = int(np.clip(_TABLE // max(int(width.max()), 1), 1, _BLOCK))
+    for start in range(0, len(width), rows):
+        yield slice(start, start + rows)
+
+
+def _turned_back(points: Array, theta: Array, first: NDArray[np.intp], width: int) -> tuple[Array, Array]:
+    """Points of a window at each cam angle, ahead of the camshaft and across, shape (n, width) each.
+
+    Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
+    """
+    ahead, left = (sliding_window_view(values, width)[first] for values in points)
+    c, s = np.cos(theta)[:, None], np.sin(theta)[:, None]
+    return ahead * c + left * s, left * c - ahead * s
+
+
+def _under(y: Array, radius: float) -> tuple[NDArray[np.bool_], Array]:
+    """Whether points lie under the rod, and the rod's half-height h there, mm; 0 beside it."""
+    under = np.abs(y) < radius
+    return under, np.sqrt(np.where(under, radius**2 - y**2, 0.0))

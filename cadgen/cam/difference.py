@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.cam.contact import Contact, roll
+from cadgen.cam.contact import Contact, Ring
 from cadgen.cam.follower import Follower
 from cadgen.curves.closed import Outline
 
@@ -18,11 +18,11 @@ _TRAVEL = 0.06
 _MOST_BETWEEN = 16
 # The greatest differences at stations are closed in on: this many of them, by so many stations each, in as many rounds.
 # A hump that three stations see is then met within 1e-3 of its height. One of them sees at least eight ninths of it, so
-# that a hump that shows less than this share of the greatest is not the highest.
-_LEAST_SHARE = 0.85
+# that a hump that shows less than this share of the greatest is not the highest. The next round's stations are four
+# times as close together and miss a sixteenth of that ninth, and so on.
+_LEAST_SHARES = (0.85, 0.99, 0.999)
 _PLACES = 48
 _WITHIN = 9
-_ROUNDS = 3
 
 
 def dense_stations(follower: Follower, contact: Contact) -> Array:
@@ -52,32 +52,44 @@ class Exact:
     stations: Array
 
     @cached_property
-    def lift(self) -> Array:
-        """At the stations, mm, shape (n,)."""
-        return roll(self.outline, self.follower, self.stations).lift
+    def _ring(self) -> Ring:
+        return Ring.of(self.outline, self.follower)
 
-    def greatest_difference(self, outline: Outline) -> float:
+    @cached_property
+    def _lift(self) -> Array:
+        """At the stations, mm, shape (n,)."""
+        return self._ring.contact(self.stations).lift
+
+    def compare(self, outline: Outline) -> tuple[float, Contact]:
         """The greatest difference of lift of another outline, in size, mm: within a hundredth and what rolling errs.
+
+        Returns:
+            The difference, and how the rod rests on the other outline at the stations.
 
         Raises:
             DesignError: the outline does not enclose the camshaft or is not star-shaped about it.
         """
-        size = np.abs(roll(outline, self.follower, self.stations).lift - self.lift)
+        ring = Ring.of(outline, self.follower)
+        contact = ring.contact(self.stations)
+        return self._greatest(ring, np.abs(contact.lift - self._lift)), contact
+
+    def _greatest(self, ring: Ring, size: Array) -> float:
+        """Close in on the highest humps of a difference that is known at the stations."""
         greatest = float(size.max())
         # The turn closes: behind the last station comes the first one.
         stations = self.stations
         around = np.concatenate([stations[-1:] - 2 * np.pi, stations, stations[:1] + 2 * np.pi])
-        humps = np.flatnonzero(
-            (size >= np.roll(size, 1)) & (size >= np.roll(size, -1)) & (size >= _LEAST_SHARE * greatest)
-        )
+        humps = np.flatnonzero((size >= np.roll(size, 1)) & (size >= np.roll(size, -1)))
         humps = humps[np.argsort(-size[humps])[:_PLACES]]
-        centre = stations[humps]
+        centre, height = stations[humps], size[humps]
         reach = np.maximum(around[humps + 2] - centre, centre - around[humps])
-        for _ in range(_ROUNDS):
-            theta = centre[:, None] + reach[:, None] * np.linspace(-1.0, 1.0, _WITHIN)
-            lifts = [roll(of, self.follower, theta.ravel()).lift for of in (outline, self.outline)]
-            size = np.abs(lifts[0] - lifts[1]).reshape(theta.shape)
-            greatest = max(greatest, float(size.max()))
-            centre = theta[np.arange(len(theta)), np.argmax(size, axis=1)]
-            reach = reach * 2 / (_WITHIN - 1)
+        for share in _LEAST_SHARES:
+            high = height >= share * greatest
+            theta = centre[high, None] + reach[high, None] * np.linspace(-1.0, 1.0, _WITHIN)
+            lifts = [of.contact(theta.ravel()).lift for of in (ring, self._ring)]
+            sizes = np.abs(lifts[0] - lifts[1]).reshape(theta.shape)
+            best = np.argmax(sizes, axis=1)
+            rows = np.arange(len(theta))
+            centre, height, reach = theta[rows, best], sizes[rows, best], reach[high] * 2 / (_WITHIN - 1)
+            greatest = max(greatest, float(height.max()))
         return greatest

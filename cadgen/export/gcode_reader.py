@@ -6,6 +6,7 @@ shares nothing with the writer.
 
 import re
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import atan2, ceil, hypot, nan, pi
 from pathlib import Path
 
@@ -273,11 +274,20 @@ class _Swept:
 
     def _met(self, place: NDArray[np.intp], ray: Array) -> tuple[Array, Array]:
         """How far along a ray the cutter at a place is met, infinite if it is not, and how far aside it stands, mm."""
-        off = self.angle[place] - ray
-        aside = self.distance[place] * np.sin(off)
-        met = np.abs(aside) < self.radius
-        near = self.distance[place] * np.cos(off) - np.sqrt(np.where(met, self.radius**2 - aside**2, 0.0))
-        return np.where(met & (np.cos(off) > 0), near, np.inf), aside
+        # By products of a few sines: those of all angles between places and rays would take three times as long.
+        x, y = self._centres
+        c, s = np.cos(ray), np.sin(ray)
+        x, y = x[place], y[place]
+        along, aside = x * c + y * s, y * c - x * s
+        under = self.radius**2 - aside**2
+        near = along - np.sqrt(np.maximum(under, 0.0))
+        near[(under <= 0) | (along <= 0)] = np.inf
+        return near, aside
+
+    @cached_property
+    def _centres(self) -> Array:
+        """The places, mm, shape (2, n)."""
+        return self.distance * np.stack([np.cos(self.angle), np.sin(self.angle)])
 
 
 def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:

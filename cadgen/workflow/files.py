@@ -146,16 +146,19 @@ class _Job:
 
         Only lifts rolled in equal steps are compared: what rolling errs by is then nearly the same in both.
         """
-        error = self.exact.greatest_difference(outline) * 1e3
-        return _Result(name, error, lift_limit_um, {**facts, **self._end_of_run(outline, lift_limit_um)})
+        difference, contact = self.exact.compare(outline)
+        end = self._end_of_run(outline, contact, lift_limit_um)
+        return _Result(name, difference * 1e3, lift_limit_um, {**facts, **end})
 
-    def _end_of_run(self, outline: Outline, lift_limit_um: float) -> dict[str, float]:
+    def _end_of_run(self, outline: Outline, contact: Contact, lift_limit_um: float) -> dict[str, float]:
         against = self.plan.against
         if against is None:
             return {}
         as_built = against.task.as_built
-        finished = as_built.finished(outline) if as_built.shapes_discs else outline
-        rolled = roll(finished, self.plan.follower, self.cam_angle)
+        if as_built.shapes_discs:
+            rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
+        else:
+            rolled = contact.at(np.searchsorted(contact.cam_angle, self.cam_angle))
         # Rises and falls within what the file may err by are no events of the path.
         least = max(against.chosen.least, lift_limit_um * 1e-3 / self.plan.rod.inner)
         lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)

@@ -15,7 +15,7 @@ def test_the_greatest_difference_is_that_of_a_dense_search(carbon_free_car):
     even = np.linspace(0, 2 * np.pi, 3600, endpoint=False)
     contact, _ = roll_curve(car.actual.curve, car.follower, even)
     exact = Exact(car.actual.curve.outline(step), car.follower, dense_stations(car.follower, contact))
-    found = exact.greatest_difference(outline) * 1e3
+    found = exact.compare(outline)[0] * 1e3
     coarse = np.abs(roll(outline, car.follower, even).lift - contact.lift).max() * 1e3
     dense = np.linspace(0, 2 * np.pi, 60_000, endpoint=False)
     lifts = [roll(one, car.follower, dense).lift for one in (outline, exact.outline)]
