@@ -287,7 +287,7 @@ class _Swept:
     @cached_property
     def _centres(self) -> Array:
         """The places, mm, shape (2, n)."""
-        return self.distance * np.stack([np.cos(self.angle), np.sin(self.angle)])
+        return np.asarray(self.distance * np.stack([np.cos(self.angle), np.sin(self.angle)]))
 
 
 def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:

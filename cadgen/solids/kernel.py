@@ -173,6 +173,7 @@ def solids(shape: TopoDS_Shape) -> list[TopoDS_Solid]:
 
 def is_valid(shape: TopoDS_Shape) -> bool:
     """Whether BRepCheck finds no fault in the shape."""
+
     return bool(BRepCheck_Analyzer(shape).IsValid())
 
 
