@@ -16,7 +16,7 @@ from cadgen.design.load import load_design
 from cadgen.export.mesh import cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
 from cadgen.solids.cam import cam_part
 from cadgen.solids.step import read_step, step_bytes
-from cadgen.workflow.cam import CamPlan, plan_cam
+from cadgen.workflow.cam.plan import CamPlan, plan_cam
 
 CHORD = 0.005  # mm
 STEP = 0.05  # mm between the points that the rod is rolled on

@@ -13,16 +13,17 @@ from time import perf_counter, process_time
 import numpy as np
 import pytest
 
+from cadgen.arrays import TURN
+from cadgen.build import cam_model
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
-from cadgen.design import stages
 from cadgen.design.load import load_design
-from cadgen.motion.drive import TURN, drive, wheel_radius
+from cadgen.monte_carlo.derivatives import Expansion
+from cadgen.monte_carlo.fleet import Fleet, make_fleet
+from cadgen.monte_carlo.robust import Tolerances, tolerance_run
+from cadgen.motion.drive import drive, wheel_radius
 from cadgen.motion.mechanics import Mechanics
 from cadgen.optimize.compensation import compensated_lift
-from cadgen.optimize.derivatives import Expansion
-from cadgen.optimize.fleet import Fleet, make_fleet
-from cadgen.optimize.robust import Tolerances, tolerance_run
 
 SAMPLES = 10_000
 STEPS = 3600
@@ -76,8 +77,8 @@ EVERYTHING = replace(
 
 def made(mechanics: Mechanics | None) -> Fleet:
     design = load_design("carbon_free_car")
-    track, car, follower = stages.track(design), stages.car(design), stages.follower(design)
-    lift = stages.lift(design, track)
+    track, car, follower = cam_model.track(design), cam_model.car(design), cam_model.follower(design)
+    lift = cam_model.lift(design, track)
     play = radians(0.781)
     cam = compensated_lift(lift, follower, play)
     grid = np.linspace(0.0, TURN, STEPS, endpoint=False)
@@ -130,7 +131,7 @@ def test_time_is_linear_in_the_samples(benchmark, fleet):
 
 def test_cars_with_every_band_against_those_without(benchmark, fleet):
     """Processor time of one process, in turn, for other programs come and go."""
-    rubbing = made(Mechanics(follower=stages.follower(load_design("carbon_free_car")), friction=0.175, drag=2.0))
+    rubbing = made(Mechanics(follower=cam_model.follower(load_design("carbon_free_car")), friction=0.175, drag=2.0))
     best = {"without": inf, "with": inf}
     for _ in range(5):
         for name, cars, tolerances in (("without", fleet, TOLERANCES), ("with", rubbing, EVERYTHING)):

@@ -2,23 +2,29 @@
 
 The rooms, in walking order; each imports only those before it.
 
-| room       | what happens there                                                              |
-|------------|---------------------------------------------------------------------------------|
-| `errors`   | what can go wrong, with the exit codes                                          |
-| `reading`  | files that a user names, refused by kind and size                               |
-| `curves`   | closed plane curves: arcs, splines, chords and offsets within a tolerance        |
-| `path`     | waypoints -> spline -> the drive wheel's track by arc length                     |
-| `steering` | curvature of the track <-> steering angle                                        |
-| `cam`      | lift, theoretical and actual profile, contact, checks                            |
-| `gears`    | tolerances, backlash, return error, order of stages, tooth form                  |
-| `motion`   | how the car runs when the gears have play                                       |
-| `optimize` | methods against play, the choice among them, many cars within the tolerances    |
-| `design`   | the design file: TOML -> frozen values -> the numeric rooms' own types           |
-| `solids`   | the only room that imports the CAD kernel                                        |
-| `export`   | one file per format, each with its read-back; manifest; publishing               |
-| `report`   | pictures, as PNG and SVG                                                        |
-| `workflow` | one job from design to verified files                                            |
-| `cli`      | the commands                                                                     |
+| room          | what happens there                                                        |
+|---------------|---------------------------------------------------------------------------|
+| `errors`      | what can go wrong, with the exit codes                                    |
+| `arrays`      | an array of floats, a turn                                                |
+| `check`       | one figure with its limit and verdict                                     |
+| `reading`     | files that a user names, refused by kind and size                         |
+| `curves`      | closed plane curves: arcs, splines, chords and offsets within a tolerance |
+| `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
+| `steering`    | curvature of the track <-> steering angle                                 |
+| `cam`         | lift, theoretical and actual profile, contact, checks                     |
+| `gears`       | tolerances, backlash, return error, order of stages, tooth form, checks   |
+| `motion`      | how the car runs when the gears have play                                 |
+| `deviations`  | what a real car differs by, and what that does to it                      |
+| `measurement` | measured data -> the effects that explain them                            |
+| `optimize`    | methods against play and the choice among them                            |
+| `monte_carlo` | many cars within the tolerances                                           |
+| `design`      | the design file: TOML -> frozen values                                    |
+| `build`       | design -> the numeric rooms' own types, in mm and rad                     |
+| `solids`      | the only room that imports the CAD kernel                                 |
+| `export`      | one file per format, each with its read-back; manifest; publishing        |
+| `report`      | pictures, as PNG and SVG                                                  |
+| `workflow`    | one job from design to verified files                                     |
+| `cli`         | the commands                                                              |
 
 Inside, lengths are mm and angles rad; other units occur only at the rim and then stand in the name.
 """

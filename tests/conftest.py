@@ -1,4 +1,4 @@
-"""The two cars of the paper, built once per run from the files in `designs/`."""
+"""The two cars of the paper, built once per run from the files in `designs/`; and designs made of tables or text."""
 
 import os
 
@@ -6,13 +6,16 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from copy import deepcopy
 from dataclasses import dataclass
 from math import radians
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+import tomli_w
 from hypothesis import settings
 
 from cadgen.cam.envelope import ActualProfile, actual_profile
@@ -27,6 +30,15 @@ from tests.forks import Forks
 settings.register_profile("submission", derandomize=True)
 if os.environ.get("CI"):
     settings.load_profile("submission")
+
+Tables = dict[str, Any]
+
+_MINIMAL: Tables = {
+    "path": {"waypoints_mm": [[0, 0], [1500, 200], [2600, 1200], [4000, 1500], [5500, 1000]]},
+    "car": {"wheelbase_mm": 167, "drive_wheel_offset_mm": 37, "idle_wheel_offset_mm": 201},
+    "cam": {"base_radius_mm": 70, "mid_plane_mm": 25, "thickness_mm": 3},
+    "follower": {"radius_mm": 2.5},
+}
 
 DESIGNS = Path(__file__).parent.parent / "designs"
 
@@ -83,3 +95,23 @@ def carbon_free_car() -> Built:
 def appendix_car() -> Built:
     """The appendix program's car with its cubic spline."""
     return build("appendix_car")
+
+
+@pytest.fixture
+def minimal() -> Tables:
+    """The shortest design, as tables that a test may change."""
+    return deepcopy(_MINIMAL)
+
+
+@pytest.fixture
+def written(tmp_path: Path) -> Callable[[str | bytes | Tables], Path]:
+    """Write a design file from text, bytes or tables and return its path."""
+
+    def write(content: str | bytes | Tables) -> Path:
+        file = tmp_path / "mine.toml"
+        if isinstance(content, dict):
+            content = tomli_w.dumps(content)
+        file.write_bytes(content.encode() if isinstance(content, str) else content)
+        return file
+
+    return write

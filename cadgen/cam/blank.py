@@ -6,14 +6,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.curves.closed import Outline, cross, polar_angle
 from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
 from cadgen.errors import DesignError
 
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 _STEP = 0.05  # mm between points on bore and hub, which errs by 1e-4 mm of wall on a hub of 6 mm
 _STATION = 64  # points of an outline, of which the first is tried before the others
 _ROUNDING = 1e-9  # mm, of a way along an outline
@@ -177,7 +175,7 @@ class CamBlank:
         ring = self.lightening
         if ring is None:
             return ()
-        angles = ring.start_angle + _TURN / ring.count * np.arange(ring.count)
+        angles = ring.start_angle + TURN / ring.count * np.arange(ring.count)
         centers = ring.circle_diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
         return tuple(circle(center, ring.hole_diameter / 2) for center in centers)
 
@@ -267,7 +265,7 @@ def _may_be_nearest(contour: Contour, points: Array) -> NDArray[np.bool_]:
 
 def _beyond(points: Array, outline: Outline) -> Array:
     """How much further from the axis points lie than an outline that is star-shaped about it, mm."""
-    rim = np.interp(polar_angle(points), outline.angle, np.linalg.norm(outline.points, axis=1), period=_TURN)
+    rim = np.interp(polar_angle(points), outline.angle, np.linalg.norm(outline.points, axis=1), period=TURN)
     return np.asarray(np.linalg.norm(points, axis=1) - rim)
 
 

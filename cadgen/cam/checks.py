@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from math import inf, radians
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.blank import CamBlank
-from cadgen.cam.check import Check
 from cadgen.cam.contact import ROLLING_TOLERANCE, Contact, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
@@ -19,11 +18,8 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.cam.limits import PressureAngleLimit
 from cadgen.cam.loss import Loss, lost_lift
 from cadgen.cam.theoretical import theoretical_profile
+from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve, Outline
-
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 
 STATIONS = 3600  # one per 0.1 degree of cam angle
 # Where the exact envelope is not trimmed, the rod must neither be pushed out (the wanted place would cut into the
@@ -65,7 +61,7 @@ class CheckLimits:
 
 def cam_angles(lift: LiftCurve) -> Array:
     """Stations for the checks: an even grid and every kink, rad."""
-    even = np.linspace(0.0, _TURN, STATIONS, endpoint=False)
+    even = np.linspace(0.0, TURN, STATIONS, endpoint=False)
     return np.unique(np.concatenate([even, lift.kinks]))
 
 
@@ -157,7 +153,7 @@ def _curvature(
             place = f"{_polar(point)}, corner {np.degrees(sharpest.turn):.1f}°"
     # What is sharper than the rod is undercut; that is sized as lost lift, and bearable if the loss is.
     lost = max((loss.lift for loss in losses if loss.trim.kind == "local"), default=0.0)
-    angle = float(np.arctan2(point[1], point[0])) % _TURN
+    angle = float(np.arctan2(point[1], point[0])) % TURN
     checks = [
         Check(
             "convex radius, theory",
@@ -203,7 +199,7 @@ def _contact(
     trimmed = lift.in_blend(contact.cam_angle)
     error = np.where(trimmed, 0.0, error)
     for trim in trims:
-        trimmed |= (contact.cam_angle - trim.before) % _TURN <= (trim.after - trim.before) % _TURN
+        trimmed |= (contact.cam_angle - trim.before) % TURN <= (trim.after - trim.before) % TURN
     checks = []
     for name, beyond in (("rod pushed out", error), ("rod falls short", np.where(trimmed, 0.0, -error))):
         worst = int(np.argmax(beyond))
@@ -359,7 +355,7 @@ def _cutter(curve: ClosedCurve, limits: CheckLimits) -> Check:
 
 def _closure(lift: LiftCurve) -> list[Check]:
     """Jumps of tan(beta) and its derivatives where the turn closes and where the blend begins."""
-    dense = np.linspace(0.0, _TURN, STATIONS, endpoint=False)
+    dense = np.linspace(0.0, TURN, STATIONS, endpoint=False)
     breaks, coefficients = lift.tan_beta.x, lift.tan_beta.c
     checks = []
     for name, left in (
@@ -399,7 +395,7 @@ def _least_convex_radius(curve: ClosedCurve) -> tuple[float, Array]:
 
 
 def _near(point: Array, angles: Array) -> bool:
-    off = (np.arctan2(point[1], point[0]) - angles + np.pi) % _TURN - np.pi
+    off = (np.arctan2(point[1], point[0]) - angles + np.pi) % TURN - np.pi
     return bool(np.any(np.abs(off) < 1e-6))
 
 

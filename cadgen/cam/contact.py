@@ -17,14 +17,11 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lowest import SAME
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.errors import DesignError
-
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 
 # Steps of an outline, mm, between which `roll_curve` chooses, and the change of lift at which it is content. The
 # error falls with the third power of the step, so what is left is an eighth of the last change: 0.0025 um.
@@ -150,7 +147,7 @@ class Ring:
         angle = outline.angle
         slack = 5e-9  # rad; branches that meet within 2e-9 from either side count as joined, plus rounding
         turns = angle[-1] - angle[0]
-        if not (np.diff(angle) > -slack).all() or abs(turns - _TURN) > 1e-3:
+        if not (np.diff(angle) > -slack).all() or abs(turns - TURN) > 1e-3:
             place = np.degrees(angle[int(np.argmin(np.diff(angle)))]) % 360
             raise DesignError(
                 f"the outline is not a closed curve run once round the camshaft: it overhangs near polar angle "
@@ -161,9 +158,9 @@ class Ring:
         reach = np.arcsin(min(1.0, follower.radius / radius.min())) if follower.radius > 0 else 0.0
         # A little more than a turn on either side, so that a window never wraps.
         first = angle[0]
-        offsets = np.array([-_TURN, 0.0, _TURN])
+        offsets = np.array([-TURN, 0.0, TURN])
         tiled = (angle + offsets[:, None]).ravel()
-        near = (tiled > first - reach - 0.2) & (tiled < first + _TURN + reach + 0.2)
+        near = (tiled > first - reach - 0.2) & (tiled < first + TURN + reach + 0.2)
         pieces = outline.piece + (outline.piece.max() + 1) * np.arange(3)[:, None]
         points = np.ascontiguousarray(np.tile(outline.points.T, 3)[:, near])
         return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], reach)
@@ -186,8 +183,8 @@ class Ring:
 
     def _within(self, theta: Array) -> Array:
         """Cam angles of the turn that is laid out."""
-        theta = self.angle[0] + (theta - self.angle[0]) % _TURN
-        return np.where(theta < self.angle[0] + self.window, theta + _TURN, theta)
+        theta = self.angle[0] + (theta - self.angle[0]) % TURN
+        return np.where(theta < self.angle[0] + self.window, theta + TURN, theta)
 
     def _axis(self, theta: Array) -> Array:
         """As `_rest`, for the rod's axis on its own curve."""

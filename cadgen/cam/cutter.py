@@ -5,13 +5,11 @@ from math import inf
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, left_normal
 from cadgen.curves.offset import SLIGHT_TURN, parallel
 from cadgen.curves.spacing import turning
-
-Array = NDArray[np.float64]
 
 _CLEARANCE = 1e-3  # mm; a cutter smaller than this is none
 _POINTS = 1200  # round the curve; pairs of them are tried, then the tightest is closed in on

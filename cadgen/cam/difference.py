@@ -4,13 +4,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.cam.contact import Contact, Ring
 from cadgen.cam.follower import Follower
 from cadgen.curves.closed import Outline
-
-Array = NDArray[np.float64]
 
 # The contact runs along a hollow that is hardly wider than the rod within little angle. Stations are put in so that it
 # moves by no more than this from one to the next, mm, but not more than so many between two: a corner takes no travel.

@@ -17,8 +17,8 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.lowest import SAME, Run, lowest_branches
@@ -26,9 +26,6 @@ from cadgen.cam.theoretical import rod_half_width, span_jets
 from cadgen.curves.closed import ByAngle, ClosedCurve, Jet, cross, polar_angle
 from cadgen.errors import DesignError
 
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 _SAMPLES = 3600  # of a turn: folds and crossings closer together than 0.1 degree count as one
 _NEWTON_STEPS = 20
 _ZOOM, _ZOOMS = 33, 4  # polar angles at a time, and rounds: from 0.1 degree to 2e-9 rad
@@ -166,14 +163,14 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     by_angle = [ByAngle(b) for b in branches]
 
     # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
-    uniform = np.linspace(0.0, _TURN, _SAMPLES, endpoint=False)
-    edges = np.sort(np.concatenate([starts % _TURN, (starts + spans) % _TURN, uniform]))
+    uniform = np.linspace(0.0, TURN, _SAMPLES, endpoint=False)
+    edges = np.sort(np.concatenate([starts % TURN, (starts + spans) % TURN, uniform]))
     # Rounding may put one place at 0 and again just below a turn, so the last cell is measured round the end.
-    edges = edges[np.diff(np.concatenate([edges, [edges[0] + _TURN]])) > _JOINT]
-    cells = edges + np.diff(np.concatenate([edges, [edges[0] + _TURN]])) / 2
+    edges = edges[np.diff(np.concatenate([edges, [edges[0] + TURN]])) > _JOINT]
+    cells = edges + np.diff(np.concatenate([edges, [edges[0] + TURN]])) / 2
     radii = np.full((len(branches), len(cells)), np.inf)
     for number, branch in enumerate(branches):
-        covered = np.flatnonzero((cells - starts[number]) % _TURN <= spans[number])
+        covered = np.flatnonzero((cells - starts[number]) % TURN <= spans[number])
         if covered.size:
             t = by_angle[number].parameters(cells[covered])
             radii[number, covered] = np.linalg.norm(branch.jet(t).point, axis=1)
@@ -187,14 +184,14 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
         left, run = runs[len(begins) - 1], runs[len(begins)]
         before, after, near = branches[left.branch], branches[run.branch], edges[run.cell]
         ends = np.array([_angle(before, before.stop), _angle(after, after.start)])
-        gaps = (ends - near + np.pi) % _TURN - np.pi
+        gaps = (ends - near + np.pi) % TURN - np.pi
         if np.abs(gaps).max() < 2 * _JOINT:
             leave, enter = before.stop, after.start
         else:
             low = cells[run.cell - 1] if np.isfinite(radii[run.branch, run.cell - 1]) else near
             high = cells[run.cell] if np.isfinite(radii[left.branch, run.cell]) else near
             # The last cell comes before the first one.
-            bracket = near - (near - low) % _TURN, near + (high - near) % _TURN
+            bracket = near - (near - low) % TURN, near + (high - near) % TURN
             both = by_angle[left.branch], by_angle[run.branch]
             leave, enter = _crossing(before, after, both, bracket, near)
             if not _meet(before, after, leave, enter):
@@ -211,8 +208,8 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     pieces = []
     for run, enter, stop in zip(runs, begins, stops[1:] + stops[:1], strict=True):
         branch = branches[run.branch]
-        if stop <= enter and branch.stop - branch.start > _TURN - _JOINT:
-            stop += _TURN  # without kinks one branch covers the whole turn, and a piece of it may run through its end
+        if stop <= enter and branch.stop - branch.start > TURN - _JOINT:
+            stop += TURN  # without kinks one branch covers the whole turn, and a piece of it may run through its end
         if stop > enter:
             pieces.append(replace(branch, start=enter, stop=stop))
     return ActualProfile(ClosedCurve(tuple(pieces)), tuple(trims))
@@ -220,7 +217,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
 
 def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[int, int]:
     """For each branch the one of the same face that begins where it ends."""
-    apart = ((starts + spans)[:, None] - starts + np.pi) % _TURN - np.pi
+    apart = ((starts + spans)[:, None] - starts + np.pi) % TURN - np.pi
     faces = np.array([branch.face for branch in branches])
     follows = (np.abs(apart) < 2 * _JOINT) & (faces[:, None] == faces)
     return {int(number): int(after) for number, after in zip(*np.nonzero(follows), strict=True)}
@@ -234,7 +231,7 @@ def _next_of_face(branches: list[Branch], number: int) -> int:
 
 def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
     """Every part of both envelopes that runs forward, and the rod's section at every hollow kink."""
-    joints = np.unique(np.concatenate([[0.0], lift.kinks, [_TURN]]))
+    joints = np.unique(np.concatenate([[0.0], lift.kinks, [TURN]]))
     branches: list[Branch] = []
     for face in (follower.inner, follower.outer):
         spans = [EnvelopePiece(lift, follower, face, float(a), float(b)) for a, b in pairwise(joints)]
@@ -252,7 +249,7 @@ def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
 
 def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
     """Cut a span at its cusps and folds and keep what runs forward."""
-    count = max(9, int(_SAMPLES * (span.stop - span.start) / _TURN))
+    count = max(9, int(_SAMPLES * (span.stop - span.start) / TURN))
     # Between two nodes of the lift it may turn back, too, however close they are.
     nodes = span.lift.tan_beta.x
     nodes = nodes[(nodes > span.start) & (nodes < span.stop)]
@@ -290,7 +287,7 @@ def _crossing(
         if np.abs(step).max() < _CONVERGED:
             break
     points = np.concatenate([before.jet(t[:1]).point, after.jet(t[1:]).point])
-    off = (polar_angle(points) - bracket[0] + np.pi) % _TURN - np.pi
+    off = (polar_angle(points) - bracket[0] + np.pi) % TURN - np.pi
     inside = np.all((off > -_JOINT) & (off < bracket[1] - bracket[0] + _JOINT))
     if inside and np.abs(points[0] - points[1]).max() < SAME:
         return float(t[0]), float(t[1])
@@ -323,7 +320,7 @@ def _meet(before: Branch, after: Branch, leave: float, enter: float) -> bool:
 
 def _overhang(lift: LiftCurve, after: Branch, enter: float) -> DesignError:
     """Branches that do not meet leave a wall along the ray between them, which no rod can climb."""
-    theta = (after.theta if isinstance(after, RodArc) else enter) % _TURN
+    theta = (after.theta if isinstance(after, RodArc) else enter) % TURN
     in_blend = theta >= lift.blend_start
     softer = "raise cam.blend_deg (the closing blend steers there)" if in_blend else "widen the turn there"
     return DesignError(
@@ -335,7 +332,7 @@ def _overhang(lift: LiftCurve, after: Branch, enter: float) -> DesignError:
 def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> Trim | None:
     """The trim at a crossing; None where nothing is lost because the branches coincide."""
     angles = [b.theta if isinstance(b, RodArc) else t for b, t in ((before, leave), (after, enter))]
-    width = (angles[1] - angles[0] + np.pi) % _TURN - np.pi
+    width = (angles[1] - angles[0] + np.pi) % TURN - np.pi
     if width < _NO_TRIM:
         return None
     point = before.jet(np.array([leave])).point[0]
@@ -343,16 +340,16 @@ def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: f
     if before.face != after.face:
         kind = "face change"
     elif isinstance(before, EnvelopePiece):
-        lost = angles[0] + np.linspace(0, 1, 201) * ((angles[1] - angles[0]) % _TURN)
-        kinked = np.any((lift.kinks - angles[0]) % _TURN <= (angles[1] - angles[0]) % _TURN)
+        lost = angles[0] + np.linspace(0, 1, 201) * ((angles[1] - angles[0]) % TURN)
+        kinked = np.any((lift.kinks - angles[0]) % TURN <= (angles[1] - angles[0]) % TURN)
         whole = replace(before, start=float(lost[0]), stop=float(lost[-1]))
         if not kinked and whole.jet(lost).curvature.min() > 0:
             kind = "global"
-    return Trim(point, angles[0] % _TURN, angles[1] % _TURN, kind)
+    return Trim(point, angles[0] % TURN, angles[1] % TURN, kind)
 
 
 def _refuse_thick_rod(lift: LiftCurve, follower: Follower) -> None:
-    theta = np.linspace(0, _TURN, _SAMPLES, endpoint=False)
+    theta = np.linspace(0, TURN, _SAMPLES, endpoint=False)
     T = lift.tan_beta(theta)
     room = follower.base_radius + follower.lift(T) - follower.radius * np.sqrt(1 + T**2)
     worst = int(np.argmin(room))

@@ -8,12 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
+from cadgen.arrays import TURN, Array
 from cadgen.errors import DesignError
 from cadgen.path.hermite import quintic_hermite
 
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 # rad; a shorter piece before the blend is a share of the open curve's own polynomial: from values and derivatives at
 # its two ends its second derivative would err by the rounding of a value over the square of its length, 1e-8 here.
 _SHORT = 1e-4
@@ -44,7 +42,7 @@ class LiftCurve:
 
     def in_blend(self, cam_angle: Array) -> NDArray[np.bool_]:
         """Whether the closing blend, where the car does not drive, steers at cam angles, rad."""
-        return np.asarray(np.asarray(cam_angle) % _TURN > self.blend_start)
+        return np.asarray(np.asarray(cam_angle) % TURN > self.blend_start)
 
     @cached_property
     def stations(self) -> tuple[Array, Array]:
@@ -68,7 +66,7 @@ class LiftCurve:
             return self.known_level
         nodes, value = self.stations
         # Twice round, so that a stretch across the start is met whole.
-        angle, height = np.concatenate([nodes[:-1], nodes + _TURN]), np.concatenate([value[:-1], value])
+        angle, height = np.concatenate([nodes[:-1], nodes + TURN]), np.concatenate([value[:-1], value])
         across = np.searchsorted(angle, angle[: len(nodes) - 1] + _LEVEL_ANGLE)
         close = np.flatnonzero(np.abs(height[across] - height[: len(across)]) <= _LEVEL_RANGE)
         found: list[list[float]] = []
@@ -87,9 +85,9 @@ class LiftCurve:
             else:
                 found.append([float(angle[first]), float(angle[last])])
         # A stretch across the start is found once from 0 and once from where it really begins.
-        if len(found) > 1 and found[-1][1] >= found[0][0] + _TURN:
+        if len(found) > 1 and found[-1][1] >= found[0][0] + TURN:
             found = found[1:]
-        return np.array([[a, min(b, a + _TURN)] for a, b in found]).reshape(-1, 2)
+        return np.array([[a, min(b, a + TURN)] for a, b in found]).reshape(-1, 2)
 
     @cached_property
     def mirrored(self) -> "LiftCurve":
@@ -102,15 +100,15 @@ class LiftCurve:
                 value = value * np.diff(x) + row
             taylor.append((-1) ** order * value / factorial(order))
             derivative = derivative[:-1] * np.arange(len(derivative) - 1, 0, -1)[:, None]
-        curve = PPoly(np.stack(taylor[::-1])[:, ::-1], _TURN - x[::-1], extrapolate="periodic")
+        curve = PPoly(np.stack(taylor[::-1])[:, ::-1], TURN - x[::-1], extrapolate="periodic")
         level = None if self.known_level is None else _mirrored(self.known_level)
-        return LiftCurve(curve, (-self.kinks) % _TURN, _TURN, level)
+        return LiftCurve(curve, (-self.kinks) % TURN, TURN, level)
 
     def extrema(self) -> tuple[Array, Array]:
         """Cam angles of the peaks and of the valleys of the lift, rad, in order."""
         slope = self.tan_beta.derivative()
         roots = slope.roots(discontinuity=True, extrapolate=False)
-        roots = np.unique(roots[(roots >= 0) & (roots < _TURN) & np.isfinite(roots)])
+        roots = np.unique(roots[(roots >= 0) & (roots < TURN) & np.isfinite(roots)])
         # Both sides are probed: at a kink the slope changes sign without being zero.
         probe = 1e-7
         before, after = slope(roots - probe), slope(roots + probe)
@@ -118,7 +116,7 @@ class LiftCurve:
 
 
 def _mirrored(stretches: Array) -> Array:
-    begin = (-stretches[:, 1]) % _TURN
+    begin = (-stretches[:, 1]) % TURN
     return np.stack([begin, begin + stretches[:, 1] - stretches[:, 0]], axis=1)
 
 
@@ -138,18 +136,18 @@ def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftC
     Raises:
         DesignError: the blend covers the whole turn or nothing of it.
     """
-    if not 0 < blend < _TURN:
+    if not 0 < blend < TURN:
         raise DesignError(f"cam.blend_deg is {degrees(blend):g}; it must lie between 0 and 360 degrees")
-    rate = length / _TURN
+    rate = length / TURN
     theta = arc / rate
     jets = jets * rate ** np.arange(3)
     open_curve = quintic_hermite(theta, jets)
-    start = _TURN - blend
+    start = TURN - blend
     driven = theta < start
     # On a kink the blend goes on from what the path steers before it.
     just = np.nextafter(start, 0.0) if start in theta else start
     at_start = np.stack([open_curve(just, nu=order) for order in range(3)])
-    nodes = np.concatenate([theta[driven], [start, _TURN]])
+    nodes = np.concatenate([theta[driven], [start, TURN]])
     closed = quintic_hermite(nodes, np.vstack([jets[driven], at_start, jets[0]]), periodic=True)
     last = int(np.searchsorted(closed.x, start)) - 1
     if start - closed.x[last] < _SHORT:

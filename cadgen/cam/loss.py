@@ -4,17 +4,13 @@ from dataclasses import dataclass
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import Outline
-
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 
 
 @dataclass(frozen=True)
@@ -49,8 +45,8 @@ def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outl
         return []
     stations = []
     for trim in trims:
-        width = (trim.after - trim.before) % _TURN
-        inside = lift.kinks[(lift.kinks - trim.before) % _TURN < width]
+        width = (trim.after - trim.before) % TURN
+        inside = lift.kinks[(lift.kinks - trim.before) % TURN < width]
         stations.append(np.concatenate([trim.before + np.linspace(0.0, 1.0, 65) * width, inside]))
     theta = np.concatenate(stations)
     missing = follower.lift(lift.tan_beta(theta)) - roll(outline, follower, theta).lift
@@ -63,5 +59,5 @@ def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outl
         for driven, mine in ((True, ~own), (False, own)):
             if mine.any():
                 worst = int(np.argmax(np.where(mine, off, -inf)))
-                losses.append(Loss(trim, float(off[worst]), float(at[worst] % _TURN), driven))
+                losses.append(Loss(trim, float(off[worst]), float(at[worst] % TURN), driven))
     return losses

@@ -9,9 +9,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cadgen.arrays import Array
 
 # mm; branches whose radii differ by no more than this are one. It is a tenth of what the splines of a STEP file may
 # stray, and ten million times the rounding of a radius.

@@ -4,16 +4,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.lowest import SAME
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
-
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 
 
 @dataclass(frozen=True)
@@ -75,7 +71,7 @@ def published_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
 
 def _polar_profile(lift: LiftCurve, follower: Follower, *, rod_radius: float) -> ClosedCurve:
     inside = _face_changes(lift, follower)
-    joints = np.unique(np.concatenate([[0.0], lift.kinks, inside[(inside > 0) & (inside < _TURN)], [_TURN]]))
+    joints = np.unique(np.concatenate([[0.0], lift.kinks, inside[(inside > 0) & (inside < TURN)], [TURN]]))
     nodes, _ = lift.stations
     pieces: list[Piece] = []
     for start, stop in pairwise(joints):

@@ -57,8 +57,8 @@ def calibrate(
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from cadgen.cli import show, show_calibrate
     from cadgen.design.load import design_file, load_design, packaged_designs
-    from cadgen.workflow import calibrate as work
-    from cadgen.workflow import calibrate_files as write
+    from cadgen.workflow.calibration import files as write
+    from cadgen.workflow.calibration import plan as work
 
     designs = [text for text in arguments if text in packaged_designs() or text.endswith(".toml")]
     if designs and (len(designs) > 1 or arguments[0] != designs[0]):

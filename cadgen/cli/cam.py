@@ -22,8 +22,8 @@ def cam(
     """
     from cadgen.cli import show
     from cadgen.design.load import load_design
-    from cadgen.workflow.cam import plan_cam
-    from cadgen.workflow.files import write_cam
+    from cadgen.workflow.cam.files import write_cam
+    from cadgen.workflow.cam.plan import plan_cam
 
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:

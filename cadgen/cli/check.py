@@ -17,7 +17,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
     """
     from cadgen.cli import show
     from cadgen.design.load import load_design
-    from cadgen.workflow.cam import plan_cam
+    from cadgen.workflow.cam.plan import plan_cam
 
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:

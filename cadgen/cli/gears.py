@@ -11,8 +11,8 @@ from cadgen.cli.options import design_options, out_option
 
 if TYPE_CHECKING:
     from cadgen.gears.backlash import TrainPlay
-    from cadgen.workflow.gears import GearsPlan
-    from cadgen.workflow.gears_files import GearsWritten
+    from cadgen.workflow.gears.files import GearsWritten
+    from cadgen.workflow.gears.plan import GearsPlan
 
 ORDERS = ("as-given", "reordered", "search")
 RANKED_SHOWN = 8
@@ -38,8 +38,8 @@ def gears(design: str | None, overrides: tuple[str, ...], order: str, as_json: b
     """
     from cadgen.cli import show
     from cadgen.design.load import load_train
-    from cadgen.workflow.gears import NotMadeError, plan_gears
-    from cadgen.workflow.gears_files import write_gears
+    from cadgen.workflow.gears.files import write_gears
+    from cadgen.workflow.gears.plan import NotMadeError, plan_gears
 
     loaded = load_train(design, overrides)
     try:
@@ -109,7 +109,7 @@ def _ranking(ranked: "Sequence[TrainPlay]", baseline: "TrainPlay") -> None:
     if len(ranked) < 2:
         return
     from cadgen.cli.show import Output, plain_table
-    from cadgen.workflow.gears_facts import return_error, teeth_of
+    from cadgen.workflow.gears.facts import return_error, teeth_of
 
     table = plain_table("\ntrains, best first")
     table.add_column("teeth, from the drive")
@@ -136,7 +136,7 @@ def _each(values: list[str], between: str = " ") -> str:
 def _choice(plan: "GearsPlan") -> None:
     """Which train is made, why not those before it, and what the searched ones do not have."""
     from cadgen.cli.show import Output
-    from cadgen.workflow.gears_facts import teeth_of
+    from cadgen.workflow.gears.facts import teeth_of
 
     console = Output()
     reasons: dict[str, list[str]] = {}

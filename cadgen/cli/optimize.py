@@ -19,8 +19,8 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
-    from cadgen.workflow.cam import against_of, plan_cam
-    from cadgen.workflow.remedies import remedies
+    from cadgen.workflow.cam.plan import against_of, plan_cam
+    from cadgen.workflow.cam.remedies import remedies
 
     loaded = load_design(design, overrides)
     written = None
@@ -29,7 +29,7 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
         against = against_of(plan)
         sheet = remedies(loaded, against, step) if against.task.mechanics else ()
         if out is not None:
-            from cadgen.workflow.simulate import write_comparison
+            from cadgen.workflow.runs.simulation import write_comparison
 
             written = write_comparison(plan, out, step)
     if as_json:

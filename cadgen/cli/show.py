@@ -17,9 +17,9 @@ from rich.text import Text
 from cadgen.cli.output import hush
 
 if TYPE_CHECKING:
-    from cadgen.cam.check import Check
-    from cadgen.workflow.cam import CamPlan
-    from cadgen.workflow.files import Written
+    from cadgen.check import Check
+    from cadgen.workflow.cam.files import Written
+    from cadgen.workflow.cam.plan import CamPlan
 
 
 # Columns of a terminal below which a check's place stands under its name and not beside its figures.
@@ -118,7 +118,7 @@ def against(plan: "CamPlan") -> None:
 
         methods(plan)
     else:
-        from cadgen.workflow.as_built import as_built_sentences
+        from cadgen.workflow.cam.as_built import as_built_sentences
 
         for text in as_built_sentences(plan.design, plan.lift.blend_start):
             Output().print(text)

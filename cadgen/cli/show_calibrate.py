@@ -6,20 +6,20 @@ from typing import TYPE_CHECKING
 from cadgen.cli.show import Output
 
 if TYPE_CHECKING:
-    from cadgen.workflow.calibrate import Calibration
+    from cadgen.workflow.calibration.plan import Calibration
 
 
 def report(calibration: "Calibration") -> None:
     """Print everything that a calibration says."""
     from cadgen.report.text import write
-    from cadgen.workflow import calibrate_words
+    from cadgen.workflow.calibration import words
 
-    write(calibrate_words.report(calibration), Output())
+    write(words.report(calibration), Output())
 
 
 def summary(each: "Sequence[Calibration]") -> None:
     """Print one row for each file judged alone."""
     from cadgen.report.text import write
-    from cadgen.workflow import calibrate_words
+    from cadgen.workflow.calibration import words
 
-    write(calibrate_words.summary(each), Output())
+    write(words.summary(each), Output())

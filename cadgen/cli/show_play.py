@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 from cadgen.cli.show import Output, friction, plain_table
 
 if TYPE_CHECKING:
-    from cadgen.workflow.budget import BudgetSheet
-    from cadgen.workflow.cam import CamPlan
-    from cadgen.workflow.remedies import Remedy
-    from cadgen.workflow.simulate import Simulation
-    from cadgen.workflow.tolerance import ToleranceRun
+    from cadgen.workflow.cam.plan import CamPlan
+    from cadgen.workflow.cam.remedies import Remedy
+    from cadgen.workflow.runs.budget import BudgetSheet
+    from cadgen.workflow.runs.simulation import Simulation
+    from cadgen.workflow.runs.tolerance import ToleranceRun
 
 
 def methods(plan: "CamPlan") -> None:
     """Print every method compared, the bound, and the reasons."""
-    from cadgen.workflow.as_built import as_built_sentences, assumed_play
-    from cadgen.workflow.cam import against_of
-    from cadgen.workflow.play import PAPER_PERCENT
+    from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
+    from cadgen.workflow.cam.plan import against_of
+    from cadgen.workflow.cam.play import PAPER_PERCENT
 
     against = against_of(plan)
     console = Output()
@@ -120,8 +120,8 @@ def remedies(sheet: "Sequence[Remedy]") -> None:
 
 def runs(simulation: "Simulation") -> None:
     """Print the events and where the runs end."""
-    from cadgen.workflow.as_built import as_built_sentences, assumed_play
-    from cadgen.workflow.mechanics import joint_sentences
+    from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
+    from cadgen.workflow.cam.mechanics import joint_sentences
 
     console = Output()
     friction(simulation.plan)
@@ -173,8 +173,8 @@ def runs(simulation: "Simulation") -> None:
 
 def fleet(run: "ToleranceRun") -> None:
     """Print where the cars end, how many pass, and what matters most."""
-    from cadgen.workflow.as_built import as_built_sentences, assumed_play
-    from cadgen.workflow.mechanics import joint_sentences
+    from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
+    from cadgen.workflow.cam.mechanics import joint_sentences
 
     console = Output()
     friction(run.plan)
@@ -215,7 +215,7 @@ def fleet(run: "ToleranceRun") -> None:
 
 def budget(sheet: "BudgetSheet") -> None:
     """Print what everything that may be off costs, before and after a trim, and what to hold tighter."""
-    from cadgen.workflow.budget import shown_half_width
+    from cadgen.workflow.runs.budget import shown_half_width
 
     console = Output()
     table = plain_table("\nerror budget: how far the end of the run is moved, before and after a trim")

@@ -45,7 +45,7 @@ def tolerance(
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
-    from cadgen.workflow.tolerance import run_tolerance, write_tolerance
+    from cadgen.workflow.runs.tolerance import run_tolerance, write_tolerance
 
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:

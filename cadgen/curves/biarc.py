@@ -1,13 +1,11 @@
 """A closed curve as lines and circular arcs within a stated tolerance."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Piece, cross
 from cadgen.curves.contour import Contour
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
-
-Array = NDArray[np.float64]
 
 _SAMPLES = 16  # of a span: eight to an arc, whose error is a single hump
 _QUARTER = np.pi / 2  # a span turns by less, so that its two arcs exist and never double back

@@ -7,9 +7,8 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cadgen.arrays import TURN, Array
 
-_TURN = 2 * np.pi
 _GAUSS_POINTS = 6
 _AREA_STEPS = 360  # per radian, to begin with
 # Within a piece third derivatives jump, so steps are halved where much happens in little angle: until one agrees with
@@ -145,7 +144,7 @@ class ClosedCurve:
         angle = np.asarray(angle, dtype=float)
         starts = np.array([polar_angle(piece.jet(np.array([piece.start])).point)[0] for piece in self.pieces])
         # An angle just before a start comes out near a full turn; it belongs to the piece before.
-        owner = np.argmin((angle[:, None] - starts) % _TURN, axis=1)
+        owner = np.argmin((angle[:, None] - starts) % TURN, axis=1)
         jet = Jet(np.empty((len(angle), 2)), np.empty((len(angle), 2)), np.empty(len(angle)))
         for number in np.unique(owner):
             piece, mine = self.pieces[number], owner == number
@@ -179,12 +178,12 @@ class ByAngle:
         piece, turned = self._piece, self._turned
         # The angle meant is the one nearest the piece's middle: right for any piece up to a whole turn.
         middle = (turned[0] + turned[-1]) / 2
-        want = middle + (angle - middle + np.pi) % _TURN - np.pi
+        want = middle + (angle - middle + np.pi) % TURN - np.pi
         guess = np.interp(want, turned, self._t)
         for _ in range(_NEWTON_STEPS):
             jet = piece.jet(guess)
             rate = cross(jet.point, jet.velocity) / np.sum(jet.point**2, axis=1)
-            miss = (polar_angle(jet.point) - want + np.pi) % _TURN - np.pi
+            miss = (polar_angle(jet.point) - want + np.pi) % TURN - np.pi
             before, guess = guess, np.clip(guess - miss / rate, piece.start, piece.stop)
             if np.array_equal(guess, before):
                 break

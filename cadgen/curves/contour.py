@@ -4,12 +4,11 @@ from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Jet, Outline, cross
 from cadgen.errors import DesignError
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

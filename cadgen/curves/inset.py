@@ -10,13 +10,11 @@ from dataclasses import dataclass
 from math import degrees, tan
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal, polar_angle
 from cadgen.curves.offset import OffsetPiece
 from cadgen.errors import CheckError
-
-Array = NDArray[np.float64]
 
 _SNAP = 1e-5  # mm; moved pieces whose ends are no further apart than this are joined as they are
 _SAMPLES_PER_RADIAN = 600  # of a piece, in search of its sharpest ridge

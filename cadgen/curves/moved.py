@@ -4,12 +4,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, cross, left_normal
-
-Array = NDArray[np.float64]
 
 # From this far on either side of a joint the two pieces slide along themselves until they meet, mm.
 _SLIDE = 1.0

@@ -4,13 +4,11 @@ from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Corner, Jet, Piece, left_normal, polar_angle
 from cadgen.curves.spacing import turning
 from cadgen.errors import CheckError
-
-Array = NDArray[np.float64]
 
 # rad; a hollow that turns by no more than this holds no cutter up: one of radius R leaves at most R turn^2 / 8 in it,
 # and takes as little beside it: 0.03 um at 10 mm.

@@ -3,13 +3,11 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Outline, Piece, left_normal
 from cadgen.curves.inset import Apex, Strip
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
-
-Array = NDArray[np.float64]
 
 _SAMPLES = 8  # of a chord; the middle one meets the peak of an even bend
 _QUARTER = np.pi / 2

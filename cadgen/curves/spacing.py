@@ -3,12 +3,10 @@
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import Piece, cross
 from cadgen.errors import DesignError
-
-Array = NDArray[np.float64]
 
 _FIRST_SPANS = 32
 _ROUNDS = 3  # each brings the shares nearer to even; the count settles within a few per cent

@@ -6,14 +6,13 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline, CubicSpline, PPoly, make_interp_spline
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal
 from cadgen.curves.inset import Apex, Strip
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
-Array = NDArray[np.float64]
 Degree = Literal[3, 5]
 
 _SAMPLES = 8  # of a span between two knots

@@ -3,11 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,5 @@
 | `explain`   | what is wrong with a design, as sentences                                |
 | `override`  | `--set key=value`                                                        |
 | `load`      | name or file -> `Design`                                                 |
-| `stages`    | `Design` -> the numeric rooms' dataclasses, in mm and rad                |
-| `gears`     | `Design` -> the gear rooms' dataclasses                                  |
-| `variation` | `Design` -> return error of its train, tolerances of its dimensions       |
 | `reference` | the schema as a page of documentation                                    |
 """

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from pydantic import Field, Strict, field_validator, model_validator
 
 from cadgen.design.section import Section, listed
+from cadgen.deviations.names import Kind, Place
 from cadgen.errors import DesignError
-from cadgen.measurement.names import Kind, Place
 
 if TYPE_CHECKING:
-    from cadgen.measurement.effects.base import Effect as Known
+    from cadgen.deviations.effect import Effect as Known
 
 _ROUNDING = 1e-9  # of a parameter's range, by which a written value may pass its bound
 
@@ -68,7 +68,7 @@ class Effect(Section):
             DesignError: there is none of that name.
         """
         # Only here: the catalogue needs numpy, and most designs have no effects.
-        from cadgen.measurement.catalogue import named
+        from cadgen.deviations.catalogue import named
 
         return named(self.kind, self.effect, self.numbers)
 

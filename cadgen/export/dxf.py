@@ -13,15 +13,12 @@ from pathlib import Path
 import ezdxf
 import numpy as np
 from ezdxf.layouts import Modelspace
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
 from cadgen.curves.closed import Outline
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.spline import SplineArc
 from cadgen.errors import FileError
-
-Array = NDArray[np.float64]
 
 PROFILE, BORE, HOLES, NOTES = "CAM_PROFILE", "BORE", "HOLES", "NOTES"
 _COLORS = {PROFILE: 7, BORE: 1, HOLES: 5}  # AutoCAD colour index: black or white, red, blue

@@ -6,7 +6,6 @@ from math import ceil, degrees
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cadgen.cam.cutter import CutterLimit
 from cadgen.curves.biarc import arcs
@@ -15,8 +14,6 @@ from cadgen.curves.contour import Contour
 from cadgen.curves.offset import parallel
 from cadgen.design.schema import Machining
 from cadgen.errors import CheckError
-
-Array = NDArray[np.float64]
 
 DECIMALS = 4  # of a coordinate: what hobby controllers read and 0.05 um of rounding at most
 # An arc that bulges less than the rounding is a line; so none is left whose rounded ends coincide, which a

@@ -13,13 +13,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.curves.closed import Outline
 from cadgen.design.schema import Machining
 from cadgen.errors import FileError
 
-Array = NDArray[np.float64]
-
-_TURN = 2 * pi
 # Controllers compare an arc's radius at both ends; RS274/NGC allows 2 um, and most that came after it more.
 RADIUS_MISMATCH_MM = 5e-4
 _HALF_DIGIT_MM = 5e-5  # rounding of a coordinate with four decimals
@@ -171,7 +169,7 @@ def _sweep(motion: str, start: Array, end: Array) -> float:
     if not abs(first - last) <= RADIUS_MISMATCH_MM:
         raise _RefusedError(f"has an arc whose radius is {first:.4f} mm at its start and {last:.4f} mm at its end")
     turned = atan2(end[1], end[0]) - atan2(start[1], start[0])
-    return (turned % _TURN or _TURN) if motion == "G3" else -(-turned % _TURN or _TURN)
+    return (turned % TURN or TURN) if motion == "G3" else -(-turned % TURN or TURN)
 
 
 def _checked_cuts(moves: list[Move], machining: Machining, thickness: float) -> list[Move]:
@@ -224,7 +222,7 @@ class _Swept:
             raise _RefusedError("cuts away the centre of the part")
         angle = np.arctan2(places[:, 1], places[:, 0])
         # The turn is whole but for what the leads overlap; plunges come back to the begin of a lead.
-        if not np.unwrap(angle).min() - angle[0] < -0.9 * _TURN:
+        if not np.unwrap(angle).min() - angle[0] < -0.9 * TURN:
             raise _RefusedError("does not run clockwise round the part, as climb milling does")
         order = np.argsort(angle)
         number = np.empty(len(order), dtype=np.intp)
@@ -248,8 +246,8 @@ class _Swept:
         count = len(self.angle)
         reach = np.arcsin(self.radius / self.distance.min())
         # Places before the first and after the last angle stand again a turn away.
-        angle = np.concatenate([self.angle - _TURN, self.angle, self.angle + _TURN])
-        ray = (ray + pi) % _TURN - pi
+        angle = np.concatenate([self.angle - TURN, self.angle, self.angle + TURN])
+        ray = (ray + pi) % TURN - pi
         first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
         if (first == last).any():
             raise _RefusedError("does not cut the part free all round")
@@ -293,12 +291,12 @@ class _Swept:
 def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
     """What stays of the stock inside the cutter's sweep, by rays from the origin."""
     swept = _Swept.of([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts], radius)
-    count = ceil(_TURN * (swept.distance.max() - radius) / step)
-    spacing = _TURN / count
+    count = ceil(TURN * (swept.distance.max() - radius) / step)
+    spacing = TURN / count
     ray: Array = spacing * np.arange(count, dtype=np.float64)
     depth, normal = swept.depths(ray)
     # Where the outline turns between two rays stands a corner that both miss: the gap is looked into.
-    turn = (np.roll(normal, -1) - normal + pi) % _TURN - pi
+    turn = (np.roll(normal, -1) - normal + pi) % TURN - pi
     gaps = np.flatnonzero(np.abs(turn) > _CORNER)
     runs = []
     for first, last in zip(np.append(0, gaps + 1), np.append(gaps, count), strict=True):

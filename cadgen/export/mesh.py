@@ -23,6 +23,7 @@ from manifold3d import CrossSection, Error, FillRule, Manifold, Mesh64, triangul
 from numpy.typing import NDArray
 from trimesh.exchange.stl import export_stl
 
+from cadgen.arrays import Array
 from cadgen.cam.blank import CamBlank, Hub
 from cadgen.curves.closed import ClosedCurve, Outline, cross
 from cadgen.curves.contour import Contour, circle
@@ -30,7 +31,6 @@ from cadgen.curves.inset import chamfer_strips
 from cadgen.curves.polygon import polygon, polyline, strip_polygons
 from cadgen.errors import FileError
 
-Array = NDArray[np.float64]
 Triangles = NDArray[np.int64]
 
 _OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts

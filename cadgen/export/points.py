@@ -10,15 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import Contact, roll, roll_curve
 from cadgen.cam.follower import Follower
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
-
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 
 # A smooth spline through even points bulges beside a corner by up to a twelfth of the corner's angle times their
 # distance, and beside a jump of curvature by a share of its size times their distance squared. Closer points on
@@ -122,7 +119,7 @@ def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: 
     Returns:
         Contacts by increasing polar angle.
     """
-    rows, step = roll_curve(curve, follower, np.linspace(0.0, _TURN, count, endpoint=False))
+    rows, step = roll_curve(curve, follower, np.linspace(0.0, TURN, count, endpoint=False))
     outline = curve.outline(step)
     place = _places(rows, follower)
     stray = _stray(curve, place[:-1], place[1:])
@@ -130,7 +127,7 @@ def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: 
         wide = np.flatnonzero(stray > tolerance)
         if not wide.size:
             break
-        theta = np.append(rows.cam_angle, rows.cam_angle[0] + _TURN)
+        theta = np.append(rows.cam_angle, rows.cam_angle[0] + TURN)
         before = _chosen(rows, wide)
         between = roll(outline, follower, (theta[wide] + theta[wide + 1]) / 2)
         along = _on_section(curve, follower, before, (place[wide] + place[wide + 1]) / 2)
@@ -147,7 +144,7 @@ def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: 
 def _places(rows: Contact, follower: Follower) -> Array:
     """Polar angles of the contacts, the first one again a turn later, rad, shape (n + 1,)."""
     place = np.maximum.accumulate(rows.cam_angle + np.arctan2(rows.across, _ahead(rows, follower)))
-    return np.append(place, place[0] + _TURN)
+    return np.append(place, place[0] + TURN)
 
 
 def _ahead(rows: Contact, follower: Follower) -> Array:
@@ -183,7 +180,7 @@ def _inserted(rows: Contact, more: Contact, after: NDArray[np.intp]) -> Contact:
 
 def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, tolerance: float) -> Contact:
     """The even rows and those of the others without which a line between two rows would stray too far."""
-    even = np.isclose((rows.cam_angle * count / _TURN + 0.5) % 1, 0.5, rtol=0, atol=1e-7)
+    even = np.isclose((rows.cam_angle * count / TURN + 0.5) % 1, 0.5, rtol=0, atol=1e-7)
     kept = [0]
     for number in range(1, len(even)):
         ends = place[kept[-1:]], place[[number + 1]]

@@ -4,12 +4,10 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.errors import FileError
 from cadgen.motion.drive import Run
-
-Array = NDArray[np.float64]
 
 _WHEELS = ("drive", "front", "idle")
 _DECIMALS = 4  # 0.1 um of place and 1e-4 degrees

@@ -9,6 +9,7 @@ from math import cos, inf, tan
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import StagePlay, play_equations
 from cadgen.gears.blank import fits
@@ -16,7 +17,7 @@ from cadgen.gears.chains import BoolArray, Fit
 from cadgen.gears.contact import LEAST_ROOT_CLEARANCE
 from cadgen.gears.layout import Blanks, collar_length
 from cadgen.gears.limits import SearchLimits
-from cadgen.gears.tolerances import COVERED_DIAMETERS, FloatArray, centre_distance_deviation, gear_tolerances
+from cadgen.gears.tolerances import COVERED_DIAMETERS, centre_distance_deviation, gear_tolerances
 from cadgen.gears.tooth import GearForm, involute
 from cadgen.gears.train import CENTRE_DISTANCE_ROUNDING
 from cadgen.gears.undercut import contact_ratios, missing_shifts
@@ -34,10 +35,10 @@ class Pairs:
 
     driver: NDArray[np.int64]
     driven: NDArray[np.int64]
-    module: FloatArray
-    width: FloatArray
-    return_error: FloatArray
-    shifts: tuple[FloatArray, FloatArray]
+    module: Array
+    width: Array
+    return_error: Array
+    shifts: tuple[Array, Array]
 
     def where(self, rows: BoolArray) -> Pairs:
         """Some of the pairs."""
@@ -51,7 +52,7 @@ class Pairs:
         )
 
     @property
-    def axes(self) -> FloatArray:
+    def axes(self) -> Array:
         """Centre distances in mm."""
         return np.asarray(self.module * (self.driver + self.driven) / 2)
 
@@ -92,7 +93,7 @@ def pairs_within(limits: SearchLimits) -> Pairs:
     return _in_mesh(found, play, limits)
 
 
-def _in_mesh(pairs: Pairs, play: StagePlay[FloatArray], limits: SearchLimits) -> Pairs:
+def _in_mesh(pairs: Pairs, play: StagePlay[Array], limits: SearchLimits) -> Pairs:
     """Those pairs whose teeth do not jam, clear the roots, and keep the limits of undercut and contact ratio.
 
     Raises `DesignError` where one of these leaves none of the pairs.
@@ -142,7 +143,7 @@ def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float)
     collar = blanks.intermediate.hub
     rubbing = wheel if collar and collar.length < clearance else np.zeros_like(wheel)
 
-    def past(size: float | FloatArray) -> FloatArray:
+    def past(size: float | Array) -> Array:
         """Room that the axes of a stage leave beside a body of a radius on one shaft; any if there is no body."""
         return np.where(np.asarray(size) > 0, pairs.axes - size - clearance + ROOM_SLACK, inf)
 
@@ -173,7 +174,7 @@ def _length_of_hubs(blanks: Blanks, stages: int, clearance: float) -> float:
 def _places(pairs: Pairs, limits: SearchLimits, blanks: Blanks) -> BoolArray:
     """Which pairs may stand at each place, from the drive on, shape (stages, n): both gears must fit their blanks."""
 
-    def ask(teeth: NDArray[np.int64], x_E: FloatArray, fit: Callable[[GearForm], bool]) -> BoolArray:
+    def ask(teeth: NDArray[np.int64], x_E: Array, fit: Callable[[GearForm], bool]) -> BoolArray:
         """Whether the gear of each pair fits; the thinner a tooth is cut the smaller its root, and nothing else."""
         sizes = np.column_stack([teeth, pairs.module, pairs.width])
         kinds, kind = np.unique(sizes, axis=0, return_inverse=True)

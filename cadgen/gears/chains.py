@@ -19,9 +19,9 @@ from math import ceil, inf, log
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.errors import DesignError
 
-FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
 Rows = NDArray[np.intp] | slice | int
@@ -56,11 +56,11 @@ class Fit:
     """
 
     allowed: BoolArray
-    wheel: FloatArray
-    pinion: FloatArray
-    after: FloatArray
-    before: FloatArray
-    height: FloatArray
+    wheel: Array
+    pinion: Array
+    after: Array
+    before: Array
+    height: Array
     most_height: float
 
     @classmethod
@@ -81,7 +81,7 @@ class Fit:
 def best_chains(
     driver: IntArray,
     driven: IntArray,
-    cost: FloatArray,
+    cost: Array,
     *,
     ratio: Fraction,
     tolerance: float,
@@ -104,7 +104,7 @@ def best_chains(
     return [chain for _, chain in search.best]
 
 
-def _classes(ratio: FloatArray, cost: FloatArray, allowed: BoolArray) -> list[NDArray[np.intp]]:
+def _classes(ratio: Array, cost: Array, allowed: BoolArray) -> list[NDArray[np.intp]]:
     """Pairs of one ratio and the same places, cheapest first, by rising ratio (equal fractions divide to equal floats).
 
     Pairs that may stand nowhere are left out.
@@ -129,7 +129,7 @@ class _Search:
         self,
         driver: IntArray,
         driven: IntArray,
-        cost: FloatArray,
+        cost: Array,
         fit: Fit,
         classes: list[NDArray[np.intp]],
         tolerance: float,
@@ -208,7 +208,7 @@ class _Search:
             return np.ones(driver.shape, dtype=np.bool_)
         return np.asarray(driven * wanted.denominator == driver * wanted.numerator)
 
-    def _enter(self, cost: FloatArray, rows: NDArray[np.intp], chain: tuple[int, ...]) -> None:
+    def _enter(self, cost: Array, rows: NDArray[np.intp], chain: tuple[int, ...]) -> None:
         """Put `chain` behind each of the columns of `rows`, and keep the chains of pairs that are among the best."""
         near = np.flatnonzero(cost < self.worst)
         for column in near[np.argsort(cost[near], kind="stable")].tolist():
@@ -261,7 +261,7 @@ class _LeastCosts:
     least cost in each class, C_k(X) the least of cost + C_{k−1}(X − log i) / i over all classes of pairs.
     """
 
-    def __init__(self, ratio: FloatArray, cost: FloatArray, tolerance: float) -> None:
+    def __init__(self, ratio: Array, cost: Array, tolerance: float) -> None:
         places = np.log(ratio)
         self.low = float(places[0])
         slack = log((1 + tolerance) / (1 - tolerance))
@@ -276,7 +276,7 @@ class _LeastCosts:
         self.rows = [self.cost]
         self.windows = [self._window(self.cost)]
 
-    def of(self, pairs: int, ratio: FloatArray) -> FloatArray:
+    def of(self, pairs: int, ratio: Array) -> Array:
         """Lower bound of the cost of `pairs` pairs that give each `ratio` within the tolerance; inf if none can."""
         while len(self.rows) < pairs:
             self.rows.append(self._longer(self.rows[-1]))
@@ -286,12 +286,12 @@ class _LeastCosts:
         start = np.floor(place - self.slack).astype(np.int64) + self.span
         return np.asarray(window[np.clip(start, 0, window.size - 1)])
 
-    def _window(self, row: FloatArray) -> FloatArray:
+    def _window(self, row: Array) -> Array:
         """Least of `span` neighbouring classes, from each one on, beginning `span` before the first."""
         padded = np.concatenate([np.full(self.span, inf), row, np.full(self.span, inf)])
         return np.asarray(np.lib.stride_tricks.sliding_window_view(padded, self.span).min(axis=1))
 
-    def _longer(self, row: FloatArray) -> FloatArray:
+    def _longer(self, row: Array) -> Array:
         """The table's row for one pair more."""
         longer = np.full(row.size + self.cost.size, inf)
         # Less the pair's place, which is anywhere in its class, the sum lies in one of two neighbouring classes.

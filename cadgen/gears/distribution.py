@@ -14,10 +14,11 @@ from dataclasses import dataclass, replace
 from typing import Literal, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.special import erf, ndtr, ndtri, wofz
 
-FloatArray = NDArray[np.float64]
+from cadgen.arrays import Array
+
 Law = Literal["normal", "uniform"]
 
 # Half a zone in standard deviations of the unclipped normal law.
@@ -33,8 +34,8 @@ class ZoneSum:
     """Sum of independent contributions `names`, number k inside [low[k], high[k]]; shapes (n,), one unit."""
 
     names: tuple[str, ...]
-    low: FloatArray
-    high: FloatArray
+    low: Array
+    high: Array
     law: Law = "normal"
 
     @property
@@ -62,7 +63,7 @@ class ZoneSum:
         """The distribution of the sum times `factor` ≥ 0."""
         return replace(self, low=self.low * factor, high=self.high * factor)
 
-    def cdf(self, value: ArrayLike) -> FloatArray:
+    def cdf(self, value: ArrayLike) -> Array:
         """Probability that the sum is at most `value`.
 
         The sum lives on a range of length W, so the Fourier series of its density with period W is exact:
@@ -75,7 +76,7 @@ class ZoneSum:
             return np.where(offset < 0, 0.0, 1.0)
         return _series(np.clip(offset / width, -0.5, 0.5), self._coefficients())
 
-    def quantile(self, probability: ArrayLike) -> FloatArray:
+    def quantile(self, probability: ArrayLike) -> Array:
         """Value that the sum stays below with the given probability in [0, 1].
 
         Right to about 1e-8 in probability; the least and the greatest sum at 0 and 1.
@@ -93,14 +94,14 @@ class ZoneSum:
         inside = np.where(wanted <= 0, self.minimum, self.mean + width * (low + high) / 2)
         return np.where(wanted >= 1, self.maximum, inside)
 
-    def _coefficients(self) -> FloatArray:
+    def _coefficients(self) -> Array:
         """φ(2πk/W)/(πk) for k = 1, 2, …, shape (FOURIER_TERMS,)."""
         k = np.arange(1, FOURIER_TERMS + 1)
         widths = self.high - self.low
         phi = _characteristic(2 * np.pi * k * (widths / widths.sum())[:, None], self.law)
         return np.asarray(np.prod(phi, axis=0) / (np.pi * k))
 
-    def sample_contributions(self, generator: np.random.Generator, size: int) -> FloatArray:
+    def sample_contributions(self, generator: np.random.Generator, size: int) -> Array:
         """Random contributions, shape (size, n)."""
         share = generator.random((size, self.low.size))
         if self.law == "normal":
@@ -108,7 +109,7 @@ class ZoneSum:
             share = 0.5 + ndtri(tail + (1 - 2 * tail) * share) / (2 * SIGMAS)
         return np.asarray(self.low + (self.high - self.low) * np.clip(share, 0.0, 1.0))
 
-    def sample(self, generator: np.random.Generator, size: int) -> FloatArray:
+    def sample(self, generator: np.random.Generator, size: int) -> Array:
         """Random sums, shape (size,)."""
         return np.asarray(self.sample_contributions(generator, size).sum(axis=1))
 
@@ -117,13 +118,13 @@ class ZoneSum:
 _CLIPPED_VARIANCE = 1 - 2 * SIGMAS * np.exp(-(SIGMAS**2) / 2) / np.sqrt(2 * np.pi) / erf(SIGMAS / np.sqrt(2))
 
 
-def _series(share: FloatArray, coefficients: FloatArray) -> FloatArray:
+def _series(share: Array, coefficients: Array) -> Array:
     """Distribution function at mean + `share`·W, −1/2 ≤ share ≤ 1/2."""
     k = np.arange(1, coefficients.size + 1)
     return np.asarray(0.5 + share + np.sin(2 * np.pi * share[..., None] * k) @ coefficients)
 
 
-def _characteristic(argument: FloatArray, law: Law) -> FloatArray:
+def _characteristic(argument: Array, law: Law) -> Array:
     """E cos(s·u) of one contribution u spread over [−1/2, 1/2]."""
     if law == "uniform":
         return np.sinc(argument / (2 * np.pi))

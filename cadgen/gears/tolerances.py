@@ -33,11 +33,11 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from cadgen.arrays import Array
 from cadgen.errors import DesignError
 
-FloatArray = NDArray[np.float64]
 # One gear's numbers, or the arrays of many.
-T = TypeVar("T", float, FloatArray)
+T = TypeVar("T", float, Array)
 
 UM_PER_MM = 1000
 GRADES = range(3, 13)
@@ -67,13 +67,13 @@ IT_DEPARTURES: dict[int, dict[int, float]] = {
 CENTRE_DISTANCE_GRADES = {3: 6, 4: 6, 5: 7, 6: 7, 7: 8, 8: 8, 9: 9, 10: 9, 11: 11, 12: 11}
 
 
-def single_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+def single_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
     """f_pt = 0.3 (m + 0.4 √d) + 4 µm at grade 5; the deviation may have either sign."""
     d, m = _part_1(diameter, module, "f_pt")
     return _graded(_f_pt(d, m), grade, finest=0.1)
 
 
-def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, grade: int) -> FloatArray:
+def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, grade: int) -> Array:
     """F_pk = f_pt + 1.6 √((k − 1) m) µm at grade 5, over k = `pitches`, 2 to z/8 in the standard."""
     if pitches < 2:
         raise DesignError(f"F_pk over {pitches} pitches is not defined; give 2 or more")
@@ -81,44 +81,44 @@ def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, g
     return _graded(_f_pt(d, m) + 1.6 * np.sqrt((pitches - 1) * m), grade, finest=0.1)
 
 
-def total_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+def total_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
     """F_p = 0.3 m + 1.25 √d + 7 µm at grade 5."""
     d, m = _part_1(diameter, module, "F_p")
     return _graded(0.3 * m + 1.25 * np.sqrt(d) + 7, grade, finest=0.1)
 
 
-def total_profile_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+def total_profile_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
     """F_α = 3.2 √m + 0.22 √d + 0.7 µm at grade 5."""
     d, m = _part_1(diameter, module, "F_alpha")
     return _graded(3.2 * np.sqrt(m) + 0.22 * np.sqrt(d) + 0.7, grade, finest=0.1)
 
 
-def total_helix_deviation(diameter: ArrayLike, width: ArrayLike, grade: int) -> FloatArray:
+def total_helix_deviation(diameter: ArrayLike, width: ArrayLike, grade: int) -> Array:
     """F_β = 0.1 √d + 0.63 √b + 4.2 µm at grade 5."""
     d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1", "F_beta")
     b = _step_mean(width, WIDTH_STEPS, "face width", "ISO 1328-1", "F_beta")
     return _graded(0.1 * np.sqrt(d) + 0.63 * np.sqrt(b) + 4.2, grade, finest=0.1)
 
 
-def radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+def radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
     """F_i'' = 3.2 m_n + 1.01 √d + 6.4 µm at grade 5: the variation of the centre distance in a tight mesh."""
     d, m = _part_2(diameter, module, "F_i_radial")
     return _graded(3.2 * m + 1.01 * np.sqrt(d) + 6.4, grade, finest=0.5)
 
 
-def tooth_radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+def tooth_radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
     """f_i'' = 2.96 m_n + 0.01 √d + 0.8 µm at grade 5: the part of F_i'' within one pitch."""
     d, m = _part_2(diameter, module, "f_i_radial")
     return _graded(2.96 * m + 0.01 * np.sqrt(d) + 0.8, grade, finest=0.5)
 
 
-def radial_runout(diameter: ArrayLike, module: ArrayLike, grade: int) -> FloatArray:
+def radial_runout(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
     """F_r = 0.8 F_p = 0.24 m_n + 1.0 √d + 5.6 µm at grade 5, in the steps of part 1."""
     d, m = _part_1(diameter, module, "F_r")
     return _graded(0.24 * m + np.sqrt(d) + 5.6, grade, finest=0.5)
 
 
-def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", symbol: str = "IT") -> FloatArray:
+def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", symbol: str = "IT") -> Array:
     """Standard tolerance of ISO 286-1, IT3 to IT12, for sizes above 0 and up to 500 mm.
 
     IT5 to IT10 are multiples of i = 0.45 ∛D + 0.001 D µm with the geometric mean D of the step (of 1 and 3 mm
@@ -134,12 +134,12 @@ def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", s
     return _it_um(_checked(it_grade, "IT grade"))[step - 1] / UM_PER_MM
 
 
-def centre_distance_deviation(centre_distance: ArrayLike, grade: int) -> FloatArray:
+def centre_distance_deviation(centre_distance: ArrayLike, grade: int) -> Array:
     """f_a of the centre distance a ± f_a: half of IT6 (grades 3-4), 7 (5-6), 8 (7-8), 9 (9-10) or 11."""
     return standard_tolerance(centre_distance, CENTRE_DISTANCE_GRADES[_checked(grade)], "centre distance", "f_a") / 2
 
 
-def cutting_feed_tolerance(diameter: ArrayLike, grade: int) -> FloatArray:
+def cutting_feed_tolerance(diameter: ArrayLike, grade: int) -> Array:
     """b_r: IT7 for grade 3, 1.26 IT7 for 4, IT8 for 5, 1.26 IT8 for 6, IT9 for 7, and so on."""
     step, coarser = divmod(_checked(grade) - GRADES[0], 2)
     return standard_tolerance(diameter, 7 + step, "reference diameter", "b_r") * (1.26 if coarser else 1.0)
@@ -210,21 +210,21 @@ def gear_tolerances(
     return GearTolerances(**values)
 
 
-def _f_pt(d: FloatArray, m: FloatArray) -> FloatArray:
+def _f_pt(d: Array, m: Array) -> Array:
     return 0.3 * (m + 0.4 * np.sqrt(d)) + 4
 
 
-def _part_1(diameter: ArrayLike, module: ArrayLike, symbol: str) -> tuple[FloatArray, FloatArray]:
+def _part_1(diameter: ArrayLike, module: ArrayLike, symbol: str) -> tuple[Array, Array]:
     d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1", symbol)
     return d, _step_mean(module, MODULE_STEPS, "module", "ISO 1328-1", symbol)
 
 
-def _part_2(diameter: ArrayLike, module: ArrayLike, symbol: str) -> tuple[FloatArray, FloatArray]:
+def _part_2(diameter: ArrayLike, module: ArrayLike, symbol: str) -> tuple[Array, Array]:
     d = _step_mean(diameter, COMPOSITE_DIAMETER_STEPS, "reference diameter", "ISO 1328-2", symbol)
     return d, _step_mean(module, COMPOSITE_MODULE_STEPS, "module", "ISO 1328-2", symbol)
 
 
-def _step_mean(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str, symbol: str) -> FloatArray:
+def _step_mean(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str, symbol: str) -> Array:
     """Geometric mean of the limits of the step (lower, upper] that holds each size."""
     upper = _step(size, steps, quantity, standard, symbol)
     limits = np.asarray(steps, dtype=np.float64)
@@ -243,7 +243,7 @@ def _step(size: ArrayLike, steps: Sequence[float], quantity: str, standard: str,
     return np.maximum(np.searchsorted(steps, sizes * (1 - STEP_SLACK), side="left"), 1)
 
 
-def _first(sizes: FloatArray, good: NDArray[np.bool_]) -> float:
+def _first(sizes: Array, good: NDArray[np.bool_]) -> float:
     return float(np.extract(~good, sizes)[0])
 
 
@@ -253,18 +253,18 @@ def _checked(grade: int, name: str = "tolerance grade") -> int:
     return grade
 
 
-def _graded(grade_5_um: FloatArray, grade: int, finest: float) -> FloatArray:
+def _graded(grade_5_um: Array, grade: int, finest: float) -> Array:
     """Value in mm at the grade, rounded to 1 µm above 10 µm, to 0.5 µm below, and below 5 µm to `finest`."""
     value = grade_5_um * 2 ** ((_checked(grade) - 5) / 2)
     return _rounded(value, np.where(value > 10, 1.0, np.where(value >= 5, 0.5, finest))) / UM_PER_MM
 
 
-def _rounded(value: FloatArray, unit: FloatArray) -> FloatArray:
+def _rounded(value: Array, unit: Array) -> Array:
     return np.asarray(unit * np.floor(value / unit + 0.5))
 
 
 @cache
-def _it_um(grade: int) -> FloatArray:
+def _it_um(grade: int) -> Array:
     """IT in µm of every size step, shape (13,)."""
     upper = np.asarray(SIZE_STEPS[1:], dtype=np.float64)
     mean = np.sqrt(np.maximum(SIZE_STEPS[:-1], 1.0) * upper)

@@ -11,11 +11,10 @@ from __future__ import annotations
 from math import asinh, cos, pi, sin, tan
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from cadgen.arrays import Array
 from cadgen.gears.tooth import TANGENT_ROLL, GearForm, involute, rack_tip
-
-FloatArray = NDArray[np.float64]
 
 # Halvings of the root curve in the search for its crossing with the involute: to rounding.
 BISECTIONS = 52
@@ -26,7 +25,7 @@ def missing_shift(form: GearForm) -> float:
     return float(missing_shifts(form, form.teeth, form.generating_profile_shift))
 
 
-def missing_shifts(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> FloatArray:
+def missing_shifts(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
     """The same for gears of `teeth` teeth and generating profile shift `x_E`, arrays of one shape.
 
     `rack` is any gear with their pressure angle and basic rack.
@@ -36,9 +35,7 @@ def missing_shifts(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> FloatArr
     return np.where(roll < -TANGENT_ROLL, -roll * radius * sin(angle) * cos(angle), 0.0)
 
 
-def contact_ratios(
-    rack: GearForm, teeth: tuple[FloatArray, FloatArray], x_E: tuple[FloatArray, FloatArray], chamfer: FloatArray
-) -> FloatArray:
+def contact_ratios(rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array, Array], chamfer: Array) -> Array:
     """ε_α of unshifted pairs at the centre distance m Σz / 2.
 
     `teeth`, `x_E` (driver, driven) and `chamfer` (of the tips, in modules) are arrays of one shape; `rack` as above.
@@ -60,14 +57,14 @@ def _tip_of(rack: GearForm) -> tuple[float, float]:
     return flat / rack.normal_module, radius / rack.normal_module
 
 
-def _tangent_roll(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> FloatArray:
+def _tangent_roll(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
     """Roll angle at which the root is tangent to the involute; negative where there is undercut."""
     angle, (_, rounding) = rack.transverse_pressure_angle, _tip_of(rack)
     depth = rack.dedendum_factor - np.asarray(x_E) - rounding * (1 - sin(angle))
     return np.asarray(tan(angle) - depth / (np.asarray(teeth) / 2 * sin(angle) * cos(angle)))
 
 
-def _root_form_roll(rack: GearForm, teeth: FloatArray, x_E: FloatArray) -> FloatArray:
+def _root_form_roll(rack: GearForm, teeth: Array, x_E: Array) -> Array:
     """Roll angle at which the involute begins."""
     roll = _tangent_roll(rack, teeth, x_E)
     under = np.flatnonzero(roll < -TANGENT_ROLL)
@@ -76,7 +73,7 @@ def _root_form_roll(rack: GearForm, teeth: FloatArray, x_E: FloatArray) -> Float
     return roll
 
 
-def _crossing_roll(rack: GearForm, teeth: FloatArray, x_E: FloatArray) -> FloatArray:
+def _crossing_roll(rack: GearForm, teeth: Array, x_E: Array) -> Array:
     """Roll angle at which the trochoid of the root crosses the involute, for gears with undercut."""
     angle, (flat, rounding) = rack.transverse_pressure_angle, _tip_of(rack)
     radius, centre = teeth / 2, rack.dedendum_factor - x_E - rounding

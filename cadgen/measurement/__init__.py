@@ -5,7 +5,6 @@
 | `record`     | measured data as read: rows, runs, remarks                                                      |
 | `load`       | CSV files -> records; what cannot be is refused                                                 |
 | `units`      | files in another unit than their header says, by what the design lets expect                    |
-| `effects`    | the catalogue: one small object for each effect, and the anonymous shapes that compete          |
 | `models`     | exact forward models: effects -> what the instrument should have read                           |
 | `noise`      | what does not repeat between runs                                                               |
 | `evidence`   | likelihood of a residual with noise, datum and form error accounted for                         |
@@ -18,8 +17,5 @@
 | `steered`    | the verdict that follows from it                                                                |
 | `zones`      | the return error implied by mean turns over smooth, jump and reverse zones                      |
 | `together`   | one thing in several kinds of data: agreement, and rivals that other data decide                |
-| `names`      | kinds of data and places of an effect, for design files                                         |
-| `catalogue`  | an effect by the name that it is written under                                                  |
-| `as_built`   | the car with its effects: what a disc becomes, and what to cut so that it is the one wanted      |
 | `nominal`    | the design that data are measured against; the entry: `calibrate`                               |
 """

@@ -5,14 +5,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cadgen.arrays import Array
+from cadgen.deviations.effect import UNITS, Active, Effect
+from cadgen.deviations.names import Kind
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved, unfit
-from cadgen.measurement.effects.base import UNITS, Active, Array, Effect
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.friction import with_friction_judged, with_known_play
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.models.base import Model, per_run, slopes
 from cadgen.measurement.models.profile import ProfileModel
-from cadgen.measurement.names import Kind
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.search import find

@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 from scipy.stats import f as f_distribution
 
+from cadgen.arrays import Array
+from cadgen.deviations.effect import DEG, UNITS, causes
+from cadgen.deviations.friction import NO_FRICTION
 from cadgen.errors import FileError
-from cadgen.measurement.effects.base import DEG, UNITS, Array, causes
-from cadgen.measurement.effects.friction import NO_FRICTION
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import Hypothesis
 from cadgen.measurement.load import instrument

@@ -16,7 +16,7 @@ from itertools import product
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve, solve_triangular
 
-from cadgen.measurement.effects.base import Array
+from cadgen.arrays import Array
 from cadgen.measurement.models.base import Model, per_run
 from cadgen.measurement.noise import Noise
 

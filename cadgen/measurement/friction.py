@@ -7,8 +7,8 @@ friction holds the cam, parts them.
 
 from dataclasses import replace
 
-from cadgen.measurement.effects.base import Effect
-from cadgen.measurement.effects.friction import MEASURE_FRICTION
+from cadgen.deviations.effect import Effect
+from cadgen.deviations.friction import MEASURE_FRICTION
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.models.base import Model

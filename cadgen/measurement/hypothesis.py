@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from cadgen.measurement.effects.base import Active, Array, Effect
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.models.base import Model, slopes
 

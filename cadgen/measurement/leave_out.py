@@ -13,7 +13,8 @@ from itertools import combinations
 import numpy as np
 from scipy.optimize import least_squares
 
-from cadgen.measurement.effects.base import Active, Array, Effect
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
 from cadgen.measurement.models.base import Model, slopes
 from cadgen.measurement.record import Record
 from cadgen.measurement.verdict import sigmas_of

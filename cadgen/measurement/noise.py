@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import nnls
 
-from cadgen.measurement.effects.base import Array
+from cadgen.arrays import Array
 from cadgen.measurement.models.base import Model, per_run
 
 Index = NDArray[np.intp]

@@ -11,15 +11,15 @@ from cadgen.cam.contact import roll
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve, Outline
+from cadgen.deviations.disc import Disc, nominal_disc
+from cadgen.deviations.effect import UNITS, Active, through
+from cadgen.deviations.transmission import RETURN_ERROR
 from cadgen.errors import DesignError
 from cadgen.measurement.diagnose import Diagnosis, Step, diagnose
-from cadgen.measurement.effects.base import UNITS, Active, through
-from cadgen.measurement.effects.disc import Disc
-from cadgen.measurement.effects.transmission import RETURN_ERROR
 from cadgen.measurement.load import join
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.models.forces import Forces
-from cadgen.measurement.models.lift import LiftModel, nominal_disc
+from cadgen.measurement.models.lift import LiftModel
 from cadgen.measurement.models.profile import ProfileModel
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.models.transmission import TransmissionModel

@@ -5,9 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.measurement.names import Kind as Kind
-
-Array = NDArray[np.float64]
+from cadgen.arrays import Array
+from cadgen.deviations.names import Kind as Kind
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,25 +44,3 @@ class Record:
         """Some of the rows, runs numbered as before."""
         columns = {name: values[keep] for name, values in self.columns.items()}
         return replace(self, columns=columns, run=self.run[keep])
-
-
-@dataclass(frozen=True, kw_only=True)
-class Rows:
-    """Where each measured number belongs; arrays of shape (n,), in the order measured within each run.
-
-    Attributes:
-        run: number of the run, from 0.
-        place: angle round the cam, rad.
-        elapsed: place within the run, -1/2 to 1/2.
-        cell: rows of different runs with one number were taken under the same conditions; -1 if none repeats.
-    """
-
-    run: NDArray[np.intp]
-    place: Array
-    elapsed: Array
-    cell: NDArray[np.intp]
-
-    @property
-    def runs(self) -> int:
-        """How many runs there are."""
-        return int(self.run.max()) + 1

@@ -14,8 +14,9 @@ from itertools import combinations, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect, causes
 from cadgen.errors import DesignError
-from cadgen.measurement.effects.base import Active, Array, Effect, causes
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.models.base import Model, slopes

@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active
 from cadgen.measurement.diagnose import Candidate, Diagnosis, Finding, PerRun, Residual, Step, Value
-from cadgen.measurement.effects.base import Active, Array
 from cadgen.measurement.leave_out import LEAST_RUNS, LeftOut, Trial, leave_runs_out
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.record import Record

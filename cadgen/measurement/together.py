@@ -13,9 +13,9 @@ from math import hypot
 import numpy as np
 from scipy.stats import chi2
 
+from cadgen.deviations.friction import NO_FRICTION
+from cadgen.deviations.names import Kind
 from cadgen.measurement.diagnose import Diagnosis, Finding, Value
-from cadgen.measurement.effects.friction import NO_FRICTION
-from cadgen.measurement.names import Kind
 
 # Less likely than this, and the values are not those of one effect.
 AGREE = 1e-3

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from cadgen.arrays import Array
 from cadgen.errors import FileError
-from cadgen.measurement.effects.base import Array
 from cadgen.measurement.record import Record
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ from scipy.stats import f as f_distribution
 from scipy.stats import norm
 from scipy.stats import t as student
 
-from cadgen.measurement.effects.base import UNITS, Array
+from cadgen.arrays import Array
+from cadgen.deviations.effect import UNITS
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis
 from cadgen.measurement.models.base import Model, fourier, per_run

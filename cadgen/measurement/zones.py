@@ -10,9 +10,9 @@ from math import sqrt
 import numpy as np
 from scipy.stats import t as student
 
+from cadgen.deviations.transmission import RETURN_ERROR
 from cadgen.errors import FileError
 from cadgen.measurement.diagnose import Finding, Value
-from cadgen.measurement.effects.transmission import RETURN_ERROR
 from cadgen.measurement.record import Record
 from cadgen.measurement.verdict import Judgement, Verdict, sigmas_of
 

@@ -17,13 +17,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.play import LEAST_SWING, TURN, Following, follow
+from cadgen.motion.play import LEAST_SWING, Following, follow
 from cadgen.path.track import Track
 from cadgen.steering.car import Car, pace, track_curvature
-
-Array = NDArray[np.float64]
 
 STEPS = 3600  # of a run: the position errs by less than 1e-5 mm on the paper's path
 

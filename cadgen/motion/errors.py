@@ -10,16 +10,14 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import Run
-from cadgen.motion.play import LEAST_SWING, TURN, follow
+from cadgen.motion.play import LEAST_SWING, follow
 from cadgen.steering.car import Car, pace, track_curvature
-
-Array = NDArray[np.float64]
 
 GAUSS_POINTS = 8  # on every piece of the lift: exact to rounding, for pieces are half a degree wide
 

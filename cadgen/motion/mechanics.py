@@ -27,13 +27,11 @@ from dataclasses import dataclass
 from math import radians
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.motion.play import LEAST_SWING, TURN, Following, falls, follow
-
-Array = NDArray[np.float64]
+from cadgen.motion.play import LEAST_SWING, Following, falls, follow
 
 _STEP = radians(0.05)  # between stations: torque and drag meet at most once from one to the next
 _ZOOM = 64  # stations between two; interpolation between those errs by less than 1e-8 rad

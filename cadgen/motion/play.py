@@ -22,15 +22,10 @@ from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-
-Array = NDArray[np.float64]
-
-
-TURN = 2 * np.pi
 
 # Rises and falls of tan(beta) below this are noise, not events: 0.01 um of lift, what rolling an outline errs by.
 LEAST_SWING = 4e-7

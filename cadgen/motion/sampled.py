@@ -1,15 +1,12 @@
 """A lift curve through samples, so that a rolled or measured outline can be driven like a planned one."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator, PPoly
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import Contact
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.play import TURN
-
-Array = NDArray[np.float64]
 
 MIN_SAMPLES = 16  # fewer cannot show the events of a path
 _INSIDE = 1e-12  # rad; keeps rounding from picking the piece before

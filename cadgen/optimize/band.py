@@ -10,21 +10,19 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.motion.mechanics import Mechanics
-from cadgen.motion.play import LEAST_SWING, TURN, falls, follow
+from cadgen.motion.play import LEAST_SWING, falls, follow
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.dilation import lost_dips
 from cadgen.steering.car import Car, pace, track_curvature
-
-Array = NDArray[np.float64]
 
 BAND_PLAYS = 5  # of the band at which errors are reported; the worst lies at an end unless the band is very wide
 _STEPS = 720  # of a run while searching: the end errs by 1e-5 mm

@@ -18,17 +18,15 @@ from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.play import TURN, falls
+from cadgen.motion.play import falls
 from cadgen.optimize.dilation import rounded_dilation
 from cadgen.optimize.nodes import KINK, SIDE, closed_lift, nodes_between
-
-Array = NDArray[np.float64]
 
 # Fall of the plateau in lift, mm: above what a good mill errs over a degree of cam angle. What it costs in heading
 # has the opposite sign to what the valleys cost.

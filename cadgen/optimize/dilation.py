@@ -12,13 +12,11 @@ from dataclasses import dataclass
 from math import radians
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
-from cadgen.motion.play import TURN, falls
+from cadgen.motion.play import falls
 from cadgen.path.hermite import quintic_hermite
-
-Array = NDArray[np.float64]
 
 _LEAST_HALF_WIDTH = radians(0.1)  # of the mean; what it takes off a peak is far below a micrometre
 _GREATEST_HALF_WIDTH = radians(0.5)

@@ -7,26 +7,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import Contact, rolling_step
 from cadgen.cam.envelope import ActualProfile, actual_profile
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve
-from cadgen.measurement.as_built import AS_DESIGNED, AsBuilt
+from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt
 from cadgen.motion.drive import Pose, Run, drive
 from cadgen.motion.errors import Event, RunError, deflection_sum, deflections, run_error
 from cadgen.motion.mechanics import Mechanics, MechanicsBand
-from cadgen.motion.play import LEAST_SWING, TURN, Following, follow
+from cadgen.motion.play import LEAST_SWING, Following, follow
 from cadgen.motion.sampled import rolled_lift
 from cadgen.optimize.band import BAND_PLAYS, BandResult, Bound, PlayBand, best_for_band, fixed_profile_bound, over_band
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.dilation import LostDip, lost_dips
 from cadgen.optimize.smoothing import smooth_to
 from cadgen.steering.car import Car
-
-Array = NDArray[np.float64]
 
 # A method is a profile and a train. The train enters as its return error alone: the paper's `reordered` train is a
 # smaller one.

@@ -4,13 +4,10 @@ A quintic is fixed by value, slope and second derivative at both ends, so the li
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
-from cadgen.motion.play import TURN
 from cadgen.path.hermite import quintic_hermite
-
-Array = NDArray[np.float64]
 
 KINK = 1e-6  # a jump of d tan(beta)/d theta below this turns the outline by less than 1e-6 rad: no kink
 SIDE = 1e-12  # rad; how far beside a node its one-sided jets are taken

@@ -15,18 +15,15 @@ from dataclasses import dataclass, replace
 from math import radians
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.drive import Run, drive
 from cadgen.motion.errors import RunError, run_error
 from cadgen.motion.mechanics import Leads, Mechanics, MechanicsBand
-from cadgen.motion.play import TURN
 from cadgen.optimize.judge import Task
-
-Array = NDArray[np.float64]
 
 MARGIN = 1.25  # of a drag that is to hold, over the torque that it must hold
 _STEPS = 720  # of a run; its end errs by 1e-5 mm

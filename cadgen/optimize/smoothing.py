@@ -15,18 +15,16 @@ from functools import cache
 from math import radians
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.errors import deflection_sum, deflections
-from cadgen.motion.play import TURN, falls
+from cadgen.motion.play import falls
 from cadgen.optimize.nodes import closed_lift, nodes_between
 from cadgen.steering.car import Car
-
-Array = NDArray[np.float64]
 
 PAPER_AIM = 0.2715  # share of the sum of deflection errors that the paper's smoothing takes off
 _END_SLOPE = 0.1  # nu, what is left of a slope near the extreme; at 0 it would be level there to fourth order

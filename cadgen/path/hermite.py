@@ -1,10 +1,9 @@
 """Piecewise quintic polynomials from values and two derivatives at nodes."""
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
-Array = NDArray[np.float64]
+from cadgen.arrays import Array
 
 # The six quintic Hermite basis polynomials on [0, 1], highest power first; rows are the coefficients that
 # multiply f0, h f0', h^2 f0'', f1, h f1', h^2 f1'' (Farin, Curves and Surfaces for CAGD, sec. 7.6).

@@ -4,12 +4,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline, make_interp_spline
 
+from cadgen.arrays import Array
 from cadgen.errors import DesignError
 
-Array = NDArray[np.float64]
 SplineKind = Literal["quintic", "cubic"]
 
 MIN_WAYPOINTS = 4  # the cubic's end slope is that of the cubic through the first four

@@ -3,14 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
+from cadgen.arrays import Array
 from cadgen.errors import DesignError
 from cadgen.path.hermite import quintic_hermite
 from cadgen.path.spline import PlannedPath
-
-Array = NDArray[np.float64]
 
 # 64 intervals a span keep the sixth-order interpolation error under 1e-9 of the curvature on the paper's path, and the
 # lift within 5e-7 um; 16 keep it within 0.002 um and serve a path of many waypoints. Eight Gauss points make the arc

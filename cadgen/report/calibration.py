@@ -4,10 +4,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
+from cadgen.deviations.effect import UNITS
 from cadgen.measurement.diagnose import Diagnosis
-from cadgen.measurement.effects.base import UNITS
 from cadgen.report.style import (
     AFTER,
     BEFORE,
@@ -26,14 +26,11 @@ from cadgen.report.style import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
-
 SIGNS = {"um": "µm", "deg": "°", "mm": "mm"}
 _RUNS = (BLUE, VERMILLION, GREEN, ORANGE, SKY)
 _ORDERS = 60
 _CANDIDATES = 7
 _NAME = 64  # characters of a candidate that fit its bar's line
-_TURN = 2 * np.pi
 _MAGNIFIED = 10.0  # a scale this many times finer is said in the title
 
 
@@ -89,7 +86,7 @@ def _abscissa(told: Diagnosis, length: float | None) -> str:
 def _place(told: Diagnosis, length: float | None) -> Array:
     if told.measured is None:
         return np.degrees(told.place)
-    return told.place / _TURN * (length / 1000 if length is not None else 100.0)
+    return told.place / TURN * (length / 1000 if length is not None else 100.0)
 
 
 def _residual(axes: "Axes", told: Diagnosis, residual: Array, length: float | None) -> None:

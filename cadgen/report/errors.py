@@ -6,12 +6,10 @@ from math import degrees
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.motion.errors import Event, deflection_sum
 from cadgen.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, SKY, VERMILLION, figure, save, zero_line
-
-Array = NDArray[np.float64]
 
 _COLORS = (VERMILLION, ORANGE, SKY, GREEN, BLUE)
 _HATCHES = ("", "///", "...", "\\\\\\", "xxx")

@@ -5,14 +5,12 @@ from math import degrees, radians
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.play import Following
 from cadgen.report.style import AFTER, BEFORE, GREY, WANTED, figure, save, zero_line
-
-Array = NDArray[np.float64]
 
 _POINTS = 7200
 _AROUND = 3.5  # times the play, shown to either side of an event

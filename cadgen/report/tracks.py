@@ -6,16 +6,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import RunError
 from cadgen.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, WANTED, figure, save, zero_line
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-Array = NDArray[np.float64]
 
 _MARGIN = 300.0  # mm around what is shown
 _PANEL = 4.0  # inches

@@ -11,7 +11,6 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_gp_Pnt2d, Array1_int
@@ -24,12 +23,10 @@ from OCP.TopExp import TopExp, TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 from scipy.interpolate import BSpline, make_interp_spline
 
+from cadgen.arrays import TURN, Array
 from cadgen.errors import FileError
 from cadgen.solids.kernel import TOLERANCE
 
-Array = NDArray[np.float64]
-
-_TURN = 2 * np.pi
 _DEGREE = 5
 _ERROR = 1e-8  # mm; a tenth of the kernel's smallest distance
 _FEWEST_SPANS, _MOST_SPANS = 8, 2048
@@ -63,7 +60,7 @@ class _Side(NamedTuple):
         if self.radius == np.inf:
             return np.stack([off @ self.x, off @ self.y], axis=1)
         angle = np.arctan2(off @ self.y, off @ self.x)
-        return np.stack([near + (angle - near + np.pi) % _TURN - np.pi, off @ self.axis], axis=1)
+        return np.stack([near + (angle - near + np.pi) % TURN - np.pi, off @ self.axis], axis=1)
 
     def reach(self, foot: Array, axis: Array, near: float) -> Array:
         """How far along lines the surface lies, at that of two places that is near, mm.
@@ -119,7 +116,7 @@ def _replace(edge: TopoDS_Edge, drill: _Side, wall: _Side) -> None:
     first, last = curve.FirstParameter(), curve.LastParameter()
     on_drill, on_wall = (BRep_Tool.CurveOnSurface_s(edge, side.face, first, last) for side in (drill, wall))
     ends = [on_drill.Value(t).X() for t in (first, last)]
-    ends = [seam if abs(end - (seam := round(end / _TURN) * _TURN)) < _SEAM else end for end in ends]
+    ends = [seam if abs(end - (seam := round(end / TURN) * TURN)) < _SEAM else end for end in ends]
 
     def exact(t: Array) -> Array:
         """Points, and parameters on the drill and on the wall, shape (n, 7)."""

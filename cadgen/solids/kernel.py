@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from OCP.BOPAlgo import BOPAlgo_ArgumentAnalyzer
 from OCP.BRep import BRep_Builder
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
@@ -30,8 +29,6 @@ from cadgen.errors import FileError
 
 if TYPE_CHECKING:
     from build123d import Solid
-
-Array = NDArray[np.float64]
 
 # The kernel's own smallest distance between two points (Precision::Confusion), mm.
 TOLERANCE = 1e-7

@@ -8,13 +8,11 @@ import re
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
+from cadgen.arrays import Array
 from cadgen.curves.closed import Outline, cross
 from cadgen.errors import FileError
-
-Array = NDArray[np.float64]
 
 # An instance ends at the first semicolon outside a string; a quote inside a string is doubled.
 _INSTANCE = re.compile(r"#(\d+)\s*=\s*([A-Z0-9_]+)\s*\(((?:[^';]|'[^']*')*)\)\s*;")

@@ -10,12 +10,10 @@ from dataclasses import dataclass
 from math import degrees, tan
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.errors import DesignError
 from cadgen.path.track import Track
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,13 +5,11 @@ The cam turns in proportion to r, so steering that is known by s is wanted by r.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cadgen.arrays import Array
 from cadgen.errors import DesignError
 from cadgen.path.hermite import quintic_hermite
 from cadgen.steering.car import Car, pace, wheel_tangent
-
-Array = NDArray[np.float64]
 
 GAUSS_POINTS = 8  # between two nodes of the track, some 12 mm: exact to rounding but where the steering changes sign
 

@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 
+from cadgen.build.cam_model import lift
 from cadgen.cam import contact
 from cadgen.cam.contact import roll, roll_curve, rolling_step
 from cadgen.cam.follower import Follower
 from cadgen.curves.contour import circle
 from cadgen.design.load import load_design
-from cadgen.design.stages import lift
 from cadgen.errors import DesignError
 from cadgen.path import track
-from cadgen.workflow import cam
-from cadgen.workflow.cam import plan_cam
+from cadgen.workflow.cam import plan as plan_module
+from cadgen.workflow.cam.plan import plan_cam
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_a_rod_too_thin_is_refused_by_its_key():
 def test_cures_are_not_sought_at_very_many_kinks(monkeypatch):
     plan = plan_cam(load_design("appendix_car"), "actual")
     assert plan.lost
-    monkeypatch.setattr(cam, "MOST_KINKS_CURED", len(plan.lift.kinks) - 1)
+    monkeypatch.setattr(plan_module, "MOST_KINKS_CURED", len(plan.lift.kinks) - 1)
     assert plan.cures == ()
     (said,) = plan.cure_sentences()
     assert f"the lift has {len(plan.lift.kinks)} kinks" in said

@@ -12,8 +12,8 @@ from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.curves.closed import left_normal
-from cadgen.measurement.as_built import AS_DESIGNED
-from cadgen.workflow.edges import edges_check
+from cadgen.deviations.as_built import AS_DESIGNED
+from cadgen.workflow.cam.edges import edges_check
 
 STEP = 4e-3  # mm between points: a rod of 2.5 mm then rests within 1e-6 mm
 THETA = np.radians(np.arange(1.3, 348, 3.1))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.integrate import quad
 from scipy.optimize import minimize_scalar
 
-from cadgen.design import stages
+from cadgen.build import cam_model
 from cadgen.design.load import load_design
 
 Array = NDArray[np.float64]
@@ -34,7 +34,7 @@ VALLEYS = {
 @pytest.mark.parametrize("kind", ["peak", "valley"])
 def test_peaks_and_valleys(name: str, kind: str) -> None:
     design = load_design(name)
-    lift, follower = stages.lift(design), stages.follower(design)
+    lift, follower = cam_model.lift(design), cam_model.follower(design)
     extrema, figures = (lift.extrema()[0], PEAKS) if kind == "peak" else (lift.extrema()[1], VALLEYS)
     # Beyond blend_start the closing blend steers, not the path.
     driven = extrema[extrema < lift.blend_start]
@@ -56,8 +56,8 @@ def test_the_formulas_alone_give_the_same_figures(name: str) -> None:
     -0.51421 mm, where the figure above has -0.51416.
     """
     design = load_design(name)
-    path, car, offset = stages.planned_path(design), stages.car(design), design.path.offset_mm
-    lift, follower = stages.lift(design), stages.follower(design)
+    path, car, offset = cam_model.planned_path(design), cam_model.car(design), design.path.offset_mm
+    lift, follower = cam_model.lift(design), cam_model.follower(design)
 
     def curvature_and_speed(u: Array) -> tuple[Array, Array]:
         (x1, y1), (x2, y2) = path.spline(u, nu=1).T, path.spline(u, nu=2).T

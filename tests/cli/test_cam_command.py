@@ -151,7 +151,7 @@ def test_an_interrupted_run_leaves_nothing(cadgen, tmp_path, number):
         "import os, signal\n"
         f"signal.signal({int(number)}, signal.SIG_DFL)\n"  # jobs in a background may ignore it
         "from cadgen.cli import main\n"
-        "from cadgen.workflow import files\n"
+        "from cadgen.workflow.cam import files\n"
         "assert len(list(files._FORMATS)) == 5\n"
         f"files._FORMATS['DXF'] = lambda job: os.kill(os.getpid(), {int(number)}) or iter(())\n"
         "main()\n"

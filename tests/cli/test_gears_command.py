@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cadgen.cam.check import Check
+from cadgen.check import Check
 from cadgen.cli.show import figures
 from tests.cli.conftest import one_sentence
 

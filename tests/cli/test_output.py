@@ -10,11 +10,11 @@ from types import SimpleNamespace
 import pytest
 from click.testing import CliRunner
 
-from cadgen.cam.check import Check
+from cadgen.check import Check
 from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
-from cadgen.workflow.files import Written
+from cadgen.workflow.cam.files import Written
 from tests.cli.conftest import one_sentence
 
 COMMAND = [sys.executable, "-c", "from cadgen.cli import main; main()"]

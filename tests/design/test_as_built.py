@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
-from cadgen.design import stages
+from cadgen.build import cam_model
 from cadgen.design.as_built import AsBuilt, Source
 from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError
@@ -37,9 +37,9 @@ def test_a_file_with_the_section_loads_and_says_the_same_again(written: Any, min
     assert design.values()["as_built"]["effects"][0]["values"] == ZERO["values"]  # type: ignore[index]
     assert design.content_hash != design.as_designed().content_hash
     smaller = with_overrides(design, ["as_built.effects.1.values.1.value=0.3"])
-    assert stages.car(smaller).steering_zero == pytest.approx(0.3 * 3.141592653589793 / 180)
-    assert stages.car(with_overrides(design, ["as_built="])).steering_zero == 0
-    assert stages.car(with_overrides(design, ["as_built.effects.1.place=noted"])).steering_zero == 0
+    assert cam_model.car(smaller).steering_zero == pytest.approx(0.3 * 3.141592653589793 / 180)
+    assert cam_model.car(with_overrides(design, ["as_built="])).steering_zero == 0
+    assert cam_model.car(with_overrides(design, ["as_built.effects.1.place=noted"])).steering_zero == 0
 
 
 @pytest.mark.parametrize(
@@ -89,7 +89,7 @@ def test_a_hash_that_is_none_is_refused() -> None:
 def test_a_worn_nose_keeps_its_number(written: Any, minimal: Any) -> None:
     worn = effect("profile", "worn nose", "part", nose_number=2, worn_depth_um=9.0, worn_width_deg=4.0)
     minimal["as_built"] = {"effects": [worn]}
-    (placed,) = stages.as_built(load_design(written(minimal))).effects
+    (placed,) = cam_model.as_built(load_design(written(minimal))).effects
     assert placed.effect.given == (("nose_number", 2),)
     assert placed.values == pytest.approx((0.009, 0.0698131700797732))
 
@@ -98,4 +98,4 @@ def test_a_rod_that_vanishes_names_the_keys(written: Any, minimal: Any) -> None:
     minimal["follower"] = {"radius_mm": 1.0}
     minimal["as_built"] = {"effects": [effect("lift", "rod radius", "car", rod_radius_um=-1200.0)]}
     with pytest.raises(DesignError, match="correct rod_radius_um or axial_offset_um"):
-        stages.follower(load_design(written(minimal)))
+        cam_model.follower(load_design(written(minimal)))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, linprog
 
-from cadgen.design import gears, variation
+from cadgen.build import gear_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.gears.fits import clearance, flat_play, key_play
@@ -102,7 +102,7 @@ def test_bearings_open_each_mesh_by_the_change_of_its_distance():
     """Against the exact play of involutes at axes that are further apart."""
     design = load_design("carbon_free_car", ("train.bearing_clearance_um=10",))
     whole = variation.train_plays(design)["as-given"]
-    train = gears.train(design)
+    train = gear_model.train(design)
     for loose, pair, ratio in zip(whole.loose, train.stages, train.output_ratios, strict=True):
         opened = pair.normal_backlash(pair.centre_distance + 0.01) - pair.normal_backlash(pair.centre_distance)
         assert loose.greatest == pytest.approx(opened / (pair.driven.form.base_diameter / 2) / ratio, rel=2e-3)

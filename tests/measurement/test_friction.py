@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from cadgen.build import cam_model, variation
 from cadgen.cam.lift import LiftCurve
-from cadgen.design import stages, variation
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.load import load_design
 from cadgen.measurement.friction import with_friction_judged, with_known_play
@@ -18,7 +18,7 @@ from cadgen.measurement.nominal import calibrate
 from cadgen.measurement.together import no_friction
 from cadgen.measurement.verdict import Judgement
 from cadgen.motion.mechanics import Mechanics, holding_friction
-from cadgen.workflow.as_built import as_built_facts, as_built_sentences
+from cadgen.workflow.cam.as_built import as_built_facts, as_built_sentences
 from tests.measurement.synthetic_drive import RATIOS
 from tests.measurement.synthetic_rod import rod_record
 from tests.studies.friction_cars import case, judged
@@ -103,7 +103,7 @@ def _judgement(*claimed):
 
 def _best(nominal, world, play_sigma, friction_sigma):
     """A fitted pair with made-up standard deviations."""
-    from cadgen.measurement.effects.track import BACKLASH, SLIDING_FRICTION
+    from cadgen.deviations.track import BACKLASH, SLIDING_FRICTION
 
     values = [
         (BACKLASH, np.array([radians(0.8)]), np.array([radians(play_sigma)])),
@@ -174,8 +174,8 @@ def _as_built(*effects):
 def test_friction_of_a_measured_car_in_its_design(effects, mechanics, friction, words):
     band = ["mechanics.friction_least=0.1", "mechanics.friction_greatest=0.3"] if mechanics else []
     design = load_design(None, band).model_copy(update={"as_built": _as_built(*effects)})
-    lift = stages.lift(design)
-    found = variation.mechanics(design, stages.follower(design), lift)
+    lift = cam_model.lift(design)
+    found = variation.mechanics(design, cam_model.follower(design), lift)
     assert (None if found is None else found.friction) == (friction and pytest.approx(friction))
     told = " ".join(as_built_sentences(design, lift.blend_start))
     assert words in told
@@ -187,7 +187,7 @@ def test_friction_of_a_measured_car_in_its_design(effects, mechanics, friction, 
 def test_a_true_play_goes_by_the_friction_of_the_design():
     keys = ["play.measured_deg=0.8", "mechanics.friction_least=0.1", "mechanics.friction_greatest=0.3"]
     design = load_design(None, keys)
-    assert variation.mechanics(design, stages.follower(design), stages.lift(design)).friction == (0.1, 0.3)
+    assert variation.mechanics(design, cam_model.follower(design), cam_model.lift(design)).friction == (0.1, 0.3)
     assert variation.measured_play(design) == pytest.approx(radians(0.8))
 
 

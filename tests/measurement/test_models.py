@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from cadgen.measurement.effects.base import Effect
+from cadgen.deviations.effect import Effect
 from cadgen.measurement.models.base import Model, slopes
 from tests.measurement import synthetic as syn
 from tests.measurement import synthetic_drive as drive

@@ -6,13 +6,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.rows import Rows
 from cadgen.measurement.doubt import unfit
-from cadgen.measurement.effects.base import Effect, Parameter
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import LEAST_PRICE, Hypothesis, Search, _overlap
 from cadgen.measurement.models.base import fourier, highest_order, per_run
 from cadgen.measurement.noise import Noise, estimate_noise
-from cadgen.measurement.record import Rows
 from cadgen.measurement.verdict import _within_floor
 
 

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from scipy.interpolate import PPoly
 
+from cadgen.arrays import TURN
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.drive import TURN, Pose, drive, start_pose, wheel_radius
+from cadgen.motion.drive import Pose, drive, start_pose, wheel_radius
 
 
 def steady(tan_beta: float) -> LiftCurve:

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from scipy.interpolate import PPoly
 
+from cadgen.arrays import TURN
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.drive import TURN, drive
+from cadgen.motion.drive import drive
 from cadgen.motion.errors import Event, deflected, deflection_sum, deflections, run_error, turning
 from cadgen.motion.play import falls
 from cadgen.steering.car import track_curvature

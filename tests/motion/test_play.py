@@ -6,9 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import PPoly
 
+from cadgen.arrays import TURN
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.play import TURN, Following, falls, follow
+from cadgen.motion.play import Following, falls, follow
 
 
 def step_by_step(lift: LiftCurve, play: float, steps: int, turns: int = 1) -> tuple[np.ndarray, np.ndarray]:

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.errors import DesignError
-from cadgen.motion.drive import TURN, drive
+from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.motion.play import falls
 from cadgen.motion.sampled import sampled_lift

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from cadgen.arrays import TURN
 from cadgen.errors import DesignError
-from cadgen.motion.drive import TURN, drive
+from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.optimize.band import best_for_band, fixed_profile_bound, over_band
 from cadgen.optimize.compensation import compensated_lift

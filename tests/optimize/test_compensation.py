@@ -4,15 +4,16 @@ import numpy as np
 import pytest
 from scipy.interpolate import PPoly
 
+from cadgen.arrays import TURN
+from cadgen.build import cam_model
 from cadgen.cam.checks import check_cam
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve
-from cadgen.design import stages
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.motion.drive import TURN, drive
+from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.motion.play import falls, follow
 from cadgen.motion.sampled import sampled_lift
@@ -126,7 +127,7 @@ def test_passes_every_check_of_the_cam(carbon_free_car):
     cam = compensated_lift(built.lift, built.follower, PLAY)
     profile = actual_profile(cam, built.follower)
     checks = check_cam(
-        cam, built.follower, profile.curve, profile.trims, stages.blank(design), stages.check_limits(design)
+        cam, built.follower, profile.curve, profile.trims, cam_model.blank(design), cam_model.check_limits(design)
     )
     assert len(checks) > 10
     assert not [check for check in checks if not check.passed]

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from cadgen.arrays import TURN
 from cadgen.errors import DesignError
-from cadgen.motion.drive import TURN, drive
+from cadgen.motion.drive import drive
 from cadgen.motion.errors import deflection_sum, deflections, run_error
 from cadgen.motion.play import falls
 from cadgen.optimize.smoothing import PAPER_AIM, smooth_to, smoothed_lift

@@ -14,7 +14,7 @@ from cadgen.report import style
 from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
 from cadgen.report.lift import draw_lift
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
-from cadgen.workflow.simulate import lift_picture, simulate
+from cadgen.workflow.runs.simulation import lift_picture, simulate
 
 
 @pytest.fixture(scope="module")

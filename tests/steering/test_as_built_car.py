@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cadgen.arrays import TURN
 from cadgen.cam.lift import lift_curve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import drive, start_pose
 from cadgen.motion.errors import turning
-from cadgen.motion.play import TURN
 from cadgen.path.hermite import quintic_hermite
 from cadgen.steering.car import steering_jets, tan_steering, track_curvature
 from cadgen.steering.slip import by_rim, rim_travel

@@ -18,8 +18,8 @@ from matplotlib.figure import Figure
 from scipy.optimize import minimize
 
 from cadgen import __version__
+from cadgen.build import cam_model
 from cadgen.cam.lift import LiftCurve
-from cadgen.design import stages
 from cadgen.design.load import load_design
 from cadgen.motion.friction import BEARING
 from cadgen.motion.mechanics import MechanicsBand
@@ -28,7 +28,7 @@ from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.judge import Task
 from cadgen.optimize.remedies import holding, trims
 from cadgen.path.hermite import quintic_hermite
-from cadgen.workflow.play import task_of
+from cadgen.workflow.cam.play import task_of
 
 ENDS = tuple(np.radians([0.512, 0.962]))
 PLAYS = np.radians([0.512, 0.737, 0.962])
@@ -40,8 +40,8 @@ DOCS = Path("docs")
 def car() -> Task:
     """The paper's car."""
     design = load_design("carbon_free_car")
-    track = stages.track(design)
-    return task_of(design, track, stages.lift(design, track), stages.follower(design))
+    track = cam_model.track(design)
+    return task_of(design, track, cam_model.lift(design, track), cam_model.follower(design))
 
 
 def worst(task: Task, lift: LiftCurve, band: MechanicsBand, plays: np.ndarray = PLAYS) -> float:

@@ -37,13 +37,13 @@ LONGEST_LINE, MOST_LINES = 900, 7
 PROFILES = ("actual", "optimized", "compensated", "smoothed", "smoothed+compensated", "theoretical", "published")
 # Loaded before the first fork.
 MODULES = {
-    "calibrate": ("cadgen.workflow.calibrate", "cadgen.workflow.calibrate_files", "cadgen.cli.show_calibrate"),
-    "cam": ("cadgen.workflow.files", "cadgen.solids.kernel"),
+    "calibrate": ("cadgen.workflow.calibration.plan", "cadgen.workflow.calibration.files", "cadgen.cli.show_calibrate"),
+    "cam": ("cadgen.workflow.cam.files", "cadgen.solids.kernel"),
     "check": (),
-    "gears": ("cadgen.workflow.gears", "cadgen.workflow.gears_files", "cadgen.solids.kernel"),
+    "gears": ("cadgen.workflow.gears.plan", "cadgen.workflow.gears.files", "cadgen.solids.kernel"),
     "optimize": (),
-    "simulate": ("cadgen.workflow.simulate", "cadgen.report.tracks"),
-    "tolerance": ("cadgen.workflow.tolerance",),
+    "simulate": ("cadgen.workflow.runs.simulation", "cadgen.report.tracks"),
+    "tolerance": ("cadgen.workflow.runs.tolerance",),
 }
 DOCS = Path(__file__).parents[2] / "docs" / "studies"
 
@@ -177,7 +177,7 @@ def load_modules(command: str) -> None:
     """Load what a command will, before any fork."""
     os.environ.update(COLUMNS="200", TERM="dumb", PYTHONWARNINGS="default")
     os.environ.setdefault("MPLBACKEND", "agg")
-    for name in ("cadgen.cli", "cadgen.cli.show_play", "cadgen.workflow.cam", *MODULES[command]):
+    for name in ("cadgen.cli", "cadgen.cli.show_play", "cadgen.workflow.cam.plan", *MODULES[command]):
         import_module(name)
 
 

@@ -19,9 +19,10 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from cadgen import __version__
+from cadgen.arrays import TURN
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.motion.play import TURN, follow
+from cadgen.motion.play import follow
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.path.hermite import quintic_hermite
 from tests.studies.command import DOCS, options, tell

@@ -93,7 +93,7 @@ def judged(seed: int, number: int) -> tuple[str, str]:
     """Kind of outcome of a case, and what is wrong with it; empty if nothing is."""
     from cadgen.design.schema import TrainDesign
     from cadgen.errors import DesignError
-    from cadgen.workflow.gears import NotMadeError, plan_gears
+    from cadgen.workflow.gears.plan import NotMadeError, plan_gears
 
     made = case(seed, number)
     try:

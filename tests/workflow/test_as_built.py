@@ -8,19 +8,19 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from cadgen.build import cam_model, variation
 from cadgen.cam.contact import roll
 from cadgen.cli import cli
 from cadgen.curves.closed import Outline
-from cadgen.design import stages, variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import DesignError
 from cadgen.export.dxf import read_dxf
-from cadgen.workflow.as_built import as_built_sentences
-from cadgen.workflow.calibrate import nominal_of
-from cadgen.workflow.cam import plan_cam
-from cadgen.workflow.files import write_cam
-from cadgen.workflow.simulate import simulate
-from cadgen.workflow.tolerance import run_tolerance
+from cadgen.workflow.calibration.plan import nominal_of
+from cadgen.workflow.cam.as_built import as_built_sentences
+from cadgen.workflow.cam.files import write_cam
+from cadgen.workflow.cam.plan import plan_cam
+from cadgen.workflow.runs.simulation import simulate
+from cadgen.workflow.runs.tolerance import run_tolerance
 from tests.measurement.synthetic_drive import Wheels
 
 TURN = 2 * np.pi
@@ -161,8 +161,8 @@ def test_files_of_a_precompensated_cam_are_judged_on_the_finished_disc(built, tm
 def test_the_key_takes_the_phase_out(built):
     phase = effect("track", "cam phase", "car", phase_deg=1.5)
     design = built(phase, change=("angle_deg = 0.0", "angle_deg = 30.0"))
-    assert np.degrees(stages.blank(design).key.angle) == pytest.approx(28.5)
-    assert np.degrees(stages.blank(design.as_designed()).key.angle) == pytest.approx(30.0)
+    assert np.degrees(cam_model.blank(design).key.angle) == pytest.approx(28.5)
+    assert np.degrees(cam_model.blank(design.as_designed()).key.angle) == pytest.approx(30.0)
     plan = plan_cam(design, "actual")
     assert plan.facts()["as_built"]["key_turned_deg"] == pytest.approx(-1.5)
     (line,) = (text for text in as_built_sentences(design, plan.lift.blend_start) if "key" in text)
@@ -224,9 +224,9 @@ def test_tolerances_are_about_the_car_as_built(built):
 def test_a_wheel_too_small_leaves_no_blend(built):
     design = built(effect("track", "wheel radius", "car", wheel_radius_percent=-4.0))
     with pytest.raises(DesignError, match=r"leaves no room for it: raise cam\.blend_deg"):
-        stages.lift(design)
+        cam_model.lift(design)
     short = built(effect("track", "wheel radius", "car", wheel_radius_percent=-1.0))
-    assert np.degrees(stages.lift(short).blend_start) == pytest.approx(348 / 0.99)
+    assert np.degrees(cam_model.lift(short).blend_start) == pytest.approx(348 / 0.99)
 
 
 def test_before_is_the_cam_that_was_measured(built, carbon_free_car):

@@ -5,17 +5,17 @@ from pathlib import Path
 
 import pytest
 
-from cadgen.design import variation
+from cadgen.build import variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import FileError
 from cadgen.measurement.diagnose import Finding, Value
 from cadgen.report.text import Heading, Table, plain
-from cadgen.workflow.as_built import assumed_play
-from cadgen.workflow.as_built_file import as_built_text
-from cadgen.workflow.calibrate import calibrate, read, stated_form_error
-from cadgen.workflow.calibrate_files import write_calibration
-from cadgen.workflow.calibrate_words import sentence, shown, sizes
-from cadgen.workflow.simulate import simulate
+from cadgen.workflow.calibration.as_built_file import as_built_text
+from cadgen.workflow.calibration.files import write_calibration
+from cadgen.workflow.calibration.plan import calibrate, read, stated_form_error
+from cadgen.workflow.calibration.words import sentence, shown, sizes
+from cadgen.workflow.cam.as_built import assumed_play
+from cadgen.workflow.runs.simulation import simulate
 
 MEASURED = Path(__file__).parents[1] / "data" / "measured"
 

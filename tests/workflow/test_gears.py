@@ -7,15 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from cadgen.cam.check import Check
-from cadgen.design import gears
+from cadgen.build import gear_model
+from cadgen.check import Check
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
+from cadgen.gears.checks import PLAY_LIMIT_UM
 from cadgen.gears.search import search_trains
-from cadgen.workflow import gears as workflow
-from cadgen.workflow.gears import NotMadeError, plan_gears
-from cadgen.workflow.gears_checks import PLAY_LIMIT_UM
-from cadgen.workflow.gears_facts import teeth_of
+from cadgen.workflow.gears import plan as workflow
+from cadgen.workflow.gears.facts import teeth_of
+from cadgen.workflow.gears.plan import NotMadeError, plan_gears
 
 ALPHA = radians(20)
 TRIALS = Path(__file__).parents[1] / "data" / "gears"
@@ -178,7 +178,7 @@ def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(mo
         wrong = layout.train.stages[0].driver.form.teeth in failing
         return (Check("tried", float(wrong), "", 0.0, "max"),)
 
-    monkeypatch.setattr("cadgen.workflow.gears.gear_checks", judge)
+    monkeypatch.setattr("cadgen.workflow.gears.plan.gear_checks", judge)
     design = load_design()
     best = plan_gears(design, "reordered")
     assert (best.play, best.skipped, best.passed) == (best.ranked[0], (), True)
@@ -337,7 +337,7 @@ def test_the_trial_searches_find_what_passes():
     assert all(stage.ratio >= 1 for play in mixed.ranked for stage in play.train.stages)
     assert mixed.facts()["ranked"][0]["modules_mm"] == [0.8, 0.8, 1.0, 1.25]
     asked = load_train(TRIALS / "d08_mix.toml", ["train.search.stage_ratio_min=0.4"])
-    (speeding,) = search_trains(replace(gears.search_limits(asked, gears.train(asked)), keep=1))
+    (speeding,) = search_trains(replace(gear_model.search_limits(asked, gear_model.train(asked)), keep=1))
     assert speeding.return_error_max < mixed.play.return_error_max
     assert min(stage.ratio for stage in speeding.train.stages) < 1
 

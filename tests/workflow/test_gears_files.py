@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.design.gears import mesh_chord
+from cadgen.build.gear_model import mesh_chord
 from cadgen.design.load import load_design
 from cadgen.errors import FileError
 from cadgen.gears.blank import gear_body
@@ -15,8 +15,8 @@ from cadgen.gears.gear_mesh import body_mesh
 from cadgen.gears.mesh_check import Section, section_of
 from cadgen.gears.thinning import with_deviation
 from cadgen.gears.tooth import GearForm
-from cadgen.workflow.gears import plan_gears
-from cadgen.workflow.gears_files import _assembly, _in_mesh, _stl_facts, _tables, table_of
+from cadgen.workflow.gears.files import _assembly, _in_mesh, _stl_facts, _tables, table_of
+from cadgen.workflow.gears.plan import plan_gears
 
 
 @pytest.fixture(scope="module")

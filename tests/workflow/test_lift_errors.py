@@ -14,8 +14,8 @@ from cadgen.export.gcode_reader import read_gcode
 from cadgen.export.mesh import inspect, read_3mf, read_stl
 from cadgen.export.points import contact_outline, read_csv, read_xyz
 from cadgen.solids.step_text import read_rim
-from cadgen.workflow.cam import plan_cam
-from cadgen.workflow.files import write_cam
+from cadgen.workflow.cam.files import write_cam
+from cadgen.workflow.cam.plan import plan_cam
 
 Array = NDArray[np.float64]
 

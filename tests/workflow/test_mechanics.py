@@ -5,18 +5,18 @@ import json
 import numpy as np
 import pytest
 
-from cadgen.design import stages, variation
+from cadgen.build import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
-from cadgen.workflow.cam import plan_cam
-from cadgen.workflow.remedies import remedies
+from cadgen.workflow.cam.plan import plan_cam
+from cadgen.workflow.cam.remedies import remedies
 
 FRICTION = ["mechanics.friction_least=0.05", "mechanics.friction_greatest=0.3", "optimize.max_lift_error_um="]
 
 
 def band(*overrides, name="carbon_free_car"):
     design = load_design(name, overrides)
-    return variation.mechanics(design, stages.follower(design), stages.lift(design))
+    return variation.mechanics(design, cam_model.follower(design), cam_model.lift(design))
 
 
 @pytest.fixture(scope="module")

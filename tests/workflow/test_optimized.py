@@ -16,8 +16,8 @@ from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.motion.sampled import sampled_lift
 from cadgen.optimize.compensation import compensated_lift
-from cadgen.workflow.cam import default_profile, plan_cam
-from cadgen.workflow.files import write_cam
+from cadgen.workflow.cam.files import write_cam
+from cadgen.workflow.cam.plan import default_profile, plan_cam
 
 PAPER = 0.4531  # what both of the paper's methods take off
 

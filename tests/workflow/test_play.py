@@ -12,9 +12,9 @@ from cadgen.errors import CheckError, FileError
 from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.optimize.compensation import compensated_lift
-from cadgen.workflow import tolerance
-from cadgen.workflow.cam import against_of, plan_cam
-from cadgen.workflow.simulate import simulate, write_simulation
+from cadgen.workflow.cam.plan import against_of, plan_cam
+from cadgen.workflow.runs import tolerance
+from cadgen.workflow.runs.simulation import simulate, write_simulation
 
 ROOT = Path(__file__).parents[2]
 TRIALS = ROOT / "tests" / "data" / "trials"
@@ -218,7 +218,7 @@ def test_simulates_with_the_play_that_is_asked_for(simulated, carbon_free_car):
 
 def test_simulations_of_two_profiles_have_files_of_their_own(simulated, tmp_path, monkeypatch):
     for drawing in ("draw_lift", "draw_tracks", "draw_run_errors"):  # they take long
-        monkeypatch.setattr(f"cadgen.workflow.simulate.{drawing}", lambda *content: [])
+        monkeypatch.setattr(f"cadgen.workflow.runs.simulation.{drawing}", lambda *content: [])
     smoothed = simulate(load_design("carbon_free_car"), "smoothed")
     names = [set(write_simulation(one, tmp_path).entry["files"]) for one in (simulated, smoothed)]
     assert not names[0] & names[1]

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.workflow.cam import plan_cam
+from cadgen.workflow.cam.plan import plan_cam
 
 BASE = load_design("carbon_free_car")
 OURS = ("rod pushed out", "rod falls short", "wrong face carries", "closure", "start of the blend")

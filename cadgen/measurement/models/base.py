@@ -5,8 +5,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.measurement.effects.base import Active, Array, Effect
-from cadgen.measurement.record import Rows
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.rows import Rows
 
 
 class Model(Protocol):

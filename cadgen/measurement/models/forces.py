@@ -4,10 +4,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
-from cadgen.measurement.effects.base import Array
 from cadgen.motion.mechanics import Leads, Mechanics
-from cadgen.motion.play import TURN
 
 _KEPT = 32  # fits go back and forth between few frictions
 

@@ -6,43 +6,22 @@ from functools import cached_property
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.curves.closed import ClosedCurve, Outline, left_normal
+from cadgen.curves.closed import Outline
+from cadgen.deviations.disc import Disc
+from cadgen.deviations.effect import Active, Effect, through
+from cadgen.deviations.lift import Readings, Setting, lift_effects
 from cadgen.errors import DesignError
-from cadgen.measurement.effects.base import Active, Array, Effect, through
-from cadgen.measurement.effects.disc import Disc, joined_normals
-from cadgen.measurement.effects.lift import Readings, Setting, lift_effects
-from cadgen.measurement.effects.shapes import shapes
 from cadgen.measurement.models.base import elapsed, fourier, per_run
 from cadgen.measurement.record import Record
+from cadgen.measurement.shapes import shapes
 
-_TURN = 2 * np.pi
-OUTLINE_STEP = 0.06  # mm; the rod rolled on it errs by under 0.01 um
 GRID = 720  # stations of the roll; only the change against the nominal cam is interpolated between them
 FORM_ORDERS = 90
 SHAPE_ORDERS = range(1, 61)
-
-
-def nominal_disc(curve: ClosedCurve, step: float = OUTLINE_STEP) -> Disc:
-    """The outline as points with normals, joints twice."""
-    outline = curve.outline(step)
-    normals = []
-    for number, piece in enumerate(curve.pieces):
-        t = np.linspace(piece.start, piece.stop, int(np.sum(outline.piece == number)))
-        normals.append(-left_normal(piece.jet(t).velocity))
-    normal = joined_normals(outline.points, np.concatenate(normals))
-    radius, angle = np.linalg.norm(outline.points, axis=1), outline.angle
-    grid = angle[0] + np.linspace(0, _TURN, 1440, endpoint=False)
-    around = np.interp(grid, angle, radius)
-    # A nose is the greatest radius within ten degrees either way.
-    greatest = np.max([np.roll(around, k) for k in range(-40, 41)], axis=0)
-    top = np.flatnonzero((around == greatest) & (around > around.min() + 1e-3))
-    before, at, after = (around[(top + k) % len(around)] for k in (-1, 0, 1))
-    vertex = (before - after) / (2 * (before - 2 * at + after))  # of the parabola through the three
-    noses = np.sort((grid[top] + vertex * (grid[1] - grid[0])) % _TURN)
-    return Disc(outline.points, normal, angle, noses, outline.piece)
 
 
 class LiftModel:
@@ -75,7 +54,7 @@ class LiftModel:
         self.form, self.order = fourier(angle, FORM_ORDERS)
         self.floor = floor
         self.slip = follower.inner * slope
-        self._grid = np.linspace(0.0, _TURN, GRID, endpoint=False)
+        self._grid = np.linspace(0.0, TURN, GRID, endpoint=False)
         self._known: dict[bytes, CubicSpline] = {}
         self._rolled = self._roll(Outline(disc.points, disc.piece), Setting(follower))
 
@@ -106,7 +85,7 @@ class LiftModel:
             closed = np.append(change, change[0])
             self._known = {
                 **dict(list(self._known.items())[-32:]),
-                key: CubicSpline(np.append(self._grid, _TURN), closed, bc_type="periodic"),
+                key: CubicSpline(np.append(self._grid, TURN), closed, bc_type="periodic"),
             }
         return self._known[key]
 

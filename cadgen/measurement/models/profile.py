@@ -6,13 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from cadgen.measurement.effects.base import Active, Array, Effect, Parameter, through
-from cadgen.measurement.effects.disc import NOSE_WIDTHS_DEG, PROFILE_EFFECTS, Disc, undulation, worn_nose
-from cadgen.measurement.effects.shapes import shapes
+from cadgen.arrays import TURN, Array
+from cadgen.deviations.disc import NOSE_WIDTHS_DEG, PROFILE_EFFECTS, Disc, undulation, worn_nose
+from cadgen.deviations.effect import Active, Effect, Parameter, through
+from cadgen.deviations.rows import Rows
 from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run, slopes
-from cadgen.measurement.record import Record, Rows
+from cadgen.measurement.record import Record
+from cadgen.measurement.shapes import shapes
 
-_TURN = 2 * np.pi
 FORM_ORDERS = 90
 UNDULATIONS = 120
 
@@ -53,9 +54,9 @@ class ProfileModel:
         self._forward = np.concatenate([[True], np.diff(self._disc.angle) > 0])
         radial = np.stack([np.cos(self._disc.angle), np.sin(self._disc.angle)], axis=1)
         self._slant = np.sum(self._disc.normal * radial, axis=1)
-        seen = np.arctan2(points[:, 1], points[:, 0]) % _TURN
+        seen = np.arctan2(points[:, 1], points[:, 0]) % TURN
         self.own = np.array([self._clocked(seen, record.run == k) for k in range(record.runs)])
-        place = (seen - self.own[record.run]) % _TURN
+        place = (seen - self.own[record.run]) % TURN
         self.rows = Rows(
             run=record.run, place=place, elapsed=elapsed(record.run), cell=np.full(len(place), -1, dtype=np.intp)
         )
@@ -101,8 +102,8 @@ class ProfileModel:
         where = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
         slant = self._slant[self._forward]
         # One point beyond the turn closes the table; chords fall short of the curve by under 0.01 um.
-        where = np.append(where, where[0] + _TURN)
+        where = np.append(where, where[0] + TURN)
         reach = np.linalg.norm(points, axis=1)
-        at = where[0] + (angle - where[0]) % _TURN
+        at = where[0] + (angle - where[0]) % TURN
         distance = radius - np.interp(at, where, np.append(reach, reach[0]))
         return np.asarray(distance * np.interp(at, where, np.append(slant, slant[0])))

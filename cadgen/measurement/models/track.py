@@ -2,16 +2,17 @@
 
 import numpy as np
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
-from cadgen.measurement.effects.base import Active, Array, Effect, through
-from cadgen.measurement.effects.track import Drive, track_effects
+from cadgen.deviations.effect import Active, Effect, through
+from cadgen.deviations.rows import Rows
+from cadgen.deviations.track import Drive, track_effects
 from cadgen.measurement.models.base import elapsed, fourier
 from cadgen.measurement.models.forces import Forces
-from cadgen.measurement.record import Record, Rows
+from cadgen.measurement.record import Record
 from cadgen.path.track import Track
 from cadgen.steering.car import Car
 
-_TURN = 2 * np.pi
 # Even steps of the turn. The midpoint rule errs by under 0.05 mm at the end of the paper's path.
 STEPS = 2880
 FORM_ORDERS = 25
@@ -32,7 +33,7 @@ class TrackModel:
         self, record: Record, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
     ) -> None:
         self._lift, self._car, self._length, self._forces = lift, car, track.length, forces
-        self._grid = np.linspace(0.0, _TURN, STEPS + 1)
+        self._grid = np.linspace(0.0, TURN, STEPS + 1)
         x, y = track.position(0.0)
         self._start = complex(x, y)
         self._heading = float(track.heading(np.array([0.0]))[0])
@@ -76,14 +77,14 @@ class TrackModel:
             # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
             following = self._forces.leads(drive.friction).follow(self._lift, drive.play)
             phase = float(through("cam", np.zeros(1), active, self.rows)[0])
-            nodes = np.union1d(nodes, following.joints(phase, _TURN + phase) - phase)
+            nodes = np.union1d(nodes, following.joints(phase, TURN + phase) - phase)
         middle = (nodes[1:] + nodes[:-1]) / 2
         angle = through("cam", middle, active, self.rows)
         steering = self._lift.tan_beta(angle if following is None else following.cam_angle(angle))
         steering = through("lever", steering, active, middle)
         steering = through("steering", steering, active, middle)
         curvature = -steering / (drive.wheelbase + drive.drive_wheel_offset * steering)
-        travel = drive.length * np.diff(nodes) / _TURN * (1 - drive.slip * np.abs(steering))
+        travel = drive.length * np.diff(nodes) / TURN * (1 - drive.slip * np.abs(steering))
         turn = curvature * travel
         heading = self._heading + np.cumsum(turn) - turn / 2
         place = self._start + np.concatenate([[0], np.cumsum(travel * np.exp(1j * heading))])

@@ -6,15 +6,15 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
-from cadgen.measurement.effects.base import Active, Array, Effect, through
-from cadgen.measurement.effects.shapes import shapes
-from cadgen.measurement.effects.transmission import Play, Turns, transmission_effects
+from cadgen.deviations.effect import Active, Effect, through
+from cadgen.deviations.transmission import Play, Turns, transmission_effects
 from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run
 from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.record import Record
+from cadgen.measurement.shapes import shapes
 
-_TURN = 2 * np.pi
 FORM_ORDERS = 30
 SHAPE_ORDERS = 60
 # Where in the play a run begins is set by chance: its first degrees of cam angle take it up and are not used.
@@ -53,7 +53,7 @@ class TransmissionModel:
         run, turned = record.run[away], turned[away]
         back = np.concatenate([[False], (np.diff(turned) < 0) & (run[1:] == run[:-1])])
         key = np.round(np.degrees(turned), 4) + 1e4 * back
-        slope = np.asarray(lift.tan_beta(self._all % _TURN, nu=1))
+        slope = np.asarray(lift.tan_beta(self._all % TURN, nu=1))
         self.rows = Turns(
             run=run,
             place=turned,
@@ -121,7 +121,7 @@ def _followed(asked: Array, half: float, drawn: tuple[Array, Array] | None) -> A
     for number, u in enumerate(asked.tolist()):
         y = min(max(y, u - half), u + half)
         if drawn and number:
-            at = (y + half) % _TURN
+            at = (y + half) % TURN
             if (inside := _inside(ahead, begins[0], at)) is not None:
                 y = min(y + inside[1] - at, u + half)
             elif (inside := _inside(back, begins[1], at)) is not None:
@@ -135,6 +135,6 @@ def _inside(stretches: list[list[float]], begins: list[float], at: float) -> tup
     if not stretches:
         return None
     number = bisect_right(begins, at) - 1
-    turn = 0.0 if number >= 0 else _TURN
+    turn = 0.0 if number >= 0 else TURN
     begin, end = stretches[number][0] - turn, stretches[number][1] - turn
     return (begin, end) if at < end else None

@@ -7,12 +7,12 @@ d(place) = cos(delta) (cos heading, sin heading) d(travel); a right turn has del
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.measurement.effects.base import Active, Array, Effect, through
-from cadgen.measurement.effects.tricycle import TRICYCLE_EFFECTS, Log
+from cadgen.arrays import TURN, Array
+from cadgen.deviations.effect import Active, Effect, through
+from cadgen.deviations.tricycle import TRICYCLE_EFFECTS, Log
 from cadgen.measurement.models.base import elapsed
 from cadgen.measurement.record import Record
 
-_TURN = 2 * np.pi
 # Every so many rows enter the fit: 20 rows a second say no more than two of a path that bends over seconds.
 THINNED = 10
 
@@ -52,7 +52,7 @@ class TricycleModel:
         run = record.run[self._rows]
         self.rows = Log(
             run=run,
-            place=_TURN * (elapsed(record.run)[self._rows] + 0.5),
+            place=TURN * (elapsed(record.run)[self._rows] + 0.5),
             elapsed=elapsed(run),
             cell=np.full(len(run), -1, dtype=np.intp),
             time=time[self._rows],

@@ -1,0 +1,199 @@
+"""From a design to what the numeric rooms work on; the one place where degrees become radians and µm mm.
+
+Car, rod, lift and key are those of the car as it was built, if the design says so in [as_built].
+"""
+
+from math import degrees, radians
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.cam import blank as cut
+from cadgen.cam.checks import CheckLimits
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve, lift_curve
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.design.blank import Blank, Hub, Lightening
+from cadgen.design.schema import Design
+from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
+from cadgen.errors import DesignError
+from cadgen.path.spline import PlannedPath, plan_path
+from cadgen.path.track import Track, offset_track
+from cadgen.steering.car import Car, steering_jets
+from cadgen.steering.slip import by_rim, rim_travel
+
+# A rod this many times as long as the outer face is far reaches past it up to some 55 degrees of steering.
+_DEFAULT_REACH = 2.0
+# A closing blend shorter than the schema's shortest is none.
+LEAST_BLEND = radians(0.5)
+
+
+def planned_path(design: Design) -> PlannedPath:
+    """The spline through the waypoints.
+
+    Raises:
+        DesignError: two equal neighbours among the waypoints.
+    """
+    return plan_path(np.array(design.path.waypoints_mm), design.path.spline)
+
+
+def track(design: Design) -> Track:
+    """The drive wheel's track.
+
+    Raises:
+        DesignError: as `planned_path`, or the track has a cusp.
+    """
+    return offset_track(planned_path(design), design.path.offset_mm)
+
+
+def as_built(design: Design) -> AsBuilt:
+    """What is known of the car as it was built; nothing without [as_built]."""
+    if design.as_built is None:
+        return AS_DESIGNED
+    placed = []
+    for one in design.as_built.effects:
+        if one.place != "noted":
+            known = one.known()
+            values = tuple(one.numbers[p.name] * p.scale for p in known.parameters)
+            sigma = (one.values[0].sigma or 0.0) * known.parameters[0].scale
+            placed.append(Placed(known, values, one.place, sigma, one.kind == "track"))
+    return AsBuilt(tuple(placed))
+
+
+def car(design: Design) -> Car:
+    """The car in plan view."""
+    nominal = Car(
+        wheelbase=design.car.wheelbase_mm,
+        drive_wheel_offset=design.car.drive_wheel_offset_mm,
+        idle_wheel_offset=design.car.idle_wheel_offset_mm,
+        max_steering_angle=radians(design.car.max_steering_angle_deg),
+    )
+    return as_built(design).car(nominal)
+
+
+def follower(design: Design) -> Follower:
+    """The rod and the planes in which the disc carries it.
+
+    Raises:
+        DesignError: as built, nothing would be left of the rod.
+    """
+    inner, outer = blank(design).carrying(*design.cam.faces_mm)
+    nominal = Follower(
+        base_radius=design.cam.base_radius_mm, inner=inner, outer=outer, radius=design.follower.radius_mm
+    )
+    return as_built(design).follower(nominal)
+
+
+def travel(design: Design, driven: Track) -> float:
+    """Travel of the drive wheel's rim for one turn of the cam, mm: that of the whole track, if built as designed."""
+    return as_built(design).travel(driven.length)
+
+
+def cam_angle(design: Design, driven: Track, arc: Array) -> Array:
+    """Cam angles at which the car, driven without play, stands at given arc lengths of its track, rad.
+
+    Raises:
+        DesignError: as `lift`.
+    """
+    its_car = car(design)
+    rim = rim_travel(driven.arc, steering_jets(driven, its_car), its_car)
+    return np.asarray(TURN * np.interp(arc, driven.arc, rim) / travel(design, driven))
+
+
+def path_end(design: Design, driven: Track) -> float:
+    """Arc length of the track at which the closing blend begins, mm."""
+    return driven.length * (TURN - radians(design.cam.blend_deg)) / TURN
+
+
+def lift(design: Design, driven: Track | None = None) -> LiftCurve:
+    """The steering that one turn of the cam must give, closed by the blend.
+
+    The blend begins at the same place of the path whether the car is built as designed or not.
+
+    Args:
+        design: the design.
+        driven: its track, if that is at hand already.
+
+    Raises:
+        DesignError: as `track`, a turn tighter than the steering can hold, or as built the wheel is so small that
+            the cam's turn ends before the blend can begin.
+    """
+    road, its_car, blend = driven or track(design), car(design), radians(design.cam.blend_deg)
+    jets = steering_jets(road, its_car)
+    if design.as_built is not None:
+        begins = float(cam_angle(design, road, np.array([path_end(design, road)]))[0])
+        blend = TURN - begins
+        if blend < LEAST_BLEND:
+            raise DesignError(
+                f"as built the car drives its path in {degrees(begins):.1f} degrees of cam angle up to where the "
+                f"closing blend begins, which leaves no room for it: raise cam.blend_deg, which is "
+                f"{design.cam.blend_deg:g}, by {degrees(LEAST_BLEND - blend) * 1.05:.1f} or more, or shorten the path"
+            )
+    rim = rim_travel(road.arc, jets, its_car)
+    return lift_curve(rim, by_rim(jets, its_car), travel(design, road), blend=blend)
+
+
+def blank(design: Design) -> cut.CamBlank:
+    """What the disc has besides its profile.
+
+    A key, and a set screw beside it, stand where they take out the phase that the cam has on the car as built.
+    """
+    given = design.blank
+    back = as_built(design).phase if has_key(design) else 0.0
+    return cut.CamBlank(
+        bore_diameter=given.bore_diameter_mm,
+        key=_key(given, back),
+        hub=_hub(given.hub, back) if given.hub else None,
+        lightening=_lightening(given.lightening) if given.lightening else None,
+        edge_break=given.edge_break_mm or 0.0,
+    )
+
+
+def has_key(design: Design) -> bool:
+    """Whether the bore holds the disc at an angle on its shaft."""
+    return design.blank.keyway is not None or design.blank.d_flat is not None
+
+
+def check_limits(design: Design) -> CheckLimits:
+    """What the checks allow."""
+    return CheckLimits(
+        pressure_angle=PRESSURE_ANGLE_LIMITS[design.checks.pressure_angle_limit],
+        lost_lift=design.checks.lost_lift_limit_um * 1e-3,
+        min_convex_radius=design.checks.min_convex_radius_mm,
+        cutter_radius=design.machining.cutter_diameter_mm / 2,
+        rod_length=_rod_length(design),
+        wall=design.checks.min_wall_mm,
+    )
+
+
+def _rod_length(design: Design) -> float:
+    given = design.follower.length_mm
+    return _DEFAULT_REACH * design.cam.faces_mm[1] if given is None else given
+
+
+def _key(given: Blank, back: float) -> cut.Keyway | cut.DFlat | None:
+    if given.keyway:
+        key = given.keyway
+        return cut.Keyway(width=key.width_mm, depth=key.depth_mm, angle=radians(key.angle_deg) - back)
+    if given.d_flat:
+        flat = given.d_flat
+        return cut.DFlat(depth=given.bore_diameter_mm - flat.across_mm, angle=radians(flat.angle_deg) - back)
+    return None
+
+
+def _hub(given: Hub, back: float) -> cut.Hub:
+    screw = None
+    if given.set_screw:
+        hole = given.set_screw
+        angle = radians(hole.angle_deg) - back
+        screw = cut.SetScrew(diameter=hole.hole_diameter_mm, height=hole.height_mm, angle=angle)
+    return cut.Hub(diameter=given.diameter_mm, length=given.length_mm, side=given.side, set_screw=screw)
+
+
+def _lightening(given: Lightening) -> cut.Lightening:
+    return cut.Lightening(
+        count=given.holes,
+        hole_diameter=given.hole_diameter_mm,
+        circle_diameter=given.circle_diameter_mm,
+        start_angle=radians(given.angle_deg),
+    )

@@ -1,0 +1,17 @@
+"""What a deviation does: the effects by which a real disc, mount, lever, train or car differs from its design.
+
+| module         | what it holds                                                                   |
+|----------------|---------------------------------------------------------------------------------|
+| `names`        | kinds of data and places of an effect, light enough for every design file       |
+| `rows`         | where measured numbers belong: run, place on the cam, place within the run      |
+| `effect`       | what an effect is: a change at one stage of a model, with parameters and bounds |
+| `disc`         | effects on the disc's outline about its bore                                    |
+| `lift`         | effects of the mount, the follower and the instrument on a measured lift        |
+| `transmission` | effects of the train between motor and camshaft, and of its encoders            |
+| `track`        | effects of the car that a cam steers                                            |
+| `tricycle`     | effects of a car whose front wheel is logged                                    |
+| `friction`     | what effects of sliding friction share                                          |
+| `catalogue`    | an effect by the kind of data and the name that a design file gives it          |
+| `as_built`     | the car with its effects: what becomes of a disc, and what to cut for it        |
+| `reference`    | the catalogue as a page of documentation                                        |
+"""

@@ -1,0 +1,132 @@
+"""What an effect is: a named change at one stage of a forward model, with parameters, bounds and rivals."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from math import pi
+from typing import Any, TypeVar
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.deviations.names import Place
+
+Thing = TypeVar("Thing")
+
+UM = 1e-3  # mm in a micrometre
+DEG = pi / 180
+PERCENT = 1e-2
+
+# Internal value of one of each unit that people read.
+UNITS = {"um": UM, "mm": 1.0, "deg": DEG, "%": PERCENT, "": 1.0, "s": 1.0}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Parameter:
+    """One number of an effect.
+
+    Attributes:
+        name: with the unit in it, as written to a design (`eccentric_x_um`).
+        unit: key of `UNITS`; bounds and step are in it.
+        lower, upper: what is physically possible.
+        step: a small but visible value, for differences.
+        start: where a search begins.
+        meaning: of a positive value, or of the number; empty only for forms without a name.
+        stepwise: whether what is expected answers in steps, so that it is sought by trial instead of by slopes.
+    """
+
+    name: str
+    unit: str
+    lower: float
+    upper: float
+    step: float
+    start: float = 0.0
+    meaning: str = ""
+    stepwise: bool = False
+
+    @property
+    def scale(self) -> float:
+        """Internal value (mm, rad, 1) of one unit."""
+        return UNITS[self.unit]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Effect:
+    """One entry of the catalogue, or (with `shape`) an anonymous form that competes with the entries.
+
+    Attributes:
+        name: as it is claimed.
+        stage: of the forward model at which it acts.
+        parameters: their internal values, in order, are the array `act` receives.
+        act: (thing at this stage, values, stations) -> the same thing changed; exact, not linearised.
+        family: effects of one family are never combined with each other unless it is empty.
+        twins: causes that no data of this kind can tell from this one.
+        confused_with: what looks like it.
+        separated_by: the measurement that tells them apart.
+        shape: True for a form without a name in the catalogue.
+        numerous: True if it is one of many of its sort (orders, places): they enter a subset one at a time.
+        includes: name of an effect that this one becomes for some values.
+        places: where the effect may be, the likeliest first; any effect may be `noted`.
+        given: numbers that are not fitted but make it this effect, by the names they are written under.
+        beside: name of the effect without which it does nothing; with that it counts as one cause.
+        parts: effects that it stands for while a search begins, each with its share of the parameters in order.
+        variant: tells entries of one name apart (which nose, from which width the search begins).
+    """
+
+    name: str
+    stage: str
+    parameters: tuple[Parameter, ...]
+    act: Callable[[Any, Array, Any], Any]
+    family: str = ""
+    twins: tuple[str, ...] = ()
+    confused_with: str = ""
+    separated_by: str = ""
+    shape: bool = False
+    numerous: bool = False
+    variant: str = ""
+    includes: str = ""
+    places: tuple[Place, ...] = ("noted",)
+    given: tuple[tuple[str, float], ...] = ()
+    beside: str = ""
+    parts: tuple["Effect", ...] = ()
+
+    @property
+    def key(self) -> str:
+        """Name and variant: what makes two entries different."""
+        return f"{self.name} {self.variant}".strip()
+
+    @property
+    def sort(self) -> str:
+        """Name of the cause: what all its orders and places share."""
+        return self.name.partition(",")[0]
+
+    @property
+    def steps(self) -> Array:
+        """Difference steps, internal units."""
+        return np.array([p.step * p.scale for p in self.parameters])
+
+    @property
+    def start(self) -> Array:
+        """Where a search begins, internal units."""
+        return np.array([p.start * p.scale for p in self.parameters])
+
+    @property
+    def bounds(self) -> tuple[Array, Array]:
+        """Lower and upper bounds, internal units."""
+        lower = np.array([p.lower * p.scale for p in self.parameters])
+        return lower, np.array([p.upper * p.scale for p in self.parameters])
+
+
+Active = Sequence[tuple[Effect, Array]]
+
+
+def causes(effects: Iterable[Effect]) -> int:
+    """How many causes effects have: what acts beside another adds none."""
+    return sum(not effect.beside for effect in effects)
+
+
+def through(stage: str, thing: Thing, active: Iterable[tuple[Effect, Array]], at: Any) -> Thing:
+    """Let every active effect of a stage act in turn."""
+    for effect, values in active:
+        if effect.stage == stage:
+            thing = effect.act(thing, values, at)
+    return thing

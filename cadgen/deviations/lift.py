@@ -1,0 +1,231 @@
+"""Effects of the mechanism and the instrument that show in a measured lift.
+
+Stages: `angle` (cam angle of each reading), `follower`, `reading` (what the dial shows). `at` are the `Readings`.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.cam.follower import Follower
+from cadgen.deviations.disc import ECCENTRIC_BORE, NOSE_WIDTHS_DEG, worn_nose
+from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.rows import Rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class Readings(Rows):
+    """What is known of each reading; arrays of shape (n,).
+
+    Attributes:
+        direction: +1 while the cam turns forward, -1 in reverse.
+        slope: sign of ds/dtheta of the nominal lift.
+        steering: tan(beta) of the nominal cam.
+    """
+
+    direction: Array
+    slope: Array
+    steering: Array
+
+
+@dataclass(frozen=True)
+class Setting:
+    """The rod and how far the disc's faces stand off by cam angle: cos and sin amplitude, mm."""
+
+    follower: Follower
+    wobble: tuple[float, float] = (0.0, 0.0)
+
+
+def _um(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
+    low = -limit if lower is None else lower
+    return Parameter(name=name, unit="um", lower=low, upper=limit, step=limit / 50, meaning=meaning)
+
+
+def _play(meaning: str) -> Parameter:
+    return Parameter(name="return_error_deg", unit="deg", lower=0.0, upper=5.0, step=0.05, meaning=meaning)
+
+
+def _phase(angle: Array, p: Array, at: Readings) -> Array:
+    return np.asarray(angle + p[0])
+
+
+def _held_by_friction(angle: Array, p: Array, at: Readings) -> Array:
+    """The cam lags half the return error behind the divider, whichever way it turns."""
+    return np.asarray(angle - at.direction * p[0] / 2)
+
+
+def _held_by_spring(angle: Array, p: Array, at: Readings) -> Array:
+    """The spring turns the cam downhill as far as the play allows (half of it either side of the middle)."""
+    return np.asarray(angle - at.slope * p[0] / 2)
+
+
+def _rod(setting: Setting, p: Array, at: Readings) -> Setting:
+    return replace(setting, follower=replace(setting.follower, radius=setting.follower.radius + p[0]))
+
+
+def _axial(setting: Setting, p: Array, at: Readings) -> Setting:
+    moved = replace(setting.follower, inner=setting.follower.inner + p[0], outer=setting.follower.outer + p[0])
+    return replace(setting, follower=moved)
+
+
+def _wobble(setting: Setting, p: Array, at: Readings) -> Setting:
+    return replace(setting, wobble=(float(p[0]), float(p[1])))
+
+
+def _gain(reading: Array, p: Array, at: Readings) -> Array:
+    return np.asarray(reading * (1 + p[0]))
+
+
+def _tilt(reading: Array, p: Array, at: Readings) -> Array:
+    """A spindle tilted by alpha in the plane of the swing meets the rod where x = t cos a, w = w0 + t sin a."""
+    return np.asarray(reading / (np.cos(p[0]) - np.sin(p[0]) * at.steering))
+
+
+def _friction(reading: Array, p: Array, at: Readings) -> Array:
+    """Coulomb friction bends the lever by a constant amount against the rod's motion."""
+    return np.asarray(reading - p[0] * at.slope * at.direction)
+
+
+def _hysteresis(reading: Array, p: Array, at: Readings) -> Array:
+    """The dial itself lags by a constant amount, whichever flank the rod is on: half of it either way."""
+    return np.asarray(reading - at.direction * p[0] / 2)
+
+
+def _drift(reading: Array, p: Array, at: Readings) -> Array:
+    return np.asarray(reading + p[0] * at.elapsed)
+
+
+LIFT_EFFECTS = (
+    # The shaft's run-out looks the same, and stays with the car.
+    replace(ECCENTRIC_BORE, places=("car", "part", "process")),
+    Effect(
+        name="phase",
+        stage="angle",
+        parameters=(
+            Parameter(
+                name="phase_deg",
+                unit="deg",
+                lower=-5.0,
+                upper=5.0,
+                step=0.05,
+                meaning="+: the cam stands ahead, in its sense of turning",
+            ),
+        ),
+        act=_phase,
+        places=("car",),
+        twins=("zero of the divider",),
+        confused_with="backlash held by the spring",
+        separated_by="mark the keyway and read the divider at the mark",
+    ),
+    Effect(
+        name="rod radius",
+        stage="follower",
+        parameters=(_um("rod_radius_um", "+: the rod is too thick", 1500.0),),
+        act=_rod,
+        places=("car",),
+        twins=("cutter compensation",),
+        confused_with="cutter compensation of the profile",
+        separated_by="measure the rod with a micrometer, or the profile on a CMM",
+    ),
+    Effect(
+        name="lever gain",
+        stage="reading",
+        parameters=(
+            Parameter(
+                name="gain_percent", unit="%", lower=-5.0, upper=5.0, step=0.1, meaning="+: the dial shows too much"
+            ),
+        ),
+        act=_gain,
+        twins=("cosine error of the indicator",),
+        confused_with="axial offset of the disc, cosine error of the indicator",
+        separated_by="check the dial with gauge blocks; measure the distance from the fork axis to the disc",
+    ),
+    Effect(
+        name="axial offset",
+        stage="follower",
+        parameters=(_um("axial_offset_um", "+: the disc stands too far from the fork axis", 4000.0),),
+        act=_axial,
+        places=("car",),
+        confused_with="lever gain",
+        separated_by="measure the distance from the fork axis to the disc's faces",
+    ),
+    Effect(
+        name="camshaft wobble",
+        stage="follower",
+        parameters=(
+            _um("wobble_cos_um", "+: at 0° of cam angle the face stands further from the fork axis", 4000.0),
+            _um("wobble_sin_um", "+: at 90° of cam angle", 4000.0),
+        ),
+        act=_wobble,
+        confused_with="an eccentric bore, lever gain",
+        separated_by="put the dial on the face of the disc and turn the camshaft",
+    ),
+    Effect(
+        name="lost motion by friction",
+        stage="reading",
+        parameters=(_um("lost_motion_um", "by which the dial lags behind the rod, either way", 300.0, 0.0),),
+        act=_friction,
+        confused_with="backlash",
+        separated_by="tap the lever before each reading: friction lets go, backlash stays",
+    ),
+    Effect(
+        name="backlash",
+        stage="angle",
+        parameters=(_play("whole play at the camshaft; the cam lags by half of it either way"),),
+        act=_held_by_friction,
+        places=("car",),
+        family="backlash",
+        confused_with="lost motion by friction",
+        separated_by="hold the drive still and turn the camshaft to and fro by hand",
+    ),
+    Effect(
+        name="backlash, held by the spring",
+        stage="angle",
+        parameters=(_play("whole play at the camshaft; the spring turns the cam downhill by half of it"),),
+        act=_held_by_spring,
+        places=("car",),
+        family="backlash",
+        confused_with="lost motion by friction",
+        separated_by="hold the drive still and turn the camshaft to and fro by hand",
+    ),
+    Effect(
+        name="hysteresis of the dial",
+        stage="reading",
+        parameters=(_um("hysteresis_um", "+: it reads less by half of it going forward, more in reverse", 300.0),),
+        act=_hysteresis,
+        confused_with="drift, as each run goes forward first and then back",
+        separated_by="move the dial up to a gauge block and down to it, and read both",
+    ),
+    Effect(
+        name="drift",
+        stage="reading",
+        parameters=(_um("drift_um_per_run", "+: the reading grows from a run's first row to its last", 200.0),),
+        act=_drift,
+        confused_with="runs that disagree",
+        separated_by="let the dial and the car warm up, and read the zero again at the end of each run",
+    ),
+    Effect(
+        name="tilted indicator",
+        stage="reading",
+        parameters=(
+            Parameter(
+                name="indicator_tilt_deg",
+                unit="deg",
+                lower=-20.0,
+                upper=20.0,
+                step=0.5,
+                meaning="+: its tip points away from the fork axis, so that it reads more on a lifted rod",
+            ),
+        ),
+        act=_tilt,
+        twins=("a dial whose scale is not even",),
+        confused_with="axial offset of the disc, wear",
+        separated_by="set the spindle square to the rod with a precision square and measure again",
+    ),
+)
+
+
+def lift_effects(noses: int) -> tuple[Effect, ...]:
+    """The catalogue for lift data of a cam with so many noses."""
+    return LIFT_EFFECTS + tuple(worn_nose(k, width) for k in range(noses) for width in NOSE_WIDTHS_DEG)

@@ -1,0 +1,250 @@
+"""Effects of the car that a cam steers, as its track shows them.
+
+Stages: `drive` (the `Drive`: numbers of the car and its train), `cam` (cam angle), `lever` (tan beta of the rod ->
+of the fork), `steering` (-> of the front wheel). `at` are the `Rows` of the stations.
+
+Friction and drag hold the cam on the gentler parts of each fall, where it would else run ahead by the play: they do
+nothing without play, and act beside it.
+
+A gain of the lever and an error of the wheelbase turn every curvature into the same other one,
+-(1 + g) T / (L + A1 (1 + g) T) = -T / (L / (1 + g) + A1 T), so no track can tell them apart; nor, but for a second
+order in the angle, a yaw of the rear axle from a steering zero.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
+
+
+@dataclass(frozen=True)
+class Drive:
+    """The car as it runs.
+
+    Attributes:
+        wheelbase: L, mm.
+        drive_wheel_offset: A1, mm.
+        length: travel of the drive wheel for one turn of the cam, mm.
+        play: return error at the camshaft, rad.
+        friction: sliding, between rod and disc.
+        slip: share of the travel lost for each unit of |tan beta|.
+    """
+
+    wheelbase: float
+    drive_wheel_offset: float
+    length: float
+    play: float = 0.0
+    friction: float = 0.0
+    slip: float = 0.0
+
+
+def _length(drive: Drive, p: Array, at: object) -> Drive:
+    return replace(drive, length=drive.length * (1 + p[0]))
+
+
+def _offset(drive: Drive, p: Array, at: object) -> Drive:
+    return replace(drive, drive_wheel_offset=drive.drive_wheel_offset + p[0])
+
+
+def _slip(drive: Drive, p: Array, at: object) -> Drive:
+    return replace(drive, slip=float(p[0]))
+
+
+def _play(drive: Drive, p: Array, at: object) -> Drive:
+    return replace(drive, play=float(p[0]))
+
+
+def _friction(drive: Drive, p: Array, at: object) -> Drive:
+    return replace(drive, friction=float(p[0]))
+
+
+def _rubbing(drive: Drive, p: Array, at: object) -> Drive:
+    return _friction(_play(drive, p[:1], at), p[1:], at)
+
+
+def _phase(angle: Array, p: Array, at: object) -> Array:
+    return np.asarray(angle + p[0])
+
+
+def _zero(steering: Array, p: Array, at: object) -> Array:
+    tangent = np.tan(p[0])
+    return np.asarray((steering + tangent) / (1 - steering * tangent))
+
+
+def _gain(steering: Array, p: Array, at: object) -> Array:
+    return np.asarray(steering * (1 + p[0]))
+
+
+BACKLASH = Effect(
+    name="backlash",
+    stage="drive",
+    parameters=(
+        Parameter(
+            name="return_error_deg",
+            unit="deg",
+            lower=0.0,
+            upper=4.0,
+            step=0.02,
+            meaning="whole play at the camshaft, between two stops",
+        ),
+    ),
+    act=_play,
+    places=("car",),
+    family="play",
+    confused_with="cam phase, steering zero",
+    separated_by="hold the motor and turn the camshaft to and fro: an inclinometer shows the play",
+)
+SLIDING_FRICTION = Effect(
+    name="sliding friction",
+    stage="drive",
+    parameters=(friction(step=0.002),),
+    act=_friction,
+    places=("car",),
+    beside="backlash",
+    twins=DRAG,
+    confused_with="less play",
+    separated_by=MEASURE_FRICTION,
+)
+
+TRACK_EFFECTS = (
+    Effect(
+        name="steering zero",
+        stage="steering",
+        parameters=(
+            Parameter(
+                name="steering_zero_deg",
+                unit="deg",
+                lower=-5.0,
+                upper=5.0,
+                step=0.005,
+                meaning="+: the wheel points right where the rod is straight",
+            ),
+        ),
+        act=_zero,
+        places=("car",),
+        twins=("yaw of the axle",),
+        confused_with="yaw of the rear axle, a dial or micrometer head set to another base distance",
+        separated_by="push the car straight with the lever locked at zero and see where it goes",
+    ),
+    Effect(
+        name="lever gain",
+        stage="lever",
+        parameters=(
+            Parameter(
+                name="gain_percent",
+                unit="%",
+                lower=-20.0,
+                upper=20.0,
+                step=0.05,
+                meaning="+: the wheel turns more than the rod, in its tangent",
+            ),
+        ),
+        act=_gain,
+        places=("car",),
+        twins=("wheelbase",),
+        confused_with="wheelbase",
+        separated_by="measure the wheelbase, or the lift by a dial",
+    ),
+    Effect(
+        name="wheel radius",
+        stage="drive",
+        parameters=(
+            Parameter(
+                name="wheel_radius_percent",
+                unit="%",
+                lower=-10.0,
+                upper=10.0,
+                step=0.02,
+                meaning="+: the car goes too far for a turn of the cam",
+            ),
+        ),
+        act=_length,
+        places=("car",),
+        twins=("ratio of cam and wheel",),
+        confused_with="wrong ratio between cam and wheel",
+        separated_by="roll the car ten turns of the wheel along a rule",
+    ),
+    Effect(
+        name="driven wheel's offset",
+        stage="drive",
+        parameters=(
+            Parameter(
+                name="drive_wheel_offset_mm",
+                unit="mm",
+                lower=-30.0,
+                upper=30.0,
+                step=0.1,
+                meaning="+: the driven wheel stands further left of the fork axis",
+            ),
+        ),
+        act=_offset,
+        places=("car",),
+        confused_with="lever gain where the turns all go one way",
+        separated_by="measure from the fork axis to the middle of the tyre",
+    ),
+    Effect(
+        name="slip with curvature",
+        stage="drive",
+        parameters=(
+            Parameter(
+                name="slip_percent",
+                unit="%",
+                lower=-20.0,
+                upper=50.0,
+                step=0.2,
+                meaning="+: travel lost, for each unit of |tan(beta)|",
+            ),
+        ),
+        act=_slip,
+        places=("car",),
+        confused_with="wheel radius",
+        separated_by="run a long straight and a tight circle, each by the turns of the wheel",
+    ),
+    Effect(
+        name="cam phase",
+        stage="cam",
+        parameters=(
+            Parameter(
+                name="phase_deg",
+                unit="deg",
+                lower=-10.0,
+                upper=10.0,
+                step=0.02,
+                meaning="+: the cam stands ahead, in its sense of turning",
+            ),
+        ),
+        act=_phase,
+        places=("car",),
+        confused_with="backlash",
+        separated_by="mark the keyway and the rod's place at the start",
+    ),
+    BACKLASH,
+    SLIDING_FRICTION,
+)
+
+
+def steering_bump(centre_deg: float, width_deg: float) -> Effect:
+    """A form without a name: the steering is off over a part of the turn."""
+
+    def act(steering: Array, p: Array, at: Array) -> Array:
+        off = (at - np.radians(centre_deg) + np.pi) % TURN - np.pi
+        return np.asarray(steering + p[0] * np.exp(-((off / np.radians(width_deg)) ** 2) / 2))
+
+    return Effect(
+        name=f"steering off near {centre_deg:.0f} deg over {width_deg:.0f} deg",
+        stage="steering",
+        parameters=(Parameter(name="steering_bump_percent", unit="%", lower=-20.0, upper=20.0, step=0.02),),
+        act=act,
+        shape=True,
+        numerous=True,
+        separated_by="measure the lift there",
+    )
+
+
+def track_effects() -> tuple[Effect, ...]:
+    """The catalogue for tracks, with play at several frictions to begin from, and the local forms that compete."""
+    bumps = [steering_bump(c, w) for w in (5.0, 15.0) for c in np.arange(w / 2, 360.0, w)]
+    return (*TRACK_EFFECTS, *(rubbing(BACKLASH, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS), *bumps)

@@ -1,0 +1,171 @@
+"""Effects of the train between motor and camshaft, and of the encoders at its ends.
+
+Stages: `ratio` and `mesh` (angle that the gears ask of the camshaft), `play` (what the camshaft makes of it). `at` are
+the `Turns`.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
+from cadgen.deviations.rows import Rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class Turns(Rows):
+    """What is known of each reading.
+
+    Attributes:
+        turned: angle of the motor divided by the nominal ratio, shape (n,), rad.
+        torque: that the cam asks of its shaft, relative to its greatest, shape (n,).
+    """
+
+    turned: Array
+    torque: Array
+
+
+@dataclass(frozen=True)
+class Play:
+    """What stands between the last gear and the camshaft.
+
+    Attributes:
+        width: of the play, rad.
+        friction: between rod and disc; None with the rod lifted, or where friction holds the cam everywhere.
+    """
+
+    width: float = 0.0
+    friction: float | None = None
+
+
+def _deg(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
+    low = -limit if lower is None else lower
+    return Parameter(name=name, unit="deg", lower=low, upper=limit, step=limit / 200, meaning=meaning)
+
+
+def _play(play: Play, p: Array, at: Turns) -> Play:
+    return replace(play, width=float(p[0]))
+
+
+def _friction(play: Play, p: Array, at: Turns) -> Play:
+    return replace(play, friction=float(p[0]))
+
+
+def _rubbing(play: Play, p: Array, at: Turns) -> Play:
+    return _friction(_play(play, p[:1], at), p[1:], at)
+
+
+def _rate(angle: Array, p: Array, at: Turns) -> Array:
+    return np.asarray(angle * (1 + p[0]))
+
+
+def _wind_up(angle: Array, p: Array, at: Turns) -> Array:
+    return np.asarray(angle - p[0] * at.torque)
+
+
+def _periodic(order: float) -> Callable[[Array, Array, Turns], Array]:
+    def act(angle: Array, p: Array, at: Turns) -> Array:
+        return np.asarray(angle + p[0] * np.cos(order * at.turned) + p[1] * np.sin(order * at.turned))
+
+    return act
+
+
+RETURN_ERROR = Effect(
+    name="return error",
+    stage="play",
+    parameters=(_deg("return_error_deg", "whole play at the camshaft, between two stops", 5.0, 0.0),),
+    act=_play,
+    places=("car",),
+    family="play",
+    twins=("wind-up under friction", "lag at one speed"),
+    confused_with="lag of an encoder, twist of the shafts under friction",
+    separated_by="measure at two speeds and with a weight on the rod: lag follows the speed, twist the torque",
+)
+SLIDING_FRICTION = Effect(
+    name="sliding friction",
+    stage="play",
+    parameters=(replace(friction(step=0.02), stepwise=True),),
+    act=_friction,
+    places=("car",),
+    beside="return error",
+    twins=DRAG,
+    confused_with="a lifted rod, where it is large",
+    separated_by=MEASURE_FRICTION,
+)
+RATE = Effect(
+    name="rate",
+    stage="ratio",
+    parameters=(
+        Parameter(
+            name="rate_percent",
+            unit="%",
+            lower=-20.0,
+            upper=20.0,
+            step=0.05,
+            meaning="+: the camshaft turns too far for the motor",
+        ),
+    ),
+    act=_rate,
+    twins=("wrong gear ratio", "scale of an encoder"),
+    confused_with="a gear with one tooth more or less, an encoder with another count",
+    separated_by="count the teeth; turn the motor by hand once past a mark and read its encoder",
+)
+WIND_UP = Effect(
+    name="wind-up",
+    stage="mesh",
+    parameters=(_deg("wind_up_deg", "+: the camshaft lags where the cam is steepest up", 5.0),),
+    act=_wind_up,
+    confused_with="runout of the camshaft",
+    separated_by="lift the rod off the cam and measure again",
+)
+
+
+def runout(shaft: str, order: float) -> Effect:
+    """A gear (or encoder disc) off centre on a shaft that turns `order` times for one turn of the cam."""
+    return Effect(
+        name=f"runout of {shaft}",
+        stage="mesh",
+        parameters=(
+            _deg("runout_cos_deg", "+: the camshaft is ahead where that shaft has turned by 0°", 5.0),
+            _deg("runout_sin_deg", "+: where it has turned by 90°", 5.0),
+        ),
+        act=_periodic(order),
+        twins=(f"eccentric encoder on {shaft}",),
+        confused_with="an eccentric encoder on the same shaft",
+        separated_by="put a dial on the gear's rim, or turn the encoder on its shaft and measure again",
+    )
+
+
+def tooth_mesh(stage: int, order: float) -> Effect:
+    """Once for each tooth of a stage: pitch and profile errors that all teeth share."""
+    return Effect(
+        name=f"tooth mesh of stage {stage}",
+        stage="mesh",
+        parameters=(
+            _deg("mesh_cos_deg", "+: the camshaft is ahead at the start of each tooth", 2.0),
+            _deg("mesh_sin_deg", "+: a quarter of a tooth later", 2.0),
+        ),
+        act=_periodic(order),
+        confused_with="a count error of the encoder at the same order",
+        separated_by="shift the wheel by half a tooth on its shaft and measure again",
+    )
+
+
+def transmission_effects(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int) -> tuple[Effect, ...]:
+    """The catalogue for a train.
+
+    Args:
+        ratios: of each stage, from the motor to the camshaft.
+        teeth: of each stage's driven wheel; empty if unknown.
+        highest: order that the data resolve.
+    """
+    orders = [float(np.prod(ratios[k:])) for k in range(len(ratios) + 1)]
+    names = ["the motor shaft", *(f"shaft {k}" for k in range(1, len(ratios))), "the camshaft"]
+    effects = [RETURN_ERROR, SLIDING_FRICTION, RATE, WIND_UP]
+    effects += [rubbing(RETURN_ERROR, SLIDING_FRICTION, _rubbing, start) for start in (0.0, *FRICTIONS)]
+    effects += [runout(n, o) for n, o in zip(names, orders, strict=True) if o <= highest]
+    meshes = [(k + 1, z * orders[k + 1]) for k, z in enumerate(teeth)]
+    return tuple(effects + [tooth_mesh(stage, order) for stage, order in meshes if order <= highest])

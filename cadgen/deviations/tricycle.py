@@ -1,0 +1,128 @@
+"""Effects of a car whose steered and driven front wheel is logged: zero, gain, wheelbase, odometer, lag, markers.
+
+Stages: `steering` (angle of the front wheel, rad), `delay` (s), `travel` (mm of the front wheel for each step),
+`wheelbase` (mm), `marker` (place of the markers from the rear axle's centre, as x + iy, mm). `at` are the `Log`.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.rows import Rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class Log(Rows):
+    """What was logged at each row: time since the run's start, s, and logged steering angle, rad, shape (n,)."""
+
+    time: Array
+    steering: Array
+
+
+def _add(value: Array, p: Array, at: Log) -> Array:
+    return np.asarray(value + p[0])
+
+
+def _times(value: Array, p: Array, at: Log) -> Array:
+    return np.asarray(value * (1 + p[0]))
+
+
+def _slip(travel: Array, p: Array, at: Log) -> Array:
+    return np.asarray(travel * (1 - p[0] * np.abs(np.sin(at.steering))))
+
+
+def _marker(place: complex, p: Array, at: Log) -> complex:
+    return place + complex(p[0], p[1])
+
+
+def _percent(name: str, meaning: str, limit: float) -> Parameter:
+    return Parameter(name=name, unit="%", lower=-limit, upper=limit, step=0.05, meaning=meaning)
+
+
+def _mm(name: str, meaning: str) -> Parameter:
+    return Parameter(name=name, unit="mm", lower=-60.0, upper=60.0, step=0.2, meaning=meaning)
+
+
+ON_THE_SPOT = "turn on the spot with the wheel at 90 degrees: there the rate of turning is the wheelbase's alone"
+
+TRICYCLE_EFFECTS = (
+    Effect(
+        name="steering zero",
+        stage="steering",
+        parameters=(
+            Parameter(
+                name="steering_zero_deg",
+                unit="deg",
+                lower=-10.0,
+                upper=10.0,
+                step=0.01,
+                meaning="+: the wheel points further left than was logged",
+            ),
+        ),
+        act=_add,
+        twins=("yaw of the axle",),
+        separated_by="push the car straight and read the steering",
+    ),
+    Effect(
+        name="steering gain",
+        stage="steering",
+        parameters=(_percent("gain_percent", "+: the wheel turns more than was logged", 30.0),),
+        act=_times,
+        confused_with="wheelbase, as long as the wheel turns little",
+        separated_by=ON_THE_SPOT,
+    ),
+    Effect(
+        name="wheelbase",
+        stage="wheelbase",
+        parameters=(_percent("wheelbase_percent", "+: longer than said", 30.0),),
+        act=_times,
+        confused_with="steering gain, as long as the wheel turns little",
+        separated_by=ON_THE_SPOT,
+    ),
+    Effect(
+        name="wheel radius",
+        stage="travel",
+        parameters=(_percent("wheel_radius_percent", "+: the car goes further than was logged", 10.0),),
+        act=_times,
+        twins=("scale of the odometer",),
+        separated_by="roll the car ten turns of the wheel along a rule",
+    ),
+    Effect(
+        name="lag of the steering",
+        stage="delay",
+        parameters=(
+            Parameter(
+                name="lag_s",
+                unit="s",
+                lower=-1.0,
+                upper=3.0,
+                step=0.02,
+                meaning="+: the wheel turns later than was logged",
+            ),
+        ),
+        act=_add,
+        confused_with="a marker ahead of or behind the axle",
+        separated_by="repeat at half the speed: a lag in time halves in distance",
+    ),
+    Effect(
+        name="offset of the markers",
+        stage="marker",
+        parameters=(
+            _mm("marker_ahead_mm", "+: ahead of the rear axle"),
+            _mm("marker_left_mm", "+: left of its middle"),
+        ),
+        act=_marker,
+        confused_with="lag of the steering",
+        separated_by="turn on the spot: the markers then draw a circle about the axle's centre",
+    ),
+    Effect(
+        name="slip with steering",
+        stage="travel",
+        parameters=(_percent("slip_percent", "+: travel lost, for each unit of |sin(steering)|", 30.0),),
+        act=_slip,
+        confused_with="wheel radius, wheelbase",
+        separated_by="compare the odometer on a straight and on the spot",
+    ),
+)

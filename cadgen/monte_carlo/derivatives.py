@@ -1,0 +1,147 @@
+"""How the steering changes, to first order, with everything about the disc and the rod that may be a little off.
+
+The rod, at T = tan(beta), rests on a point of the disc at
+    x = a + w T - h sqrt(1 + T^2),  h^2 = r^2 - y^2,
+x along the ray from the camshaft to the rod, y across it in the sense of growing polar angle, w the lateral distance of
+the edge that carries it. No point asks for more, so to first order the point stays the same one, and with
+D = w - h T / sqrt(1 + T^2)
+    dT = (dx - sqrt(1 + T^2) (y / h) dy - da - T dw + sqrt(1 + T^2) (r / h) dr) / D,
+where dx, dy and dw are how far the point itself is displaced:
+
+- a **larger disc**, along its normal, lifts the rod as a thicker rod would, but for 1 / cos(beta);
+- an **eccentric bore** displaces every point alike, in a direction that turns with the cam;
+- a disc that **wobbles**, tilted by gamma towards the direction d, has dw = gamma p . d at the point p, and the edge,
+  off the disc's middle by w - m, goes to the other side by gamma (w - m);
+- a rod **above** the camshaft's plane is a disc below it;
+- a **taper** of the cut makes one face larger along its normal, and the other smaller, by half of it;
+- **heat** scales the disc about the shaft, and the frame, which holds camshaft and fork apart.
+
+Near zero steering the two edges of the rim lift the rod almost equally. A taper or a wobble can then raise the edge
+that does not carry the nominal rod above the one that does (`OtherEdge`).
+"""
+
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.cam.contact import Contact
+from cadgen.cam.follower import Follower
+
+# The rows, in order.
+STEERING = (
+    *("base_radius", "inner_face", "outer_face", "rod_radius", "profile_offset", "steering_zero"),
+    *("taper", "rod_height", "eccentricity_0", "eccentricity_90", "wobble_0", "wobble_90", "temperature"),
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class OtherEdge:
+    """The edge that does not carry the nominal rod, at n cam angles.
+
+    Attributes:
+        below: by which tan(beta) would be less if it alone did, shape (n,).
+        rising: how much faster tan(beta) grows on it with `PARTS`, shape (3, n).
+    """
+
+    below: Array
+    rising: Array
+
+    PARTS: ClassVar[tuple[str, ...]] = ("taper", "wobble_0", "wobble_90")
+
+    @classmethod
+    def of(cls, contact: Contact, follower: Follower) -> "OtherEdge":
+        """Beside a contact of the nominal rod on the nominal disc."""
+        other = replace(contact, face=follower.inner + follower.outer - contact.face)
+        here, there = (steering_derivatives(one, follower) for one in (contact, other))
+        rows = [STEERING.index(name) for name in cls.PARTS]
+        # Both edges have one outline, so the lift would be the same, further out or further in.
+        below = np.abs(contact.tan_beta * (1 - contact.face / other.face))
+        return cls(below=below, rising=there[rows] - here[rows])
+
+    def raised(self, deviations: Array, columns: NDArray[np.intp]) -> tuple[NDArray[np.intp], Array]:
+        """Where cars ride on it, and by how much that turns the rod.
+
+        Args:
+            deviations: of `PARTS`, shape (m, 3).
+            columns: which cam angles are asked for, shape (j,).
+
+        Returns:
+            Places in `columns` at which some car may, shape (q,), and what is added to tan(beta), shape (m, q).
+        """
+        most = np.abs(deviations).max(axis=0) @ np.abs(self.rising)
+        near = np.flatnonzero((most > self.below)[columns])
+        at = columns[near]
+        return near, np.maximum(np.einsum("ci,ij->cj", deviations, self.rising[:, at]) - self.below[at], 0.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Expansion:
+    """Coefficients of linear thermal expansion, per K.
+
+    Attributes:
+        disc, frame, rod: of the parts that they name.
+    """
+
+    disc: float = 0.0
+    frame: float = 0.0
+    rod: float = 0.0
+
+
+def steering_derivatives(
+    contact: Contact, follower: Follower, gain: float = 1.0, expansion: Expansion | None = None
+) -> Array:
+    """How tan(beta) at each cam angle changes with the cam's and the rod's dimensions.
+
+    The wheel turned against the rod adds to the angle behind the lever, whose tangent is g T.
+
+    Args:
+        contact: of the nominal rod on the nominal disc, n cam angles.
+        follower: the rod and the faces.
+        gain: g, of the lever.
+        expansion: of disc and frame; none if left out.
+
+    Returns:
+        Shape (13, n), rows as `STEERING`: per mm, but steering_zero and the wobbles per rad, temperature per K. The
+        numbers 0 and 90 are polar angles of the direction.
+    """
+    T, w, y = contact.tan_beta, contact.face, contact.across
+    root = np.sqrt(1 + T**2)
+    height = np.sqrt(follower.radius**2 - y**2)
+    thick = follower.radius > 0
+    stretch = follower.radius / height if thick else np.ones_like(T)
+    lean = root * y / height if thick else np.zeros_like(T)
+    divisor = w - height * T / root
+    raised = root * stretch / divisor
+    inner = w == follower.inner
+    face = -T / divisor
+    zero = (1 + (gain * T) ** 2) / gain
+    base = [-1 / divisor, np.where(inner, face, 0.0), np.where(inner, 0.0, face), raised, raised, zero]
+
+    middle = (follower.inner + follower.outer) / 2
+    x = follower.base_radius + w * T - height * root
+    c, s = np.cos(contact.cam_angle), np.sin(contact.cam_angle)
+
+    def displaced(along: Array, across: Array) -> Array:
+        return np.asarray((along - lean * across) / divisor)
+
+    directions = ((c, -s), (s, c))
+    wobbles = [
+        face * (x * along + y * across) - (w - middle) * displaced(along, across) for along, across in directions
+    ]
+    heat = expansion or Expansion()
+    grown = heat.disc * displaced(x, y) - heat.frame * follower.base_radius / divisor
+    grown += face * (heat.frame * middle + heat.disc * (w - middle)) + heat.rod * follower.radius * raised
+    # Along the outline's normal in the plane of the edge, (h / sqrt(1 + T^2), -y) before it is made a unit.
+    normal = np.hypot(height / root, y)
+    offset = displaced(height / root / normal, -y / normal) if thick else 1 / divisor
+    more = [
+        np.where(inner, -0.5, 0.5) * offset,
+        displaced(np.zeros_like(T), -np.ones_like(T)),
+        *(displaced(along, across) for along, across in directions),
+        *wobbles,
+        grown,
+    ]
+    return np.stack([*base, *more])

@@ -1,0 +1,317 @@
+"""Many cars at once, each with its own dimensions: from deviations to poses along the run.
+
+A car's steering at each cam angle is the nominal one plus first-order terms (`steering_derivatives`). Its run then
+needs only one integration without play: play makes the car skip parts of that track and stand on a circle for
+others, so its own track is a chain of rigid copies of pieces, and B may be any number. Peaks and valleys stay at
+their nominal cam angles; that they move a little changes a run in the second order only, for the lift is level
+there. With friction and drag each car leads where its own let it (`stretches`).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import TURN, Array
+from cadgen.cam.contact import Contact
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.errors import DesignError
+from cadgen.monte_carlo.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
+from cadgen.monte_carlo.stretches import Forces, Stretches, behind_a_brake, stretches
+from cadgen.motion.drive import Run
+from cadgen.motion.mechanics import Mechanics
+from cadgen.motion.play import LEAST_SWING, falls
+from cadgen.steering.car import Car, pace, wheel_tangent
+
+Complex = NDArray[np.complex128]
+
+# What may deviate, and in what unit. The order is that of the columns of a table of deviations.
+PARAMETERS: dict[str, str] = {
+    "base_radius": "mm",  # a, camshaft to fork axis
+    "inner_face": "mm",  # of the disc from the fork axis
+    "outer_face": "mm",
+    "rod_radius": "mm",
+    "profile_offset": "mm",  # the disc cut too large all round, along its normal
+    "steering_zero": "rad",  # of the front wheel against the rod
+    "wheelbase": "mm",
+    "drive_wheel_offset": "mm",
+    "wheel_radius": "mm",  # of the drive wheel: it scales the travel
+    "cam_phase": "rad",  # the cam set ahead on its shaft, or the run started late
+    "start_x": "mm",
+    "start_y": "mm",
+    "start_heading": "rad",
+    "play": "rad",  # B, added to the nominal one
+    "friction": "1",  # sliding, between rod and disc
+    "drag": "Nmm",  # on the disc or its shaft
+    "rod_force": "N",  # at zero lift
+    "edge_break": "mm",  # leg of the chamfer on both edges of the rim
+    "edge_wear": "mm",  # what the rod wears off both edges, as a chamfer would
+    "taper": "mm",  # by which the outer face is cut larger than the inner one
+    "rod_height": "mm",  # of the rod's axis over the camshaft's plane
+    "eccentricity_0": "mm",  # of the disc on its shaft, towards its polar angles 0 and 90 degrees
+    "eccentricity_90": "mm",
+    "wobble_0": "rad",  # of the disc, tilted towards these
+    "wobble_90": "rad",
+    "steering_lost_motion": "rad",  # of the front wheel against the rod
+    "wheel_runout_0": "mm",  # eccentricity of the drive wheel, towards the ground at the start and a quarter turn on
+    "wheel_runout_90": "mm",
+    "temperature": "K",
+}
+# What is drawn as a size and a direction: half a width stands for both.
+DIRECTED: dict[str, tuple[str, str]] = {
+    name: (f"{name}_0", f"{name}_90") for name in ("eccentricity", "wobble", "wheel_runout")
+}
+_ALWAYS = 6  # rows of `STEERING` that every car has
+_MARGIN = 2  # cells of the grid beyond the cam angles that are met
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Where m cars stand at g stations; heading in rad and position of the drive wheel in mm, shape (m, g).
+
+    Both are counted from the nominal start: x along the planned heading there, y to its left.
+    """
+
+    heading: Array
+    position: Complex
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fleet:
+    """The nominal car, ready to be varied.
+
+    Attributes:
+        tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
+        derivatives: of it, shape (13, n); see `steering_derivatives`.
+        other: the edge of the disc that does not carry the nominal rod.
+        falls: where the nominal lift falls, shape (k, 2), rad.
+        car: nominal dimensions.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        wheel_radius: of the drive wheel, mm.
+        play: nominal return error B, rad.
+        stations: motor positions at which poses are wanted, shape (g,), increasing, rad.
+        planned: poses of the planned run there, one car.
+        expansion: of disc and frame with heat.
+        forces: what turns the cam ahead and what holds it; None if it leads on every fall.
+    """
+
+    tan_beta: Array
+    derivatives: Array
+    other: OtherEdge
+    falls: Array
+    car: Car
+    length: float
+    wheel_radius: float
+    play: float
+    stations: Array
+    planned: Poses
+    expansion: Expansion
+    forces: Forces | None
+
+
+def make_fleet(
+    contact: Contact,
+    follower: Follower,
+    car: Car,
+    length: float,
+    lift: LiftCurve,
+    planned: Run,
+    *,
+    wheel_radius: float,
+    play: float,
+    stations: Sequence[int] = (-1,),
+    least: float = LEAST_SWING,
+    mechanics: Mechanics | None = None,
+    expansion: Expansion | None = None,
+) -> Fleet:
+    """Prepare a nominal car.
+
+    Args:
+        contact: the nominal rod rolled on the disc that is cut, on an even grid of one turn from cam angle 0.
+        follower: the nominal rod and faces.
+        car: nominal dimensions.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        lift: the lift that the disc was cut for; its peaks and valleys are the events.
+        planned: the run that is wanted.
+        wheel_radius: of the drive wheel, mm; only the effect of its deviation depends on it.
+        play: nominal return error B, rad.
+        stations: which of the planned run's motor positions count, in order; the last is the end of the run.
+        least: rises and falls of tan(beta) smaller than this are noise, not events.
+        mechanics: friction and drag of the nominal car; left out, the rod slides freely.
+        expansion: of disc and frame with heat; none if left out.
+
+    Raises:
+        DesignError: the cam angles are not an even grid of a turn, or the stations are none or not in order.
+    """
+    even = np.linspace(0.0, TURN, len(contact.cam_angle), endpoint=False)
+    if not np.allclose(contact.cam_angle, even, atol=1e-9):
+        raise DesignError("the rod must be rolled on an even grid of cam angles from 0: take np.linspace(0, 2 pi, n)")
+    chosen = list(stations)
+    motor = planned.motor[chosen]
+    if not motor.size or not (np.diff(motor) > 0).all():
+        raise DesignError("a run needs at least one station, and each further along than the last: sort them")
+    origin, heading = planned.drive_wheel[0], planned.heading[0]
+    x, y = (planned.drive_wheel[chosen] - origin).T
+    return Fleet(
+        tan_beta=contact.tan_beta,
+        derivatives=steering_derivatives(contact, follower, car.steering_gain, expansion),
+        other=OtherEdge.of(contact, follower),
+        falls=falls(lift, least),
+        car=car,
+        length=length,
+        wheel_radius=wheel_radius,
+        play=play,
+        stations=motor,
+        planned=Poses(planned.heading[chosen][None] - heading, (x + 1j * y)[None] * np.exp(-1j * heading)),
+        expansion=expansion or Expansion(),
+        forces=None if mechanics is None else Forces.of(mechanics, lift, least),
+    )
+
+
+def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
+    """Run m cars at once.
+
+    The grid carries the trapezoidal rule for heading and position and cubic interpolation between its points, so
+    the poses err with the square of its step.
+
+    Args:
+        fleet: the nominal car.
+        deviations: shape (m, 29), columns as in `PARAMETERS`.
+    """
+    column = dict(zip(PARAMETERS, deviations.T, strict=True))
+    column = {**column, **_combined(fleet, column)}
+    play = np.maximum(fleet.play + column["play"], 0.0)
+    rate = fleet.length / TURN * (1 + column["wheel_radius"] / fleet.wheel_radius)
+    phase = column["cam_phase"]
+    first, last = float(phase.min()), float(fleet.stations[-1] + phase.max() + play.max())
+    track = _Track.of(fleet, column, rate, first, last)
+
+    stretch = _stretches(fleet, column, play, phase, last)
+    turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
+    zero = np.zeros((len(play), 1))
+    heading = column["start_heading"][:, None] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
+    position = np.concatenate([zero, np.cumsum(np.exp(1j * heading[:, :-1]) * moved, axis=1)], axis=1)
+
+    motor = fleet.stations + phase[:, None]
+    at = np.sum(stretch.motor[:, None, :-1] <= motor[:, :, None], axis=2) - 1
+    rows = np.arange(len(play))[:, None]
+    turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[rows, at])
+    position = position[rows, at] + np.exp(1j * heading[rows, at]) * moved
+    start = (column["start_x"] + 1j * column["start_y"])[:, None]
+    return Poses(heading[rows, at] + turned, start + rate[:, None] * position)
+
+
+def _combined(fleet: Fleet, column: dict[str, Array]) -> dict[str, Array]:
+    """Deviations that stand for others: broken and worn edges, play in the steering, a frame that heat makes larger."""
+    edges = column["edge_break"] + column["edge_wear"]
+    growth = fleet.expansion.frame * column["temperature"]
+    return {
+        "inner_face": column["inner_face"] + edges,
+        "outer_face": column["outer_face"] - edges,
+        "steering_zero": column["steering_zero"] + column["steering_lost_motion"],
+        "wheelbase": column["wheelbase"] + fleet.car.wheelbase * growth,
+        "drive_wheel_offset": column["drive_wheel_offset"] + fleet.car.drive_wheel_offset * growth,
+    }
+
+
+def _stretches(fleet: Fleet, column: dict[str, Array], play: Array, phase: Array, last: float) -> Stretches:
+    forces = fleet.forces
+    if forces is None:
+        return stretches(fleet.falls[None, :, 0], fleet.falls[None, :, 1], play, phase, last)
+    if forces.mechanics.behind > 0:
+        return behind_a_brake(forces, column, play, phase, last)
+    return stretches(*forces.leads(column), play, phase, last)
+
+
+@dataclass(frozen=True)
+class _Track:
+    """Each car's track without play, by cam angle, in units of its rim's travel per rad: shape (m, j), an even grid."""
+
+    first: float
+    step: float
+    pace: Array
+    turning: Array
+    heading: Array
+    x: Array
+    y: Array
+
+    @classmethod
+    def of(cls, fleet: Fleet, column: dict[str, Array], rate: Array, first: float, last: float) -> "_Track":
+        count = len(fleet.tan_beta)
+        step = TURN / count
+        index = np.arange(int(np.floor(first / step)) - _MARGIN, int(np.ceil(last / step)) + _MARGIN + 1)
+        used = [row for row, name in enumerate(STEERING) if row < _ALWAYS or column[name].any()]
+        deviation = np.stack([column[STEERING[row]] for row in used], axis=1)
+        # Not `@`: a library's threads would compete with other processes for so small a product.
+        T = np.einsum("ci,ij->cj", deviation, fleet.derivatives[used][:, index % count])
+        T += fleet.tan_beta[index % count]
+        parts = np.stack([column[name] for name in OtherEdge.PARTS], axis=1)
+        if parts.any():
+            near, more = fleet.other.raised(parts, index % count)
+            T[:, near] += more
+        # Without slip and run-out a single 1 stands for all, and nothing is multiplied.
+        runs_out = column["wheel_runout_0"].any() or column["wheel_runout_90"].any()
+        slips = fleet.car.slip != 0
+        going = pace(T, fleet.car) if slips else np.ones((1, 1))
+        if runs_out:
+            going = np.asarray(going * _rolling(fleet, column, np.asarray(index * step)))
+        varies = slips or runs_out
+        T = wheel_tangent(T, fleet.car)
+        divisor = T * (fleet.car.drive_wheel_offset + column["drive_wheel_offset"])[:, None]
+        divisor += (fleet.car.wheelbase + column["wheelbase"])[:, None]
+        turning = np.divide(T, divisor, out=T)
+        turning *= -rate[:, None]
+        if varies:
+            turning *= going
+        heading = _accumulated(turning, step)
+        ahead = np.cos(heading), np.sin(heading)
+        x, y = (_accumulated(going * part if varies else part, step) for part in ahead)
+        return cls(index[0] * step, step, np.broadcast_to(going, T.shape), turning, heading, x, y)
+
+    def between(self, cam: Array, travel: Array, waits: NDArray[np.bool_]) -> tuple[Array, Complex]:
+        """Heading and displacement gained from cam angles over a motor travel, in the car's own frame at the start.
+
+        Where `waits` is set the cam stands, and the car runs on a circle.
+        """
+        heading, position, turning, going = self._at(cam)
+        later, there, _, _ = self._at(cam + np.where(waits, 0.0, travel))
+        arc = turning * travel
+        circle = going * travel * np.sinc(arc / TURN) * np.exp(0.5j * arc)
+        chord = (there - position) * np.exp(-1j * heading)
+        return np.where(waits, arc, later - heading), np.where(waits, circle, chord)
+
+    def _at(self, cam: Array) -> tuple[Array, Complex, Array, Array]:
+        """Heading, position, turning and pace at cam angles, shape (m, q), by cubic Hermite interpolation."""
+        # Stretches before the start or after the end have no length or no station; they may lie off the grid.
+        place = np.clip((cam - self.first) / self.step, 0.0, self.heading.shape[1] - 1.5)
+        left = np.floor(place).astype(int)
+        u = place - left
+        rows = np.arange(len(cam))[:, None]
+        ends = rows, left
+        others = rows, left + 1
+        h00, h01 = (1 + 2 * u) * (1 - u) ** 2, u**2 * (3 - 2 * u)
+        h10, h11 = self.step * u * (1 - u) ** 2, self.step * u**2 * (u - 1)
+        k0, k1, q0, q1 = self.heading[ends], self.heading[others], self.turning[ends], self.turning[others]
+        heading = h00 * k0 + h01 * k1 + h10 * q0 + h11 * q1
+        z0, z1 = self.x[ends] + 1j * self.y[ends], self.x[others] + 1j * self.y[others]
+        p0, p1 = self.pace[ends], self.pace[others]
+        position = h00 * z0 + h01 * z1 + h10 * p0 * np.exp(1j * k0) + h11 * p1 * np.exp(1j * k1)
+        return heading, position, (1 - u) * q0 + u * q1, (1 - u) * p0 + u * p1
+
+
+def _rolling(fleet: Fleet, column: dict[str, Array], motor: Array) -> Array:
+    """Travel of an eccentric drive wheel for that of a round one, at motor positions (j,), rad; shape (m, j)."""
+    turned = fleet.length / (TURN * fleet.wheel_radius) * motor
+    low, quarter = (column[name][:, None] / fleet.wheel_radius for name in DIRECTED["wheel_runout"])
+    return np.asarray(1 + low * np.cos(turned) + quarter * np.sin(turned))
+
+
+def _accumulated(values: Array, step: float) -> Array:
+    """Cumulative trapezoidal integral along the last axis, 0 at the first point."""
+    total = np.cumsum(values, axis=1)
+    total -= 0.5 * values
+    total -= total[:, :1].copy()
+    total *= step
+    return total

@@ -1,0 +1,320 @@
+"""What the tolerances of a design do to its runs: Monte Carlo, yield within a gate, and what matters most."""
+
+from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from math import degrees, floor, log10, radians
+from typing import Literal
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.errors import DesignError
+from cadgen.gears.distribution import ZoneSum
+from cadgen.monte_carlo.derivatives import STEERING
+from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, run_fleet
+
+Sampler = Callable[[np.random.Generator, int], Array]
+Law = Literal["normal", "uniform"]
+
+# Cars run together: their arrays of one value per step stay near the processor's cache, and a run of many uses
+# little memory. It fixes the numbers that a seed gives, with any number of processes.
+CHUNK = 100
+_SPREAD_SAMPLES = 20_000  # they give a standard deviation to half a percent
+# A tolerance may turn the front wheel by so much, rad. First order then misses at most 2 % of what it does to the end
+# of the run on the paper's cars, and in proportion less of smaller ones.
+MOST_STEERING = 0.004
+MOST_SHARE = 0.1  # that a tolerance may be of a length itself
+# The steps that sensitivities are stated for.
+UNITS = {"mm": 0.01, "rad": radians(0.1), "1": 0.01, "Nmm": 1.0, "N": 0.1, "K": 10.0}
+_FIRST = tuple(PARAMETERS)[:13]  # drawn for every car, before its play; others only where they vary
+ONE_SIDED = ("edge_wear",)  # from 0 to their half width
+TOLERANCES = (
+    *(name for name in PARAMETERS if name != "play" and not any(name in pair for pair in DIRECTED.values())),
+    *DIRECTED,
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tolerances:
+    """How the cars of a fleet may differ.
+
+    Attributes:
+        half_widths: one of `TOLERANCES` -> half its tolerance zone, in the unit of `PARAMETERS`. What is not named
+            does not vary. Of what has a direction, the size in it, and the direction is any; what is `ONE_SIDED`
+            lies between nothing and that.
+        law: `normal`, clipped at the limits, which are its 3 sigma; or `uniform`.
+        play: return errors B of random cars, rad: a function of a generator and a number, such as a train's
+            `sample`; or least and greatest, evenly spread. None keeps the nominal one.
+    """
+
+    half_widths: Mapping[str, float]
+    law: Law = "normal"
+    play: Sampler | tuple[float, float] | None = None
+
+    def __post_init__(self) -> None:
+        for name, half in self.half_widths.items():
+            if name not in TOLERANCES:
+                raise DesignError(f"there is no tolerance named {name}; use one of {', '.join(TOLERANCES)}")
+            if not half >= 0:
+                raise DesignError(f"the tolerance of {name} is {half:g}; it must be 0 or more")
+        if isinstance(self.play, tuple) and not 0 <= self.play[0] <= self.play[1]:
+            raise DesignError(f"the return error's band {self.play} must run from 0 or more upwards: put them in order")
+
+    def draw(self, generator: np.random.Generator, count: int, nominal_play: float) -> Array:
+        """Deviations of random cars, shape (count, 29), columns as in `PARAMETERS`."""
+        half = np.array([self.half_widths.get(name, 0.0) for name in _FIRST])
+        own = ZoneSum(_FIRST, -half, half, self.law).sample_contributions(generator, count)
+        if self.play is None:
+            play = np.full(count, nominal_play)
+        elif callable(self.play):
+            play = np.asarray(self.play(generator, count), dtype=float)
+        else:
+            play = generator.uniform(*self.play, count)
+        found = np.zeros((count, len(PARAMETERS)))
+        found[:, : len(_FIRST)] = own
+        found[:, _COLUMN["play"]] = play - nominal_play
+        for name in TOLERANCES[len(_FIRST) :]:
+            if self.half_widths.get(name, 0.0) > 0:
+                size = self.zone(name).sample(generator, count)
+                if name in DIRECTED:
+                    angle = generator.uniform(0.0, TURN, count)
+                    found[:, _columns(name)] = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+                else:
+                    found[:, _COLUMN[name]] = size
+        return found
+
+    def zone(self, name: str) -> ZoneSum:
+        """Distribution of one tolerance about the nominal value; of what has a direction, of its size in it."""
+        half = self.half_widths.get(name, 0.0)
+        return ZoneSum((name,), np.array([0.0 if name in ONE_SIDED else -half]), np.array([half]), self.law)
+
+
+_WORDS = {"mm": "mm", "rad": "degrees", "1": "", "Nmm": "N mm", "N": "N", "K": "K"}
+_COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
+
+
+def _parts(name: str) -> tuple[str, ...]:
+    """The parameters that a tolerance acts on."""
+    return DIRECTED.get(name, (name,))
+
+
+def _columns(name: str) -> list[int]:
+    """Their columns in a table of deviations."""
+    return [_COLUMN[part] for part in _parts(name)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FleetErrors:
+    """Errors of m cars at g stations against the planned run.
+
+    Attributes:
+        heading: error, shape (m, g), rad, positive to the left.
+        along: position error of the drive wheel along the planned heading, shape (m, g), mm.
+        across: the same to the left of it, shape (m, g), mm.
+    """
+
+    heading: Array
+    along: Array
+    across: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class FleetEnds:
+    """What is kept of m random cars, so that millions fit into memory: their errors at the end, and the widest.
+
+    Attributes:
+        heading: error at the last station, shape (m,), rad, positive to the left.
+        along: position error of the drive wheel there along the planned heading, shape (m,), mm.
+        across: the same to the left of it, shape (m,), mm.
+        widest: greatest size of `across` over all stations, shape (m,), mm.
+    """
+
+    heading: Array
+    along: Array
+    across: Array
+    widest: Array
+
+    @property
+    def distance(self) -> Array:
+        """Position error at the end, shape (m,), mm."""
+        return np.hypot(self.along, self.across)
+
+    def yield_within(self, gate_width: float) -> float:
+        """Share of the cars that pass every station within half the gate's width to either side."""
+        return float(np.mean(self.widest <= gate_width / 2))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sensitivity:
+    """What one parameter does to the end of the run.
+
+    Attributes:
+        name: one of `TOLERANCES`, or `play`.
+        step: change that the figures are for, as in `UNITS`; of what has a direction, in the worst one.
+        heading: error per step, rad.
+        along: position error per step along the planned heading, mm.
+        across: the same to the left of it, mm.
+        share: of the variance of the position error at the end, 0 to 1, to first order.
+    """
+
+    name: str
+    step: float
+    heading: float
+    along: float
+    across: float
+    share: float
+
+    @property
+    def distance(self) -> float:
+        """Position error per step, mm."""
+        return float(np.hypot(self.along, self.across))
+
+
+def fleet_errors(fleet: Fleet, deviations: Array) -> FleetErrors:
+    """Errors of cars with given deviations, all at once.
+
+    Args:
+        fleet: the nominal car.
+        deviations: shape (m, 29), columns as in `PARAMETERS`.
+    """
+    poses = run_fleet(fleet, deviations)
+    off = (poses.position - fleet.planned.position) * np.exp(-1j * fleet.planned.heading)
+    return FleetErrors(heading=poses.heading - fleet.planned.heading, along=off.real, across=off.imag)
+
+
+def tolerance_run(
+    fleet: Fleet,
+    tolerances: Tolerances,
+    samples: int,
+    *,
+    seed: int,
+    processes: int = 1,
+    done: Callable[[int], None] = lambda cars: None,
+) -> FleetEnds:
+    """Run random cars within the tolerances.
+
+    Every chunk of cars draws from its own child of the seed where it is run, so a seed gives the same cars whatever
+    the number of processes, and a longer run begins with the cars of a shorter one, but for its last chunk.
+
+    Args:
+        fleet: the nominal car.
+        tolerances: how the cars may differ.
+        samples: number of cars.
+        seed: of the random numbers.
+        processes: how many run at once.
+        done: told how many cars have run.
+
+    Raises:
+        DesignError: fewer than one sample, or a tolerance beyond what first order is good for.
+    """
+    if samples < 1:
+        raise DesignError(f"a tolerance run of {samples} samples says nothing: ask for at least 1")
+    _refuse_wide(fleet, tolerances)
+    run = partial(_chunk, fleet, tolerances, seed, samples)
+    chunks = range(-(-samples // CHUNK))
+    if processes > 1:
+        with ProcessPoolExecutor(processes) as pool:
+            found = _gathered(pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes))), samples, done)
+    else:
+        found = _gathered(map(run, chunks), samples, done)
+    return FleetEnds(heading=found[0], along=found[1], across=found[2], widest=found[3])
+
+
+def _chunk(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number: int) -> Array:
+    """Rows of `FleetEnds` for one chunk of random cars."""
+    generator = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(number,)))
+    count = min(CHUNK, samples - number * CHUNK)
+    errors = fleet_errors(fleet, tolerances.draw(generator, count, fleet.play))
+    ends = (each[:, -1] for each in (errors.heading, errors.along, errors.across))
+    return np.stack([*ends, np.abs(errors.across).max(axis=1)])
+
+
+def _gathered(parts: Iterable[Array], samples: int, done: Callable[[int], None]) -> Array:
+    found, filled = np.empty((4, samples)), 0
+    for part in parts:
+        found[:, filled : filled + part.shape[1]] = part
+        filled += part.shape[1]
+        done(filled)
+    return found
+
+
+def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
+    """Refuse tolerances that are no longer small beside the car, or beyond what first order is good for."""
+    for name, size in (
+        ("wheelbase", fleet.car.wheelbase),
+        ("wheel_radius", fleet.wheel_radius),
+        ("wheel_runout", fleet.wheel_radius),
+    ):
+        half = tolerances.half_widths.get(name, 0.0)
+        if half > size * MOST_SHARE:
+            raise DesignError(
+                f"the tolerance of {name} is {half:g} mm, more than a tenth of the {size:g} mm itself: make it "
+                f"{_below(size * MOST_SHARE):g} mm or less"
+            )
+    for name, half in tolerances.half_widths.items():
+        steepest = steering_effect(fleet, name)
+        if half * steepest > MOST_STEERING:
+            unit = PARAMETERS[_parts(name)[0]]
+            shown = degrees if unit == "rad" else float
+            raise DesignError(
+                f"the tolerance of {name} is {shown(half):g} {_WORDS[unit]}, which turns the front wheel by up to "
+                f"{half * steepest:.2g} rad; many cars are reckoned to first order, good up to {MOST_STEERING:g} rad: "
+                f"make it {_below(shown(MOST_STEERING / steepest)):g} {_WORDS[unit]} or less"
+            )
+
+
+def steering_effect(fleet: Fleet, name: str) -> float:
+    """How far one unit of a tolerance turns the front wheel at most, rad."""
+    row = dict(zip(STEERING, fleet.derivatives, strict=True))
+    if name in ("edge_break", "edge_wear"):
+        return float(np.abs(row["inner_face"] - row["outer_face"]).max())
+    if name == "steering_lost_motion":
+        return float(np.abs(row["steering_zero"]).max())
+    parts = [row[part] for part in _parts(name) if part in row]
+    return float(np.sqrt(sum(part**2 for part in parts)).max()) if parts else 0.0
+
+
+def _below(value: float) -> float:
+    """The next lower number of two digits."""
+    unit = 10.0 ** (floor(log10(value)) - 1)
+    return floor(value / unit) * unit
+
+
+def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ...]:
+    """What each varying parameter does to the end of the run, by central differences, greatest share first."""
+    spreads = _spreads(fleet, tolerances)
+    names = [name for name, spread in spreads.items() if spread > 0]
+    if not names:
+        return ()
+    parts = [(name, column) for name in names for column in _columns(name)]
+    steps = np.array([UNITS[PARAMETERS[_parts(name)[0]]] for name, _ in parts])
+    deviations = np.zeros((2 * len(parts), len(PARAMETERS)))
+    for row, (_, column) in enumerate(parts):
+        deviations[2 * row : 2 * row + 2, column] = np.array([-0.5, 0.5]) * steps[row]
+    errors = fleet_errors(fleet, deviations)
+    moved = np.stack(
+        [np.diff(e[:, -1].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1
+    )
+    found = []
+    for name in names:
+        rows = [row for row, (owner, _) in enumerate(parts) if owner == name]
+        step = float(steps[rows[0]])
+        # In the worst direction the end moves furthest, and in any direction as far as their mean square.
+        worst = np.linalg.svd(moved[rows, 1:].T)[2][0] if len(rows) > 1 else np.ones(1)
+        heading, along, across = worst @ moved[rows]
+        variance = float((moved[rows, 1:] ** 2).sum() / len(rows) * (spreads[name] / step) ** 2)
+        found.append((variance, name, step, float(heading), float(along), float(across)))
+    whole = float(np.sum([one[0] for one in found]))
+    return tuple(
+        Sensitivity(name=name, step=step, heading=heading, along=along, across=across, share=variance / whole)
+        for variance, name, step, heading, along, across in sorted(found, key=lambda one: -one[0])
+    )
+
+
+def _spreads(fleet: Fleet, tolerances: Tolerances) -> dict[str, float]:
+    """Standard deviation of each tolerance; a sampler's from its own random numbers."""
+    spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
+    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, fleet.play)[:, _COLUMN["play"]]
+    return {**spreads, "play": float(play.std())}

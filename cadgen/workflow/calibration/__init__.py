@@ -1,0 +1,9 @@
+"""From measured files to the design as built.
+
+| module          | what it holds                                                                   |
+|-----------------|---------------------------------------------------------------------------------|
+| `plan`          | measured files -> one verdict for each kind of data, and what they say together |
+| `words`         | a calibration in words and tables                                               |
+| `as_built_file` | the design file with what was measured at its end                               |
+| `files`         | report, pictures, JSON and the as-built design, published together              |
+"""

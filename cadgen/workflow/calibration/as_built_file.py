@@ -1,0 +1,93 @@
+"""The design file with what was measured: comments kept, overrides applied, and a table [as_built] at its end."""
+
+from math import isfinite
+from typing import Any
+
+from cadgen.design.override import override
+from cadgen.measurement.diagnose import Value
+from cadgen.workflow.calibration.plan import Calibration
+from cadgen.workflow.calibration.words import sentence, shown
+
+_TABLE = "as_built"
+
+
+def as_built_text(calibration: Calibration, design_text: str) -> str:
+    """The design's own text with the overrides and the effects; an earlier [as_built] is replaced.
+
+    Args:
+        calibration: with something claimed.
+        design_text: of the design file.
+    """
+    import tomlkit
+
+    values: Any = tomlkit.parse(design_text)
+    for text in calibration.design.overrides:
+        override(values, text)
+    values.pop(_TABLE, None)
+    if "name" not in values:
+        # A design without a name has that of its file, and this one is called otherwise.
+        named = tomlkit.document()
+        named.add("name", calibration.design.name)
+        design_text = f"{named.as_string()}{values.as_string()}"
+    else:
+        design_text = values.as_string()
+    return f"{design_text.rstrip()}\n\n{_table(calibration)}"
+
+
+def _table(calibration: Calibration) -> str:
+    lines = [
+        f"[{_TABLE}]",
+        "# Written by cadgen calibrate: what this car was measured to be. Every command takes it into account.",
+        f'profile = "{calibration.profile}"',
+    ]
+    for source in calibration.sources:
+        lines += [
+            "",
+            f"[[{_TABLE}.sources]]",
+            f"file = {_text(source.path.name)}",
+            f'kind = "{source.kind}"',
+            f'sha256 = "{source.sha256}"',
+            f'verdict = "{calibration.verdict(source.kind)}"',
+        ]
+    earlier = calibration.design.as_built
+    for known in earlier.effects if earlier else ():
+        if known.place in ("car", "process"):
+            values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
+            lines += _effect("cut_for", known.effect, known.kind, known.place, values)
+    for one in calibration.built:
+        finding = one.claim.finding
+        values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.given)]
+        lines += _effect("effects", finding.effect, one.claim.kind, one.place, values, sentence(one))
+    return "\n".join(lines) + "\n"
+
+
+def _effect(table: str, effect: str, kind: str, place: str, values: list[str], words: str = "") -> list[str]:
+    return [
+        "",
+        f"[[{_TABLE}.{table}]]",
+        *([f"# {words}"] if words else []),
+        f"effect = {_text(effect)}",
+        f'kind = "{kind}"',
+        f'place = "{place}"',
+        f"values = [{', '.join(values)}]",
+    ]
+
+
+def _value(value: Value) -> str:
+    told, sigma = shown(value)
+    return _inline(value.name, _float(told), _float(sigma) if isfinite(value.sigma) and sigma else None)
+
+
+def _inline(name: str, value: str, sigma: str | float | None = None) -> str:
+    return f'{{ name = "{name}", value = {value}{f", sigma = {sigma}" if sigma else ""} }}'
+
+
+def _float(told: str) -> str:
+    """A TOML float has a point or an exponent."""
+    return told if any(mark in told for mark in ".e") else f"{told}.0"
+
+
+def _text(words: str) -> str:
+    import tomlkit
+
+    return tomlkit.item(words).as_string()

@@ -1,0 +1,227 @@
+"""What a calibration leaves in its folder: JSON, the report in words, pictures, and the as-built design."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from cadgen.design.load import load_design
+from cadgen.errors import FileError
+from cadgen.export.folder import publishing
+from cadgen.export.manifest import file_facts, versions, write_manifest
+from cadgen.measurement.diagnose import Diagnosis, Finding
+from cadgen.report.calibration import draw_record
+from cadgen.report.text import plain
+from cadgen.workflow.calibration.as_built_file import as_built_text
+from cadgen.workflow.calibration.plan import STEERED, Built, Calibration, ZoneMeans
+from cadgen.workflow.calibration.words import report, summary
+from cadgen.workflow.cam.files import Written
+from cadgen.workflow.cam.plan import Step
+
+FORMAT = 1
+_TEXT_WIDTH = 110
+_EACH_WIDTH = 160
+
+
+def document(calibration: Calibration) -> dict[str, Any]:
+    """Everything a calibration says, as plain values; docs/measurement.md explains the keys."""
+    c = calibration
+    return {
+        "format": FORMAT,
+        "design": c.design.name,
+        "source": c.design.source,
+        "overrides": list(c.design.overrides),
+        "design_sha256": c.design.content_hash,
+        "profile": c.profile,
+        "form_error_um": c.form_error_um,
+        "form_error_from": c.form_error_from,
+        "wheelbase_mm": c.wheelbase and c.wheelbase[0],
+        "warnings": list(c.warnings),
+        "files": [
+            {"file": s.path.name, "kind": s.kind, "runs": s.record.runs, "rows": len(s.record.run), "sha256": s.sha256}
+            for s in c.sources
+        ],
+        "records": [_record(told) for told in c.told],
+        "zones": c.zones and _zones(c.zones),
+        "shared": [{**asdict(one), "chance": _plain(one.chance), "agrees": one.agrees} for one in c.shared],
+        "settled": [
+            {
+                "source": source,
+                "claims": [claim.finding.effect for claim in one.claims],
+                "by": [{"source": claim.source, "effect": claim.finding.effect} for claim in one.by],
+            }
+            for source, one in c.settled.items()
+        ],
+        "as_built": [_built(one) for one in c.built],
+        "versions": versions(),
+    }
+
+
+def documents(each: Sequence[Calibration]) -> dict[str, Any]:
+    """The same for files judged alone."""
+    return {"format": FORMAT, "each": [document(c) for c in each]}
+
+
+def write_calibration(calibration: Calibration, design_text: str, out: Path, step: Step = lambda text: None) -> Written:
+    """Write, read back and publish everything together.
+
+    Args:
+        calibration: the verdicts.
+        design_text: of the design file, to which the as-built table is added with the overrides.
+        out: the folder; nothing appears in it unless everything succeeded.
+        step: told what is being done.
+
+    Raises:
+        FileError: a file cannot be written, or the as-built design, read back, is not what was meant.
+    """
+    c = calibration
+    stem = f"{c.design.name}_calibration"
+    with publishing(out) as staging:
+        names = _documents(staging, stem, document(c), plain(report(c), _TEXT_WIDTH))
+        step("drawing")
+        for told in c.told:
+            length = None if told.kind == STEERED else c.track_length
+            names += draw_record(told, length, staging, f"{stem}_{told.kind.replace(' ', '_')}")
+        if c.built:
+            names.append(f"{c.design.name}_as_built.toml")
+            (staging / names[-1]).write_text(as_built_text(c, design_text), encoding="utf-8", newline="")
+            _read_back(c, staging / names[-1])
+        return _published(staging, out, stem, document(c), names)
+
+
+def write_each(each: Sequence[Calibration], out: Path) -> Written:
+    """Write the verdicts on files judged alone, and publish them together.
+
+    Raises:
+        FileError: a file cannot be written.
+    """
+    stem = f"{each[0].design.name}_each"
+    facts = documents(each)
+    with publishing(out) as staging:
+        names = _documents(staging, stem, facts, plain(summary(each), _EACH_WIDTH))
+        return _published(staging, out, stem, facts, names)
+
+
+def _documents(staging: Path, stem: str, facts: dict[str, Any], text: str) -> list[str]:
+    names = [f"{stem}.json", f"{stem}.txt"]
+    content = json.dumps(facts, indent=2, allow_nan=False, ensure_ascii=False) + "\n"
+    for name, written in zip(names, (content, text), strict=True):
+        (staging / name).write_text(written, encoding="utf-8", newline="")
+    return names
+
+
+def _published(staging: Path, out: Path, stem: str, facts: dict[str, Any], names: list[str]) -> Written:
+    entry = {**facts, "files_written": names, "files": {name: file_facts(staging / name) for name in names}}
+    write_manifest(staging, stem, entry)
+    return Written(stem, entry)
+
+
+def _read_back(c: Calibration, file: Path) -> None:
+    """The as-built design must be the design with its overrides and nothing else but [as_built]."""
+    again = load_design(file)
+    meant = [(one.claim.finding.effect, one.claim.kind, one.place) for one in c.built]
+    built = again.as_built
+    same = again.as_designed().values() == c.design.as_designed().values()
+    if built is None or not same or [(e.effect, e.kind, e.place) for e in built.effects] != meant:
+        raise FileError(f"{file.name}, read back, is not the design with what was measured: report this design")
+    for one, effect in zip(c.built, built.effects, strict=True):
+        for value in one.claim.finding.values:
+            sigma = value.sigma if isfinite(value.sigma) and value.sigma > 0 else abs(value.value) * 1e-4
+            # Rounding to two digits of the uncertainty moves a value by no more than a twentieth of it.
+            if abs(effect.numbers[value.name] - value.value) > 0.06 * sigma:
+                raise FileError(f"{file.name}, read back, has another {value.name}: report this design")
+
+
+def _record(told: Diagnosis) -> dict[str, Any]:
+    r, j = told.residual, told.judgement
+    facts: dict[str, Any] = {
+        "kind": told.kind,
+        "source": told.source,
+        "verdict": told.verdict,
+        "sentence": j.sentence,
+        "claimed": list(j.claimed),
+        "reported": list(j.reported),
+        "rivals": [list(names) for names in j.rivals],
+        "to_decide": list(j.separate),
+        "limits": list(j.limits),
+        "known_from_profile": list(told.known),
+        "effects": [_finding(f, f.effect in j.claimed) for f in told.findings],
+        "unnamed_play": told.unnamed_play and _finding(told.unnamed_play),
+        "unnamed_friction": told.unnamed_friction and _finding(told.unnamed_friction),
+        "datum": [_finding(f) for f in told.datum],
+        "unit": told.unit,
+        "residual": {
+            "before": _plain(r.before),
+            "after": _plain(r.after),
+            "left_out": _plain(r.held_out),
+            "left_out_less_form_error": _plain(r.held_out_repeating),
+            "noise": _plain(r.noise),
+            "noise_correlation": _plain(told.correlation),
+        },
+        "runs": [
+            {"before": _plain(b), "after": _plain(a), "left_out": _plain(h)}
+            for b, a, h in zip(told.per_run.before, told.per_run.after, told.per_run.held_out, strict=True)
+        ],
+        "candidates": [
+            {
+                "effects": list(c.effects),
+                "left_out_mm" if c.held_out else "worse_by": _plain(c.score),
+                "values": [_finding(f) for f in c.findings],
+                **({"left_out_of_each_run_mm": list(c.held_out)} if c.held_out else {}),
+            }
+            for c in told.candidates
+        ],
+    }
+    if told.per_run.as_logged is not None:
+        for run, value in zip(facts["runs"], told.per_run.as_logged, strict=True):
+            run["before_start_as_logged"] = _plain(value)
+    return facts
+
+
+def _zones(means: ZoneMeans) -> dict[str, Any]:
+    z = means.zones
+    return {
+        "source": means.source,
+        "verdict": means.judgement.verdict,
+        "sentence": means.judgement.sentence,
+        "return_error_deg": z.return_error_deg,
+        "sigma_deg": z.sigma_deg,
+        "interval_deg": list(z.interval_deg),
+        "smooth_deg": z.smooth_deg,
+        "misfit": z.misfit,
+        "tabled": [
+            {"order": order, "return_error_deg": value, "standard_errors": one.apart, "inside": one.inside}
+            for (order, value), one in zip(means.tabled.items(), z.compared, strict=True)
+        ],
+        "shortfall": means.shortfall and asdict(means.shortfall),
+    }
+
+
+def _built(one: Built) -> dict[str, Any]:
+    return {
+        "source": one.claim.source,
+        "kind": one.claim.kind,
+        "place": one.place,
+        "mean_of": list(one.mean_of),
+        **_finding(one.claim.finding),
+    }
+
+
+def _finding(finding: Finding, claimed: bool | None = None) -> dict[str, Any]:
+    facts: dict[str, Any] = (
+        {"effect": finding.effect} if claimed is None else {"effect": finding.effect, "claimed": claimed}
+    )
+    values = [{"name": v.name, "value": v.value, "sigma": _plain(v.sigma), "unit": v.unit} for v in finding.values]
+    return {
+        **facts,
+        "values": values,
+        "given": dict(finding.given),
+        "cannot_be_told_from": list(finding.twins),
+        "on_bound": list(finding.at_bound),
+    }
+
+
+def _plain(value: float) -> float | None:
+    return float(value) if isfinite(value) else None

@@ -1,0 +1,374 @@
+"""From measured files to what the design lacks: one verdict for each kind of data, and what they say together."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import degrees, pi, radians
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.build import cam_model, gear_model, variation
+from cadgen.cam.contact import roll_curve
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.design.schema import Design
+from cadgen.deviations.catalogue import named
+from cadgen.deviations.names import Kind, Place
+from cadgen.errors import FileError
+from cadgen.gears.search import arrange
+from cadgen.measurement.diagnose import SOUND, Diagnosis, Finding
+from cadgen.measurement.load import digest, join, load, printed, said
+from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal, calibrate_tricycle
+from cadgen.measurement.nominal import calibrate as judge
+from cadgen.measurement.record import Record
+from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
+from cadgen.measurement.verdict import Judgement
+from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
+from cadgen.motion.mechanics import Mechanics, holding_friction
+from cadgen.motion.sampled import rolled_lift
+from cadgen.workflow.cam.plan import Step, plan_cam
+
+STEERED: Kind = "steered track"
+ZONES: Kind = "zones"
+# Profiles whose planned lift is what the rod gets from them.
+_EXACT = ("actual", "theoretical", "optimized", "compensated", "smoothed", "smoothed+compensated")
+_STATIONS = 3600  # at which any other is rolled
+INCLINOMETER_DEG = 0.01  # standard deviation of play.measured_deg
+
+
+@dataclass(frozen=True)
+class Source:
+    """A measured file: its record and the hash of its bytes."""
+
+    path: Path
+    record: Record
+    sha256: str
+
+    @property
+    def kind(self) -> str:
+        """Of data."""
+        return self.record.kind
+
+
+@dataclass(frozen=True, kw_only=True)
+class ZoneMeans:
+    """What the mean turns over zones say.
+
+    Attributes:
+        source: of the record.
+        judgement, finding: the verdict, and the return error.
+        zones: the numbers.
+        tabled: greatest return errors of the design's train by the order of its stages, deg; empty if it has none.
+        shortfall: what would explain the smooth zone's turn; None if speed and time were not said or there is no train.
+    """
+
+    source: str
+    judgement: Judgement
+    finding: Finding
+    zones: Zones
+    tabled: dict[str, float]
+    shortfall: Shortfall | None
+
+
+@dataclass(frozen=True, slots=True)
+class Built:
+    """A claim with its place in the as-built design.
+
+    Attributes:
+        claim: with the mean of all that agree, if it stands for several.
+        place: what becomes of it.
+        instead: the claim that stands for the same thing in its stead.
+        mean_of: sources of the records whose mean it has; empty if it has its own values.
+    """
+
+    claim: Claim
+    place: Place
+    instead: Claim | None = None
+    mean_of: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Calibration:
+    """What measured files say of a car.
+
+    Attributes:
+        design, profile: that they were measured against.
+        form_error_um: stated, and `form_error_from`: by whom.
+        wheelbase: of logged tracks, mm, and whether a file said it; None without such a track.
+        track_length: of the design's track, mm; None if only logged tracks and zones were given.
+        sources: the files.
+        told: the verdict on each kind with a forward model.
+        zones: on means over zones.
+        claims: what the verdicts claim, with what is settled, and that there is no play where that was seen.
+        settled: source of an ambiguous record -> what others decide in it.
+        warnings: what does not fit, but was let pass.
+        holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
+            show a car without play.
+    """
+
+    design: Design
+    profile: str
+    form_error_um: float
+    form_error_from: str
+    wheelbase: tuple[float, bool] | None
+    track_length: float | None
+    sources: tuple[Source, ...]
+    told: tuple[Diagnosis, ...]
+    zones: ZoneMeans | None
+    claims: tuple[Claim, ...]
+    settled: dict[str, Settled]
+    warnings: tuple[str, ...]
+    holds: tuple[float, float] | None = None
+
+    @cached_property
+    def built(self) -> tuple[Built, ...]:
+        """Everything claimed, each physical thing at work once."""
+        built = []
+        for claim in self.claims:
+            alike = [other for other in self.claims if other.thing == claim.thing]
+            best, taken = at_work(alike)
+            if best is not claim:
+                built.append(Built(claim, "noted", best))
+                continue
+            built.append(Built(taken, _place(taken), mean_of=() if taken is best else tuple(c.source for c in alike)))
+        return tuple(built)
+
+    @cached_property
+    def shared(self) -> tuple[Shared, ...]:
+        """Things that several kinds of data show."""
+        return shared(self.claims)
+
+    def files(self, kind: str) -> tuple[Source, ...]:
+        """The files of a kind, in the order given."""
+        return tuple(source for source in self.sources if source.kind == kind)
+
+    def verdict(self, kind: str) -> str:
+        """On the files of a kind."""
+        if self.zones is not None and kind == ZONES:
+            return self.zones.judgement.verdict
+        return next(told.verdict for told in self.told if told.kind == kind)
+
+
+def read(paths: Sequence[Path]) -> tuple[Source, ...]:
+    """Read measured files.
+
+    Raises:
+        FileError: one is no measured data, or the same data are given twice.
+    """
+    sources: list[Source] = []
+    for path in paths:
+        record = load(path)
+        source = Source(path, record, digest(path))
+        if twin := next((s for s in sources if s.sha256 == source.sha256), None):
+            raise FileError(f"{path} holds the same data as {twin.path}: give each file once")
+        sources.append(source)
+    return tuple(sources)
+
+
+def calibrate(
+    design: Design,
+    profile: str,
+    sources: Sequence[Source],
+    form_error_um: float | None = None,
+    step: Step = lambda text: None,
+    nominal: Nominal | None = None,
+) -> Calibration:
+    """Judge measured files of one car against its design.
+
+    Args:
+        design: a loaded design.
+        profile: of the cam that was measured, or on the car.
+        sources: from `read`; files of one kind are taken together.
+        form_error_um: stated form error of the disc, rms; if left out, that of a printed disc if a file says that it
+            is printed, and else of a machined one.
+        step: told what is being done.
+        nominal: from `nominal_of`, if that is at hand already.
+
+    Raises:
+        DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
+        FileError: files that cannot be judged together, whose units cannot be, or that the design has in it already.
+    """
+    _refuse_known(design, sources)
+    floor, stated = stated_form_error(sources, form_error_um)
+    told: dict[str, Diagnosis] = {}
+    track_length, holds = None, None
+    means = [s.record for s in sources if s.kind == ZONES]
+    zones = _zone_means(design, join(means)) if means else None
+    modelled = [s.record for s in sources if s.kind not in (STEERED, ZONES)]
+    if modelled:
+        known = replace(nominal or nominal_of(design, profile, step), form_error=floor * 1e-3)
+        if zones is not None and zones.judgement.claimed:
+            known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
+        track_length = known.track.length
+        told.update((one.kind, one) for one in judge(modelled, known, step))
+        holds = holding_friction(known.cut or known.lift, known.follower)
+    wheelbase = None
+    if logged := [s.record for s in sources if s.kind == STEERED]:
+        wheelbase = _wheelbase(design, logged)
+        told[STEERED] = calibrate_tricycle(logged, wheelbase[0], step)
+    found = _claims(design, told.values(), zones)
+    if not any(c.absent and c.thing == "return error" and c.kind == "track" for c in found):
+        holds = None
+    others = {d.source: [c for c in found if c.source != d.source] for d in told.values()}
+    decided = {d.source: one for d in told.values() if (one := settled(d, others[d.source]))}
+    return Calibration(
+        design=design,
+        profile=profile,
+        form_error_um=floor,
+        form_error_from=stated,
+        wheelbase=wheelbase,
+        track_length=track_length,
+        sources=tuple(sources),
+        told=tuple(told[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in told),
+        zones=zones,
+        claims=(*found, *(claim for one in decided.values() for claim in one.claims)),
+        settled=decided,
+        warnings=tuple(_warnings(design, profile, sources)),
+        holds=holds,
+    )
+
+
+def calibrate_each(
+    design: Design,
+    profile: str,
+    sources: Sequence[Source],
+    form_error_um: float | None = None,
+    step: Step = lambda text: None,
+) -> tuple[Calibration, ...]:
+    """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
+    nominal = nominal_of(design, profile, step)
+    return tuple(calibrate(design, profile, [source], form_error_um, step, nominal) for source in sources)
+
+
+def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> Nominal:
+    """What data of a cam and its car are measured against: the cam as this design makes it, the car as designed.
+
+    Raises:
+        DesignError, CheckError: see `plan_cam`.
+    """
+    plan = plan_cam(design, profile, step)
+    bare = design.as_designed()
+    follower = replace(cam_model.follower(bare), radius=plan.follower.radius and cam_model.follower(bare).radius)
+    lift = cut = plan.lift
+    if design.as_built is not None or profile not in _EXACT:
+        # What is cut gives the rod of the designed car another lift than the planned one.
+        angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
+        lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
+        cut = cut if profile in _EXACT else lift
+    ratios, teeth = _train(design)
+    return Nominal(
+        lift=lift,
+        cut=cut,
+        mechanics=_forces(bare, follower, cut),
+        play=_measured_play(bare),
+        follower=follower,
+        profile=plan.on_shaft,
+        car=cam_model.car(bare),
+        track=plan.track,
+        ratios=ratios,
+        teeth=teeth,
+    )
+
+
+def _forces(design: Design, rod: Follower, lift: LiftCurve) -> Mechanics | None:
+    """Rod force and drag by [mechanics]; None without it."""
+    band = variation.mechanics(design, rod, lift)
+    return None if band is None else band.nominal
+
+
+def _measured_play(design: Design) -> tuple[float, float] | None:
+    """Return error of [play] that was measured with the rod lifted, and its standard deviation, rad."""
+    given = None if design.play is None else design.play.measured_deg
+    return None if given is None else (radians(given), radians(INCLINOMETER_DEG))
+
+
+def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
+    """Ratio and driven wheel's teeth of each stage, in the order that the car has; nothing without [train]."""
+    if design.train is None:
+        return (), ()
+    pairs = arrange(gear_model.train(design), design.optimize.order)[0].train.stages
+    return tuple(float(pair.ratio) for pair in pairs), tuple(pair.driven.form.teeth for pair in pairs)
+
+
+def _claims(design: Design, told: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
+    """What the verdicts name, and that there is no play where they would have named play of the tabled size."""
+    tabled = variation.tabled_play(design)
+    found: list[Claim | None] = []
+    for one in told:
+        found += claims(one)
+        if tabled is not None and one.unnamed_play is not None:
+            found.append(no_play(one.source, one.kind, one.unnamed_play, degrees(tabled)))
+        if one.unnamed_friction is not None:
+            found.append(no_friction(one.source, one.kind, one.unnamed_friction))
+    if zones is not None and zones.judgement.claimed:
+        found.append(Claim(zones.source, ZONES, zones.finding))
+    elif zones is not None and tabled is not None and zones.judgement.verdict in SOUND:
+        found.append(no_play(zones.source, ZONES, zones.finding, degrees(tabled)))
+    return [claim for claim in found if claim is not None]
+
+
+def _place(claim: Claim) -> Place:
+    return named(claim.kind, claim.finding.effect, dict(claim.finding.given)).places[0]
+
+
+def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
+    """Form error of the disc that is to be expected, um rms, and who says so."""
+    if given is not None:
+        return given, "given"
+    if by := next((s for s in sources if printed(s.record)), None):
+        return PRINTED_UM, f"{by.record.source} says printed"
+    return MACHINED_UM, "machined: no file says printed"
+
+
+def _wheelbase(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
+    """Of the logged car, mm, and whether a file says so."""
+    told = {float(found[0]) for record in records if (found := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
+    if len(told) > 1:
+        raise FileError(
+            f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(told)} mm: judge them apart"
+        )
+    return (told.pop(), True) if told else (design.car.wheelbase_mm, False)
+
+
+def _zone_means(design: Design, record: Record) -> ZoneMeans:
+    tabled = {order: degrees(play.return_error_max) for order, play in variation.train_plays(design).items()}
+    zones = return_error(record, tuple(tabled.values()))
+    judgement, finding = judged(record, zones)
+    speed, time = said(record, r"([0-9.]*[0-9]) rpm"), said(record, r"([0-9.]*[0-9]) s a trial")
+    ratio = float(np.prod(_train(design)[0]))
+    why = None
+    if speed and time and design.train is not None:
+        why = shortfall(zones, rpm=float(speed[0]), seconds=float(time[0]), ratio=ratio)
+    return ZoneMeans(
+        source=record.source, judgement=judgement, finding=finding, zones=zones, tabled=tabled, shortfall=why
+    )
+
+
+def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
+    """The effects of a file that a design was calibrated with are in it, and would be found a second time."""
+    known = {} if design.as_built is None else {one.sha256: one.file for one in design.as_built.sources}
+    for source in sources:
+        if source.sha256 in known:
+            raise FileError(
+                f"{source.path} is among the files that {design.name} was calibrated with ({known[source.sha256]} in "
+                "[as_built.sources]), so its effects would count twice: judge it against the design that it came from, "
+                "or measure again with the new cam"
+            )
+
+
+def _warnings(design: Design, profile: str, sources: Sequence[Source]) -> list[str]:
+    found = []
+    if design.as_built is not None and design.as_built.profile == profile:
+        found.append(
+            f"the design has [as_built] of a car with the {profile} profile, and was judged with --profile {profile}: "
+            "that means a new cam, cut for what [as_built] says; data of the older cam belong to the design without it"
+        )
+    for source in sources:
+        name = said(source.record, r"^design: *([A-Za-z0-9._-]+)")
+        if source.kind != STEERED and name and name[0] != design.name:
+            found.append(f"{source.record.source} says design {name[0]}, but it was judged against {design.name}")
+        made = said(source.record, r"\b(actual|theoretical|published|optimized|compensated|smoothed) profile\b")
+        if made and made[0] != profile:
+            found.append(f"{source.record.source} says {made[0]} profile, but it was judged against {profile}")
+    return found

@@ -1,0 +1,369 @@
+"""From a design to a checked gear train. No CAD kernel is needed for this."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from cadgen.build import gear_model
+from cadgen.check import Check
+from cadgen.design.schema import TrainDesign
+from cadgen.errors import DesignError
+from cadgen.gears.backlash import Departure, GearPlay, TrainPlay, departures, train_play
+from cadgen.gears.checks import failing_stages, gear_checks
+from cadgen.gears.inspection import Inspection, inspection_of
+from cadgen.gears.joints import WholePlay
+from cadgen.gears.layout import TrainLayout, lay_out
+from cadgen.gears.limits import SearchLimits
+from cadgen.gears.search import Order, TrainSearch, arrange
+from cadgen.gears.thinning import thinned
+from cadgen.gears.train import GearPair, Train
+from cadgen.gears.undercut import missing_shift
+from cadgen.workflow.gears.facts import plan_facts, teeth_of
+
+Step = Callable[[str], None]
+
+# If none of the trains that a search reports can be made, so many of those whose gears fit their blanks are tried.
+DEPTHS = (100, 1000, 4000)
+# Greatest number of trains whose teeth are measured in mesh. If none of these passes its checks, the first is reported
+# with the checks that it fails; the limits of the search keep nearly all failing pairs out before that.
+MOST_MEASURED = 200
+
+
+@dataclass(frozen=True)
+class Skipped:
+    """A train with less return error than the one that is made, and why it is not made."""
+
+    play: TrainPlay
+    reason: str
+
+
+class NotMadeError(DesignError):
+    """None of several trains can be made: `ranked` are those that the order calls for, `baseline` what they better."""
+
+    def __init__(self, message: str, ranked: tuple[TrainPlay, ...], baseline: TrainPlay) -> None:
+        super().__init__(message)
+        self.ranked, self.baseline = ranked, baseline
+
+
+@dataclass(frozen=True)
+class GearsPlan:
+    """A gear train that has been computed and checked, but not yet made.
+
+    Attributes:
+        design: what it was planned from.
+        order: `as-given`, `reordered` or `search`.
+        given: play of the train as the design has it.
+        given_standard: the same without the design's overrides; None if the standards do not cover it.
+        ranked: the trains that the order calls for, least return error first.
+        play: play of the train that is made: the first one that can be and passes its checks.
+        skipped: those with less return error.
+        standard: play of the train that is made, without the design's overrides; None if not covered.
+        departures: the overrides beside the standard's values.
+        notes: what of the design the searched trains do not have, and what a given thinning means, in sentences.
+        layout: its parts, teeth thinned, at their places.
+        inspection: of every part's gears, in the order of the parts.
+        checks: every figure with its verdict.
+    """
+
+    design: TrainDesign
+    order: Order
+    given: TrainPlay
+    given_standard: TrainPlay | None
+    ranked: tuple[TrainPlay, ...]
+    play: TrainPlay
+    skipped: tuple[Skipped, ...]
+    standard: TrainPlay | None
+    departures: tuple[Departure, ...]
+    notes: tuple[str, ...]
+    layout: TrainLayout
+    inspection: tuple[tuple[Inspection, ...], ...]
+    checks: tuple[Check, ...]
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return all(check.passed for check in self.checks)
+
+    @property
+    def whole(self) -> WholePlay:
+        """Return error of the train that is made, with joints and bearings."""
+        return WholePlay(teeth=self.play, loose=gear_model.loose(self.design, self.play.train))
+
+    @property
+    def baseline(self) -> TrainPlay:
+        """What the ranked trains are compared with: like with like, so for a search by the standard alone."""
+        return _baseline(self.order, self.given, self.given_standard)
+
+    def facts(self) -> dict[str, Any]:
+        """The plan as plain values for the manifest and for machines."""
+        return self._facts
+
+    @cached_property
+    def _facts(self) -> dict[str, Any]:
+        return plan_facts(self)
+
+    def role(self, shaft: int, stage: int) -> GearPlay[float]:
+        """Play of the gear of a stage that sits on a shaft, both counted from 1."""
+        return _role(self.play, shaft, stage)
+
+
+@dataclass(frozen=True)
+class _Made:
+    play: TrainPlay
+    layout: TrainLayout
+    inspection: tuple[tuple[Inspection, ...], ...]
+    checks: tuple[Check, ...]
+
+
+def plan_gears(design: TrainDesign, order: Order = "as-given", step: Step = lambda text: None) -> GearsPlan:
+    """Compute the train of a design in an order, lay it out, and measure its teeth in mesh.
+
+    Args:
+        design: a loaded design.
+        order: `as-given`, `reordered` (the best order of the stages) or `search` (the best teeth within the limits).
+            Of several trains the first that can be made and passes its checks is planned.
+        step: told what is being done.
+
+    Raises:
+        DesignError: the design has no train, or one that cannot be made or laid out.
+        NotMadeError: the same for every train of several.
+    """
+    gear_model.train_keys(design)
+    given = gear_model.train(design)
+    step("computing play and return error" if order != "search" else "searching trains")
+    given_play, given_standard = train_play(given), _by_the_standard(given)
+    limits = gear_model.search_limits(design, given) if order == "search" else None
+    ranked = arrange(given, order, limits)
+    trains = _Candidates(ranked, limits, design)
+    made, skipped = _first_made(design, given, trains, _baseline(order, given_play, given_standard), step)
+    return GearsPlan(
+        design=design,
+        order=order,
+        given=given_play,
+        given_standard=given_standard,
+        ranked=ranked,
+        play=made.play,
+        skipped=skipped,
+        standard=_by_the_standard(made.play.train),
+        departures=departures(made.play.train),
+        notes=(
+            *_thinning_notes(design, made),
+            *_undercut_notes(made.layout),
+            *_joint_notes(design, made.play),
+            *(_notes(design, given, limits) if limits else ()),
+        ),
+        layout=made.layout,
+        inspection=made.inspection,
+        checks=made.checks,
+    )
+
+
+def _baseline(order: Order, given: TrainPlay, given_standard: TrainPlay | None) -> TrainPlay:
+    return given_standard if order == "search" and given_standard is not None else given
+
+
+def _by_the_standard(train: Train) -> TrainPlay | None:
+    try:
+        return train_play(train.by_the_standard())
+    except DesignError:
+        return None
+
+
+class _Candidates:
+    """The trains to be tried, best first: those ranked, and of a search then those whose gears fit their blanks.
+
+    Attributes:
+        told: why a search ended, if it did before a train was found.
+    """
+
+    def __init__(self, ranked: tuple[TrainPlay, ...], limits: SearchLimits | None, design: TrainDesign) -> None:
+        self.ranked, self.limits, self.told = ranked, limits, ""
+        self._blanks, self._clearance = gear_model.blanks(design), gear_model.train_keys(design).clearance_mm
+        self._failing: dict[GearPair, None] = {}
+
+    def exclude(self, pairs: Iterable[GearPair]) -> None:
+        """Try no train with any of these pairs from here on."""
+        self._failing.update(dict.fromkeys(pairs))
+
+    def __iter__(self) -> Iterator[TrainPlay]:
+        yield from filter(self._open, self.ranked)
+        if self.limits is None:
+            return
+        seen = {play.train for play in self.ranked}
+        try:
+            search = TrainSearch(self.limits, self._blanks, self._clearance)
+            excluded = 0
+            for keep in DEPTHS:
+                while True:
+                    failing = list(self._failing)
+                    for pair in failing[excluded:]:
+                        search.exclude(pair)
+                    excluded = len(failing)
+                    found = search.best(keep)
+                    for play in found:
+                        if play.train not in seen and self._open(play):
+                            seen.add(play.train)
+                            yield play
+                    if len(self._failing) == excluded:
+                        break
+                if len(found) < keep:
+                    return
+            self.told = f"the best {keep} whose gears fit their blanks were tried"
+        except DesignError as error:
+            self.told = str(error)
+
+    def _open(self, play: TrainPlay) -> bool:
+        return self._failing.keys().isdisjoint(play.train.stages)
+
+
+def _first_made(
+    design: TrainDesign, given: Train, trains: _Candidates, baseline: TrainPlay, step: Step
+) -> tuple[_Made, tuple[Skipped, ...]]:
+    """The first train that can be made and passes its checks, else the first that can be made; and those before it."""
+    skipped: list[Skipped] = []
+    failed: list[tuple[int, _Made]] = []
+    for play in trains:
+        step(f"laying out and measuring {teeth_of(play)}")
+        try:
+            made = _make(design, given, play)
+        except DesignError as error:
+            skipped.append(Skipped(play, str(error)))
+            if trains.limits:
+                trains.exclude(pair for pair in play.train.stages if not _can_be_cut(design, pair))
+            continue
+        wrong = [check.name for check in made.checks if not check.passed]
+        if not wrong:
+            return made, tuple(skipped)
+        failed.append((len(skipped), made))
+        skipped.append(Skipped(play, f"its check of {' and '.join(wrong)} fails"))
+        if trains.limits:
+            trains.exclude(play.train.stages[number] for number in failing_stages(made.layout, play.stages))
+        if len(failed) == MOST_MEASURED:
+            trains.told = f"{MOST_MEASURED} trains were measured and fail"
+            break
+    if failed:
+        before, made = failed[0]
+        return made, tuple(skipped[:before])
+    if len(trains.ranked) == 1 and not trains.told:
+        raise DesignError(skipped[0].reason)
+    ended = f"; {trains.told}" if trains.told else ""
+    raise NotMadeError(
+        f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, not: {skipped[0].reason}"
+        f"{ended}",
+        trains.ranked,
+        baseline,
+    )
+
+
+def _can_be_cut(design: TrainDesign, pair: GearPair) -> bool:
+    """Whether the teeth of a stage can be cut and inspected, whatever stands beside it."""
+    play = train_play(Train((pair,)))
+    try:
+        cut = thinned(play).stages[0]
+        pin = gear_model.train_keys(design).pin_diameter_mm
+        for gear, role in ((cut.driver, play.stages[0].driver), (cut.driven, play.stages[0].driven)):
+            inspection_of(gear.form, role.E_sns, role.E_sni, pin)
+    except DesignError:
+        return False
+    return True
+
+
+def _make(design: TrainDesign, given: Train, play: TrainPlay) -> _Made:
+    keys = gear_model.train_keys(design)
+    cut = thinned(play)
+    directions = _directions(given, play.train, gear_model.directions(design))
+    layout = lay_out(cut, gear_model.blanks(design), directions, keys.clearance_mm)
+    inspection = _inspections(layout, play, keys.pin_diameter_mm)
+    checks = gear_checks(layout, play.stages, [gear_model.mesh_chord(design, part.gears) for part in layout.parts])
+    return _Made(play, layout, inspection, checks)
+
+
+def _directions(given: Train, made: Train, wanted: Sequence[float | None]) -> list[float | None]:
+    """A direction goes with its stage wherever that stands; searched stages have none."""
+    left = list(zip(given.stages, wanted, strict=True))
+    found: list[float | None] = []
+    for pair in made.stages:
+        place = next((number for number, (known, _) in enumerate(left) if known == pair), None)
+        found.append(None if place is None else left.pop(place)[1])
+    return found
+
+
+def _thinning_notes(design: TrainDesign, made: _Made) -> tuple[str, ...]:
+    """What a thickness of the design's own means for the return error."""
+    keys = gear_model.train_keys(design)
+    zone = "and play, return error and the limits in the table of parts are those of such teeth"
+    if keys.E_sn_um is not None:
+        widths = [role.T_sn * 1e3 for stage in made.play.stages for role in (stage.driver, stage.driven)]
+        return (
+            f"E_sn = {keys.E_sn_um:g} µm is the design's own: teeth are cut within T_sn / 2 = {min(widths) / 2:.0f} to"
+            f" {max(widths) / 2:.0f} µm of it, {zone}",
+        )
+    if keys.thinning == "middle":
+        return ()
+    limit = "upper limit E_sns" if keys.thinning == "least" else "lower limit E_sni"
+    return (f"teeth are cut to the {limit} of their grade, within T_sn / 2 of it, {zone}",)
+
+
+def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
+    """The cheapest cure of what joints and bearings add to the return error."""
+    whole = WholePlay(teeth=play, loose=gear_model.loose(design, play.train))
+    return (whole.sentence(),) if whole.loose else ()
+
+
+def _undercut_notes(layout: TrainLayout) -> tuple[str, ...]:
+    """Which gears are undercut as they are cut, and how far."""
+    notes = []
+    for number, pair in enumerate(layout.train.stages, 1):
+        for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
+            if (missing := missing_shift(gear.form)) > 0:
+                notes.append(
+                    f"the {role} of stage {number}, of {gear.form.teeth} teeth, is undercut: as cut it has the profile"
+                    f" shift {gear.form.generating_profile_shift:.2f}, {missing:.2f} modules less than would leave its"
+                    " flanks whole"
+                )
+    return tuple(notes)
+
+
+def _notes(design: TrainDesign, given: Train, limits: SearchLimits) -> tuple[str, ...]:
+    """Within what limits was searched, and what the searched trains do not take over from the stages given."""
+    gears = [gear for pair in given.stages for gear in (pair.driver, pair.driven)]
+    notes = [f"searched: {limits}"]
+    if left := gear_model.limits_left_out(design):
+        notes.append(
+            f"not given in [train.search]: {left}; sizes that are left out span those of the given stages, the other"
+            " limits are the usual ones, widened to the given stages where these go further"
+        )
+    if departures(given):
+        notes.append(
+            "searched gears are made to the standard's tolerances, without those that the design gives for its own;"
+            " they are compared with the given train by the standard"
+        )
+    if any(gear.form.profile_shift for gear in gears):
+        notes.append("searched gears have no profile shift, unlike some of those given")
+    if any(direction is not None for direction in gear_model.directions(design)):
+        notes.append("searched stages are laid out afresh, without the directions of those given")
+    return tuple(notes)
+
+
+def _inspections(layout: TrainLayout, play: TrainPlay, pin: float | None) -> tuple[tuple[Inspection, ...], ...]:
+    """Of every part's gears between E_sns and E_sni."""
+    found = []
+    for part in layout.parts:
+        of_part = []
+        for form, stage in zip(part.gears, part.stages, strict=True):
+            role = _role(play, part.shaft, stage)
+            try:
+                of_part.append(inspection_of(form, role.E_sns, role.E_sni, pin))
+            except DesignError as error:
+                raise DesignError(f"in stage {stage}, {error}") from error
+        found.append(tuple(of_part))
+    return tuple(found)
+
+
+def _role(play: TrainPlay, shaft: int, stage: int) -> GearPlay[float]:
+    """A stage's driver sits on the shaft of its number, the driven gear on the next."""
+    found = play.stages[stage - 1]
+    return found.driven if shaft > stage else found.driver

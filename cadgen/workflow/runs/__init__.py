@@ -1,0 +1,8 @@
+"""The car's runs with play.
+
+| module       | what it holds                                                            |
+|--------------|--------------------------------------------------------------------------|
+| `simulation` | one run on the actual profile and on another: tracks, events, pictures   |
+| `tolerance`  | many cars within the tolerances: ends, yield, what matters most          |
+| `budget`     | the error budget on one sheet: what costs most, and what to hold tighter |
+"""

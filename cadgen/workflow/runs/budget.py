@@ -1,0 +1,127 @@
+"""The error budget of a design on one sheet: what costs most at the finish, and what to hold tighter."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+from cadgen.build import variation
+from cadgen.design.schema import Design
+from cadgen.monte_carlo.budget import Budget, Cost, by_process, error_budget
+from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet
+from cadgen.monte_carlo.processes import Process
+from cadgen.monte_carlo.robust import Tolerances
+from cadgen.report.errors import draw_budget
+
+_SHOWN = {"rad": ("deg", degrees(1.0)), "Nmm": ("N·mm", 1.0)}
+
+
+@dataclass(frozen=True)
+class BudgetSheet:
+    """What may be off on the cars of a design, and on a disc by processes.
+
+    Attributes:
+        budget: of the design.
+        processes: of a disc as they usually make it.
+    """
+
+    budget: Budget
+    processes: Mapping[Process, Budget]
+
+    def facts(self) -> dict[str, Any]:
+        """Plain values for machines."""
+        return {
+            "costs": _costs(self.budget),
+            "root_of_squares_mm": {"before": self.budget.before, "after_trim": self.budget.after},
+            "processes": {
+                process: {
+                    "costs": _costs(budget),
+                    "root_of_squares_mm": {"before": budget.before, "after_trim": budget.after},
+                }
+                for process, budget in self.processes.items()
+            },
+            "advice": self.sentences(),
+        }
+
+    def sentences(self) -> list[str]:
+        """What to hold tighter, and what the marks mean."""
+        lines = []
+        costs = self.budget.costs
+        if costs:
+            first = costs[0]
+            kept = max(self.budget.after**2 - 0.75 * first.after**2, 0.0) ** 0.5
+            lines.append(
+                f"Hold tighter first: {first.name.replace('_', ' ')}, {shown_half_width(first)}; half of it would take "
+                f"all together from {self.budget.after:.0f} to {kept:.0f} mm after a trim."
+            )
+            untrimmed = max(costs, key=lambda cost: cost.before)
+            if untrimmed is not first:
+                lines.append(
+                    f"Without a trim {untrimmed.name.replace('_', ' ')} costs most, {untrimmed.before:.0f} mm; a trial "
+                    f"run and a turn of the micrometer leave {untrimmed.after:.0f} mm of it, as long as it repeats."
+                )
+        if any(not cost.repeats for cost in costs):
+            lines.append("* is anew in every run, or is how closely the trim itself is set: no trim takes it out.")
+        if any(cost.rough for budget in (self.budget, *self.processes.values()) for cost in budget.costs):
+            lines.append("~ is beyond what first order is good for: of that size, and no closer.")
+        return lines
+
+    def rows(self) -> list[tuple[str, list[str]]]:
+        """Each thing that a process decides, its cost for each, and all of them together, greatest first."""
+        first = max(self.processes.values(), key=lambda budget: budget.before)
+        found = []
+        for name in [cost.name for cost in first.costs]:
+            cells = []
+            for budget in self.processes.values():
+                cost = next((cost for cost in budget.costs if cost.name == name), None)
+                rough = "~" if cost is not None and cost.rough else ""
+                cells.append("" if cost is None else f"{rough}{cost.before:.0f}, {cost.after:.0f}")
+            found.append((name, cells))
+        together = [f"{budget.before:.0f}, {budget.after:.0f}" for budget in self.processes.values()]
+        return [*found, ("all, root of squares", together)]
+
+    def draw(self, title: str, folder: Path, name: str) -> list[str]:
+        """Draw the ranking; return the files' names."""
+        bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in self.budget.costs}
+        return draw_budget(title, bars, folder, name)
+
+
+def budget_sheet(design: Design, fleet: Fleet, tolerances: Tolerances) -> BudgetSheet:
+    """The error budget of a design.
+
+    Args:
+        design: a loaded design.
+        fleet: its nominal car.
+        tolerances: of its cars.
+    """
+    return BudgetSheet(
+        budget=error_budget(fleet, tolerances.half_widths, variation.play_zones(design)), processes=by_process(fleet)
+    )
+
+
+def unit_of(name: str) -> tuple[str, float]:
+    """Unit of a tolerance as users see it, and how many of it make one of ours."""
+    unit = PARAMETERS[DIRECTED.get(name, (name,))[0]]
+    return _SHOWN.get(unit, (unit, 1.0))
+
+
+def shown_half_width(cost: Cost) -> str:
+    """How far off something may be, with its unit."""
+    unit, scale = unit_of(cost.parameter)
+    return f"{cost.half_width * scale:.3g}" + {"deg": "°", "1": ""}.get(unit, f" {unit}")
+
+
+def _costs(budget: Budget) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": cost.name,
+            "half_width": cost.half_width * unit_of(cost.parameter)[1],
+            "unit": unit_of(cost.parameter)[0],
+            "end_position_mm": cost.before,
+            "end_position_after_trim_mm": cost.after,
+            "repeats": cost.repeats,
+            "beyond_first_order": cost.rough,
+        }
+        for cost in budget.costs
+    ]
