@@ -19,9 +19,11 @@ rise is longer than B, and the erosion's heading error is greater by about |kapp
 """
 
 from dataclasses import dataclass
+from heapq import heapify, heappop, heappush
 from math import degrees
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
@@ -56,20 +58,60 @@ def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
     # Turning points in turn, peak first: even places are peaks, and swing j leads from point j to the next.
     angle = np.stack([nodes[begins], nodes[ends]], axis=1).ravel()
     height = np.stack([value[begins], value[ends]], axis=1).ravel()
-    while angle.size:
-        swing = np.abs(np.roll(height, -1) - height)
-        least_at = int(np.argmin(swing))
-        if swing[least_at] >= least:
-            break
-        gone = [least_at, (least_at + 1) % angle.size]
-        angle, height = np.delete(angle, gone), np.delete(height, gone)
-        if least_at % 2 and least_at + 1 == len(swing):  # the last valley and the first peak went together
-            angle, height = np.roll(angle, 1), np.roll(height, 1)
+    kept = _without_small_swings(height, least)
+    angle = angle[kept]
     pairs = angle.reshape(-1, 2) % TURN
     pairs[:, 1] = pairs[:, 0] + (pairs[:, 1] - pairs[:, 0]) % TURN
     pairs = _without_level(pairs, lift.level)
     pairs -= TURN * np.floor(pairs[:, :1] / TURN)
     return pairs[np.argsort(pairs[:, 0])]
+
+
+def _without_small_swings(height: Array, least: float) -> NDArray[np.intp]:
+    """Turning points that stay when the smallest swing is passed over again and again until none is below `least`.
+
+    With a swing both its points go, and their neighbours become one another's; so each round costs the logarithm of
+    their number, and not the number, of which a rough path has thousands.
+
+    Args:
+        height: of the turning points round the turn, peak first, shape (2 k,).
+        least: of a swing that stays.
+
+    Returns:
+        Indices of those that stay, from a peak on.
+    """
+    count = len(height)
+    if not count or np.abs(np.roll(height, -1) - height).min() >= least:
+        return np.arange(count)
+    heights = height.tolist()
+    before, after = [place - 1 for place in range(count)], [*range(1, count), 0]
+    before[0], first, left = count - 1, 0, count
+    place = list(range(count))  # in the row that begins with a peak; among equal swings the first goes
+    stays = [True] * count
+    swings = [(abs(heights[after[at]] - heights[at]), place[at], at, after[at]) for at in range(count)]
+    heapify(swings)
+    while left:
+        swing, rank, low, high = heappop(swings)
+        if not (stays[low] and after[low] == high and rank == place[low]):
+            continue  # of before one of its points went
+        if swing >= least:
+            break
+        stays[low] = stays[high] = False
+        left -= 2
+        if not left:
+            break
+        outer, further = before[low], after[high]
+        after[outer], before[further] = further, outer
+        if high == first:  # the last valley and the first peak went together: the last peak now comes first
+            place[outer] = place[first] - 1
+            first = outer
+        elif low == first:
+            first = further
+        heappush(swings, (abs(heights[further] - heights[outer]), place[outer], outer, further))
+    row = [first]
+    for _ in range(left - 1):
+        row.append(after[row[-1]])
+    return np.array(row[:left], dtype=np.intp)
 
 
 def _without_level(pairs: Array, level: Array) -> Array:

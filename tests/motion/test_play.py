@@ -9,7 +9,7 @@ from scipy.interpolate import PPoly
 from cadgen.arrays import TURN
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.play import Following, falls, follow
+from cadgen.motion.play import Following, _without_small_swings, falls, follow
 
 
 def step_by_step(lift: LiftCurve, play: float, steps: int, turns: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -152,3 +152,28 @@ def test_a_play_wider_than_events_are_apart(carbon_free_car):
     mine = follow(lift, play).cam_angle(motor)
     apart = np.abs(mine - cam)[steps:] > 1.5 * TURN / steps
     assert apart.sum() <= len(falls(lift))
+
+
+def passed_over_one_by_one(height: np.ndarray, least: float) -> list[int]:
+    """Turning points that stay, by searching the whole row for its smallest swing each time."""
+    row = list(range(len(height)))
+    while row:
+        swings = [abs(height[row[(k + 1) % len(row)]] - height[at]) for k, at in enumerate(row)]
+        smallest = swings.index(min(swings))
+        if swings[smallest] >= least:
+            break
+        if smallest + 1 == len(row):
+            row = row[-2:-1] + row[1:-2]  # the last valley and the first peak go: the last peak comes first
+        else:
+            row = row[:smallest] + row[smallest + 2 :]
+    return row
+
+
+@settings(max_examples=400, deadline=None)
+@given(
+    pairs=st.lists(st.tuples(st.integers(0, 8), st.integers(0, 8)), max_size=12),
+    least=st.sampled_from([0.0, 0.5, 1.5, 3.0, 20.0]),
+)
+def test_small_swings_are_passed_over_as_one_by_one(pairs, least):
+    height = np.array([value for high, low in pairs for value in (max(high, low), min(high, low))], dtype=float)
+    assert _without_small_swings(height, least).tolist() == passed_over_one_by_one(height, least)
