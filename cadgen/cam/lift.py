@@ -56,6 +56,11 @@ class LiftCurve:
         return nodes, np.append(self.tan_beta(nodes[:-1]), self.tan_beta(nodes[0]))
 
     @cached_property
+    def derived(self) -> dict[tuple[str, float], Array]:
+        """What other rooms have worked out for this lift and need again, by name and parameter."""
+        return {}
+
+    @cached_property
     def level(self) -> Array:
         """Stretches of at least 0.5 degrees over which the lift is level to rounding: straight runs and dwells.
 

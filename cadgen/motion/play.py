@@ -49,6 +49,14 @@ def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
         Shape (k, 2), rad, in order; starts lie in [0, 2 pi), the last stop may lie beyond 2 pi. Empty if the lift
         is level.
     """
+    # Found once for each lift: its runs with many plays and frictions ask again and again.
+    known = lift.derived
+    if ("falls", least) not in known:
+        known["falls", least] = _falls(lift, least)
+    return known["falls", least].copy()
+
+
+def _falls(lift: LiftCurve, least: float) -> Array:
     nodes, value = lift.stations
     falling = np.diff(value) < -_ROUNDING
     begins = np.flatnonzero(falling & ~np.roll(falling, 1))

@@ -162,10 +162,9 @@ def passed_over_one_by_one(height: np.ndarray, least: float) -> list[int]:
         smallest = swings.index(min(swings))
         if swings[smallest] >= least:
             break
-        if smallest + 1 == len(row):
-            row = row[-2:-1] + row[1:-2]  # the last valley and the first peak go: the last peak comes first
-        else:
-            row = row[:smallest] + row[smallest + 2 :]
+        # Where the last valley and the first peak go, the last peak comes first.
+        last = smallest + 1 == len(row)
+        row = row[-2:-1] + row[1:-2] if last else row[:smallest] + row[smallest + 2 :]
     return row
 
 
