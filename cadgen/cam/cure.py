@@ -19,6 +19,7 @@ _PRECISION = 0.01
 _LARGEST_FACTOR = 64.0  # a change beyond this is no cure
 # Share of the limit below which a loss counts as this share: so the logarithm stays finite where nothing is lost.
 _NOTHING = 0.01
+_ROUNDING = 1e-12  # mm; a limit below it asks for more than arithmetic holds
 
 
 @dataclass(frozen=True)
@@ -66,6 +67,7 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
         follower: the rod.
         limit: lift that may be lost, mm.
     """
+    limit = max(limit, _ROUNDING)
     thinner, larger = follower.radius, follower.base_radius
     now = worst_loss(lift, follower)
     cures = []

@@ -245,8 +245,7 @@ class _Swept:
         """
         count = len(self.angle)
         reach = np.arcsin(self.radius / self.distance.min())
-        # Places before the first and after the last angle stand again a turn away.
-        angle = np.concatenate([self.angle - TURN, self.angle, self.angle + TURN])
+        angle = self._thrice
         ray = (ray + pi) % TURN - pi
         first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
         if (first == last).any():
@@ -283,6 +282,11 @@ class _Swept:
         return near, aside
 
     @cached_property
+    def _thrice(self) -> Array:
+        """Polar angles with those before the first and after the last place, which stand again a turn away."""
+        return np.concatenate([self.angle - TURN, self.angle, self.angle + TURN])
+
+    @cached_property
     def _centres(self) -> Array:
         """The places, mm, shape (2, n)."""
         return np.asarray(self.distance * np.stack([np.cos(self.angle), np.sin(self.angle)]))
@@ -299,8 +303,9 @@ def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
     turn = (np.roll(normal, -1) - normal + pi) % TURN - pi
     gaps = np.flatnonzero(np.abs(turn) > _CORNER)
     runs = []
+    closed = np.append(depth, depth[0])  # once: a gap's share is a view of it
     for first, last in zip(np.append(0, gaps + 1), np.append(gaps, count), strict=True):
-        runs.append((spacing * np.arange(first, last + 1), np.append(depth, depth[0])[first : last + 1]))
+        runs.append((spacing * np.arange(first, last + 1), closed[first : last + 1]))
         if last < count:
             fine = spacing * np.linspace(last, last + 1, _FINE_RAYS)
             runs.append((fine, swept.depths(fine)[0]))
