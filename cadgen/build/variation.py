@@ -197,10 +197,7 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[str, float
         value = getattr(given, f"{name}_{_ENDINGS[unit]}", None) or 0.0
         found[name] = radians(value) if unit == "rad" else value
     if (fit := design.blank.bore_fit) is not None:
-        try:
-            found["eccentricity"] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
-        except DesignError as error:
-            raise DesignError(f"blank.bore_fit: {error}") from error
+        found["eccentricity"] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
     if forces is not None:
         found["friction"], found["drag"] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
     elif found["rod_force"] > 0:

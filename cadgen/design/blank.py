@@ -10,6 +10,8 @@ from pydantic import Field, model_validator
 
 from cadgen.design.joint import Held
 from cadgen.design.section import Section
+from cadgen.errors import DesignError
+from cadgen.gears.fits import clearance
 from cadgen.motion.friction import DiscMaterial
 
 _WIDEST_SCREW = 0.998  # of the bore
@@ -109,6 +111,17 @@ class Blank(Held):
     material: DiscMaterial | None = Field(
         default=None, description="of the disc: its friction with the rod goes by it where [mechanics] gives none"
     )
+
+    @model_validator(mode="after")
+    def _bore_fit_is_known(self) -> "Blank":
+        if self.bore_fit is not None:
+            try:
+                clearance(self.bore_fit, self.bore_diameter_mm)
+            except DesignError as error:
+                raise ValueError(
+                    f"blank.bore_fit: {error}; or remove it, and give tolerances.eccentricity_mm"
+                ) from None
+        return self
 
     @model_validator(mode="after")
     def _parts_fit_each_other(self) -> "Blank":

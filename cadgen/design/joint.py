@@ -5,6 +5,8 @@ from typing import Literal, TypeVar
 from pydantic import Field, model_validator
 
 from cadgen.design.section import HERE, Section
+from cadgen.errors import DesignError
+from cadgen.gears.fits import zones_of
 
 Joint = Literal["clamped", "pinned", "glued", "keyed", "d_flat"]
 TIGHT: tuple[Joint, ...] = ("clamped", "pinned", "glued")
@@ -57,6 +59,11 @@ class Held(Section):
             )
         if loose and self.joint_fit is not None and (least is not None or greatest is not None):
             raise ValueError(f"{HERE}.joint_fit and joint_clearance_..._um say the same twice: remove one of them")
+        if self.joint_fit is not None:
+            try:
+                zones_of(self.joint_fit)
+            except DesignError as error:
+                raise ValueError(f"{HERE}.joint_fit: {error}; or give the clearance itself") from None
         if least is not None and greatest is not None and least > greatest:
             raise ValueError(
                 f"{HERE}.joint_clearance_least_um is {least:g}, more than joint_clearance_greatest_um, {greatest:g}: "

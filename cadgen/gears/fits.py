@@ -20,7 +20,7 @@ N9 and P9 are the grooves of tight keys (DIN 6885). Sizes go up to 50 mm.
 import re
 from math import acos
 
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, brief
 from cadgen.gears.tolerances import standard_tolerance
 
 STEPS = (3.0, 6.0, 10.0, 18.0, 30.0, 50.0)  # upper limits of the steps of sizes, mm
@@ -63,6 +63,28 @@ def flat_play(clearance: float, diameter: float, across: float) -> float:
     return 2 * (acos(flat / radius) - acos((flat + clearance) / radius))
 
 
+def zones_of(fit: str) -> tuple[str, int, str, int]:
+    """Hole and shaft of a fit, each as its letter and its grade.
+
+    Args:
+        fit: such as `H7/g6`.
+
+    Raises:
+        DesignError: not a fit of this table.
+    """
+    match = _FIT.fullmatch(fit.strip())
+    if match is not None:
+        hole, hole_grade, shaft, shaft_grade = match.group(1), int(match.group(2)), match.group(3), int(match.group(4))
+        known = hole.lower() in AWAY or hole == "JS" or f"{hole}{hole_grade}" in GROOVES
+        if known and (shaft in AWAY or shaft == "js") and {hole_grade, shaft_grade} <= set(GRADES):
+            return hole, hole_grade, shaft, shaft_grade
+    raise DesignError(
+        f'the fit "{brief(fit)}" is not in the table: give a hole of {", ".join(letter.upper() for letter in AWAY)} or '
+        f"JS (N9 or P9 for a groove) and a shaft of {', '.join(AWAY)} or js, with grades {GRADES[0]} to {GRADES[-1]}, "
+        f"such as H7/g6"
+    )
+
+
 def clearance(fit: str, size: float) -> tuple[float, float]:
     """Least and greatest clearance of a fit, mm; what would be tight is 0.
 
@@ -73,34 +95,24 @@ def clearance(fit: str, size: float) -> tuple[float, float]:
     Raises:
         DesignError: not a fit of this table, or a size beyond it.
     """
-    match = _FIT.fullmatch(fit.strip())
-    holes = [letter.upper() for letter in AWAY]
-    if match is None or size > STEPS[-1]:
+    hole, hole_grade, shaft, shaft_grade = zones_of(fit)
+    if size > STEPS[-1]:
         raise DesignError(
-            f'the fit "{fit}" of {size:g} mm is not in the table: give a hole of {", ".join(holes)} or JS (N9 or P9 '
-            f"for a groove), a shaft of {', '.join(AWAY)} or js, such as H7/g6, of at most {STEPS[-1]:g} mm; or the "
-            f"clearance itself"
+            f'the fit "{brief(fit)}" is for a size of {size:g} mm, and the table ends at {STEPS[-1]:g} mm'
         )
-    hole, hole_grade, shaft, shaft_grade = match.group(1), int(match.group(2)), match.group(3), int(match.group(4))
     step = next(number for number, most in enumerate(STEPS) if size <= most)
-    if not {hole_grade, shaft_grade} <= set(GRADES):
-        raise DesignError(f'the fit "{fit}" has a grade outside {GRADES[0]} to {GRADES[-1]}')
     width, own = (float(standard_tolerance(size, grade)) * 1e3 for grade in (hole_grade, shaft_grade))
     if f"{hole}{hole_grade}" in GROOVES:
         upper = float(GROOVES[f"{hole}{hole_grade}"][step])
         low, high = upper - width, upper
     elif hole == "JS":
         low, high = -width / 2, width / 2
-    elif hole.lower() in AWAY:
+    else:
         low = float(AWAY[hole.lower()][step])
         high = low + width
-    else:
-        raise DesignError(f'the fit "{fit}" has a hole {hole}{hole_grade}; known are {", ".join(holes)}, JS, N9 and P9')
     if shaft == "js":
         bottom, top = -own / 2, own / 2
-    elif shaft in AWAY:
+    else:
         top = -float(AWAY[shaft][step])
         bottom = top - own
-    else:
-        raise DesignError(f'the fit "{fit}" has a shaft {shaft}{shaft_grade}; known are {", ".join(AWAY)} and js')
     return max(low - top, 0.0) / 1e3, max(high - bottom, 0.0) / 1e3
