@@ -67,9 +67,9 @@ def calibrate(
     if not files:
         raise click.UsageError("no measured file was given: name at least one CSV file")
     loaded = load_design(design, overrides)
-    sources = work.read([Path(file) for file in files])
     written = None
     with show.progress(not as_json) as step:
+        sources = work.read([Path(file) for file in files], step, each=each)
         if each:
             told = work.calibrate_each(loaded, profile, sources, form_error_um, step)
             facts = write.documents(told)

@@ -94,6 +94,8 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any]) -
     if kind == "missing" and isinstance(place[-1], int):  # of a pair, whose value pydantic gives
         place = place[:-1]
     name, path = spoken(place), section(place)
+    if kind == "too_long" and context["max_length"] > 2:  # a list, and not a pair
+        return f"{name} has {len(value)} items; it can have at most {context['max_length']}: remove some"
     if path in tables():
         heading = tables()[path].heading
         needs = listed([last(key.name) for key in tables()[path].keys if key.required], "and")

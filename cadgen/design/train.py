@@ -11,6 +11,10 @@ from pydantic import Field, Strict
 from cadgen.design.joint import Held
 from cadgen.design.section import Section
 
+# All orders of so many stages, 5040, are compared within a second; ten would take an hour.
+MOST_STAGES = 7
+MOST_SIZES = 100  # modules or widths to choose from
+
 Lengths = Annotated[tuple[Annotated[float, Gt(0), Le(500)], ...], Strict(False)]
 
 
@@ -107,8 +111,15 @@ class Search(Section):
     stages: int | None = Field(default=None, ge=1, le=6, description="how many stages; left out, as many as given")
     teeth_min: int | None = Field(default=None, ge=4, le=1000, description="fewest teeth of a gear")
     teeth_max: int | None = Field(default=None, ge=4, le=1000, description="most teeth of a gear")
-    modules_mm: Lengths | None = Field(default=None, min_length=1, description="modules to choose from")
-    widths_mm: Lengths | None = Field(default=None, min_length=1, description="face widths to choose from")
+    modules_mm: Lengths | None = Field(
+        default=None, min_length=1, max_length=MOST_SIZES, description=f"modules to choose from, at most {MOST_SIZES}"
+    )
+    widths_mm: Lengths | None = Field(
+        default=None,
+        min_length=1,
+        max_length=MOST_SIZES,
+        description=f"face widths to choose from, at most {MOST_SIZES}",
+    )
     centre_distance_min_mm: float | None = Field(default=None, gt=0, le=2000, description="least centre distance")
     centre_distance_max_mm: float | None = Field(default=None, gt=0, le=2000, description="greatest centre distance")
     stage_ratio_min: float | None = Field(
@@ -177,7 +188,9 @@ class Train(Section):
     clearance_mm: float = Field(
         default=0.3, gt=0, le=100, description="least gap between bodies on different shafts, teeth in mesh apart"
     )
-    stages: Annotated[tuple[Stage, ...], Strict(False)] = Field(min_length=1, description="at least one")
+    stages: Annotated[tuple[Stage, ...], Strict(False)] = Field(
+        min_length=1, max_length=MOST_STAGES, description=f"at least one, and at most {MOST_STAGES}"
+    )
     drive: Blank = Blank()
     intermediate: Blank = Blank()
     output: Blank = Blank()

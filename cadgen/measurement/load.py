@@ -5,6 +5,7 @@ import hashlib
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -44,6 +45,8 @@ LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
 MOST_ROWS, MOST_LOGGED = 20_000, 200_000
 MOST_TURN_DEG = 400.0  # of a camshaft that is to turn once and come back
 MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
+# Of a file's comment lines, and of the characters of any line: they are searched for what they say of the instrument.
+MOST_REMARKS, LONGEST_LINE = 200, 1000
 
 
 @dataclass(frozen=True)
@@ -63,23 +66,28 @@ def load(path: Path) -> Record:
     """
     name = escaped(path.name)
     lines = _text(path).splitlines()
+    _refuse_long(lines, name)
     remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
-    body = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
-    if not body:
+    body = ((n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#"))
+    first = next(body, None)
+    if first is None:
         raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
-    numbers = [n for n, _ in body[1:]]
-    header = _cells(body[0][1], body[0][0], name)
+    header = _cells(first[1], first[0], name)
     kind = _kind(header, name)
-    _refuse_many(kind, len(numbers), name)
-    rows = [_cells(line, n, name) for n, line in body[1:]]
-    if not rows:
-        raise FileError(f"{name}: no row stands under its header; add what was measured")
-    for n, row in zip(numbers, rows, strict=True):
+    # Counted before any is kept: of the shortest lines a file has millions.
+    _refuse_many(kind, sum(1 for line in lines if line.strip() and not line.startswith("#")) - 1, name)
+    numbers, rows = [], []
+    for n, line in body:
+        row = _cells(line, n, name)
         if len(row) != len(header):
             raise FileError(
                 f"{name}, line {n}: {len(row)} cells under {len(header)} columns; correct the line, with commas "
                 "between cells and decimal points in numbers"
             )
+        numbers.append(n)
+        rows.append(row)
+    if not rows:
+        raise FileError(f"{name}: no row stands under its header; add what was measured")
     table = {column: [row[k] for row in rows] for k, column in enumerate(header)}
     columns: dict[str, np.ndarray[tuple[int], np.dtype[np.generic]]] = {}
     for column in COLUMNS[kind]:
@@ -139,6 +147,11 @@ def digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
+def most_rows(kind: Kind) -> int:
+    """How many rows of a kind can be judged together."""
+    return MOST_LOGGED if kind == "steered track" else MOST_ROWS
+
+
 def join(records: Sequence[Record]) -> Record:
     """Several records of one kind as one, their runs numbered on.
 
@@ -165,11 +178,23 @@ def join(records: Sequence[Record]) -> Record:
 
 
 def _refuse_many(kind: Kind, rows: int, name: str) -> None:
-    most = MOST_LOGGED if kind == "steered track" else MOST_ROWS
+    most = most_rows(kind)
     if rows > most:
         raise FileError(
             f"{name}: {rows} rows, more than the {most} that can be judged together; "
             f"keep one row in {-(-rows // most)}, or give fewer files"
+        )
+
+
+def _refuse_long(lines: list[str], name: str) -> None:
+    if long := next((n for n, line in enumerate(lines, 1) if len(line) > LONGEST_LINE), None):
+        raise FileError(
+            f"{name}, line {long}: {len(lines[long - 1])} characters, more than the {LONGEST_LINE} that a line can have;"
+            " correct the line"
+        )
+    if (remarks := sum(line.startswith("#") for line in lines)) > MOST_REMARKS:
+        raise FileError(
+            f"{name}: {remarks} comment lines, more than {MOST_REMARKS}; keep those that tell design and instrument"
         )
 
 
@@ -250,24 +275,28 @@ def _numbers(
 def _check(record: Record) -> None:
     # One column after the other, rows in the order of runs: a run is a slice, and its digits are its name.
     readings = np.stack([record[c] for c in _numeric(record)])
+    bounds = [0, *(np.flatnonzero(np.diff(record.run)) + 1).tolist(), len(record.run)]
+    runs = [slice(start, stop) for start, stop in pairwise(bounds)]
     seen: dict[bytes, int] = {}
-    for later, part in enumerate(np.split(readings, np.flatnonzero(np.diff(record.run)) + 1, axis=1)):
+    for later, mine in enumerate(runs):
+        part = readings[:, mine]
         earlier = seen.setdefault(part.tobytes(), later)
         if earlier != later:
             raise FileError(
                 f"{record.source}: runs {earlier + 1} and {later + 1} are the same to the last digit; a copy is no "
                 "repetition: give runs that were measured anew"
             )
-    for run in range(record.runs):
-        mine = record.run == run
-        if mine.sum() < LEAST_ROWS:
+    spans = {column: (record[column], least) for column, least in LEAST_SPAN.items() if column in record.columns}
+    for run, mine in enumerate(runs):
+        if mine.stop - mine.start < LEAST_ROWS:
             raise FileError(
-                f"{record.source}: run {run + 1} has {mine.sum()} rows; give at least {LEAST_ROWS} in each run"
+                f"{record.source}: run {run + 1} has {mine.stop - mine.start} rows; give at least {LEAST_ROWS} in each "
+                "run"
             )
-        for column, least in LEAST_SPAN.items():
-            if column in record.columns and np.ptp(record[column][mine]) < least:
+        for column, (values, least) in spans.items():
+            if np.ptp(values[mine]) < least:
                 raise FileError(
-                    f"{record.source}: {column} of run {run + 1} spans only {np.ptp(record[column][mine]):g}; "
+                    f"{record.source}: {column} of run {run + 1} spans only {np.ptp(values[mine]):g}; "
                     f"check its unit, or measure at least {least:g}"
                 )
     if record.kind == "lift":
@@ -277,8 +306,9 @@ def _check(record: Record) -> None:
     if record.kind == "track":
         _refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg")
     if record.kind == "transmission":
-        for run in range(record.runs):
-            turn = float(np.ptp(record["cam_angle_deg"][record.run == run]))
+        turned = record["cam_angle_deg"]
+        for run, mine in enumerate(runs):
+            turn = float(np.ptp(turned[mine]))
             if turn > MOST_TURN_DEG:
                 raise FileError(
                     f"{record.source}: the cam of run {run + 1} turns by {turn:.0f} degrees, so the angle goes round "
@@ -286,8 +316,8 @@ def _check(record: Record) -> None:
                 )
     if record.kind == "profile":
         turned = np.arctan2(record["y_mm"], record["x_mm"])
-        for run in range(record.runs):
-            steps = np.diff(turned[record.run == run])
+        for run, mine in enumerate(runs):
+            steps = np.diff(turned[mine])
             swept = float(np.sum((steps + np.pi) % (2 * np.pi) - np.pi))
             if abs(swept) > 2 * np.pi + 0.5:
                 raise FileError(

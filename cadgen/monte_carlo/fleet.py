@@ -195,7 +195,9 @@ def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
     position = np.concatenate([zero, np.cumsum(np.exp(1j * heading[:, :-1]) * moved, axis=1)], axis=1)
 
     motor = fleet.stations + phase[:, None]
-    at = np.sum(stretch.motor[:, None, :-1] <= motor[:, :, None], axis=2) - 1
+    # Car by car: of thousands of stations and stretches, a table of all with all would take gigabytes.
+    begins = zip(stretch.motor[:, :-1], motor, strict=True)
+    at = np.stack([np.searchsorted(own, wanted, side="right") for own, wanted in begins]) - 1
     rows = np.arange(len(play))[:, None]
     turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[rows, at])
     position = position[rows, at] + np.exp(1j * heading[rows, at]) * moved

@@ -143,6 +143,10 @@ def test_too_many_rows_are_refused(tmp_path):
     (tmp_path / "many.csv").write_text("run,x_mm,y_mm\n" + "not a row\n" * 21_000)
     with pytest.raises(FileError, match=r"21000 rows, more than the 20000"):
         load(tmp_path / "many.csv")
+    # A row of another length is refused where it stands.
+    (tmp_path / "many.csv").write_text("run,x_mm,y_mm\n1,2,3\n" + "1,2,3,4\n" * 10_000)
+    with pytest.raises(FileError, match=r"many.csv, line 3: 4 cells under 3 columns"):
+        load(tmp_path / "many.csv")
     (tmp_path / "half.csv").write_text("run,x_mm,y_mm\n" + "".join(f"{row}\n" for row in rows.splitlines()[:10_500]))
     half = load(tmp_path / "half.csv")
     with pytest.raises(FileError, match=r"half.csv \+ half.csv: 21000 rows"):
@@ -163,3 +167,17 @@ def test_only_regular_files_of_a_sensible_size_are_read(tmp_path):
         load(tmp_path / "escape\x1b[31m.csv")
     assert str(caught.value).isprintable()
     assert len(str(caught.value)) < 800
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("# noise " + "1" * 1000 + "\nrun,x_mm,y_mm\n1,2,3\n", "line 1: 1008 characters, more than the 1000"),
+        (",".join(f"c{k}" for k in range(400)) + "\n1,2\n", "line 1: .* characters, more than the 1000"),
+        ("# dull\n" * 201 + "run,x_mm,y_mm\n1,2,3\n", "201 comment lines, more than 200"),
+    ],
+)
+def test_long_lines_and_many_remarks_are_refused(tmp_path, content, words):
+    (tmp_path / "long.csv").write_text(content)
+    with pytest.raises(FileError, match=words):
+        load(tmp_path / "long.csv")

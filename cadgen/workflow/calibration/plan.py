@@ -15,10 +15,10 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.design.schema import Design
 from cadgen.deviations.catalogue import named
 from cadgen.deviations.names import Kind, Place
-from cadgen.errors import FileError
+from cadgen.errors import FileError, brief
 from cadgen.gears.search import arrange
 from cadgen.measurement.diagnose import SOUND, Diagnosis, Finding
-from cadgen.measurement.load import digest, join, load, printed, said
+from cadgen.measurement.load import digest, join, load, most_rows, printed, said
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal, calibrate_tricycle
 from cadgen.measurement.nominal import calibrate as judge
 from cadgen.measurement.record import Record
@@ -34,6 +34,8 @@ ZONES: Kind = "zones"
 # Profiles whose planned lift is what the rod gets from them.
 _EXACT = ("actual", "theoretical", "optimized", "compensated", "smoothed", "smoothed+compensated")
 _STATIONS = 3600  # at which any other is rolled
+# Rows that are read for one command which judges every file alone: their records have some 200 MB.
+MOST_READ = 2_000_000
 INCLINOMETER_DEG = 0.01  # standard deviation of play.measured_deg
 
 
@@ -150,20 +152,37 @@ class Calibration:
         return next(told.verdict for told in self.told if told.kind == kind)
 
 
-def read(paths: Sequence[Path]) -> tuple[Source, ...]:
+def read(paths: Sequence[Path], step: Step = lambda text: None, *, each: bool = False) -> tuple[Source, ...]:
     """Read measured files.
 
+    Args:
+        paths: of the files.
+        step: told what is being done.
+        each: every file will be judged alone; if not, those of one kind must not have more rows than can be judged
+            together.
+
     Raises:
-        FileError: one is no measured data, or the same data are given twice.
+        FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
     """
-    sources: list[Source] = []
+    sources: dict[str, Source] = {}
+    rows: dict[Kind | None, int] = {}
     for path in paths:
+        step(f"reading {brief(path.name)}")
         record = load(path)
         source = Source(path, record, digest(path))
-        if twin := next((s for s in sources if s.sha256 == source.sha256), None):
+        if twin := sources.get(source.sha256):
             raise FileError(f"{path} holds the same data as {twin.path}: give each file once")
-        sources.append(source)
-    return tuple(sources)
+        sources[source.sha256] = source
+        kind = None if each else record.kind
+        rows[kind] = rows.get(kind, 0) + len(record.run)
+        # Before the next is read: a hundred long files take minutes.
+        if rows[kind] > (most := MOST_READ if kind is None else most_rows(kind)):
+            raise FileError(
+                f"the {len(sources)} files up to {record.source} have {rows[kind]} rows{f' of {kind}' if kind else ''}, "
+                f"more than the {most} that can be judged {'together' if kind else 'in one command'}: give fewer files, "
+                f"or keep fewer rows of each"
+            )
+    return tuple(sources.values())
 
 
 def calibrate(
