@@ -15,6 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from cadgen.cli.output import hush
+from cadgen.report.table import FittedTable
 
 if TYPE_CHECKING:
     from cadgen.check import Check
@@ -158,7 +159,7 @@ def files(written: "Written", out: Path) -> None:
 
 def plain_table(title: str) -> Table:
     """A table without rules, with a title above it."""
-    return Table(
+    return FittedTable(
         title=title or None, title_justify="left", title_style="bold", box=None, pad_edge=False, header_style="dim"
     )
 

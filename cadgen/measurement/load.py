@@ -189,8 +189,8 @@ def _refuse_many(kind: Kind, rows: int, name: str) -> None:
 def _refuse_long(lines: list[str], name: str) -> None:
     if long := next((n for n, line in enumerate(lines, 1) if len(line) > LONGEST_LINE), None):
         raise FileError(
-            f"{name}, line {long}: {len(lines[long - 1])} characters, more than the {LONGEST_LINE} that a line can have;"
-            " correct the line"
+            f"{name}, line {long}: {len(lines[long - 1])} characters, more than the {LONGEST_LINE} of the longest line "
+            "that there can be; correct the line"
         )
     if (remarks := sum(line.startswith("#") for line in lines)) > MOST_REMARKS:
         raise FileError(

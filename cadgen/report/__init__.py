@@ -5,6 +5,8 @@
 | `style`  | colours, sizes, and files whose bytes depend on their content alone             |
 | `lift`   | lift before and after, and what becomes of it with play                         |
 | `tracks` | the wheels on the field; heading and position error along the run               |
+| `text`   | reports in words                                                                |
+| `table`  | tables that never cut a number                                                  |
 | `errors` | deflection errors by event; ends of the runs of many cars; sensitivities        |
 
 Only this room imports matplotlib, inside its functions, since that takes time.

@@ -35,18 +35,18 @@ def write(blocks: Sequence[Block], console: "Console") -> None:
         blocks: the first `words` columns of a table are words.
         console: one without markup, for brackets in names are only brackets.
     """
-    from rich import table as rich_table
+    from cadgen.report.table import FittedTable
 
     for block in blocks:
         if isinstance(block, Heading):
             console.print(f"\n{block.text}", style="bold")
         elif isinstance(block, Table):
-            table = rich_table.Table(box=None, pad_edge=False, header_style="dim")
+            table = FittedTable(box=None, pad_edge=False, header_style="dim")
             for k, head in enumerate(block.head):
                 if k < block.words:
                     table.add_column(head, overflow="fold")
                 else:
-                    table.add_column(head, justify="right", no_wrap=False, min_width=_widest(block, k))
+                    table.add_column(head, justify="right")
             for row in block.rows:
                 table.add_row(*row)
             console.print(table)
@@ -61,7 +61,3 @@ def plain(blocks: Sequence[Block], width: int) -> str:
     file = io.StringIO()
     write(blocks, Console(file=file, width=width, markup=False, emoji=False, highlight=False, color_system=None))
     return "\n".join(line.rstrip() for line in file.getvalue().splitlines()).strip("\n") + "\n"
-
-
-def _widest(table: Table, column: int) -> int:
-    return max((len(row[column]) for row in table.rows), default=0)

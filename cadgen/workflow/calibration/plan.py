@@ -177,10 +177,10 @@ def read(paths: Sequence[Path], step: Step = lambda text: None, *, each: bool = 
         rows[kind] = rows.get(kind, 0) + len(record.run)
         # Before the next is read: a hundred long files take minutes.
         if rows[kind] > (most := MOST_READ if kind is None else most_rows(kind)):
+            data, at_once = (f" of {kind} data", "together") if kind else ("", "in one command")
             raise FileError(
-                f"the {len(sources)} files up to {record.source} have {rows[kind]} rows{f' of {kind}' if kind else ''}, "
-                f"more than the {most} that can be judged {'together' if kind else 'in one command'}: give fewer files, "
-                f"or keep fewer rows of each"
+                f"the {len(sources)} files up to {record.source} have {rows[kind]} rows{data}, more than the {most} "
+                f"that can be judged {at_once}: give fewer files, or keep fewer rows of each"
             )
     return tuple(sources.values())
 

@@ -1,0 +1,88 @@
+"""Tables that never cut a number: on a narrow terminal words are folded, and at last each row becomes a list."""
+
+from collections.abc import Iterator
+
+from rich.cells import cell_len
+from rich.console import Console, ConsoleOptions, RenderableType
+from rich.padding import Padding
+from rich.table import Column, Table
+from rich.text import Text
+
+_GAP = 2  # columns of the terminal between two columns of the table
+_FOLDED = 24  # a word longer than that may be folded inside
+
+
+class FittedTable(Table):
+    """A table whose columns to the left are words, and those to the right numbers.
+
+    Where it is too wide for the terminal the words are folded; where that is not enough, every row becomes a list of
+    its numbers under its first cell, each after the head of its column.
+    """
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[RenderableType]:
+        """What rich prints: the table as it is, with folded words, or row by row."""
+        room = options.max_width - _GAP * len(self.columns)
+        if sum(map(_natural, self.columns)) > room:
+            widths = _widths(self.columns, room)
+            if widths is None:
+                yield from self._row_by_row()
+                return
+            for column, width in zip(self.columns, widths, strict=True):
+                column.width, column.no_wrap, column.overflow = width, False, "fold"
+        yield from super().__rich_console__(console, options)
+
+    def _row_by_row(self) -> Iterator[RenderableType]:
+        if self.title:
+            yield _text(self.title, self.title_style)
+        first, *others = ([_text(cell) for cell in column.cells] for column in self.columns)
+        heads = [_text(column.header, self.header_style) for column in self.columns[1:]]
+        for number, row in enumerate(self.rows):
+            yield Text.assemble(first[number], style=row.style or "")
+            below = Table.grid(padding=(0, _GAP))
+            below.add_column(overflow="fold")
+            below.add_column(overflow="fold")
+            for head, cells in zip(heads, others, strict=True):
+                if cells[number].plain:
+                    below.add_row(head, cells[number], style=row.style)
+            yield Padding(below, (0, 0, 0, _GAP))
+
+
+def _widths(columns: list[Column], room: int) -> list[int] | None:
+    """Widths of columns that fit into a room, numbers whole and words folded; None if there are none."""
+    numbers = [column.justify == "right" for column in columns]
+    least = [_natural_cell(c) if number else 0 for c, number in zip(columns, numbers, strict=True)]
+    least = [max(cells, _longest_word(c)) for cells, c in zip(least, columns, strict=True)]
+    left = room - sum(least)
+    if left < 0:
+        return None
+    # What is left goes to the columns of words, evenly, but to none more than it can use.
+    widths = least
+    while left > 0:
+        wants = [k for k, column in enumerate(columns) if widths[k] < _natural(column)]
+        wants = [k for k in wants if not numbers[k]] or wants
+        if not wants:
+            break
+        for k in wants[:left]:
+            widths[k] += 1
+        left -= len(wants[:left])
+    return widths
+
+
+def _natural(column: Column) -> int:
+    """Width in which nothing is folded."""
+    return max(_natural_cell(column), *(cell_len(line) for line in _text(column.header).plain.split("\n")))
+
+
+def _natural_cell(column: Column) -> int:
+    return max((cell_len(line) for cell in column.cells for line in _text(cell).plain.split("\n")), default=0)
+
+
+def _longest_word(column: Column) -> int:
+    """Width in which no word is folded inside, but for very long ones; of a column of numbers, that of its head."""
+    cells = [column.header] if column.justify == "right" else [column.header, *column.cells]
+    return max((min(cell_len(word), _FOLDED) for cell in cells for word in _text(cell).plain.split()), default=0)
+
+
+def _text(cell: object, style: object = "") -> Text:
+    """A cell or a head as text; the tables here hold nothing else."""
+    return cell if isinstance(cell, Text) else Text(str(cell), style=str(style or ""))
