@@ -21,7 +21,7 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.cam.lowest import SAME, Run, lowest_branches
+from cadgen.cam.lowest import SAME, Radii, Reach, Run, lowest_branches
 from cadgen.cam.theoretical import rod_half_width, span_jets
 from cadgen.curves.closed import ByAngle, ClosedCurve, Jet, cross, polar_angle
 from cadgen.errors import DesignError
@@ -168,12 +168,13 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     # Rounding may put one place at 0 and again just below a turn, so the last cell is measured round the end.
     edges = edges[np.diff(np.concatenate([edges, [edges[0] + TURN]])) > _JOINT]
     cells = edges + np.diff(np.concatenate([edges, [edges[0] + TURN]])) / 2
-    radii = np.full((len(branches), len(cells)), np.inf)
+    reaches = []
     for number, branch in enumerate(branches):
         covered = np.flatnonzero((cells - starts[number]) % TURN <= spans[number])
-        if covered.size:
-            t = by_angle[number].parameters(cells[covered])
-            radii[number, covered] = np.linalg.norm(branch.jet(t).point, axis=1)
+        t = by_angle[number].parameters(cells[covered]) if covered.size else np.empty(0)
+        radius = np.linalg.norm(branch.jet(t).point, axis=1) if covered.size else t
+        reaches.append(Reach.of(covered, radius))
+    radii = Radii(reaches, len(cells))
     runs = lowest_branches(radii, _continuations(branches, starts, spans))
     if len(runs) == 1:
         return ActualProfile(ClosedCurve((branches[runs[0].branch],)), ())
@@ -188,8 +189,8 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
         if np.abs(gaps).max() < 2 * _JOINT:
             leave, enter = before.stop, after.start
         else:
-            low = cells[run.cell - 1] if np.isfinite(radii[run.branch, run.cell - 1]) else near
-            high = cells[run.cell] if np.isfinite(radii[left.branch, run.cell]) else near
+            low = cells[run.cell - 1] if np.isfinite(radii.at(run.branch, run.cell - 1)) else near
+            high = cells[run.cell] if np.isfinite(radii.at(left.branch, run.cell)) else near
             # The last cell comes before the first one.
             bracket = near - (near - low) % TURN, near + (high - near) % TURN
             both = by_angle[left.branch], by_angle[run.branch]
@@ -217,10 +218,20 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
 
 def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[int, int]:
     """For each branch the one of the same face that begins where it ends."""
-    apart = ((starts + spans)[:, None] - starts + np.pi) % TURN - np.pi
-    faces = np.array([branch.face for branch in branches])
-    follows = (np.abs(apart) < 2 * _JOINT) & (faces[:, None] == faces)
-    return {int(number): int(after) for number, after in zip(*np.nonzero(follows), strict=True)}
+    ends = (starts + spans) % TURN
+    order = np.argsort(starts % TURN)
+    # Turned on by whole turns, so that those about an end lie together on either side of the seam.
+    places = ((starts % TURN)[order] + TURN * np.arange(-1, 2)[:, None]).ravel()
+    numbers = np.tile(order, 3)
+    found = {}
+    first, last = (
+        np.searchsorted(places, ends + side * 2 * _JOINT, edge) for side, edge in ((-1, "left"), (1, "right"))
+    )
+    for number, (a, b) in enumerate(zip(first.tolist(), last.tolist(), strict=True)):
+        after = [int(other) for other in numbers[a:b] if branches[other].face == branches[number].face]
+        if after:
+            found[number] = max(after)
+    return found
 
 
 def _next_of_face(branches: list[Branch], number: int) -> int:

@@ -1,9 +1,7 @@
 """Tables that never cut a number: on a narrow terminal words are folded, and at last each row becomes a list."""
 
-from collections.abc import Iterator
-
 from rich.cells import cell_len
-from rich.console import Console, ConsoleOptions, RenderableType
+from rich.console import Console, ConsoleOptions, RenderResult
 from rich.padding import Padding
 from rich.table import Column, Table
 from rich.text import Text
@@ -19,7 +17,7 @@ class FittedTable(Table):
     its numbers under its first cell, each after the head of its column.
     """
 
-    def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[RenderableType]:
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         """What rich prints: the table as it is, with folded words, or row by row."""
         room = options.max_width - _GAP * len(self.columns)
         if sum(map(_natural, self.columns)) > room:
@@ -31,7 +29,7 @@ class FittedTable(Table):
                 column.width, column.no_wrap, column.overflow = width, False, "fold"
         yield from super().__rich_console__(console, options)
 
-    def _row_by_row(self) -> Iterator[RenderableType]:
+    def _row_by_row(self) -> RenderResult:
         if self.title:
             yield _text(self.title, self.title_style)
         first, *others = ([_text(cell) for cell in column.cells] for column in self.columns)

@@ -3,9 +3,16 @@
 import numpy as np
 import pytest
 
-from cadgen.cam.lowest import SAME, Run, lowest_branches
+from cadgen.cam import lowest
+from cadgen.cam.lowest import SAME, Radii, Reach, Run
 
 NOISE = np.random.default_rng(5).normal(size=(2, 600)) * 1e-14
+
+
+def lowest_branches(table, continuation):
+    """The same for a table of radii, one row for each branch, infinite where it does not reach."""
+    rows = [Reach.of(np.flatnonzero(np.isfinite(row)), row[np.isfinite(row)]) for row in table]
+    return lowest.lowest_branches(Radii(rows, table.shape[1]), continuation)
 
 
 def test_real_crossings_stay_where_the_least_changes():
@@ -44,3 +51,16 @@ def test_only_what_is_deeper_than_the_tolerance_counts(depth):
     radii[1] += 1e-3
     radii[1, 100:120] = 60.0 - depth
     assert len(lowest_branches(radii, {})) == (1 if depth < SAME else 2)
+
+
+def test_thousands_of_short_branches_take_little_memory():
+    """One branch in every two cells, the first of them over the seam, and one that lies above them all."""
+    count = 40_000
+    reaches = [Reach.of(np.sort(np.array([2 * k - 1, 2 * k]) % count), np.full(2, 60.0)) for k in range(count // 2)]
+    radii = Radii([*reaches, Reach(0, np.full(count, 61.0))], count)
+    assert (radii.least == 60.0).all()
+    assert (radii.second == 61.0).all()
+    np.testing.assert_array_equal(radii.owner[:5], [0, 1, 1, 2, 2])
+    assert radii.at(0, -1) == radii.at(0, count) == 60.0
+    assert radii.at(0, 1) == np.inf
+    np.testing.assert_array_equal(np.flatnonzero(np.isfinite(radii.of(0))), [0, count - 1])
