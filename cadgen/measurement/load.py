@@ -43,6 +43,7 @@ LEAST_SPAN = {"cam_angle_deg": 10.0, "motor_angle_deg": 90.0, "distance_mm": 50.
 LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
 # Of one kind: the catalogue has some 2000 columns of them, and must fit into memory. Logs of steering are thinned.
 MOST_ROWS, MOST_LOGGED = 20_000, 200_000
+MOST_RUNS = 100  # each brings columns of its own, such as its start pose; real cars are driven ten times
 MOST_TURN_DEG = 400.0  # of a camshaft that is to turn once and come back
 MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
 # Of a file's comment lines, and of the characters of any line: they are searched for what they say of the instrument.
@@ -69,10 +70,10 @@ def load(path: Path) -> Record:
     _refuse_long(lines, name)
     remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
     body = ((n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#"))
-    first = next(body, None)
-    if first is None:
+    top = next(body, None)
+    if top is None:
         raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
-    header = _cells(first[1], first[0], name)
+    header = _cells(top[1], top[0], name)
     kind = _kind(header, name)
     # Counted before any is kept: of the shortest lines a file has millions.
     _refuse_many(kind, sum(1 for line in lines if line.strip() and not line.startswith("#")) - 1, name)
@@ -104,6 +105,7 @@ def load(path: Path) -> Record:
         columns["zone"] = np.array(table["zone"])
         return Record(kind=kind, columns=columns, run=np.zeros(len(rows), dtype=np.intp), remarks=remarks, source=name)
     run = np.unique(np.array(table["run"]), return_inverse=True)
+    _refuse_many_runs(len(run[0]), name)
     first = np.unique(run[1], return_index=True)[1]
     order = np.argsort(np.argsort(first))
     number = order[run[1]].astype(np.intp)
@@ -164,9 +166,12 @@ def join(records: Sequence[Record]) -> Record:
     if len(kinds) > 1:
         raise FileError(f"{', '.join(r.source for r in records)}: kinds {sorted(kinds)} cannot be joined as one")
     rows = sum(len(record.run) for record in records)
-    _refuse_many(records[0].kind, rows, " + ".join(r.source for r in records))
+    name = " + ".join(r.source for r in records)
+    _refuse_many(records[0].kind, rows, name)
     if len(records) == 1:
         return records[0]
+    if records[0].kind != "zones":
+        _refuse_many_runs(sum(record.runs for record in records), name)
     before = np.cumsum([0, *(record.runs for record in records)])
     return Record(
         kind=records[0].kind,
@@ -183,6 +188,14 @@ def _refuse_many(kind: Kind, rows: int, name: str) -> None:
         raise FileError(
             f"{name}: {rows} rows, more than the {most} that can be judged together; "
             f"keep one row in {-(-rows // most)}, or give fewer files"
+        )
+
+
+def _refuse_many_runs(runs: int, name: str) -> None:
+    if runs > MOST_RUNS:
+        raise FileError(
+            f"{name}: {runs} runs, more than the {MOST_RUNS} that can be judged together; keep one run in "
+            f"{-(-runs // MOST_RUNS)}, or give fewer files"
         )
 
 

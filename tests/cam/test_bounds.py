@@ -8,7 +8,7 @@ from cadgen.cam import contact
 from cadgen.cam.contact import roll, roll_curve, rolling_step
 from cadgen.cam.follower import Follower
 from cadgen.curves.contour import circle
-from cadgen.design.load import load_design
+from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.path import track
 from cadgen.workflow.cam import plan as plan_module
@@ -81,3 +81,20 @@ def test_cures_are_not_sought_at_very_many_kinks(monkeypatch):
     (said,) = plan.cure_sentences()
     assert f"the lift has {len(plan.lift.kinks)} kinks" in said
     assert 'set path.spline = "quintic"' in said
+
+
+_STAGE = "{centre_distance_mm=40.0,driver={teeth=40},driven={teeth=120}}"
+
+
+@pytest.mark.parametrize(
+    ("override", "words"),
+    [
+        (f"train.stages=[{','.join([_STAGE] * 8)}]", "train.stages has 8 items; it can have at most 7: remove some"),
+        (f"train.search.modules_mm={[0.5] * 101}", "modules_mm has 101 items; it can have at most 100: remove some"),
+    ],
+)
+def test_trains_too_long_to_be_compared_are_refused(override, words):
+    """Of ten stages all 3.6 million orders were compared, by `check` too."""
+    with pytest.raises(DesignError, match=words):
+        load_train("carbon_free_car", [override])
+    assert len(load_train(None, [f"train.stages=[{','.join([_STAGE] * 7)}]"]).train.stages) == 7

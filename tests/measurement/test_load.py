@@ -153,6 +153,19 @@ def test_too_many_rows_are_refused(tmp_path):
         join([half, half])
 
 
+def test_too_many_runs_are_refused(tmp_path):
+    """Each has columns of its own: of 8000 they would fill twelve gigabytes."""
+    runs = [[f"{run},forward,{k},{run / 10 + k / 1000}\n" for k in range(30)] for run in range(101)]
+    head = "run,direction,cam_angle_deg,lift_mm\n"
+    (tmp_path / "runs.csv").write_text(head + "".join(map("".join, runs)))
+    with pytest.raises(FileError, match=r"101 runs, more than the 100 .* keep one run in 2"):
+        load(tmp_path / "runs.csv")
+    (tmp_path / "half.csv").write_text(head + "".join(map("".join, runs[:51])))
+    half = load(tmp_path / "half.csv")
+    with pytest.raises(FileError, match=r"half.csv \+ half.csv: 102 runs"):
+        join([half, half])
+
+
 @pytest.mark.skipif(os.name != "posix", reason="no such files there")
 def test_only_regular_files_of_a_sensible_size_are_read(tmp_path):
     os.mkfifo(tmp_path / "pipe.csv")

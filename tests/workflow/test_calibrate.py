@@ -10,6 +10,7 @@ from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import FileError
 from cadgen.measurement.diagnose import Finding, Value
 from cadgen.report.text import Heading, Table, plain
+from cadgen.workflow.calibration import plan
 from cadgen.workflow.calibration.as_built_file import as_built_text
 from cadgen.workflow.calibration.files import write_calibration
 from cadgen.workflow.calibration.plan import calibrate, read, stated_form_error
@@ -158,3 +159,15 @@ def test_text_is_folded_but_numbers_are_not():
     assert max(map(len, folded.splitlines())) <= 30
     assert "1234.5678" in folded
     assert folded.endswith("\n")
+
+
+def test_files_are_refused_before_more_are_read_than_can_be_judged(monkeypatch):
+    names = [MEASURED / f"{name}.csv" for name in ("track_a", "track_b", "there_is_none")]
+    monkeypatch.setattr(plan, "most_rows", lambda kind: 1000)
+    with pytest.raises(
+        FileError, match=r"the 2 files up to track_b.csv have \d+ rows of track data, more than the 1000"
+    ):
+        read(names)
+    monkeypatch.setattr(plan, "MOST_READ", 100)
+    with pytest.raises(FileError, match=r"the 1 files up to track_a.csv .* 100 that can be judged in one command"):
+        read(names, each=True)
