@@ -224,10 +224,9 @@ def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[
     places = ((starts % TURN)[order] + TURN * np.arange(-1, 2)[:, None]).ravel()
     numbers = np.tile(order, 3)
     found = {}
-    first, last = (
-        np.searchsorted(places, ends + side * 2 * _JOINT, edge) for side, edge in ((-1, "left"), (1, "right"))
-    )
-    for number, (a, b) in enumerate(zip(first.tolist(), last.tolist(), strict=True)):
+    first = np.searchsorted(places, ends - 2 * _JOINT, side="left").tolist()
+    last = np.searchsorted(places, ends + 2 * _JOINT, side="right").tolist()
+    for number, (a, b) in enumerate(zip(first, last, strict=True)):
         after = [int(other) for other in numbers[a:b] if branches[other].face == branches[number].face]
         if after:
             found[number] = max(after)
