@@ -51,11 +51,35 @@ def test_all_files_are_made_proved_and_recorded(made):
     assert part["blend"]["from_cam_angle_deg"] == pytest.approx(348.0)
 
 
-def test_the_same_design_gives_the_same_bytes(cadgen, tmp_path):
-    for folder in ("a", "b"):
-        cadgen("cam", "--out", folder, code=0, fresh=folder == "b")
-    for name in contents(tmp_path / "a"):
-        assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes(), name
+# A blank with all that a cam has beside its profile.
+HUB = [
+    part
+    for text in (
+        "blank.keyway=",
+        "blank.d_flat.across_mm=7",
+        "blank.hub.diameter_mm=20",
+        "blank.hub.length_mm=8",
+        "blank.hub.set_screw.hole_diameter_mm=2.5",
+        "blank.hub.set_screw.height_mm=4",
+    )
+    for part in ("--set", text)
+]
+
+
+@pytest.fixture(scope="module")
+def optimized(forks, tmp_path_factory):
+    """Folder with the optimized profile on a blank with a hub."""
+    folder = tmp_path_factory.mktemp("optimized")
+    result = forks.run(MAIN, "cam", *HUB, "--out", "out", cwd=folder, env={**os.environ, "COLUMNS": "80"})
+    assert result.returncode == 0, result.stderr
+    return folder / "out"
+
+
+def test_the_same_design_gives_the_same_bytes(optimized, cadgen, tmp_path):
+    cadgen("cam", *HUB, "--out", "out", code=0, fresh=True)
+    assert contents(tmp_path / "out") == contents(optimized)
+    for name in contents(optimized):
+        assert (optimized / name).read_bytes() == (tmp_path / "out" / name).read_bytes(), name
 
 
 def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
@@ -106,16 +130,8 @@ def test_parts_share_a_manifest_and_edited_files_drop_out(made, cadgen, tmp_path
     assert set(parts(out)) == {"carbon_free_car_actual"}
 
 
-def test_a_hub_and_a_d_shaft(cadgen, tmp_path):
-    cadgen(
-        "cam",
-        *("--set", "blank.keyway=", "--set", "blank.d_flat.across_mm=7"),
-        *("--set", "blank.hub.diameter_mm=20", "--set", "blank.hub.length_mm=8"),
-        *("--set", "blank.hub.set_screw.hole_diameter_mm=2.5", "--set", "blank.hub.set_screw.height_mm=4"),
-        *("--out", "out"),
-        code=0,
-    )
-    assert len(contents(tmp_path / "out")) == 9
+def test_a_hub_and_a_d_shaft(optimized):
+    assert len(contents(optimized)) == 9
 
 
 def test_a_file_in_the_folders_place(cadgen, tmp_path):
@@ -156,7 +172,7 @@ def test_an_interrupted_run_leaves_nothing(cadgen, tmp_path, number):
         f"files._FORMATS['DXF'] = lambda job: os.kill(os.getpid(), {int(number)}) or iter(())\n"
         "main()\n"
     )
-    result = cadgen("cam", "--out", "out", code=130, script=script)
+    result = cadgen("cam", "--profile", "actual", "--out", "out", code=130, script=script)
     assert result.stderr.strip() == "cadgen: interrupted: nothing was written"
     assert result.stdout == ""
     assert contents(tmp_path) == set()

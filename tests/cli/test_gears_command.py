@@ -3,6 +3,7 @@
 import csv
 import hashlib
 import json
+import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from cadgen.check import Check
 from cadgen.cli.show import figures
 from tests.cli.conftest import one_sentence
+from tests.forks import MAIN
 
 DATA = Path(__file__).parents[1] / "data" / "gears"
 PARTS = ("1_pinion", "2_cluster", "3_cluster", "4_wheel")
@@ -58,13 +60,27 @@ SMALL += ["train.stages.2.driven.teeth=45", "train.stages.2.centre_distance_mm=1
 SMALL += [f"train.{place}.{what}=" for place in ("intermediate", "output") for what in ("lightening", "web")]
 
 
-def test_the_same_design_gives_the_same_bytes(cadgen, tmp_path):
-    sets = [part for text in SMALL for part in ("--set", text)]
-    for folder in ("a", "b"):
-        cadgen("gears", *sets, "--out", folder, code=0, fresh=folder == "b")
-    assert len(contents(tmp_path / "a")) == 9
-    for name in contents(tmp_path / "a"):
-        assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes(), name
+# Teeth that jam, which are made only by force.
+JAMMING = [part for text in [*SMALL, "train.E_sn_um=30"] for part in ("--set", text)]
+
+
+@pytest.fixture(scope="module")
+def forced(forks, tmp_path_factory):
+    """Folder with a small train whose teeth jam; what was printed."""
+    folder = tmp_path_factory.mktemp("forced")
+    arguments = ["gears", *JAMMING, "--force", "--out", "out"]
+    result = forks.run(MAIN, *arguments, cwd=folder, env={**os.environ, "COLUMNS": "80"})
+    assert result.returncode == 0, result.stderr
+    return folder / "out", result.stdout
+
+
+def test_the_same_design_gives_the_same_bytes(forced, cadgen, tmp_path):
+    folder, _ = forced
+    cadgen("gears", *JAMMING, "--force", "--out", "out", code=0, fresh=True)
+    assert contents(tmp_path / "out") == contents(folder)
+    assert len(contents(folder)) == 9
+    for name in contents(folder):
+        assert (folder / name).read_bytes() == (tmp_path / "out" / name).read_bytes(), name
 
 
 BAD = {
@@ -145,12 +161,11 @@ def test_a_train_needs_no_car_and_the_other_commands_say_what_they_miss(cadgen, 
         assert "onlytrain.toml: the sections [path], [car], [cam] and [follower] are missing: add them" in said
 
 
-def test_forced_teeth_that_jam_are_exported_all_the_same(cadgen, tmp_path):
-    sets = [part for text in [*SMALL, "train.E_sn_um=30"] for part in ("--set", text)]
-    result = cadgen("gears", *sets, "--force", "--out", "out", code=0)
-    assert "thin the teeth, or set the axes apart" in " ".join(result.stdout.split())
-    assert len(contents(tmp_path / "out")) == 9
-    part = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["carbon_free_car_as-given_train"]
+def test_forced_teeth_that_jam_are_exported_all_the_same(forced):
+    folder, printed = forced
+    assert "thin the teeth, or set the axes apart" in " ".join(printed.split())
+    assert len(contents(folder)) == 9
+    part = json.loads((folder / "manifest.json").read_text())["parts"]["carbon_free_car_as-given_train"]
     assert part["passed"] is False
     assert part["files"]["carbon_free_car_as-given_train.step"]["play_um"] is None
 

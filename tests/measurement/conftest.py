@@ -1,13 +1,17 @@
 """The synthetic generator and the design that it is measured against, built once."""
 
 import sys
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from cadgen.measurement.nominal import Nominal
+from cadgen.measurement.diagnose import Diagnosis
+from cadgen.measurement.load import load
+from cadgen.measurement.nominal import Nominal, calibrate
 from tests.measurement import study
 from tests.measurement.synthetic import Car
 
@@ -28,3 +32,15 @@ def nominal(synthetic_car: Car) -> Nominal:
 def measured() -> Path:
     """Where the measured files lie."""
     return Path(__file__).parents[1] / "data" / "measured"
+
+
+@pytest.fixture(scope="session")
+def blind(nominal: Nominal, measured: Path) -> Callable[[str], Diagnosis]:
+    """What is said of a measured file by itself, once."""
+
+    @cache
+    def told(name: str) -> Diagnosis:
+        (one,) = calibrate([load(measured / f"{name}.csv")], nominal)
+        return one
+
+    return told

@@ -76,9 +76,11 @@ class Car:
         f = built.follower
         self.a, self.w, self.r = f.base_radius, (f.inner, f.outer), f.radius
         radius = np.linalg.norm(self.points, axis=1)
+        # Only what no neighbour overtops can be the highest within 0.3 rad.
+        tops = np.flatnonzero((radius >= np.roll(radius, 1)) & (radius >= np.roll(radius, -1)))
         self.noses = [
             float(self.polar[i])
-            for i in range(len(radius))
+            for i in tops
             if radius[i] == radius[np.abs((self.polar - self.polar[i] + np.pi) % TURN - np.pi) < 0.3].max()
         ]
 

@@ -90,7 +90,7 @@ def go_round(built: Built, wheels: Wheels, rng: np.random.Generator, folder: Pat
     told = json.loads((folder / f"{DESIGN}_calibration.json").read_text())
 
     cadgen("cam", str(folder / f"{DESIGN}_as_built.toml"), "--profile", "optimized", "--out", str(folder))
-    (stem,) = (file.stem for file in folder.glob("*_optimized.step"))
+    (stem,) = (file.stem.removesuffix("_arcs") for file in folder.glob("*_optimized_arcs.dxf"))
     stop = json.loads((folder / "manifest.json").read_text())["parts"][stem]["as_built"]["stop"]["cam_angle_deg"]
     new = _world(built, read_dxf(folder / f"{stem}_arcs.dxf", OUTLINE_MM).profile)
     return Circle(wheels, told, before, abs(_end(new, wheels, stop * DEG) - goal))

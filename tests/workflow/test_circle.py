@@ -5,12 +5,21 @@ import pytest
 from click.testing import CliRunner
 
 from cadgen.cli import cli
+from cadgen.workflow.calibration import files as calibration_files
+from cadgen.workflow.cam import files as cam_files
 from tests.workflow import circle
 
 
 def cadgen(*arguments: str) -> None:
     result = CliRunner().invoke(cli, arguments)
     assert result.exit_code == 0, result.output
+
+
+@pytest.fixture(autouse=True)
+def only_what_the_circle_reads(monkeypatch):
+    """Pictures and the other formats, which take long, have tests of their own."""
+    monkeypatch.setattr(calibration_files, "draw_record", lambda *content: [])
+    monkeypatch.setattr(cam_files, "_FORMATS", {"DXF": cam_files._FORMATS["DXF"]})
 
 
 def test_a_car_without_play_is_not_given_the_tabled_one(carbon_free_car, tmp_path):
