@@ -53,6 +53,7 @@ def test_the_papers_car_passes(carbon_free_car):
     assert failed(checks) == set()
 
 
+@pytest.mark.slow
 def test_the_appendix_car_is_undercut(appendix_car):
     bearable = failed(run(appendix_car, limits=replace(LIMITS, cutter_radius=1.0, lost_lift=0.015)))
     assert bearable == {"pressure angle, rise", "pressure angle, return"}
@@ -142,6 +143,7 @@ def test_losses_are_those_of_the_corner_alone(name, request):
         assert abs(loss.lift - alone) < 1e-6
 
 
+@pytest.mark.slow
 def test_cures_are_the_smallest_change_that_cures(appendix_car):
     cures = undercut_cures(appendix_car.lift, appendix_car.follower, 5e-3)
     assert {cure.parameter for cure in cures} == {"follower.radius_mm", "cam.base_radius_mm"}
@@ -154,6 +156,7 @@ def test_cures_are_the_smallest_change_that_cures(appendix_car):
         assert worst_loss(appendix_car.lift, at) <= 5e-3 < worst_loss(appendix_car.lift, short)
 
 
+@pytest.mark.slow
 def test_a_loss_is_found_at_any_base_radius(appendix_car):
     """On a disc of 4.5 m the envelope's branches join within a nanometre, not within rounding."""
     built = appendix_car
@@ -164,6 +167,7 @@ def test_a_loss_is_found_at_any_base_radius(appendix_car):
     assert losses[0] > losses[1] > losses[2]
 
 
+@pytest.mark.slow
 def test_a_steep_blend_is_refused_only_where_it_locks(carbon_free_car, monkeypatch):
     """Over half a degree the blend is steeper than any limit of the path, where the car does not drive."""
     track = carbon_free_car.track

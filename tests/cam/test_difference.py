@@ -1,12 +1,14 @@
 """The greatest difference of lift: between the stations too, against a brute force."""
 
 import numpy as np
+import pytest
 
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.difference import Exact, dense_stations
 from cadgen.curves.polygon import polygon, polyline
 
 
+@pytest.mark.slow
 def test_the_greatest_difference_is_that_of_a_dense_search(carbon_free_car):
     """A polygon's humps are a quarter of a degree wide, or less in a hollow: 0.1 degree passes their tops by."""
     car, step = carbon_free_car, 0.03

@@ -145,6 +145,7 @@ def test_faces_change_with_a_true_corner(carbon_free_car):
     assert {trim.kind for trim in carbon_free_car.actual.trims} == {"face change"}
 
 
+@pytest.mark.slow
 def test_a_peak_sharper_than_the_rod_is_trimmed_as_local():
     """Sixteen waves of 4 mm on 70 mm: the pitch curve's peaks are sharper than a rod of 6 mm."""
     lift = harmonic_lift(0.16, 16)

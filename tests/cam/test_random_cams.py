@@ -1,6 +1,7 @@
 """Random cams: whatever the lift and the rod, envelope and contact agree, and nothing is trimmed in silence."""
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -39,6 +40,7 @@ def cams(draw):
     )
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(cams())
 def test_envelope_and_contact_agree(cam):
@@ -58,6 +60,7 @@ def test_envelope_and_contact_agree(cam):
     assert (rolled - wanted).max() < 5e-5
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(cams())
 def test_area_and_radius_agree(cam):

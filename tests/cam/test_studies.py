@@ -10,6 +10,7 @@ from tests.studies.paths import KINDS, case_of, verdict
 SEED = 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "number"), [(kind, n) for n, kind in enumerate(KINDS)])
 def test_no_false_refusal_and_no_fault(kind, number):
     case = case_of(SEED, number, kind)

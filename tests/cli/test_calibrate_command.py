@@ -51,6 +51,7 @@ def failing(monkeypatch, capsys, tmp_path):
     return run
 
 
+@pytest.mark.slow
 def test_the_report_says_what_was_found(run_of_a_track):
     out, printed = run_of_a_track
     print(printed)
@@ -76,6 +77,7 @@ def test_the_report_says_what_was_found(run_of_a_track):
     assert written in words
 
 
+@pytest.mark.slow
 def test_files_are_those_of_the_manifest(run_of_a_track):
     out, _ = run_of_a_track
     part = json.loads((out / "manifest.json").read_text())["parts"]["carbon_free_car_calibration"]
@@ -88,6 +90,7 @@ def test_files_are_those_of_the_manifest(run_of_a_track):
     ET.parse(out / "carbon_free_car_calibration_track.svg")
 
 
+@pytest.mark.slow
 def test_the_json_document_has_every_number(run_of_a_track):
     out, _ = run_of_a_track
     facts = json.loads((out / "carbon_free_car_calibration.json").read_text())
@@ -110,6 +113,7 @@ def test_the_json_document_has_every_number(run_of_a_track):
     assert [file["kind"] for file in facts["files"]] == ["track", "zones"]
 
 
+@pytest.mark.slow
 def test_the_as_built_design_is_the_design_with_what_was_measured(run_of_a_track):
     out, _ = run_of_a_track
     text = (out / "carbon_free_car_as_built.toml").read_text()
@@ -131,6 +135,7 @@ def test_the_as_built_design_is_the_design_with_what_was_measured(run_of_a_track
     assert len(value["sigma"].lstrip("0.")) == 2
 
 
+@pytest.mark.slow
 def test_a_run_without_out_writes_nothing_and_each_is_one_table(cadgen, tmp_path):
     files = [str(MEASURED / "paper_section5.csv"), str(MEASURED / "track_c.csv")]
     result = cadgen("calibrate", "--each", *files, code=0)
@@ -145,6 +150,7 @@ def test_a_run_without_out_writes_nothing_and_each_is_one_table(cadgen, tmp_path
     assert max(map(len, result.stdout.splitlines())) <= 80
 
 
+@pytest.mark.slow
 def test_each_in_a_folder_and_as_json(cadgen, tmp_path):
     files = [str(MEASURED / "paper_section5.csv")]
     facts = json.loads(cadgen("calibrate", "--each", "--json", "--out", "o", *files, code=0, fresh=True).stdout)
@@ -165,6 +171,7 @@ def test_where_nothing_is_claimed_no_as_built_design_is_written(cadgen, tmp_path
     assert not list((tmp_path / "o").glob("*.toml"))
 
 
+@pytest.mark.slow
 def test_one_run_names_nothing(cadgen, tmp_path):
     rows = (MEASURED / "track_c.csv").read_text().splitlines(keepends=True)
     (tmp_path / "one.csv").write_text("".join(row for row in rows if row[0] in "#r1"))
@@ -175,6 +182,7 @@ def test_one_run_names_nothing(cadgen, tmp_path):
     assert track["residual"]["left_out"] is None
 
 
+@pytest.mark.slow
 def test_the_wrong_design_is_said_to_be_wrong(cadgen):
     facts = json.loads(cadgen("calibrate", "appendix_car", str(MEASURED / "track_c.csv"), "--json", code=0).stdout)
     (track,) = facts["records"]
@@ -246,6 +254,7 @@ def test_an_unreadable_file(cadgen, tmp_path, monkeypatch):
     assert "is not text in UTF-8" in one_sentence(cadgen("calibrate", "binary.csv", code=3))
 
 
+@pytest.mark.slow
 def test_an_interrupted_run_leaves_nothing(forks, tmp_path_factory, tmp_path):
     """The signal comes when the report stands in the staging folder and pictures are about to be drawn."""
     script = (

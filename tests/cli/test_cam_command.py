@@ -35,6 +35,7 @@ def made(forks, tmp_path_factory):
     return folder / "one", folder / "both", result.stdout
 
 
+@pytest.mark.slow
 def test_all_files_are_made_proved_and_recorded(made):
     folder, _, printed = made
     print(printed)
@@ -75,6 +76,7 @@ def optimized(forks, tmp_path_factory):
     return folder / "out"
 
 
+@pytest.mark.slow
 def test_the_same_design_gives_the_same_bytes(optimized, cadgen, tmp_path):
     cadgen("cam", *HUB, "--out", "out", code=0, fresh=True)
     assert contents(tmp_path / "out") == contents(optimized)
@@ -82,6 +84,7 @@ def test_the_same_design_gives_the_same_bytes(optimized, cadgen, tmp_path):
         assert (optimized / name).read_bytes() == (tmp_path / "out" / name).read_bytes(), name
 
 
+@pytest.mark.slow
 def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     thick_walls = ("--set", "checks.min_wall_mm=50")
     result = cadgen("cam", "--profile", "actual", *thick_walls, "--out", "out", code=1)
@@ -97,6 +100,7 @@ def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     assert cures == {"path.spline", "follower.radius_mm", "cam.base_radius_mm", "checks.lost_lift_limit_um"}
 
 
+@pytest.mark.slow
 def test_a_cutter_too_large_leaves_out_only_the_program(cadgen, tmp_path):
     too_large = ("--set", "machining.cutter_diameter_mm=20")
     result = cadgen("cam", "--profile", "actual", *too_large, "--out", "out", "--force", code=0)
@@ -107,6 +111,7 @@ def test_a_cutter_too_large_leaves_out_only_the_program(cadgen, tmp_path):
     assert len(part["files"]) == 7
 
 
+@pytest.mark.slow
 def test_the_theoretical_profile(made):
     _, folder, _ = made
     part = parts(folder)["carbon_free_car_theoretical"]
@@ -114,6 +119,7 @@ def test_the_theoretical_profile(made):
     assert len(part["files"]) == 8
 
 
+@pytest.mark.slow
 def test_the_published_profile(cadgen, tmp_path):
     cadgen("cam", "--profile", "published", "--out", "out", "--force", code=0)
     part = parts(tmp_path / "out")["carbon_free_car_published"]
@@ -121,6 +127,7 @@ def test_the_published_profile(cadgen, tmp_path):
     assert len(part["files"]) == 8
 
 
+@pytest.mark.slow
 def test_parts_share_a_manifest_and_edited_files_drop_out(made, cadgen, tmp_path):
     _, both, _ = made
     out = shutil.copytree(both, tmp_path / "out")
@@ -130,10 +137,12 @@ def test_parts_share_a_manifest_and_edited_files_drop_out(made, cadgen, tmp_path
     assert set(parts(out)) == {"carbon_free_car_actual"}
 
 
+@pytest.mark.slow
 def test_a_hub_and_a_d_shaft(optimized):
     assert len(contents(optimized)) == 9
 
 
+@pytest.mark.slow
 def test_a_file_in_the_folders_place(cadgen, tmp_path):
     (tmp_path / "taken").write_text("")
     assert "choose another --out" in one_sentence(cadgen("cam", "--out", "taken/below", code=3))
@@ -141,6 +150,7 @@ def test_a_file_in_the_folders_place(cadgen, tmp_path):
     assert contents(tmp_path) == {"taken"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limit", [300_000, 60_000, 20_000])
 def test_a_full_disk_leaves_the_folder_as_it_was(cadgen, tmp_path, limit):
     """A limit on file size stands for the full disk: the write fails in the middle, in one format or another."""
@@ -160,6 +170,7 @@ def test_a_full_disk_leaves_the_folder_as_it_was(cadgen, tmp_path, limit):
     assert (out / "carbon_free_car_actual.step").read_text() == "an earlier part"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_an_interrupted_run_leaves_nothing(cadgen, tmp_path, number):
     """The signal comes when STEP, STL and 3MF stand in the staging folder and DXF is about to be written."""

@@ -68,6 +68,7 @@ def test_json_errors_are_json(cadgen):
     assert result.stderr == ""
 
 
+@pytest.mark.slow
 def test_check_says_what_failed_and_how_to_cure_it(cadgen):
     result = cadgen("check", "appendix_car", "--profile", "actual", code=1)
     assert "FAIL" in result.stdout
@@ -78,6 +79,7 @@ def test_check_says_what_failed_and_how_to_cure_it(cadgen):
     assert max(map(len, result.stdout.splitlines())) <= 80
 
 
+@pytest.mark.slow
 def test_check_passes_on_the_default_and_on_a_minimal_design(cadgen, tmp_path):
     assert "FAIL" not in cadgen("check", code=0).stdout
     (tmp_path / "mine.toml").write_text(SQUARE_TURN)
@@ -94,6 +96,7 @@ def test_a_path_may_cross_itself(cadgen, tmp_path):
     assert cadgen("check", "loop.toml", "--set", "checks.pressure_angle_limit=chinese_texts", code=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arguments", [["--help"], ["check"], ["cam", "--help"], ["--version"]])
 def test_no_kernel_is_imported(arguments):
     """The CAD kernel takes seconds; help and checks do without."""

@@ -28,6 +28,7 @@ def expected(order):
     return parts | {f"{stem}_train.step", f"{stem}_parts.csv", "manifest.json"}
 
 
+@pytest.mark.slow
 def test_all_files_are_made_proved_and_recorded(cadgen, tmp_path):
     result = cadgen("gears", "--order", "reordered", "--out", "out", code=0)
     print(result.stdout)
@@ -74,6 +75,7 @@ def forced(forks, tmp_path_factory):
     return folder / "out", result.stdout
 
 
+@pytest.mark.slow
 def test_the_same_design_gives_the_same_bytes(forced, cadgen, tmp_path):
     folder, _ = forced
     cadgen("gears", *JAMMING, "--force", "--out", "out", code=0, fresh=True)
@@ -114,9 +116,12 @@ BAD = {
     "grades of a search": (["train.stages.2.driver.grade=9"], 2, "one tolerance grade, and those given have 7 and 9"),
 }
 SEARCHED = ("no such ratio", "grades of a search")
+DEAR = pytest.mark.slow
 
 
-@pytest.mark.parametrize("name", BAD)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name == "rim" else name for name in BAD]
+)
 def test_what_cannot_be_made_is_one_sentence_and_no_file(cadgen, tmp_path, name):
     settings, code, words = BAD[name]
     order = "search" if name in SEARCHED else "as-given"
@@ -135,6 +140,7 @@ SHALLOW = [
 ]
 
 
+@pytest.mark.slow
 def test_a_failed_check_exports_nothing(cadgen, tmp_path):
     result = cadgen("gears", *SHALLOW, "--out", "out", code=1)
     assert "nothing was exported" in result.stderr
@@ -142,12 +148,14 @@ def test_a_failed_check_exports_nothing(cadgen, tmp_path):
     assert contents(tmp_path) == set()
 
 
+@pytest.mark.slow
 def test_a_failed_check_is_told_to_machines(cadgen):
     facts = json.loads(cadgen("gears", *SHALLOW, "--json", code=1).stdout)
     assert facts["passed"] is False
     assert [check["name"] for check in facts["checks"] if not check["passed"]] == ["root clearance", "teeth jam"]
 
 
+@pytest.mark.slow
 def test_a_train_needs_no_car_and_the_other_commands_say_what_they_miss(cadgen, tmp_path):
     design = str(DATA / "onlytrain.toml")
     result = cadgen("gears", design, "--out", "out", code=0)
@@ -161,6 +169,7 @@ def test_a_train_needs_no_car_and_the_other_commands_say_what_they_miss(cadgen, 
         assert "onlytrain.toml: the sections [path], [car], [cam] and [follower] are missing: add them" in said
 
 
+@pytest.mark.slow
 def test_forced_teeth_that_jam_are_exported_all_the_same(forced):
     folder, printed = forced
     assert "thin the teeth, or set the axes apart" in " ".join(printed.split())

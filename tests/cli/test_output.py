@@ -51,6 +51,7 @@ def test_a_damaged_source_date_epoch(cadgen, monkeypatch, epoch):
     assert f'SOURCE_DATE_EPOCH is "{epoch}"; it must be seconds since 1970' in message
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no full device")
 @pytest.mark.parametrize("more", [[], ["--json"]])
 def test_a_full_disk_behind_standard_output(tmp_path, more):
@@ -60,6 +61,7 @@ def test_a_full_disk_behind_standard_output(tmp_path, more):
     assert one_sentence(result).startswith("cadgen: the output cannot be written (No space left on device)")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("more", [[], ["--json"]])
 def test_a_reader_that_has_gone_does_not_change_the_verdict(tmp_path, more):
     read, write = os.pipe()
@@ -70,6 +72,7 @@ def test_a_reader_that_has_gone_does_not_change_the_verdict(tmp_path, more):
     assert (result.returncode, result.stderr) == (1, "")
 
 
+@pytest.mark.slow
 def test_a_terminal_that_knows_only_ascii(tmp_path):
     plain = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"}
     result = run(tmp_path, ["check", "--profile", "actual"], env=plain, capture_output=True)

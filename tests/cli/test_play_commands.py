@@ -16,6 +16,7 @@ PLAY = "\n[play]\nmeasured_deg = 0.7\n"
 STRAIGHT = SQUARE_TURN.replace("[2000, 300]", "[2000, 0]") + PLAY
 
 
+@pytest.mark.slow
 def test_simulate_writes_tracks_and_pictures_that_are_what_they_claim(cadgen, tmp_path):
     result = cadgen("simulate", "--play-deg", "0.962", "--out", "a", code=0, fresh=True)
     print(result.stdout)
@@ -37,6 +38,7 @@ def test_simulate_writes_tracks_and_pictures_that_are_what_they_claim(cadgen, tm
             ET.parse(tmp_path / "a" / name)
 
 
+@pytest.mark.slow
 def test_optimize_compares_alone_and_combined_and_writes_nothing(cadgen, tmp_path):
     result = cadgen("optimize", code=0)
     print(result.stdout)
@@ -57,6 +59,7 @@ def test_optimize_compares_alone_and_combined_and_writes_nothing(cadgen, tmp_pat
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_optimize_draws_on_request(cadgen, tmp_path):
     part = json.loads(cadgen("optimize", "--set", "optimize.order=reordered", "--json", "--out", "p", code=0).stdout)
     assert part["play"]["after"]["train"] == "reordered"
@@ -71,6 +74,7 @@ def test_optimize_draws_on_request(cadgen, tmp_path):
     assert json.loads((tmp_path / "p/manifest.json").read_text())["parts"] == {"carbon_free_car_methods": part}
 
 
+@pytest.mark.slow
 def test_optimize_fails_if_even_the_best_profile_fails_a_check(cadgen):
     result = cadgen("optimize", "appendix_car", code=1)
     words = " ".join(result.stdout.split())
@@ -80,6 +84,7 @@ def test_optimize_fails_if_even_the_best_profile_fails_a_check(cadgen):
     assert "even the best profile fails a check" in result.stderr
 
 
+@pytest.mark.slow
 def test_predictions_on_a_failing_profile_say_so(cadgen):
     for command in (("simulate", "--profile", "smoothed", "--out", "s"), ("tolerance", "--profile", "actual")):
         more = ("--samples", "100") if command[0] == "tolerance" else ()
@@ -93,6 +98,7 @@ def test_the_package_runs_as_a_module():
     assert result.stdout.startswith("cadgen, version")
 
 
+@pytest.mark.slow
 def test_a_seed_gives_the_same_cars_on_any_number_of_processes(cadgen):
     arguments = ("tolerance", "--samples", "450", "--seed", "7", "--json")
     one, two = (json.loads(cadgen(*arguments, "--processes", n, code=0, fresh=n == "2").stdout) for n in "12")
@@ -102,6 +108,7 @@ def test_a_seed_gives_the_same_cars_on_any_number_of_processes(cadgen):
     assert {item["tolerance"] for item in one["sensitivities"]} >= {"play", "wheel_radius", "start_heading"}
 
 
+@pytest.mark.slow
 def test_tolerance_fits_the_terminal_and_draws_on_request(cadgen, tmp_path):
     result = cadgen("tolerance", "--samples", "300", "--out", "p", code=0)
     print(result.stdout)
@@ -128,6 +135,7 @@ OFF = {
 }
 
 
+@pytest.mark.slow
 def test_the_budget_ranks_what_may_be_off_and_says_what_to_hold_tighter(cadgen, tmp_path):
     changes = [part for key, value in OFF.items() for part in ("--set", f"{key}={value}")]
     result = cadgen("tolerance", "--samples", "200", "--budget", "--out", "p", *changes, code=0)
@@ -151,6 +159,7 @@ def test_the_budget_ranks_what_may_be_off_and_says_what_to_hold_tighter(cadgen, 
     assert entry["budget"]["advice"][0].startswith("Hold tighter first")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("command", "design", "overrides", "code", "words"),
     [

@@ -1,6 +1,7 @@
 """Random cams: every approximation keeps its tolerance, and the milled part is the profile."""
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 
 from cadgen.cam.cutter import largest_cutter
@@ -17,6 +18,7 @@ from tests.cam.test_random_cams import cams
 SLANT = 1.6
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(cams())
 def test_every_approximation_keeps_its_tolerance(tmp_path_factory, cam):

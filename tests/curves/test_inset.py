@@ -66,6 +66,7 @@ def test_a_piece_that_is_swallowed_comes_to_a_point():
     np.testing.assert_allclose(swallowed.inner.point, [9.5, 9.5], atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["carbon_free_car", "appendix_car"])
 @pytest.mark.parametrize("leg", [0.1, 1.0])
 def test_the_curve_inside_keeps_its_distance(name, leg, request):
@@ -82,6 +83,7 @@ def test_the_curve_inside_keeps_its_distance(name, leg, request):
     assert chamfered_off(curve, leg) == pytest.approx(slices, rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("leg", [0.1, 0.5])
 def test_both_sides_as_splines_and_chords(appendix_car, leg):
     """17 degrees of corner, and lines between equal parameters that stay a chamfer."""

@@ -300,6 +300,7 @@ names = st.sampled_from(sorted(keys())) | st.text(max_size=20)
 texts = st.text(max_size=20) | st.sampled_from(["", "nan", "[]", "{}", "[[]]", "-1", "1e400", "''", "2024-01-01"])
 
 
+@pytest.mark.slow
 @given(st.lists(st.builds("{}{}={}".format, names, st.sampled_from(["", ".1", ".1.2", ".x"]), texts), max_size=3))
 @example(["cam=[]", "cam.blend_deg=3"])
 @example(["name="])

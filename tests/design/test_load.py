@@ -108,6 +108,7 @@ def leaves(tables: Tables, above: str = "") -> dict[str, Any]:
     return flat
 
 
+@pytest.mark.slow
 @given(designs())
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_what_is_written_is_what_is_read(written: Write, tables: Tables) -> None:
@@ -119,6 +120,7 @@ def test_what_is_written_is_what_is_read(written: Write, tables: Tables) -> None
     assert again.content_hash == design.content_hash
 
 
+@pytest.mark.slow
 @given(designs(), designs(), st.data())
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_an_override_does_what_editing_the_file_does(

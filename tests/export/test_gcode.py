@@ -42,6 +42,7 @@ def test_the_part_gives_the_lift(diameter, carbon_free_car, tmp_path):
     assert error <= 1.0
 
 
+@pytest.mark.slow
 def test_convex_corners_are_read_as_sharp_as_they_are_cut(appendix_car, tmp_path):
     """Rays pass beside a corner; against the exact outline, corners and all, the rod finds nothing missing."""
     car = appendix_car

@@ -116,6 +116,7 @@ def test_bores_and_holes_go_through():
         assert body.euler_number == 2 - 2 * tunnels, name
 
 
+@pytest.mark.slow
 def test_lift_and_volume_follow_the_chord_tolerance(carbon_free_car, through_file):
     curve = carbon_free_car.actual.curve
     exact = exact_volume(KEYED, curve.area())
@@ -128,6 +129,7 @@ def test_lift_and_volume_follow_the_chord_tolerance(carbon_free_car, through_fil
         assert off <= chord * content.wall_area
 
 
+@pytest.mark.slow
 def test_rays_from_the_camshaft_meet_the_profile(carbon_free_car, through_file):
     """Where each ray at mid-thickness leaves the disc for good."""
     curve = carbon_free_car.actual.curve
@@ -156,6 +158,7 @@ def test_a_profile_with_corners(appendix_car, through_file):
     assert error <= CHORD
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(
     bore=st.floats(4, 12),
@@ -179,6 +182,7 @@ def test_any_blank_that_fits_gives_a_closed_mesh(bore, count, hole, angle, chord
     assert abs(content.volume - exact_volume(blank, pi * 40.0**2)) <= chord * content.wall_area
 
 
+@pytest.mark.slow
 def test_bytes_depend_on_the_part_alone(carbon_free_car):
     """Also in another process, with another order of hashing."""
     mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), CamBlank(bore_diameter=8.0), THICKNESS, CHORD)
@@ -240,6 +244,7 @@ def test_stl_keeps_vertices_closer_than_a_micrometre(tmp_path):
     assert inspect(read_stl(path), STEP).watertight
 
 
+@pytest.mark.slow
 def test_a_full_disk_is_one_clear_error_and_leaves_nothing(tmp_path):
     """The system refuses files of more than 20 kB to another process; the kernel's file must not slip through."""
     program = f"""
@@ -330,6 +335,7 @@ def test_what_does_not_fit_is_refused(carbon_free_car):
         cam_mesh(carbon_free_car.actual.curve, replace(KEYED, lightening=ring), THICKNESS, CHORD)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["keyway and holes", "inner hub"])
 def test_broken_edges(carbon_free_car, through_file, name):
     """The chamfers' volume by Steiner's formula, and the outline at both edges of the land."""

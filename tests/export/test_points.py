@@ -123,6 +123,7 @@ def test_the_table_agrees_with_itself_and_with_the_lift(carbon_free_car, tmp_pat
     assert len(rows) == 3600
 
 
+@pytest.mark.slow
 def test_straight_lines_through_the_table_give_the_lift_at_any_angle(appendix_car, tmp_path):
     """The 26 degrees of the hollow corner are one step of the even rows: a line across it stood 27 um high."""
     car, path, tolerance = appendix_car, tmp_path / "cam.csv", 2e-4

@@ -72,6 +72,7 @@ def test_samples_stay_in_their_zones_and_have_the_stated_moments(parts, law, see
     assert abs(sums.std() / total.std - 1) < 6 / np.sqrt(2 * count)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=25)
 @given(zones, laws)
 def test_bounds_mean_and_quantiles_are_in_order(parts, law):

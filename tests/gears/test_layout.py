@@ -60,6 +60,7 @@ def test_no_two_parts_of_the_paper_s_train_share_volume():
     assert shared_volume(lay_out(train((30, 150), (40, 120), (40, 120)), blanks, clearance=CLEARANCE)) == 0.0
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(
     st.lists(st.tuples(st.integers(25, 40), st.integers(41, 90)), min_size=1, max_size=4),

@@ -99,6 +99,7 @@ def test_the_return_error_as_cut_over_a_turn_of_the_drive(paper):
 teeth = st.integers(17, 150)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(teeth, teeth, st.floats(0.3, 3.0), st.floats(-0.2, 0.4), st.floats(-0.2, 0.4), st.floats(0.01, 0.1))
 def test_any_pair_has_the_play_of_exact_involutes(z1, z2, module, x1, x2, thinning):

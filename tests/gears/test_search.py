@@ -110,6 +110,7 @@ def within(**changes) -> SearchLimits:
     return replace(limits, **changes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "limits",
     [
@@ -139,6 +140,7 @@ def test_the_search_finds_what_brute_force_finds(limits):
     assert len({play.train for play in found}) == len(found)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=60)
 @given(
     st.lists(st.tuples(st.integers(1, 12), st.integers(1, 12), st.floats(0.1, 10)), min_size=1, max_size=8),
@@ -168,6 +170,7 @@ def test_chains_of_any_costs_are_those_of_brute_force(pairs, ratio, tolerance, l
     assert lags == pytest.approx(sorted(expected)[: len(found)])
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=30)
 @given(st.lists(st.tuples(st.integers(20, 90), st.integers(20, 90)), min_size=1, max_size=4))
 def test_all_orders_are_ranked_and_complete(choice):
@@ -282,6 +285,7 @@ def test_stages_of_different_grade_angle_or_span_are_not_searched_for():
             SearchLimits.like(Train((made.stages[0], changed, made.stages[2])))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("collar", [Hub(diameter=7.0, length=1.0), None])
 def test_only_trains_that_can_be_laid_out_are_searched_for(collar):
     """Against the unrestricted list, sieved by laying the trains out: bores, hubs, collars, shafts and bearings."""

@@ -225,6 +225,7 @@ def test_chords_stay_within_their_tolerance_and_use_it(tolerance: float) -> None
             assert len(nodes) <= 6 or sag > 0.4 * tolerance
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(
     teeth=st.integers(6, 220),

@@ -20,6 +20,7 @@ def _lift(
     return syn.lift_record(car, bench, rng, noise_um=noise_um, index_deg=index_deg, runs=runs)
 
 
+@pytest.mark.slow
 def test_nothing_is_found_where_nothing_is(synthetic_car, nominal):
     (told,) = calibrate([_lift(synthetic_car, 21, index_deg=0.0)], nominal)
     assert told.verdict == "none"
@@ -28,6 +29,7 @@ def test_nothing_is_found_where_nothing_is(synthetic_car, nominal):
     assert told.residual.noise == pytest.approx(4.0, rel=0.06)
 
 
+@pytest.mark.slow
 def test_one_effect_is_traced_with_its_size(synthetic_car, nominal):
     (told,) = calibrate([_lift(synthetic_car, 22, shift=(0.02, -0.03))], nominal)
     assert told.verdict == "traced"
@@ -40,12 +42,14 @@ def test_one_effect_is_traced_with_its_size(synthetic_car, nominal):
     assert told.residual.held_out_repeating < 1.15 * told.residual.noise
 
 
+@pytest.mark.slow
 def test_two_effects_are_both_named(synthetic_car, nominal):
     (told,) = calibrate([_lift(synthetic_car, 23, phase=0.3 * syn.DEG, friction=0.012)], nominal)
     assert told.verdict == "combination"
     assert told.judgement.claimed == ("lost motion by friction", "phase")
 
 
+@pytest.mark.slow
 def test_twins_are_told_as_rivals_with_what_separates_them(synthetic_car, nominal):
     (told,) = calibrate([_lift(synthetic_car, 24, noise_um=10.0, gain=1.004)], nominal)
     assert told.verdict == "ambiguous"
@@ -54,6 +58,7 @@ def test_twins_are_told_as_rivals_with_what_separates_them(synthetic_car, nomina
     assert any("gauge blocks" in way for way in told.judgement.separate)
 
 
+@pytest.mark.slow
 def test_a_dent_is_no_effect_but_a_shape_with_place_and_size(synthetic_car, nominal):
     (told,) = calibrate([_lift(synthetic_car, 25, dent=(205 * syn.DEG, 3 * syn.DEG, 0.04))], nominal)
     assert told.verdict == "untraced shape"
@@ -63,6 +68,7 @@ def test_a_dent_is_no_effect_but_a_shape_with_place_and_size(synthetic_car, nomi
     assert values["height_um"] == pytest.approx(-40, rel=0.2)
 
 
+@pytest.mark.slow
 def test_an_effect_beside_a_dent_is_partial(synthetic_car, nominal):
     record = _lift(synthetic_car, 26, shift=(0.06, 0.0), dent=(205 * syn.DEG, 3 * syn.DEG, 0.03))
     (told,) = calibrate([record], nominal)
@@ -70,6 +76,7 @@ def test_an_effect_beside_a_dent_is_partial(synthetic_car, nominal):
     assert told.judgement.claimed == ("eccentric bore",)
 
 
+@pytest.mark.slow
 def test_one_run_claims_nothing(synthetic_car, nominal):
     (told,) = calibrate([_lift(synthetic_car, 27, runs=1, shift=(0.03, 0.0))], nominal)
     assert told.verdict == "ambiguous"
@@ -78,6 +85,7 @@ def test_one_run_claims_nothing(synthetic_car, nominal):
     assert "one run only" in told.judgement.limits[0]
 
 
+@pytest.mark.slow
 def test_runs_that_disagree_claim_nothing(synthetic_car, nominal):
     record = _lift(synthetic_car, 28)
     angle = np.radians(record["cam_angle_deg"])
@@ -90,6 +98,7 @@ def test_runs_that_disagree_claim_nothing(synthetic_car, nominal):
     assert told.judgement.claimed == ()
 
 
+@pytest.mark.slow
 def test_profile_and_transmission_and_track(synthetic_car, nominal):
     rng = np.random.default_rng(30)
     bench = syn.bench_with(syn.form_error(rng, FORM), {"lobes": (3, 0.015, 1.0)})
@@ -106,6 +115,7 @@ def test_profile_and_transmission_and_track(synthetic_car, nominal):
     assert [f.effect for f in profile.datum] == [f"clocking, run {k}" for k in (1, 2, 3)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "changes", "size"),
     [("cutter compensation", {"offset": -0.03}, -30.0), ("uniform scale", {"scale": (0.997, 0.997)}, -0.3)],
@@ -124,6 +134,7 @@ def test_an_error_of_size_shows_all_round_however_each_run_was_clamped(name, cha
     assert np.ptp([f.values[0].value for f in told.datum]) > 0.1
 
 
+@pytest.mark.slow
 def test_a_dial_that_lags_by_direction_is_its_hysteresis(synthetic_car, nominal):
     record = _lift(synthetic_car, 33)
     back = record.columns["direction"] == "reverse"
@@ -136,6 +147,7 @@ def test_a_dial_that_lags_by_direction_is_its_hysteresis(synthetic_car, nominal)
     assert told.findings[0].values[0].value == pytest.approx(20.0, abs=1.0)
 
 
+@pytest.mark.slow
 def test_a_dial_with_an_uneven_scale_is_said_beside_its_tilt(synthetic_car, nominal):
     (told,) = calibrate([_lift(synthetic_car, 34, square=0.0015)], nominal)
     assert told.judgement.claimed == ("tilted indicator",)

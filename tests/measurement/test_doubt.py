@@ -94,6 +94,7 @@ def test_noise_far_beyond_the_instruments_claims_nothing(lift, nominal):
     assert _judged(silent, nominal, Noise(np.full(len(lift.run), 0.0125), 0.0, 0.0, 3)).claimed == ("x",)
 
 
+@pytest.mark.slow
 def test_rows_out_of_order_claim_nothing(measured, nominal, blind):
     assert blind("transmission_a").verdict == "combination"
     record = load(measured / "transmission_a.csv")
@@ -134,6 +135,7 @@ def test_three_effects_that_leave_more_than_noise_are_not_sure(lift, nominal):
     assert _judged(lift, nominal, noise, _Best(), 0.005).claimed == ("x",)
 
 
+@pytest.mark.slow
 def test_runs_at_angles_of_their_own_still_tell_their_noise(lift, nominal):
     # Every third reading, another third in each run: no two runs have an angle in common.
     own = lift.where(lift["cam_angle_deg"] % 3 == lift.run)
@@ -156,6 +158,7 @@ def test_a_short_single_run_is_refused(lift, nominal):
         refuse_too_few(short, nominal.model(short))
 
 
+@pytest.mark.slow
 def test_another_designs_lift_is_unexplained(lift, appendix_car):
     car = appendix_car
     other = Nominal(lift=car.lift, follower=car.follower, profile=car.actual.curve, car=car.car, track=car.track)

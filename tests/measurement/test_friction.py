@@ -37,6 +37,7 @@ def forces(carbon_free_car):
     return Forces(carbon_free_car.lift, Mechanics(follower=carbon_free_car.follower))
 
 
+@pytest.mark.slow
 def test_a_track_parts_play_and_friction():
     # A slice of the study that docs/studies/friction_cars.md records.
     made, told = case(1, 10, 60).car, judged(1, 10, 60)
@@ -47,6 +48,7 @@ def test_a_track_parts_play_and_friction():
     assert told.friction == pytest.approx(made.friction, abs=0.03)
 
 
+@pytest.mark.slow
 def test_a_car_on_a_bearing_has_no_friction_named():
     told = judged(1, 64, 60)
     assert case(1, 64, 60).sort == "no friction"
@@ -54,6 +56,7 @@ def test_a_car_on_a_bearing_has_no_friction_named():
     assert told.play_deg == pytest.approx(case(1, 64, 60).car.play_deg, rel=0.03)
 
 
+@pytest.mark.slow
 def test_a_transmission_with_the_rod_on_parts_them_too(world, nominal):
     record = rod_record(world, play=110, friction=0.3, rng=np.random.default_rng(3), runs=2)
     (told,) = calibrate([record], replace(nominal, ratios=RATIOS, teeth=()))

@@ -42,6 +42,7 @@ def test_digest_is_that_of_sha256sum(tmp_path):
     assert digest(path) == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
 
 
+@pytest.mark.slow
 def test_files_of_one_kind_join_with_their_runs_numbered_on(measured):
     one, two = load(measured / "circles.csv"), load(measured / "squares.csv")
     both = join([one, two])

@@ -32,6 +32,7 @@ PINNED = {
 NOISE = {"lift": 4.0, "profile": 2.0, "track": 3.0, "transmission": 0.03}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(PINNED))
 def test_blind_files(name, blind):
     told = blind(name)

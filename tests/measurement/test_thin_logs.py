@@ -37,12 +37,14 @@ def log(*, logged: float, true: float, seed: int, runs: int = 4, rows: int = 40,
     )
 
 
+@pytest.mark.slow
 def test_a_log_without_any_error_is_traced_to_nothing():
     told = calibrate_tricycle([log(logged=0.0, true=0.0, seed=1, rows=24, noise=0.0)], WHEELBASE)
     assert (told.verdict, told.judgement.claimed) == ("none", ())
 
 
 # Of runs on a circle with the wheel logged straight ahead, what a fit says of the wheel is little more than its error.
+@pytest.mark.slow
 def test_constant_steering_claims_no_number_within_its_error(measured):
     circles = load(measured / "circles.csv").only(np.arange(LEAST_RUNS))
     some = {name: values[::10] for name, values in circles.columns.items()}
@@ -80,6 +82,7 @@ def test_of_few_runs_more_standard_deviations_are_asked_for():
 
 # Straight runs of two fitted rows: steering zero, wheelbase and markers were driven to their bounds, where the values
 # of runs left out agreed because all of them were held there.
+@pytest.mark.slow
 def test_numbers_on_their_bounds_are_not_claimed():
     told = calibrate_tricycle([log(logged=0.0, true=0.0, seed=2, rows=12)], WHEELBASE)
     assert (told.verdict, told.judgement.claimed) == ("ambiguous", ())

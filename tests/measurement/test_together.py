@@ -35,6 +35,7 @@ def apart(records, nominal, together):
     return diagnose(records[0], nominal.model), together[1]
 
 
+@pytest.mark.slow
 def test_what_a_profile_explains_is_not_blamed_on_the_lift_again(together, apart):
     lift, profile = together
     assert profile.judgement.claimed == ("eccentric bore",)
@@ -46,6 +47,7 @@ def test_what_a_profile_explains_is_not_blamed_on_the_lift_again(together, apart
     assert lift.residual.before < 1.3 * apart[0].residual.after
 
 
+@pytest.mark.slow
 def test_an_eccentric_bore_is_one_in_lift_and_profile(apart):
     found = [claim for told in apart for claim in claims(told)]
     (bore,) = shared(found)
@@ -92,6 +94,7 @@ def rivals(apart):
     return replace(apart[0], judgement=judgement, findings=(friction,), candidates=candidates)
 
 
+@pytest.mark.slow
 def test_the_claim_of_another_record_decides_between_rivals(rivals):
     train = Claim("train", "transmission", _play("return error", 0.30))
     decided = settled(rivals, [train])
@@ -102,12 +105,14 @@ def test_the_claim_of_another_record_decides_between_rivals(rivals):
     assert decided.left == (("backlash",),)
 
 
+@pytest.mark.slow
 def test_a_value_that_does_not_agree_decides_nothing(rivals, apart):
     assert settled(rivals, [Claim("train", "transmission", _play("return error", 1.2))]) is None
     assert settled(rivals, []) is None
     assert settled(apart[1], [Claim("train", "transmission", _play("return error", 0.3))]) is None
 
 
+@pytest.mark.slow
 def test_what_a_lift_shows_beside_a_known_profile_is_the_shafts(synthetic_car, nominal):
     """The disc's bore is off by (30, -15) um, and the shaft under the dial by (40, 20) more."""
     rng = np.random.default_rng(43)
@@ -142,6 +147,7 @@ def test_kinds_that_agree_have_their_mean_and_those_that_do_not_the_tracks_value
     assert at_work([train, zones, track]) == (track, track)
 
 
+@pytest.mark.slow
 def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_ways(synthetic_car, nominal):
     rng = np.random.default_rng(44)
     record = transmission_record(synthetic_car, Train(), rng, noise_deg=0.03)

@@ -76,6 +76,7 @@ def test_random_cars_are_those_drawn_from_the_children_of_the_seed(fleet):
     assert 0.1 < np.mean(np.abs(errors.across).argmax(axis=1) < 2) < 0.9
 
 
+@pytest.mark.slow
 def test_memory_is_for_what_is_kept_and_not_for_what_is_drawn(fleet):
     """Four numbers of 8 bytes for each car beside one chunk's work; the draw alone would have 14."""
     tolerances = Tolerances(half_widths=HALF_WIDTHS, play=(0.012, 0.015))
@@ -156,6 +157,7 @@ def test_cars_stay_within_their_tolerances(law):
         assert not drawn[name].any()
 
 
+@pytest.mark.slow
 def test_sensitivities_explain_the_spread(fleet):
     """For small tolerances the variance of the end is the sum of the parts, and the shares are their parts of it."""
     tolerances = Tolerances(half_widths=HALF_WIDTHS)

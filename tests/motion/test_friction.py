@@ -101,6 +101,7 @@ def difference(lift: LiftCurve, cam: Mechanics, cells: Cells, room: int) -> int:
     return late(stands, least - 1e-6, most + 1e-6)
 
 
+@pytest.mark.slow
 def test_any_lift_step_by_step():
     """Plateaus, short rises, ripples and kinks; any friction, drag, spring, play and joint."""
     cases = []
@@ -261,6 +262,7 @@ def test_order_of_the_integration(paper_cells):
     assert order > 1.7
 
 
+@pytest.mark.slow
 def test_end_of_the_run_in_time(carbon_free_car, paper_cells):
     """At 8 degrees/s and 1 N: within 3 % or 5 mm in the limit of small inertia, and with all of it up to 0.15.
 

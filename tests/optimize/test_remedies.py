@@ -53,6 +53,7 @@ def best(task, band):
     return best_for_band(task.lift, task.follower, task.car, task.length, tuple(ENDS), mechanics=band.corners)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("greatest", "bar"), [(0.30, 510.0), (0.60, 600.0)])
 def test_the_best_profile_without_hardware(task, greatest, bar):
     band = replace(task.mechanics, friction=(0.05, greatest))
@@ -95,6 +96,7 @@ def test_drag_that_holds_whatever_play_and_friction(task):
     assert worst(task, task.lift, weak) > 200.0
 
 
+@pytest.mark.slow
 def test_a_trim_takes_the_end_with_it_as_long_as_the_car_repeats(task):
     """Asked for were 80 mm, reckoned without the rod's lean; with it the worst is 82.5 mm at a friction of 0.18."""
     found = trims(task, task.lift, task.lift, ENDS.tolist(), task.mechanics.fine_cases)

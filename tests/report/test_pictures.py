@@ -59,6 +59,7 @@ def draw_all(simulation, folder):
     ]
 
 
+@pytest.mark.slow
 def test_every_picture_has_both_formats_and_the_same_bytes_each_time(simulation, tmp_path):
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
@@ -132,6 +133,7 @@ def test_colours_differ_in_lightness():
         assert abs(luminance(one) - luminance(other)) > 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arguments", [["optimize"], ["simulate", "--help"]])
 def test_matplotlib_is_loaded_only_to_draw(arguments):
     script = (

@@ -126,6 +126,7 @@ def test_one_prism_with_shared_vertices(carbon_free_car):
     assert counts == [2 * around, 3 * around, around + 2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("blank", [KEYED, HUB_BLANKS["outer hub"]], ids=["disc", "hub"])
 def test_rays_from_the_camshaft_meet_the_profile(carbon_free_car, blank):
     angles = np.radians(np.arange(0, 360, 0.1))
@@ -137,6 +138,7 @@ def test_rays_from_the_camshaft_meet_the_profile(carbon_free_car, blank):
     assert error <= 1.5 * SPLINE_TOLERANCE
 
 
+@pytest.mark.slow
 def test_a_profile_with_corners(appendix_car):
     curve = appendix_car.actual.curve
     part = make(curve, KEYED)
@@ -197,6 +199,7 @@ def blanks(draw) -> CamBlank:
     return CamBlank(bore_diameter=bore, key=key, hub=hub, lightening=holes)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(blanks())
 def test_any_blank_that_fits_gives_its_volume(blank):

@@ -71,6 +71,7 @@ def test_faces_that_come_to_a_point_survive_the_file(corners, tmp_path):
     assert content.volume == pytest.approx(exact, rel=1e-8 if corners is HOOK else 2e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["carbon_free_car", "appendix_car"])
 def test_a_cam_with_broken_edges(name, request, tmp_path):
     curve = request.getfixturevalue(name).actual.curve
@@ -102,6 +103,7 @@ def test_a_cam_with_broken_edges(name, request, tmp_path):
         read_step(file, 0.1, (0.4, 2.6))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side", ["outer", "inner"])
 def test_with_a_hub(carbon_free_car, side):
     curve = carbon_free_car.actual.curve
