@@ -52,12 +52,14 @@ class EnvelopePiece:
 
     def _touch(self, section: tuple[Array, Array, Array, Array, Array, Array]) -> Array:
         d, d1, _, A, A1, _ = section
-        r = self.follower.radius
+        r, square = self.follower.radius, A**2
         eta = np.arctan2(-r * (d1 - A1), A * (d - A) + r**2)
         for _ in range(_NEWTON_STEPS):
             c, s = np.cos(eta), np.sin(eta)
-            f = (d1 - A1 * c + r * s) * r * c + (d - A * c) * A * s
-            f_eta = (A1 * s + r * c) * r * c - (d1 - A1 * c + r * s) * r * s + A**2 * s**2 + (d - A * c) * A * c
+            rc = r * c
+            across, along = (d1 - A1 * c + r * s) * r, (d - A * c) * A
+            f = across * c + along * s
+            f_eta = (A1 * s + rc) * r * c - across * s + square * s**2 + along * c
             step = f / f_eta
             eta = eta - step
             if np.abs(step).max() < _CONVERGED:
@@ -76,14 +78,14 @@ class EnvelopePiece:
         f_theta = (d2 - A2 * c) * r * c + p1 * A * s + p * A1 * s
         eta1 = -f_theta / f_eta
         # Derivative along the envelope in the turning frame, and the angle of the tangent (A sin, -r cos) in it.
-        along = np.stack([p1 - q + A * s * eta1, p - r * c * eta1], axis=1)
-        tangent = np.stack([-A * s, r * c], axis=1)
-        size2 = np.sum(tangent**2, axis=1)
-        turn = 1.0 + (A * s * r * s * eta1 + r * c * (A * c * eta1 + A1 * s)) / size2
-        speed = np.sum(along * tangent, axis=1) / np.sqrt(size2)
+        As, rc = A * s, r * c
+        ahead, aside = p1 - q + As * eta1, p - rc * eta1
+        size2 = As**2 + rc**2
+        turn = 1.0 + (As * r * s * eta1 + rc * (A * c * eta1 + A1 * s)) / size2
+        speed = (ahead * -As + aside * rc) / np.sqrt(size2)
         with np.errstate(divide="ignore"):
             curvature = turn / speed
-        return Jet(_turned(p, q, t), _turned(along[:, 0], along[:, 1], t), curvature)
+        return Jet(_turned(p, q, t), _turned(ahead, aside, t), curvature)
 
     def advance(self, theta: Array) -> Array:
         """Rate of the tangential travel along the envelope, mm/rad; negative on a swallowtail."""
