@@ -42,6 +42,7 @@ def test_blind_files(name, blind):
     assert told.residual.held_out_repeating < 1.06 * noise
 
 
+@pytest.mark.slow
 def test_few_logged_runs_name_nothing(measured):
     circles = load(measured / "circles.csv")
     for runs, words in ((1, "one run only"), (2, "2 runs only")):

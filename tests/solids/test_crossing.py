@@ -73,6 +73,7 @@ def test_the_screw_of_a_cams_hub(name, tmp_path):
     assert len(solids(again)) == 1
 
 
+@pytest.mark.slow
 def test_the_screw_of_a_gears_hub(tmp_path):
     blank = GearBlank(bore_diameter=8.0, hub=GearHub(diameter=16.0, length=6.0, set_screw_diameter=3.0))
     body = gear_body(GearForm(teeth=30, normal_module=1.0, width=6.0), blank)

@@ -114,6 +114,7 @@ def through_step(solid: TopoDS_Solid, path: Path) -> TopoDS_Shape:
     return reader.OneShape()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("teeth", [12, 13, 17, 18, 25, 42, 60, 99, 150, 200])
 def test_flank_root_and_volume_of_the_solid_are_exact(teeth: int) -> None:
     form = gear(teeth, 1.0)
@@ -127,6 +128,7 @@ def test_flank_root_and_volume_of_the_solid_are_exact(teeth: int) -> None:
     assert abs(off) <= VOLUME_BAR
 
 
+@pytest.mark.slow
 def test_a_step_file_of_150_teeth_is_small_and_keeps_the_errors(tmp_path: Path) -> None:
     form = gear(150, 1.0)
     body = gear_body(form, GearBlank(bore_diameter=10.0))
@@ -153,6 +155,7 @@ def drilled_volume(body: Body, bore_diameter: float, keyway_depth: float) -> flo
     return float(np.trapezoid(height * (np.sqrt(hub**2 - y**2) - inner), y))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BODIES)
 def test_every_feature_makes_a_valid_solid_of_the_exact_volume(name: str) -> None:
     body = BODIES[name]

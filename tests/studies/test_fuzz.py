@@ -9,6 +9,7 @@ import pytest
 from tests.studies import fuzz, fuzz_data, fuzz_designs
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("command", "first", "cases"), [("check", 1010, 4), ("calibrate", 1003, 2)])
 def test_a_slice_keeps_the_contract(command, first, cases):
     # In a process of its own, as the study runs: forks of a process with threads may wait for ever.

@@ -81,6 +81,7 @@ def end_of_run(outline: Outline, wheels: Wheels, car: Any, stop: float) -> compl
     return complex(wheels.track(world, np.array([0.0, stop]))[-1])
 
 
+@pytest.mark.slow
 def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path, monkeypatch):
     """Cut for a car of undeclared effects as they were traced; the file, driven by arcs, ends within 5 % of before."""
     monkeypatch.setattr(files, "_FORMATS", {"DXF": files._FORMATS["DXF"]})  # those that are driven
@@ -112,6 +113,7 @@ def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path, m
     assert entry["play"]["after"]["position_percent_off"] > 99
 
 
+@pytest.mark.slow
 def test_a_slipping_car_with_another_lever(built, carbon_free_car):
     """Slip and gain by the generator, with the actual profile; there is no play."""
     design = built(
@@ -147,6 +149,7 @@ def test_a_shrinking_printer_is_precompensated(built, carbon_free_car):
     assert plan.passed
 
 
+@pytest.mark.slow
 def test_files_of_a_precompensated_cam_are_judged_on_the_finished_disc(built, tmp_path):
     design = built(
         effect("profile", "cutter compensation", "process", cutter_offset_um=120.0),
@@ -171,6 +174,7 @@ def test_the_key_takes_the_phase_out(built):
     assert line == "The key of the new cam is turned by -1.500°, which takes out the cam's phase."
 
 
+@pytest.mark.slow
 def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
     built(*TRACK, effect("track", "cam phase", "car", phase_deg=0.4))
     keyless = ["simulate", str(tmp_path / "mine.toml"), "--profile", "compensated", "--set", "blank.keyway="]
@@ -189,6 +193,7 @@ def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
     assert entry["as_built"]["phase_deg"] == pytest.approx(0.4)
 
 
+@pytest.mark.slow
 def test_a_play_that_was_not_measured_is_said_to_be_assumed(built, tmp_path, monkeypatch):
     for drawing in ("draw_lift", "draw_tracks", "draw_run_errors"):  # they take long
         monkeypatch.setattr(f"cadgen.workflow.runs.simulation.{drawing}", lambda *content: [])
@@ -209,6 +214,7 @@ def test_an_as_built_return_error_is_a_measured_one(built):
     assert np.degrees(variation.measured_play(older)) == pytest.approx(PLAY)
 
 
+@pytest.mark.slow
 def test_tolerances_are_about_the_car_as_built(built):
     """The nominal car of the fleet ends where its own cam takes it, slip and all."""
     design = built(
@@ -233,6 +239,7 @@ def test_a_wheel_too_small_leaves_no_blend(built):
     assert np.degrees(cam_model.lift(short).blend_start) == pytest.approx(348 / 0.99)
 
 
+@pytest.mark.slow
 def test_before_is_the_cam_that_was_measured(built, carbon_free_car):
     """With lobes on the measured disc alone, and none on the new one."""
     design = built(*TRACK, effect("profile", "lobing, order 3", "part", lobing_cos_um=40.0, lobing_sin_um=0.0))
@@ -248,6 +255,7 @@ PHASE = effect("track", "cam phase", "car", phase_deg=0.8)
 SHRUNK = effect("profile", "uniform scale", "process", scale_percent=-0.15)
 
 
+@pytest.mark.slow
 def test_the_second_time_before_is_the_cam_made_for_the_first(built):
     """Once it is known what the measured cam was cut for, it ends where it was made to end."""
     known = (*TRACK, PHASE, SHRUNK)

@@ -34,6 +34,7 @@ def car():
     return calibrate(load_design(), "actual", read([MEASURED / f"{name}.csv" for name in names]))
 
 
+@pytest.mark.slow
 def test_one_thing_is_at_work_once_and_by_the_data_that_show_it_best(car):
     places = [(one.claim.kind, one.claim.finding.effect, one.place) for one in car.built]
     assert places == [
@@ -47,6 +48,7 @@ def test_one_thing_is_at_work_once_and_by_the_data_that_show_it_best(car):
     assert not play.agrees
 
 
+@pytest.mark.slow
 def test_where_they_agree_the_most_accurate_has_the_mean():
     told = calibrate(
         load_design(), "actual", read([MEASURED / f"{n}.csv" for n in ("paper_section5", "transmission_a")])
@@ -70,6 +72,7 @@ def without_play(text, tmp_path_factory):
     return told, load_design(file)
 
 
+@pytest.mark.slow
 def test_a_car_without_play_is_not_assumed_to_have_the_tabled_one(without_play):
     told, design = without_play
     assert [(one.claim.finding.effect, one.place) for one in told.built] == [
@@ -92,6 +95,7 @@ def test_a_car_without_play_is_not_assumed_to_have_the_tabled_one(without_play):
     assert assumed_play(load_design()) == []
 
 
+@pytest.mark.slow
 def test_data_that_are_in_a_design_already_do_not_count_twice(without_play, tmp_path):
     _, design = without_play
     with pytest.raises(FileError, match=r"track_a\.csv is among the files that .* would count twice"):
@@ -101,6 +105,7 @@ def test_data_that_are_in_a_design_already_do_not_count_twice(without_play, tmp_
     assert calibrate(design, "optimized", read([MEASURED / "paper_section5.csv"])).warnings == ()
 
 
+@pytest.mark.slow
 def test_an_as_built_design_is_written_over_by_the_next(car, text):
     once = as_built_text(car, text)
     assert as_built_text(car, once) == once
@@ -113,6 +118,7 @@ def test_an_as_built_design_is_written_over_by_the_next(car, text):
     assert tomllib.loads(again)["cam"] == tomllib.loads(once)["cam"]
 
 
+@pytest.mark.slow
 def test_a_design_without_a_name_keeps_that_of_its_file(car, text, tmp_path):
     (tmp_path / "my car.toml").write_text(text.replace("name = ", "# name = "))
     design = load_design(tmp_path / "my car.toml", ["cam.blend_deg=12", "play.measured_deg=0.7"])

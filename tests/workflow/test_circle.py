@@ -22,6 +22,7 @@ def only_what_the_circle_reads(monkeypatch):
     monkeypatch.setattr(cam_files, "_FORMATS", {"DXF": cam_files._FORMATS["DXF"]})
 
 
+@pytest.mark.slow
 def test_a_car_without_play_is_not_given_the_tabled_one(carbon_free_car, tmp_path):
     """Against the tabled return error the new cam would end some 1000 mm off."""
     rng = np.random.default_rng(8)
@@ -36,6 +37,7 @@ def test_a_car_without_play_is_not_given_the_tabled_one(carbon_free_car, tmp_pat
     assert 0 < play["values"][0]["sigma"] < 0.02
 
 
+@pytest.mark.slow
 def test_a_measured_car_gets_the_cam_that_it_needs(carbon_free_car, tmp_path):
     rng = np.random.default_rng(7)
     wheels = circle.draw(rng)

@@ -64,6 +64,7 @@ def stations(outline: Outline, follower: Follower) -> Array:
     return np.concatenate([*parts, even[-1:]])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["appendix_car"])
 def test_stated_lift_errors_are_those_of_a_dense_rolling(name, tmp_path, monkeypatch):
     monkeypatch.setattr(CamPlan, "cures", ())  # of another test

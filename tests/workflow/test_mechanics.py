@@ -43,6 +43,7 @@ def test_the_workshop_s_car_does_not_mind_its_play(workshop):
     assert facts["drag_Nmm"] == [42.0, 60.0]
 
 
+@pytest.mark.slow
 def test_a_cam_for_a_rod_that_rubs(rubbing):
     against = rubbing.against
     assert against.chosen.profile == "compensated"
@@ -56,6 +57,7 @@ def test_a_cam_for_a_rod_that_rubs(rubbing):
     assert "cam holds" not in checks
 
 
+@pytest.mark.slow
 def test_the_sheet_of_remedies(rubbing):
     sheet = {remedy.name: remedy for remedy in remedies(rubbing.design, rubbing.against)}
     ends = {name: remedy.worst_end for name, remedy in sheet.items()}
@@ -100,6 +102,7 @@ def test_a_brake_that_the_program_dimensions_is_on_the_disc():
     assert known.drag[0] == pytest.approx(1.25 * 32.63, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_with_a_measured_play_the_friction_is_not_known_either(rubbing):
     """The limit of [optimize] is for the worst friction at that play, not for the middle one."""
     overrides = [*FRICTION, "play.measured_deg=0.74", "optimize.max_end_position_mm=200"]
@@ -109,6 +112,7 @@ def test_with_a_measured_play_the_friction_is_not_known_either(rubbing):
     assert "a brake on the disc does" in str(error.value)
 
 
+@pytest.mark.slow
 def test_a_remedy_that_cannot_be_built_is_no_number():
     small = ["cam.base_radius_mm=17", "blank.lightening=", "blank.keyway=", "blank.bore_diameter_mm=2"]
     plan = plan_cam(load_design("carbon_free_car", [*FRICTION, *small]), "optimized", all_trains=True)
@@ -119,6 +123,7 @@ def test_a_remedy_that_cannot_be_built_is_no_number():
     assert "no cam can be made" in bearing["build"]
 
 
+@pytest.mark.slow
 def test_friction_alone_is_never_counted_on(rubbing):
     steep = ["mechanics.friction_least=0.55", "mechanics.friction_greatest=0.6", "optimize.max_lift_error_um="]
     plan = plan_cam(load_design("carbon_free_car", steep), "optimized")

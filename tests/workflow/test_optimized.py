@@ -53,6 +53,7 @@ def error_of_run(outline, optimized, play, built):
     return np.array([abs(error.end_heading), error.end_distance])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["carbon_free_car_optimized.step", "carbon_free_car_optimized_arcs.dxf"])
 def test_takes_play_out_on_the_exported_profile(exported, optimized, carbon_free_car, name):
     """At the play it was made for 99 %, with play 10 % off 88 %, and over the band far more than the paper's best."""
@@ -83,6 +84,7 @@ def test_takes_play_out_on_the_exported_profile(exported, optimized, carbon_free
     assert entry["files"][name]["end_position_mm"] == pytest.approx(position, abs=0.05)
 
 
+@pytest.mark.slow
 def test_every_file_takes_99_percent_off(exported, optimized):
     before = optimized.against.before.error.end_distance
     ends = {name: facts["end_position_mm"] for name, facts in exported[1]["files"].items() if "csv" not in name}
@@ -92,6 +94,7 @@ def test_every_file_takes_99_percent_off(exported, optimized):
     assert exported[1]["warnings"] == []
 
 
+@pytest.mark.slow
 def test_a_file_that_gives_the_compensation_away_says_so_and_what_to_change(tmp_path):
     """Facets of 20 um keep their own tolerance, and put the car 0.16 m off."""
     plan = plan_cam(load_design("carbon_free_car", ["export.mesh_chord_um=20"]), "compensated")
@@ -105,6 +108,7 @@ def test_a_file_that_gives_the_compensation_away_says_so_and_what_to_change(tmp_
         assert words.endswith("lower export.mesh_chord_um")
 
 
+@pytest.mark.slow
 def test_passes_every_check_and_says_why_it_was_chosen(exported, optimized):
     assert optimized.passed
     assert {"rod pushed out", "lift error with play"} <= {check.name for check in optimized.checks}
@@ -160,6 +164,7 @@ def test_the_next_best_is_taken_if_the_best_fails_a_check():
     assert plan.against.reasons[0] == "compensated refused: it fails largest cutter radius"
 
 
+@pytest.mark.slow
 def test_if_all_fail_a_check_the_failing_best_is_shown():
     plan = plan_cam(load_design("appendix_car"), "optimized")
     assert plan.against.chosen.profile == "compensated"

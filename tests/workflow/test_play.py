@@ -86,6 +86,7 @@ def bound_row(against):
     )
 
 
+@pytest.mark.slow
 def test_the_documentation_has_the_figures_of_the_command(compared):
     """A regression: the tables are our own output."""
     reordered = plan_cam(load_design("carbon_free_car", ["optimize.order=reordered"]), "compensated").against
@@ -114,6 +115,7 @@ def test_the_documentation_has_the_figures_of_the_command(compared):
         assert words in readme
 
 
+@pytest.mark.slow
 def test_each_row_is_compared_at_its_own_play(compared, carbon_free_car):
     """With the train reordered the actual profile is the same, so at one play nothing is off."""
     against = compared["carbon_free_car"].against
@@ -131,6 +133,7 @@ def test_each_row_is_compared_at_its_own_play(compared, carbon_free_car):
     assert found["actual", "reordered"]["worst_position_percent_off"] == pytest.approx(25.0, abs=0.1)
 
 
+@pytest.mark.slow
 def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
     """The unsmoothed profile's 0.738 degrees would leave 2243 mm."""
     both = next(
@@ -165,6 +168,7 @@ def test_with_a_measured_play_limits_and_choice_go_by_the_errors_with_it(carbon_
         plan_cam(with_play(0.74, "optimize.max_end_position_mm=0.3"), "optimized")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("limit", "words"),
     [
@@ -195,6 +199,7 @@ def test_says_so_if_another_order_of_the_stages_keeps_the_limits():
     assert plan.against.chosen.band.worst_distance < 250
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "limit"), [("carbon_free_car", 200), ("appendix_car", 300)], ids=["limit not kept", "check not kept"]
 )
@@ -204,6 +209,7 @@ def test_no_order_is_advised_that_does_not_help(name, limit):
     assert "order" not in str(caught.value)
 
 
+@pytest.mark.slow
 def test_simulates_with_the_play_that_is_asked_for(simulated, carbon_free_car):
     made_for = simulated.against.chosen.play
     exact = end_of_compensated(carbon_free_car, made_for, radians(0.9))
@@ -216,6 +222,7 @@ def test_simulates_with_the_play_that_is_asked_for(simulated, carbon_free_car):
     assert facts["failed_checks"] == []
 
 
+@pytest.mark.slow
 def test_simulations_of_two_profiles_have_files_of_their_own(simulated, tmp_path, monkeypatch):
     for drawing in ("draw_lift", "draw_tracks", "draw_run_errors"):  # they take long
         monkeypatch.setattr(f"cadgen.workflow.runs.simulation.{drawing}", lambda *content: [])

@@ -1,6 +1,7 @@
 """Random designs, from waypoints to checks: a path that can be driven never fails a check by our own rounding."""
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -39,6 +40,7 @@ def planned(overrides):
         return None, str(error)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(designs())
 def test_only_what_is_wrong_with_the_design_fails(overrides):

@@ -1,8 +1,11 @@
 """A slice of the study of random trains and searches; the whole is recorded in docs/studies/trains.md."""
 
+import pytest
+
 from tests.studies.trains import run
 
 
+@pytest.mark.slow
 def test_random_trains_and_searches_are_as_the_study_has_them():
     found = run(seed=20, cases=8, workers=1)
     print(*found, sep="\n")
