@@ -52,6 +52,7 @@ def test_few_logged_runs_name_nothing(measured):
         assert told.residual.held_out >= told.residual.after
 
 
+@pytest.mark.slow
 def test_tricycle_is_traced_on_runs_left_out(measured):
     some = [load(measured / f"{name}.csv").only(np.arange(4)) for name in ("circles", "squares")]
     told = calibrate_tricycle(some, 150.0)
