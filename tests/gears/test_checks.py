@@ -28,6 +28,7 @@ def sections(pair, **off):
     return MeasuredPair(section_of(changed.driver.form), section_of(changed.driven.form), pair.centre_distance)
 
 
+@pytest.mark.slow
 def test_parts_in_one_place_share_all_their_volume(layout):
     """And parts side by side none: the common volume is a volume, not a verdict."""
     part = layout.parts[1]

@@ -386,6 +386,7 @@ def test_pairs_stand_only_where_they_may(pairs, ratio, length):
     assert lags == pytest.approx(sorted(expected)[: len(found)])
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=60)
 @given(
     st.lists(

@@ -18,6 +18,7 @@ def pair(z1: int, z2: int, module: float, **form: float) -> GearPair:
     return GearPair(driver=driver, driven=driven, centre_distance=module * (z1 + z2) / 2, bearing_span=40.0)
 
 
+@pytest.mark.slow
 def test_both_ways_to_the_contact_ratio_agree():
     rng = np.random.default_rng(20)
     compared = undercut = 0

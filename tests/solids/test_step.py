@@ -92,6 +92,7 @@ def test_the_rim_in_the_text_is_the_profile(carbon_free_car, file):
     assert error <= 1.5 * SPLINE_TOLERANCE
 
 
+@pytest.mark.slow
 def test_a_rim_of_corners_and_a_hub(appendix_car, tmp_path):
     hub = Hub(diameter=20.0, length=10.0, side="inner", set_screw=SetScrew(diameter=4.2, height=5.0, angle=2.0))
     blank = CamBlank(bore_diameter=8.0, hub=hub)
@@ -129,6 +130,7 @@ def test_bytes_do_not_depend_on_what_was_written_before(part, data):
     assert step_bytes(part) == data
 
 
+@pytest.mark.slow
 def test_bytes_do_not_depend_on_the_process_or_the_clock():
     """Another process, with another order of hashing."""
     expected = step_bytes(washer())

@@ -41,6 +41,7 @@ def bicycle(steering, car, rim, steps):
     return place, heading
 
 
+@pytest.mark.slow
 def test_steers_as_the_bicycle_does(carbon_free_car, crooked):
     """On the lift of the design, with an error of the midpoint rule of 1e-3 mm."""
     lift, length = carbon_free_car.lift, carbon_free_car.track.length

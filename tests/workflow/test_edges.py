@@ -17,6 +17,7 @@ def plan():
     return plan_cam(load_design("carbon_free_car", ["blank.edge_break_mm=0.2"]), "actual")
 
 
+@pytest.mark.slow
 def test_every_file_has_them(plan, tmp_path):
     """Each file is rolled at its carrying planes, where the profile is right; the manifest says where these are."""
     entry = write_cam(plan, tmp_path).entry

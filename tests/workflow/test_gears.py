@@ -43,6 +43,7 @@ def test_the_design_reproduces_the_paper(paper):
     assert [f"{stage['j_bn2_um']:.3f}" for stage in facts["stages"]] == ["302.324", "300.550", "300.550"]
 
 
+@pytest.mark.slow
 def test_reordered_puts_the_highest_ratio_last():
     plan = plan_gears(load_design(), "reordered")
     assert teeth_of(plan.play) == "40/120 40/120 30/150"
@@ -51,6 +52,7 @@ def test_reordered_puts_the_highest_ratio_last():
     assert plan.passed
 
 
+@pytest.mark.slow
 def test_search_finds_a_train_of_the_same_ratio_with_less_return_error():
     plan = plan_gears(load_design(None, ["train.search.keep=3"]), "search")
     assert plan.play.train.ratio == 45
@@ -73,6 +75,7 @@ def test_equations_and_exact_play_differ_by_less_than_the_bar(paper):
         assert abs(stage["exact_least_um"] - stage["j_bnmin_um"]) <= PLAY_LIMIT_UM
 
 
+@pytest.mark.slow
 def test_the_thinning_moves_play_and_inspection(paper):
     thin = plan_gears(load_design(None, ["train.thinning=greatest"]))
     for one, two in zip(thin.facts()["stages"], paper.facts()["stages"], strict=True):
@@ -125,6 +128,7 @@ def test_a_given_thickness_counts_in_the_play_and_jamming_at_the_least_is_a_fail
         )
 
 
+@pytest.mark.slow
 def test_a_given_thickness_counts_in_the_ranking():
     """Thick teeth leave nearly the axes' and the composite part alone, and so another best train."""
     plans = [plan_gears(load_train(TRIALS / "s2.toml", sets), "search") for sets in ([], ["train.E_sn_um=-60"])]
