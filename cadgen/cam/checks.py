@@ -9,7 +9,6 @@ from math import inf, radians
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.blank import CamBlank
 from cadgen.cam.contact import ROLLING_TOLERANCE, Contact, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
@@ -20,6 +19,7 @@ from cadgen.cam.loss import Loss, lost_lift
 from cadgen.cam.theoretical import theoretical_profile
 from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve, Outline
+from cadgen.parts.blank import Blank
 
 STATIONS = 3600  # one per 0.1 degree of cam angle
 # Where the exact envelope is not trimmed, the rod must neither be pushed out (the wanted place would cut into the
@@ -70,7 +70,7 @@ def check_cam(
     follower: Follower,
     curve: ClosedCurve,
     trims: tuple[Trim, ...],
-    blank: CamBlank,
+    blank: Blank,
     limits: CheckLimits,
     *,
     cut: ClosedCurve | None = None,
@@ -265,7 +265,7 @@ def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], 
     return checks
 
 
-def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: CamBlank, limits: CheckLimits) -> Check:
+def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: Blank, limits: CheckLimits) -> Check:
     """The rod must cross the whole rim: its end lies beyond the outer face at every steering, shape (2, n)."""
     T = np.abs(steering).max(axis=0)
     # Of the end's rim, the point nearest to the fork lies r sin(beta) nearer than its centre.
@@ -273,7 +273,7 @@ def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: CamBlan
     worst = int(np.argmin(beyond))
     return Check(
         "rod past the rim",
-        float(beyond[worst] - blank.faces(follower)[1]),
+        float(beyond[worst] - blank.faces(follower.inner, follower.outer)[1]),
         "mm",
         0.0,
         "min",
@@ -282,7 +282,7 @@ def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: CamBlan
     )
 
 
-def _chamfer_clearance(theta: Array, steering: Array, blank: CamBlank) -> list[Check]:
+def _chamfer_clearance(theta: Array, steering: Array, blank: Blank) -> list[Check]:
     """The rod rides on the land as long as it leans less than the chamfers do, at every steering, shape (2, n)."""
     if blank.edge_break == 0:
         return []
@@ -302,11 +302,11 @@ def _chamfer_clearance(theta: Array, steering: Array, blank: CamBlank) -> list[C
     ]
 
 
-def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: CamBlank) -> list[Check]:
+def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: Blank) -> list[Check]:
     """The rod passes above the hub as well as above the disc, at every steering, shape (2, n)."""
     if blank.hub is None:
         return []
-    inner, outer = blank.faces(follower)
+    inner, outer = blank.faces(follower.inner, follower.outer)
     ends = {
         "outer": (outer, outer + blank.hub.length),
         "inner": (inner - blank.hub.length, inner),
@@ -327,7 +327,7 @@ def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: Cam
     ]
 
 
-def _wall(blank: CamBlank, outline: Outline, limits: CheckLimits) -> Check:
+def _wall(blank: Blank, outline: Outline, limits: CheckLimits) -> Check:
     wall = min(blank.walls(outline), key=lambda wall: wall.thickness)
     return Check(
         "thinnest wall",

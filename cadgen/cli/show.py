@@ -18,7 +18,7 @@ from cadgen.cli.output import hush
 
 if TYPE_CHECKING:
     from cadgen.check import Check
-    from cadgen.workflow.cam.files import Written
+    from cadgen.export.manifest import Written
     from cadgen.workflow.cam.plan import CamPlan
 
 

@@ -11,10 +11,10 @@ from cadgen.build.gear_model import mesh_chord
 from cadgen.design.load import load_design
 from cadgen.errors import FileError
 from cadgen.gears.blank import gear_body
-from cadgen.gears.gear_mesh import body_mesh
-from cadgen.gears.mesh_check import Section, section_of
 from cadgen.gears.thinning import with_deviation
 from cadgen.gears.tooth import GearForm
+from cadgen.meshes.prisms import body_mesh
+from cadgen.meshes.teeth import Section, section_of
 from cadgen.workflow.gears.files import _assembly, _in_mesh, _stl_facts, _tables, table_of
 from cadgen.workflow.gears.plan import plan_gears
 
