@@ -8,10 +8,9 @@ from math import degrees, radians
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.checks import CheckLimits
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve, lift_curve
-from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.design import blank as keys
 from cadgen.design.schema import Design
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed

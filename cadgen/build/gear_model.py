@@ -1,7 +1,7 @@
 """From a design's [train] to what the gear rooms work on: mm and rad."""
 
 from collections.abc import Sequence
-from math import pi, radians
+from math import radians
 from typing import TypeVar
 
 from cadgen.design.joint import TIGHT, Held
@@ -241,16 +241,14 @@ def _gear(gear: GearKeys, train: TrainKeys) -> Gear:
 
 
 def _blank(keys: Blank) -> PartBlank:
-    """What a gear has besides its teeth: the set screw at half the hub's length, holes half a step off the keyway."""
+    """What a gear has besides its teeth: the set screw at half the hub's length."""
     key, hub, web, holes = keys.keyway, keys.hub, keys.web, keys.lightening
     return PartBlank(
         bore_diameter=keys.bore_diameter_mm,
         key=Keyway(width=key.width_mm, depth=key.depth_mm) if key else None,
         hub=_hub(hub) if hub else None,
         web=Web(thickness=web.thickness_mm, rim_thickness=web.rim_mm) if web else None,
-        lightening=Lightening(count=holes.holes, hole_diameter=holes.hole_diameter_mm, start_angle=pi / holes.holes)
-        if holes
-        else None,
+        lightening=Lightening(count=holes.holes, hole_diameter=holes.hole_diameter_mm) if holes else None,
     )
 
 

@@ -7,7 +7,7 @@
 | `theoretical` | the rod axis's curve, and the formula of the paper's appendix                   |
 | `envelope`    | the actual profile: exact envelope of the rod over both faces, trimmed          |
 | `contact`     | a rod rolled on any outline: the lift it gives (shares no code with `envelope`) |
-| `limits`      | textbook limits of the pressure angle, by name                                  |
+| `limits`      | what the checks allow; textbook limits of the pressure angle, by name           |
 | `cutter`      | which cutter reaches every concave part                                         |
 | `checks`      | every figure with its limit, place and verdict                                  |
 | `lowest`      | which branch of the envelope is the lowest, with rounding kept out              |

@@ -3,7 +3,6 @@
 Values here are for people: each carries its own unit (mm, degrees, micrometres).
 """
 
-from dataclasses import dataclass
 from math import inf, radians
 
 import numpy as np
@@ -14,7 +13,7 @@ from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.cam.limits import PressureAngleLimit
+from cadgen.cam.limits import CheckLimits
 from cadgen.cam.loss import Loss, lost_lift
 from cadgen.cam.theoretical import theoretical_profile
 from cadgen.check import Check
@@ -36,27 +35,6 @@ CLOSURE_LIMIT = 1e-6
 # The chamfers recede at 45 degrees along the rim's normal; the rod, which leans along the radius, recedes by no more.
 CHAMFER_LEAN = 45.0
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
-
-
-@dataclass(frozen=True, kw_only=True)
-class CheckLimits:
-    """What the checks allow; angles in rad, lengths in mm.
-
-    Attributes:
-        pressure_angle: limits while the cam drives the rod outwards and while the spring drives it back.
-        lost_lift: how much lift the trimmed profile may miss.
-        min_convex_radius: of the actual profile, away from its corners.
-        cutter_radius: of the cutter that will cut the part.
-        rod_length: from the fork axis to the rod's end.
-        wall: between the profile and every hole.
-    """
-
-    pressure_angle: PressureAngleLimit
-    lost_lift: float
-    min_convex_radius: float
-    cutter_radius: float
-    rod_length: float
-    wall: float
 
 
 def cam_angles(lift: LiftCurve) -> Array:

@@ -269,4 +269,5 @@ def _lightening_holes(blank: Blank, form: GearForm) -> tuple[Loop, ...]:
         f"{form} has {count} lightening holes of {diameter:g} mm on a circle of {2 * pitch_radius:.4g} mm diameter;"
         f" give at most {max(int(most), 1)}, or smaller ones",
     )
-    return tuple(circle(diameter, complex(x, y)) for x, y in blank.lightening.centers(2 * pitch_radius))
+    centers = blank.lightening.centers() if ring else blank.lightening.centers_off_keyway(2 * pitch_radius)
+    return tuple(circle(diameter, complex(x, y)) for x, y in centers)

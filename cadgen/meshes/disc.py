@@ -11,11 +11,8 @@ from cadgen.curves.contour import Contour, circle
 from cadgen.curves.inset import chamfer_strips
 from cadgen.curves.polygon import polygon, strip_polygons
 from cadgen.errors import FileError
-from cadgen.meshes.mesh import Mesh, drilled, mesh_of
-from cadgen.parts.blank import Blank, Boss
-
-_OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
-_STEP = 0.1  # mm between the profile's points when the walls are measured
+from cadgen.meshes.mesh import Mesh, drill, mesh_of
+from cadgen.parts.blank import OVERSHOOT, PROFILE_STEP, Blank, Boss
 
 
 def cam_mesh(
@@ -35,7 +32,7 @@ def cam_mesh(
         DesignError: a hole cuts into another one, into the hub or through the profile.
         CheckError: the chamfers of broken edges meet, or run out at a ridge.
     """
-    blank.require_walls(profile.outline(_STEP))
+    blank.require_walls(profile.outline(PROFILE_STEP))
     holes = [contour.polygon(chord_tolerance) for contour in blank.holes()]
     bore, rim_chord = blank.bore(), rim_share * chord_tolerance
     boss = blank.boss(thickness)
@@ -77,7 +74,7 @@ def _disc(profile: ClosedCurve, holes: list[Array], thickness: float, edge_break
     if solid.status() != Error.NoError:
         raise FileError("the mesh of the disc with broken edges does not close: report this design")
     if holes:
-        solid -= _prism(holes, -_OVERSHOOT, thickness + 2 * _OVERSHOOT)
+        solid -= _prism(holes, -OVERSHOOT, thickness + 2 * OVERSHOOT)
     return solid
 
 
@@ -89,4 +86,4 @@ def _with_hub(disc: Manifold, boss: Boss, bore: Contour, thickness: float, chord
     solid = disc + hub - _prism([bore.polygon(chord_tolerance)], boss.bottom, boss.top - boss.bottom)
     if boss.drill is None:
         return solid
-    return drilled(solid, boss.drill, circle((0.0, 0.0), boss.drill.diameter / 2).polygon(chord_tolerance))
+    return solid - drill(boss.drill, circle((0.0, 0.0), boss.drill.diameter / 2).polygon(chord_tolerance))

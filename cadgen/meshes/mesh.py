@@ -42,15 +42,14 @@ def mesh_of(solid: Manifold) -> Mesh:
     return Mesh(np.array(mesh.vert_properties[:, :3], dtype=np.float64), np.array(mesh.tri_verts, dtype=np.int64))
 
 
-def drilled(solid: Manifold, hole: RadialHole, section: Array) -> Manifold:
-    """A solid less a radial hole.
+def drill(hole: RadialHole, section: Array) -> Manifold:
+    """The prism that a radial hole takes away, from the z axis outwards.
 
     Args:
-        solid: mm.
-        hole: its axis begins on the z axis.
+        hole: in mm and rad.
         section: corners of the hole's section about its own axis, counterclockwise, shape (n, 2), mm.
     """
-    drill = Manifold.extrude(CrossSection([section]), hole.reach)
     c, s = np.cos(hole.angle), np.sin(hole.angle)
-    # Lays the drill's axis, which is z, along the ray of the hole.
-    return solid - drill.transform(np.array([[0.0, -s, c, 0.0], [0.0, c, s, 0.0], [-1.0, 0.0, 0.0, hole.height]]))
+    # Lays the prism's axis, which is z, along the ray of the hole.
+    laid = np.array([[0.0, -s, c, 0.0], [0.0, c, s, 0.0], [-1.0, 0.0, 0.0, hole.height]])
+    return Manifold.extrude(CrossSection([section]), hole.reach).transform(laid)

@@ -10,7 +10,7 @@ import manifold3d
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.meshes.mesh import Mesh, drilled, mesh_of
+from cadgen.meshes.mesh import Mesh, drill, mesh_of
 from cadgen.parts.body import Body, Cap, RadialHole, caps_of, walls_of
 from cadgen.parts.loop import Loop, Points, circle
 
@@ -92,4 +92,6 @@ def _triangulate(rings: list[Points]) -> NDArray[np.int64]:
 def _drilled(mesh: Mesh, hole: RadialHole, chord_tolerance: float) -> Mesh:
     """The mesh less the radial hole, as a prism between axis and reach."""
     section = circle(hole.diameter).polygon(chord_tolerance)
-    return mesh_of(drilled(mesh.solid(), hole, np.column_stack([section.real, section.imag])))
+    # Made before the solid: the order in which both are made is that of their triangles in the result.
+    tool = drill(hole, np.column_stack([section.real, section.imag]))
+    return mesh_of(mesh.solid() - tool)

@@ -12,10 +12,11 @@ from cadgen.errors import DesignError
 from cadgen.parts.body import RadialHole
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Web
 
+OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
+PROFILE_STEP = 0.1  # mm between the profile's points when the walls are measured: 1e-4 mm of wall at 10 mm of radius
 _STEP = 0.05  # mm between points on bore and hub, which errs by 1e-4 mm of wall on a hub of 6 mm
 _STATION = 64  # points of an outline, of which the first is tried before the others
 _ROUNDING = 1e-9  # mm, of a way along an outline
-_OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +111,7 @@ class Blank:
         ring = self.lightening
         if ring is None:
             return ()
-        return tuple(circle(center, ring.hole_diameter / 2) for center in ring.centers(_circle_of(ring)))
+        return tuple(circle(center, ring.hole_diameter / 2) for center in ring.centers())
 
     def inner_contours(self) -> tuple[Contour, ...]:
         """Everything cut out of the disc: the bore, then the lightening holes."""
@@ -124,9 +125,9 @@ class Blank:
         low, high = sorted((hub.level(0.0, thickness), hub.level(hub.length, thickness)))
         drill = None
         if screw := hub.set_screw:
-            height, reach = hub.level(screw.height, thickness), hub.diameter / 2 + _OVERSHOOT
+            height, reach = hub.level(screw.height, thickness), hub.diameter / 2 + OVERSHOOT
             drill = RadialHole(screw.diameter, height, reach, screw.angle)
-        bottom, top = min(low, 0.0) - _OVERSHOOT, max(high, thickness) + _OVERSHOOT
+        bottom, top = min(low, 0.0) - OVERSHOOT, max(high, thickness) + OVERSHOOT
         return Boss(diameter=hub.diameter, low=low, high=high, bottom=bottom, top=top, drill=drill)
 
     def disc_volume(self, profile_area: float, thickness: float) -> float:
@@ -162,8 +163,8 @@ class Blank:
             inner = aside - ring.hole_diameter / 2
             worst = int(np.argmin(inner))
             walls.append(Wall(f"lightening hole {worst + 1} and {name}", float(inner[worst]), centers[worst]))
-        if ring and ring.count > 1:
-            apart = _circle_of(ring) * np.sin(np.pi / ring.count) - ring.hole_diameter
+        if ring and ring.circle_diameter and ring.count > 1:
+            apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
             walls.append(Wall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
         return tuple(
             replace(wall, thickness=wall.thickness - self.edge_break) if wall.between.endswith("and profile") else wall
@@ -187,12 +188,6 @@ class Blank:
                 f"{thinnest.between} overlap by {-thinnest.thickness:.2f} mm at ({x:.1f}, {y:.1f}) mm: "
                 "make one of them smaller or move them apart (the design's [blank])"
             )
-
-
-def _circle_of(ring: Lightening) -> float:
-    if ring.circle_diameter is None:
-        raise DesignError("the lightening holes of a disc need the diameter of the circle that their centres lie on")
-    return ring.circle_diameter
 
 
 def _screw_walls(hub: Hub) -> tuple[Wall, ...]:

@@ -125,8 +125,9 @@ class Lightening:
     Attributes:
         count: how many.
         hole_diameter: of each, mm.
-        circle_diameter: of the circle on which their centres lie, mm; None, on a gear, for midway between hub and rim.
-        start_angle: polar angle of the first one, rad.
+        circle_diameter: of the circle on which their centres lie, mm; None, on a gear, for midway between hub and
+            rim, the first hole half a step off the keyway.
+        start_angle: polar angle of the first one on a circle that is given, rad.
     """
 
     count: int
@@ -134,7 +135,20 @@ class Lightening:
     circle_diameter: float | None = None
     start_angle: float = 0.0
 
-    def centers(self, circle_diameter: float) -> Array:
-        """Centres of the holes on a circle, shape (count, 2), mm."""
-        angles = self.start_angle + TURN / self.count * np.arange(self.count)
-        return circle_diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    def centers(self) -> Array:
+        """Centres of the holes, shape (count, 2), mm.
+
+        Raises:
+            DesignError: the circle is not given.
+        """
+        if self.circle_diameter is None:
+            raise DesignError("lightening holes need the diameter of the circle that their centres lie on")
+        return _on_circle(self.circle_diameter, self.start_angle + TURN / self.count * np.arange(self.count))
+
+    def centers_off_keyway(self, circle_diameter: float) -> Array:
+        """Centres on a circle, the first half a step off a keyway on the x axis, shape (count, 2), mm."""
+        return _on_circle(circle_diameter, TURN * np.arange(0.5, self.count) / self.count)
+
+
+def _on_circle(diameter: float, angles: Array) -> Array:
+    return diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1)

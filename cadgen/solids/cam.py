@@ -9,7 +9,7 @@ from cadgen.curves.contour import Contour, circle
 from cadgen.curves.inset import chamfer_strips
 from cadgen.curves.spline import Degree, splines
 from cadgen.errors import FileError
-from cadgen.parts.blank import Blank, Boss
+from cadgen.parts.blank import PROFILE_STEP, Blank, Boss
 from cadgen.solids.chamfered import chamfered_disc
 from cadgen.solids.crossing import with_exact_crossings
 from cadgen.solids.kernel import Edge, Part, contour_edges, drill, is_valid, prism, solids, spline_edges
@@ -18,7 +18,6 @@ from cadgen.solids.kernel import Edge, Part, contour_edges, drill, is_valid, pri
 # On a disc of 65 mm radius it moves the volume by 3e-7 of itself at most.
 SPLINE_TOLERANCE = 1e-5
 _DEGREE: Degree = 5  # fewer control points than degree 3 at this tolerance, and continuous third derivatives
-_STEP = 0.1  # mm between the profile's points when the walls are measured: 1e-4 mm of wall at 10 mm of radius
 _COLOUR = (0.55, 0.62, 0.70)  # of milled aluminium
 
 
@@ -37,7 +36,7 @@ def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str,
         CheckError: the chamfers of broken edges meet, or run out at a ridge.
         FileError: the kernel made no valid solid of it.
     """
-    blank.require_walls(profile.outline(_STEP))
+    blank.require_walls(profile.outline(PROFILE_STEP))
     holes = [contour_edges(contour, 0.0) for contour in blank.holes()]
     bore, boss = blank.bore(), blank.boss(thickness)
     if boss is None:

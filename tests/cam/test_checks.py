@@ -7,11 +7,11 @@ import pytest
 from scipy.optimize import brentq
 
 from cadgen.cam import checks
-from cadgen.cam.checks import CheckLimits, check_cam
+from cadgen.cam.checks import check_cam
 from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.lift import lift_curve
-from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
 from cadgen.cam.theoretical import published_profile, theoretical_profile
 from cadgen.optimize.compensation import compensated_lift

@@ -6,10 +6,10 @@ from functools import partial
 import numpy as np
 import pytest
 
-from cadgen.cam.checks import CHAMFER_LEAN, CheckLimits, check_cam
+from cadgen.cam.checks import CHAMFER_LEAN, check_cam
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.curves.closed import left_normal
 from cadgen.deviations.as_built import AS_DESIGNED
 from cadgen.parts.blank import Blank
