@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.errors import DesignError
@@ -147,8 +148,8 @@ class Lightening:
 
     def centers_off_keyway(self, circle_diameter: float) -> Array:
         """Centres on a circle, the first half a step off a keyway on the x axis, shape (count, 2), mm."""
-        return _on_circle(circle_diameter, TURN * np.arange(0.5, self.count) / self.count)
+        return _on_circle(circle_diameter, TURN * (np.arange(self.count) + 0.5) / self.count)
 
 
-def _on_circle(diameter: float, angles: Array) -> Array:
-    return diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+def _on_circle(diameter: float, angles: NDArray[np.floating]) -> Array:
+    return np.asarray(diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1), dtype=np.float64)
