@@ -36,7 +36,7 @@ def cam_mesh(
     holes = [contour.polygon(chord_tolerance) for contour in blank.holes()]
     bore, rim_chord = blank.bore(), rim_share * chord_tolerance
     boss = blank.boss(thickness)
-    if blank.hub is None or boss is None:
+    if boss is None:
         solid = _disc(profile, [bore.polygon(chord_tolerance), *holes], thickness, blank.edge_break, rim_chord)
     else:
         disc = _disc(profile, holes, thickness, blank.edge_break, rim_chord)
