@@ -197,9 +197,9 @@ def test_every_mesh_is_watertight_also_through_stl_and_as_large_as_the_solid(nam
     assert again.is_watertight
     assert again.is_winding_consistent
     assert again.is_volume
-    solid = mesh.manifold()
+    solid = mesh.solid()
     assert len(solid.decompose()) == 1
-    assert Mesh(np.asarray(again.vertices), np.asarray(again.faces)).manifold().volume() > 0
+    assert Mesh(np.asarray(again.vertices), np.asarray(again.faces)).solid().volume() > 0
     # Chords err by less than their tolerance over the whole wall.
     side = again.area - 2 * abs(again.area_faces[np.abs(again.face_normals[:, 2]) > 0.5].sum()) / 2
     assert abs(solid.volume() - volume(body_solid(body))) < tolerance * side

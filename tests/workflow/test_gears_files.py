@@ -125,6 +125,6 @@ def test_meshes_of_small_gears_are_as_true_as_those_of_large_ones(module):
         assert chord == pytest.approx(min(2e-3 * module, 5e-3))
         body = gear_body(form)
         mesh = body_mesh(body, chord)
-        assert abs(mesh.manifold().volume() / body.prismatic_volume - 1) < 2e-4
+        assert abs(mesh.solid().volume() / body.prismatic_volume - 1) < 2e-4
         assert 50 * len(mesh.triangles) < 0.4e6  # bytes of an STL
     assert mesh_chord(load_design(None, ["export.mesh_chord_um=20"]), [form]) == pytest.approx(0.02)
