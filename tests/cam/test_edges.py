@@ -121,7 +121,7 @@ def test_faces_and_planes_belong_together(carbon_free_car):
     blank = Blank(bore_diameter=8.0, edge_break=0.3)
     rod = replace(carbon_free_car.follower, inner=23.8, outer=26.2)
     assert blank.carrying(23.5, 26.5) == pytest.approx((23.8, 26.2))
-    assert blank.faces(rod) == pytest.approx((23.5, 26.5))
+    assert blank.faces(rod.inner, rod.outer) == pytest.approx((23.5, 26.5))
     assert rod.land == pytest.approx(2.4)
 
 
