@@ -94,9 +94,8 @@ def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
     mesh = body_mesh(part.body, 1e-3)
     assert _stl_facts("x.stl", mesh, part, 1e-3)["watertight"]
     with pytest.raises(FileError, match="misses the exact volume"):
-        _stl_facts("x.stl", replace(mesh, vertices=mesh.vertices * 1.01), part, 1e-3)
-    twice = replace(
-        mesh,
+        _stl_facts("x.stl", mesh._replace(vertices=mesh.vertices * 1.01), part, 1e-3)
+    twice = mesh._replace(
         vertices=np.concatenate([mesh.vertices, mesh.vertices + 50.0]),
         triangles=np.concatenate([mesh.triangles, mesh.triangles + len(mesh.vertices)]),
     )
