@@ -13,7 +13,9 @@ import pytest
 from cadgen.cam.checks import cam_angles
 from cadgen.cam.contact import roll
 from cadgen.design.load import load_design
-from cadgen.export.mesh import cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
+from cadgen.export.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
+from cadgen.meshes.content import inspect
+from cadgen.meshes.disc import cam_mesh
 from cadgen.solids.cam import cam_part
 from cadgen.solids.step import read_step, step_bytes
 from cadgen.workflow.cam.plan import CamPlan, plan_cam

@@ -10,8 +10,8 @@ from time import perf_counter
 import pytest
 
 from cadgen.gears.blank import gear_body
-from cadgen.gears.gear_mesh import body_mesh
 from cadgen.gears.tooth import GearForm
+from cadgen.meshes.prisms import body_mesh
 from cadgen.solids.gear import body_solid
 
 ROUNDS = 7

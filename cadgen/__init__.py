@@ -11,8 +11,9 @@ The rooms, in walking order; each imports only those before it.
 | `curves`      | closed plane curves: arcs, splines, chords and offsets within a tolerance |
 | `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
 | `steering`    | curvature of the track <-> steering angle                                 |
+| `parts`       | features of a part: bore, keyway, hub, web, holes; a body of prisms       |
 | `cam`         | lift, theoretical and actual profile, contact, checks                     |
-| `gears`       | tolerances, backlash, return error, order of stages, tooth form, checks   |
+| `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |
 | `motion`      | how the car runs when the gears have play                                 |
 | `deviations`  | what a real car differs by, and what that does to it                      |
 | `measurement` | measured data -> the effects that explain them                            |
@@ -20,6 +21,7 @@ The rooms, in walking order; each imports only those before it.
 | `monte_carlo` | many cars within the tolerances                                           |
 | `design`      | the design file: TOML -> frozen values                                    |
 | `build`       | design -> the numeric rooms' own types, in mm and rad                     |
+| `meshes`      | parts as closed meshes; the checks of a train put together                |
 | `solids`      | the only room that imports the CAD kernel                                 |
 | `export`      | one file per format, each with its read-back; manifest; publishing        |
 | `report`      | pictures, as PNG and SVG                                                  |

@@ -8,15 +8,15 @@ from math import degrees, radians
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam import blank as cut
-from cadgen.cam.checks import CheckLimits
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve, lift_curve
-from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
-from cadgen.design.blank import Blank, Hub, Lightening
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
+from cadgen.design import blank as keys
 from cadgen.design.schema import Design
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
 from cadgen.errors import DesignError
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
 from cadgen.path.spline import PlannedPath, plan_path
 from cadgen.path.track import Track, offset_track
 from cadgen.steering.car import Car, steering_jets
@@ -133,14 +133,14 @@ def lift(design: Design, driven: Track | None = None) -> LiftCurve:
     return lift_curve(rim, by_rim(jets, its_car), travel(design, road), blend=blend)
 
 
-def blank(design: Design) -> cut.CamBlank:
+def blank(design: Design) -> Blank:
     """What the disc has besides its profile.
 
     A key, and a set screw beside it, stand where they take out the phase that the cam has on the car as built.
     """
     given = design.blank
     back = as_built(design).phase if has_key(design) else 0.0
-    return cut.CamBlank(
+    return Blank(
         bore_diameter=given.bore_diameter_mm,
         key=_key(given, back),
         hub=_hub(given.hub, back) if given.hub else None,
@@ -171,27 +171,27 @@ def _rod_length(design: Design) -> float:
     return _DEFAULT_REACH * design.cam.faces_mm[1] if given is None else given
 
 
-def _key(given: Blank, back: float) -> cut.Keyway | cut.DFlat | None:
+def _key(given: keys.Blank, back: float) -> Keyway | DFlat | None:
     if given.keyway:
         key = given.keyway
-        return cut.Keyway(width=key.width_mm, depth=key.depth_mm, angle=radians(key.angle_deg) - back)
+        return Keyway(width=key.width_mm, depth=key.depth_mm, angle=radians(key.angle_deg) - back)
     if given.d_flat:
         flat = given.d_flat
-        return cut.DFlat(depth=given.bore_diameter_mm - flat.across_mm, angle=radians(flat.angle_deg) - back)
+        return DFlat(depth=given.bore_diameter_mm - flat.across_mm, angle=radians(flat.angle_deg) - back)
     return None
 
 
-def _hub(given: Hub, back: float) -> cut.Hub:
+def _hub(given: keys.Hub, back: float) -> Hub:
     screw = None
     if given.set_screw:
         hole = given.set_screw
         angle = radians(hole.angle_deg) - back
-        screw = cut.SetScrew(diameter=hole.hole_diameter_mm, height=hole.height_mm, angle=angle)
-    return cut.Hub(diameter=given.diameter_mm, length=given.length_mm, side=given.side, set_screw=screw)
+        screw = SetScrew(diameter=hole.hole_diameter_mm, height=hole.height_mm, angle=angle)
+    return Hub(diameter=given.diameter_mm, length=given.length_mm, side=given.side, set_screw=screw)
 
 
-def _lightening(given: Lightening) -> cut.Lightening:
-    return cut.Lightening(
+def _lightening(given: keys.Lightening) -> Lightening:
+    return Lightening(
         count=given.holes,
         hole_diameter=given.hole_diameter_mm,
         circle_diameter=given.circle_diameter_mm,

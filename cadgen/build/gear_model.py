@@ -7,10 +7,9 @@ from typing import TypeVar
 from cadgen.design.joint import TIGHT, Held
 from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
-from cadgen.design.train import Blank, GearKeys, Stage
+from cadgen.design.train import Blank, GearHub, GearKeys, Stage
 from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
-from cadgen.gears.blank import GearBlank, Hub, Keyway, Lightening, Web
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.joints import Loose, bearings
 from cadgen.gears.layout import Blanks
@@ -18,6 +17,8 @@ from cadgen.gears.limits import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.parts.blank import Blank as PartBlank
+from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 T = TypeVar("T", int, float)
 
@@ -239,12 +240,19 @@ def _gear(gear: GearKeys, train: TrainKeys) -> Gear:
     )
 
 
-def _blank(keys: Blank) -> GearBlank:
+def _blank(keys: Blank) -> PartBlank:
+    """What a gear has besides its teeth: the set screw at half the hub's length."""
     key, hub, web, holes = keys.keyway, keys.hub, keys.web, keys.lightening
-    return GearBlank(
+    return PartBlank(
         bore_diameter=keys.bore_diameter_mm,
-        keyway=Keyway(width=key.width_mm, depth=key.depth_mm) if key else None,
-        hub=Hub(diameter=hub.diameter_mm, length=hub.length_mm, set_screw_diameter=hub.set_screw_mm) if hub else None,
+        key=Keyway(width=key.width_mm, depth=key.depth_mm) if key else None,
+        hub=_hub(hub) if hub else None,
         web=Web(thickness=web.thickness_mm, rim_thickness=web.rim_mm) if web else None,
         lightening=Lightening(count=holes.holes, hole_diameter=holes.hole_diameter_mm) if holes else None,
     )
+
+
+def _hub(keys: GearHub) -> Hub:
+    diameter, length = keys.set_screw_mm, keys.length_mm
+    screw = SetScrew(diameter=diameter, height=length / 2) if diameter else None
+    return Hub(diameter=keys.diameter_mm, length=length, set_screw=screw)

@@ -7,10 +7,8 @@
 | `theoretical` | the rod axis's curve, and the formula of the paper's appendix                   |
 | `envelope`    | the actual profile: exact envelope of the rod over both faces, trimmed          |
 | `contact`     | a rod rolled on any outline: the lift it gives (shares no code with `envelope`) |
-| `blank`       | bore, keyway or flat, holes and hub, and the walls they leave                   |
-| `limits`      | textbook limits of the pressure angle, by name                                  |
+| `limits`      | what the checks allow; textbook limits of the pressure angle, by name           |
 | `cutter`      | which cutter reaches every concave part                                         |
-| `check`       | one figure with its limit and verdict                                           |
 | `checks`      | every figure with its limit, place and verdict                                  |
 | `lowest`      | which branch of the envelope is the lowest, with rounding kept out              |
 | `loss`        | lift that is missing where the envelope is trimmed                              |

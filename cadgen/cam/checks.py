@@ -3,23 +3,22 @@
 Values here are for people: each carries its own unit (mm, degrees, micrometres).
 """
 
-from dataclasses import dataclass
 from math import inf, radians
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.blank import CamBlank
 from cadgen.cam.contact import ROLLING_TOLERANCE, Contact, roll_curve
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.cam.limits import PressureAngleLimit
+from cadgen.cam.limits import CheckLimits
 from cadgen.cam.loss import Loss, lost_lift
 from cadgen.cam.theoretical import theoretical_profile
 from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve, Outline
+from cadgen.parts.blank import Blank
 
 STATIONS = 3600  # one per 0.1 degree of cam angle
 # Where the exact envelope is not trimmed, the rod must neither be pushed out (the wanted place would cut into the
@@ -38,27 +37,6 @@ CHAMFER_LEAN = 45.0
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
 
 
-@dataclass(frozen=True, kw_only=True)
-class CheckLimits:
-    """What the checks allow; angles in rad, lengths in mm.
-
-    Attributes:
-        pressure_angle: limits while the cam drives the rod outwards and while the spring drives it back.
-        lost_lift: how much lift the trimmed profile may miss.
-        min_convex_radius: of the actual profile, away from its corners.
-        cutter_radius: of the cutter that will cut the part.
-        rod_length: from the fork axis to the rod's end.
-        wall: between the profile and every hole.
-    """
-
-    pressure_angle: PressureAngleLimit
-    lost_lift: float
-    min_convex_radius: float
-    cutter_radius: float
-    rod_length: float
-    wall: float
-
-
 def cam_angles(lift: LiftCurve) -> Array:
     """Stations for the checks: an even grid and every kink, rad."""
     even = np.linspace(0.0, TURN, STATIONS, endpoint=False)
@@ -70,7 +48,7 @@ def check_cam(
     follower: Follower,
     curve: ClosedCurve,
     trims: tuple[Trim, ...],
-    blank: CamBlank,
+    blank: Blank,
     limits: CheckLimits,
     *,
     cut: ClosedCurve | None = None,
@@ -265,7 +243,7 @@ def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], 
     return checks
 
 
-def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: CamBlank, limits: CheckLimits) -> Check:
+def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: Blank, limits: CheckLimits) -> Check:
     """The rod must cross the whole rim: its end lies beyond the outer face at every steering, shape (2, n)."""
     T = np.abs(steering).max(axis=0)
     # Of the end's rim, the point nearest to the fork lies r sin(beta) nearer than its centre.
@@ -273,7 +251,7 @@ def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: CamBlan
     worst = int(np.argmin(beyond))
     return Check(
         "rod past the rim",
-        float(beyond[worst] - blank.faces(follower)[1]),
+        float(beyond[worst] - blank.faces(follower.inner, follower.outer)[1]),
         "mm",
         0.0,
         "min",
@@ -282,7 +260,7 @@ def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: CamBlan
     )
 
 
-def _chamfer_clearance(theta: Array, steering: Array, blank: CamBlank) -> list[Check]:
+def _chamfer_clearance(theta: Array, steering: Array, blank: Blank) -> list[Check]:
     """The rod rides on the land as long as it leans less than the chamfers do, at every steering, shape (2, n)."""
     if blank.edge_break == 0:
         return []
@@ -302,11 +280,11 @@ def _chamfer_clearance(theta: Array, steering: Array, blank: CamBlank) -> list[C
     ]
 
 
-def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: CamBlank) -> list[Check]:
+def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: Blank) -> list[Check]:
     """The rod passes above the hub as well as above the disc, at every steering, shape (2, n)."""
     if blank.hub is None:
         return []
-    inner, outer = blank.faces(follower)
+    inner, outer = blank.faces(follower.inner, follower.outer)
     ends = {
         "outer": (outer, outer + blank.hub.length),
         "inner": (inner - blank.hub.length, inner),
@@ -327,7 +305,7 @@ def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: Cam
     ]
 
 
-def _wall(blank: CamBlank, outline: Outline, limits: CheckLimits) -> Check:
+def _wall(blank: Blank, outline: Outline, limits: CheckLimits) -> Check:
     wall = min(blank.walls(outline), key=lambda wall: wall.thickness)
     return Check(
         "thinnest wall",

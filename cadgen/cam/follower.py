@@ -12,7 +12,7 @@ class Follower:
     """The rod and the two planes in which the disc carries it.
 
     The rod leans, so it rides on an edge of the rim: on that of a face or, where the edges are broken by chamfers, on
-    that of the land between them (`cadgen.cam.blank.CamBlank.carrying`).
+    that of the land between them (`cadgen.parts.blank.Blank.carrying`).
 
     The rod's axis lies in the horizontal plane of the camshaft and turns about the fork axis A. In the plane at
     lateral distance w from A its section is an ellipse centred base_radius + w tan(beta) from the camshaft, with

@@ -1,4 +1,4 @@
-"""Limits of the pressure angle that textbooks give, by name."""
+"""What the checks of a cam allow, and the limits of the pressure angle that textbooks give, by name."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,6 +22,27 @@ class PressureAngleLimit:
     rise: float
     fall: float
     source: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class CheckLimits:
+    """What the checks allow; angles in rad, lengths in mm.
+
+    Attributes:
+        pressure_angle: limits while the cam drives the rod outwards and while the spring drives it back.
+        lost_lift: how much lift the trimmed profile may miss.
+        min_convex_radius: of the actual profile, away from its corners.
+        cutter_radius: of the cutter that will cut the part.
+        rod_length: from the fork axis to the rod's end.
+        wall: between the profile and every hole.
+    """
+
+    pressure_angle: PressureAngleLimit
+    lost_lift: float
+    min_convex_radius: float
+    cutter_radius: float
+    rod_length: float
+    wall: float
 
 
 _NORTON = "R. L. Norton, Cam Design and Manufacturing Handbook, 2nd ed. (2009), chapter 7"

@@ -10,8 +10,8 @@ import click
 from cadgen.cli.options import design_options, out_option
 
 if TYPE_CHECKING:
+    from cadgen.export.manifest import Written
     from cadgen.gears.backlash import TrainPlay
-    from cadgen.workflow.gears.files import GearsWritten
     from cadgen.workflow.gears.plan import GearsPlan
 
 ORDERS = ("as-given", "reordered", "search")
@@ -58,7 +58,7 @@ def gears(design: str | None, overrides: tuple[str, ...], order: str, as_json: b
         _choice(plan)
         show.figures("\nteeth in mesh, measured", plan.checks)
         if written:
-            _files(written, out)
+            _files(written, out, chord_is_given=loaded.export.mesh_chord_um is not None)
         else:
             click.echo("cadgen: a check failed, so nothing was exported (--force exports all the same)", err=True)
     sys.exit(0 if plan.passed or force else 1)
@@ -155,7 +155,7 @@ def _choice(plan: "GearsPlan") -> None:
         console.print(f"{note[0].upper()}{note[1:]}.")
 
 
-def _files(written: "GearsWritten", out: Path) -> None:
+def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
     """Each file with its size and what was measured on it."""
     from cadgen.cli.show import Output, plain_table
 
@@ -176,7 +176,7 @@ def _files(written: "GearsWritten", out: Path) -> None:
         table.add_row(name, f"{facts['bytes'] / 1000:.0f} kB", said)
     console = Output()
     console.print(table)
-    if not written.chord_is_given:
+    if not chord_is_given:
         chords = sorted({facts["chord_um"] for facts in written.entry["files"].values() if "chord_um" in facts})
         console.print(
             f"Chords of the STL files stay within {' to '.join(f'{c:g}' for c in {chords[0]: 0, chords[-1]: 0})} µm of "

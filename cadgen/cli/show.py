@@ -19,7 +19,7 @@ from cadgen.report.table import FittedTable
 
 if TYPE_CHECKING:
     from cadgen.check import Check
-    from cadgen.workflow.cam.files import Written
+    from cadgen.export.manifest import Written
     from cadgen.workflow.cam.plan import CamPlan
 
 

@@ -4,6 +4,7 @@
 |------------|-----------------------------------------------------------------------------|
 | `closed`   | a closed curve of smooth pieces: sampling, polar radius, area, corners       |
 | `moved`    | the same curve with its points moved a little                                |
+| `turned`   | the same curve turned about the origin                                       |
 | `contour`  | a closed chain of lines and arcs; bores                                      |
 | `spacing`  | nodes at even errors, for the three approximations below                     |
 | `offset`   | the parallel curve on which a cutter's centre runs                           |

@@ -56,6 +56,27 @@ class Span:
 
 
 @dataclass(frozen=True)
+class DerivedPiece:
+    """What pieces made from another one share: its parameters.
+
+    Attributes:
+        piece: the one it is made from.
+    """
+
+    piece: Piece
+
+    @property
+    def start(self) -> float:
+        """First parameter."""
+        return self.piece.start
+
+    @property
+    def stop(self) -> float:
+        """Last parameter."""
+        return self.piece.stop
+
+
+@dataclass(frozen=True)
 class Outline:
     """A closed curve as points, dense enough that three neighbours in one piece lie on a parabola.
 

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import Array
-from cadgen.curves.closed import ClosedCurve, Jet, Piece, cross, left_normal
+from cadgen.curves.closed import ClosedCurve, DerivedPiece, Jet, Piece, cross, left_normal
 
 # From this far on either side of a joint the two pieces slide along themselves until they meet, mm.
 _SLIDE = 1.0
@@ -15,7 +15,7 @@ _PARALLEL = 1e-9  # sine of the turn at a joint below which the pieces meet half
 
 
 @dataclass(frozen=True)
-class MovedPiece:
+class MovedPiece(DerivedPiece):
     """A smooth piece with a shift of its points, known at some of its parameters.
 
     Attributes:
@@ -24,19 +24,8 @@ class MovedPiece:
         by: shift there, shape (n, 2), mm.
     """
 
-    piece: Piece
     at: Array
     by: Array
-
-    @property
-    def start(self) -> float:
-        """First parameter."""
-        return self.piece.start
-
-    @property
-    def stop(self) -> float:
-        """Last parameter."""
-        return self.piece.stop
 
     @cached_property
     def _shift(self) -> CubicSpline:

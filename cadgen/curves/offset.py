@@ -6,7 +6,7 @@ from math import degrees
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.curves.closed import ClosedCurve, Corner, Jet, Piece, left_normal, polar_angle
+from cadgen.curves.closed import ClosedCurve, Corner, DerivedPiece, Jet, Piece, left_normal, polar_angle
 from cadgen.curves.spacing import turning
 from cadgen.errors import CheckError
 
@@ -17,24 +17,13 @@ _SAMPLES_PER_RADIAN = 600  # of a piece, in search of its tightest hollow
 
 
 @dataclass(frozen=True)
-class OffsetPiece:
+class OffsetPiece(DerivedPiece):
     """A smooth piece moved by `distance` mm to the right of its travel.
 
     With unit normal n to the right and curvature k, p -> p + d n, p' -> (1 + d k) p', k -> k / (1 + d k).
     """
 
-    piece: Piece
     distance: float
-
-    @property
-    def start(self) -> float:
-        """First parameter."""
-        return self.piece.start
-
-    @property
-    def stop(self) -> float:
-        """Last parameter."""
-        return self.piece.stop
 
     def jet(self, t: Array) -> Jet:
         """Point, velocity by the piece's own parameter, and curvature."""

@@ -5,25 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.curves.closed import ClosedCurve, Jet, Piece
+from cadgen.curves.closed import ClosedCurve, DerivedPiece, Jet
 
 
 @dataclass(frozen=True)
-class TurnedPiece:
+class TurnedPiece(DerivedPiece):
     """A smooth piece turned counterclockwise by `angle`, rad."""
 
-    piece: Piece
     angle: float
-
-    @property
-    def start(self) -> float:
-        """First parameter."""
-        return self.piece.start
-
-    @property
-    def stop(self) -> float:
-        """Last parameter."""
-        return self.piece.stop
 
     def jet(self, t: Array) -> Jet:
         """Point, velocity by the piece's own parameter, and curvature."""

@@ -4,9 +4,12 @@
 |-------------|--------------------------------------------------------------------------|
 | `section`   | what all sections have in common                                         |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
+| `joint`     | what holds a wheel on its shaft                                          |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
-| `as_built`  | sections of the car as it was built                                       |
+| `mechanics` | section of what turns the cam ahead of its gears, and what holds it      |
+| `as_built`  | sections of the car as it was built                                      |
 | `train`     | sections of the gear train                                               |
+| `parse`     | TOML text as plain values                                                |
 | `schema`    | all other sections; ranges, defaults, how keys must fit each other       |
 | `keys`      | the schema as a list of keys, their units and ranges in words            |
 | `explain`   | what is wrong with a design, as sentences                                |

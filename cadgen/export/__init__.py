@@ -2,7 +2,7 @@
 
 | module         | what it does                                                                |
 |----------------|-----------------------------------------------------------------------------|
-| `mesh`         | STL and 3MF of the disc, meshed without the CAD kernel                        |
+| `mesh`         | STL and 3MF                                                                 |
 | `dxf`          | the outline as arcs or as splines, for laser, wire EDM and CAD                |
 | `gcode`        | the milling program; `gcode_reader` interprets it and finds what is left over |
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |

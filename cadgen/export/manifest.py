@@ -4,6 +4,7 @@ import hashlib
 import json
 import stat
 from collections.abc import Mapping
+from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,19 @@ _LIBRARIES = (
     "scipy",
     "trimesh",
 )
+
+
+@dataclass(frozen=True)
+class Written:
+    """The files of one part or run and their entry in the manifest.
+
+    Attributes:
+        part: name of the entry.
+        entry: its content; `entry["files"]` maps names to facts.
+    """
+
+    part: str
+    entry: dict[str, Any]
 
 
 def file_hash(file: Path) -> str:

@@ -2,7 +2,6 @@
 
 | module         | what it does                                                                    |
 |----------------|---------------------------------------------------------------------------------|
-| `outline`      | exact plane curves and closed outlines                                          |
 | `tooth`        | numbers of a gear -> exact curves of its teeth                                  |
 | `tolerances`   | ISO 1328-1, ISO 1328-2, ISO 286: grade and size -> tolerances                   |
 | `train`        | gears, pairs and stages in a row, checked                                       |
@@ -14,13 +13,11 @@
 | `limits`       | what a searched train may be                                                    |
 | `candidates`   | the stages that a search may choose from, and where they fit                    |
 | `search`       | all orders of the stages; all tooth numbers that give the ratio                 |
-| `blank`, `body` | bore, keyway, hub, web, holes -> a gear's body, as a stack of prisms           |
+| `blank`        | teeth and blank -> a gear's body, as a stack of prisms                          |
 | `bezier`       | tooth curves as Bézier curves, for solids and files                             |
-| `gear_mesh`    | a body as a closed mesh                                                         |
 | `thinning`     | teeth as they are cut, and what thins most where none are left                  |
 | `inspection`   | span and size over pins, with their limits                                      |
 | `layout`       | a train's parts at their places, clear of each other and in phase               |
-| `mesh_check`   | play and clearances measured on sections, without formulas                      |
 | `contact`      | contact ratio, by the formula and found on the tooth curves                     |
 | `undercut`     | undercut and contact ratio of many pairs at once                                |
 """

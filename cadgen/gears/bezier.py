@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
-from cadgen.gears.outline import Curve, Points
+from cadgen.parts.loop import Curve, Points
 
 # Degree 5 carries a whole flank and degree 8 a whole root of usual size; beyond 20 the pole matrix loses digits.
 LOWEST_DEGREE = 3

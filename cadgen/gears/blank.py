@@ -1,106 +1,30 @@
-"""What a gear has besides its teeth: bore, keyway, hub, web, lightening holes, and the walls they leave."""
+"""A gear's body from its teeth and its blank: bore, keyway, hub, web, lightening holes, and the walls they leave."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from math import asin, cos, floor, hypot, isfinite, pi
-
-import numpy as np
+from dataclasses import replace
+from math import asin, degrees, floor, hypot, isfinite, pi
 
 from cadgen.errors import DesignError
-from cadgen.gears.body import Body, RadialHole, Slab
-from cadgen.gears.outline import Arc, GearOutline, Line, circle
 from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.parts.blank import Blank
+from cadgen.parts.body import Body, RadialHole, Slab
+from cadgen.parts.features import DFlat, Hub, Keyway
+from cadgen.parts.loop import Loop, circle, loop_of
 
 # Least rim under the root in tooth heights: ISO 6336-3 gives no rim factor for a thinner one.
 LEAST_RIM = 0.5
 # Least wall elsewhere in mm: thinner ones bend under the cutter.
 LEAST_WALL = 0.4
-# DIN 6885-1 (ISO 773): bore above and up to, in mm; width b and depth t2 of the keyway in the hub, in mm.
-STANDARD_KEYWAYS = (
-    (6.0, 8.0, 2.0, 1.0),
-    (8.0, 10.0, 3.0, 1.4),
-    (10.0, 12.0, 4.0, 1.8),
-    (12.0, 17.0, 5.0, 2.3),
-    (17.0, 22.0, 6.0, 2.8),
-    (22.0, 30.0, 8.0, 3.3),
-    (30.0, 38.0, 10.0, 3.3),
-    (38.0, 44.0, 12.0, 3.3),
-    (44.0, 50.0, 14.0, 3.8),
-    (50.0, 58.0, 16.0, 4.3),
-    (58.0, 65.0, 18.0, 4.4),
-    (65.0, 75.0, 20.0, 4.9),
-    (75.0, 85.0, 22.0, 5.4),
-    (85.0, 95.0, 25.0, 5.4),
-    (95.0, 110.0, 28.0, 6.4),
-)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Keyway:
-    """Keyway in the bore: `width` b and `depth` t2 in mm, so that bore and keyway together span d + t2."""
-
-    width: float
-    depth: float
-
-    @classmethod
-    def standard(cls, bore_diameter: float) -> Keyway:
-        """The keyway of DIN 6885-1 (ISO 773) for a bore in mm; `DesignError` for one it does not cover."""
-        for above, up_to, width, depth in STANDARD_KEYWAYS:
-            if above < bore_diameter <= up_to:
-                return cls(width=width, depth=depth)
-        raise DesignError(
-            f"no keyway is standardised for a bore of {bore_diameter:g} mm; give a bore above 6 up to 110 mm,"
-            " or the keyway's own width and depth"
-        )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Hub:
-    """Round hub that stands `length` above the face; a radial set screw goes through it at half that length.
-
-    All in mm. A hub of no length is flush with the face and only bounds a web; a set screw of 0 is none.
-    """
-
-    diameter: float
-    length: float = 0.0
-    set_screw_diameter: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Web:
-    """Disc midway along the teeth between hub and rim, and the rim's thickness under the root; in mm."""
-
-    thickness: float
-    rim_thickness: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Lightening:
-    """`count` round holes (mm) on the circle midway between rim and hub, or root and bore without them."""
-
-    count: int
-    hole_diameter: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class GearBlank:
-    """What a gear has besides its teeth; None, and a bore of 0, leave a feature out."""
-
-    bore_diameter: float = 0.0
-    keyway: Keyway | None = None
-    hub: Hub | None = None
-    web: Web | None = None
-    lightening: Lightening | None = None
-
-
-def gear_body(form: GearForm, blank: GearBlank | None = None) -> Body:
+def gear_body(form: GearForm, blank: Blank | None = None) -> Body:
     """The body of one gear between the heights 0 and `form.width`, its hub above.
 
     Without `blank` it is a plain disc. Raises `DesignError` for a tooth that cannot be cut (`tooth_of`) and for
     features that cut into each other, into the teeth, or leave too thin a wall.
     """
-    blank = blank or GearBlank()
+    blank = blank or Blank()
     teeth = tooth_of(form).outline
     holes = _checked_features(blank, form)
     bore = _bore(blank)
@@ -115,22 +39,22 @@ def gear_body(form: GearForm, blank: GearBlank | None = None) -> Body:
     if not (blank.hub and blank.hub.length):
         return Body(tuple(slabs))
     slabs.append(Slab(width, width + blank.hub.length, (*hub, *bore)))
-    if not blank.hub.set_screw_diameter:
+    screw = blank.hub.set_screw
+    if screw is None:
         return Body(tuple(slabs))
-    middle = width + blank.hub.length / 2
-    screw = RadialHole(len(slabs) - 1, blank.hub.set_screw_diameter, middle, reach=blank.hub.diameter)
-    return Body(tuple(slabs), screw)
+    return Body(tuple(slabs), RadialHole(screw.diameter, width + screw.height, reach=blank.hub.diameter))
 
 
-def _checked_features(blank: GearBlank, form: GearForm) -> tuple[GearOutline, ...]:
+def _checked_features(blank: Blank, form: GearForm) -> tuple[Loop, ...]:
     """The lightening holes of a gear, after the checks of all its features."""
+    _check_kinds(blank, form)
     _check_bore(blank, form)
     _check_hub(blank, form)
     _check_web(blank, form)
     return _lightening_holes(blank, form)
 
 
-def with_collar(blank: GearBlank, lower: GearForm, upper: GearForm, length: float, clearance: float = 0.0) -> GearBlank:
+def with_collar(blank: Blank, lower: GearForm, upper: GearForm, length: float, clearance: float = 0.0) -> Blank:
     """The blank of two gears on one shaft with a collar of `length` (mm) between them, if it has no hub of its own.
 
     The collar stays under the roots of both gears by `clearance` (mm), to a tenth of a millimetre, so that the gears in
@@ -149,13 +73,13 @@ def with_collar(blank: GearBlank, lower: GearForm, upper: GearForm, length: floa
     return replace(blank, hub=Hub(diameter=max(floor(room * 10) / 10, least), length=length))
 
 
-def cluster_body(lower: GearForm, upper: GearForm, blank: GearBlank | None = None, turn: float = 0.0) -> Body:
+def cluster_body(lower: GearForm, upper: GearForm, blank: Blank | None = None, turn: float = 0.0) -> Body:
     """Two gears on one shaft as one body: `lower` made from `blank`, its hub as a collar, and `upper` on top.
 
     `turn` (rad) turns `upper` against `lower`. Raises `DesignError` as `gear_body` does, and where `upper`
     does not fit on the face or the collar it stands on.
     """
-    blank = blank or GearBlank()
+    blank = blank or Blank()
     body = gear_body(lower, blank)
     _check_upper(blank, upper)
     if not (blank.hub and blank.hub.length):
@@ -170,7 +94,7 @@ def cluster_body(lower: GearForm, upper: GearForm, blank: GearBlank | None = Non
     return Body((*body.slabs, Slab(top, top + upper.width, (teeth, *_bore(blank)))), body.radial_hole)
 
 
-def fits(form: GearForm, blank: GearBlank, *, upper: bool | None = None) -> bool:
+def fits(form: GearForm, blank: Blank, *, upper: bool | None = None) -> bool:
     """Whether a gear, as cut, has room for this blank: alone, or as the `upper` or lower of two on a shaft.
 
     Its teeth are not looked at.
@@ -207,29 +131,40 @@ def _least_rim(form: GearForm) -> float:
     return LEAST_RIM * (form.tip_diameter - form.root_diameter) / 2
 
 
-def _rim_diameter(blank: GearBlank, form: GearForm) -> float:
+def _rim_diameter(blank: Blank, form: GearForm) -> float:
     """Where the rim ends inwards: at the web's recess if there is one, else as deep as the teeth need it."""
     return form.root_diameter - 2 * (blank.web.rim_thickness if blank.web else _least_rim(form))
 
 
-def _reach(blank: GearBlank) -> float:
+def _reach(blank: Blank) -> float:
     """Diameter of the circle that holds bore and keyway."""
     radius = blank.bore_diameter / 2
-    if blank.keyway:
-        radius = hypot(radius + blank.keyway.depth, blank.keyway.width / 2)
+    if isinstance(blank.key, Keyway):
+        radius = hypot(radius + blank.key.depth, blank.key.width / 2)
     return 2 * radius
 
 
-def _least_hub(blank: GearBlank) -> float:
+def _least_hub(blank: Blank) -> float:
     """Diameter of the thinnest hub over bore and keyway."""
     return _reach(blank) + 2 * LEAST_WALL
 
 
-def _check_bore(blank: GearBlank, form: GearForm) -> None:
+def _check_kinds(blank: Blank, form: GearForm) -> None:
+    """What only a disc may have; keyway and set screw stand at the angle 0, under a tooth."""
+    _require(not isinstance(blank.key, DFlat), f"{form} has a D-flat in its bore; give a keyway, or none")
+    _require(blank.edge_break == 0, f"{form} has broken edges; give the teeth a tip chamfer instead")
+    _require(not blank.hub or blank.hub.side == "outer", f"{form} has its hub on the inner face; give the outer one")
+    screw = blank.hub.set_screw if blank.hub else None
+    for name, feature in (("keyway", blank.key), ("set screw", screw)):
+        angle = feature.angle if feature else 0.0
+        _require(angle == 0, f"{form} has its {name} at {degrees(angle):g}°; give 0, which is under a tooth")
+
+
+def _check_bore(blank: Blank, form: GearForm) -> None:
     """The keyway must fit the bore, and both must leave a rim under the root."""
-    key, bore = blank.keyway, blank.bore_diameter
+    key, bore = blank.key, blank.bore_diameter
     _require(isfinite(bore) and bore >= 0, f"{form} has a bore of {bore:g} mm; give more than 0, or 0 for none")
-    if key:
+    if isinstance(key, Keyway):
         _require_positive(form, keyway_width=key.width, keyway_depth=key.depth)
         _require(
             key.width < bore,
@@ -244,7 +179,7 @@ def _check_bore(blank: GearBlank, form: GearForm) -> None:
     )
 
 
-def _check_upper(blank: GearBlank, upper: GearForm) -> None:
+def _check_upper(blank: Blank, upper: GearForm) -> None:
     """The upper of two gears needs a rim over the bore, and its teeth clear of the collar."""
     _check_bore(blank, upper)
     if blank.hub and blank.hub.length:
@@ -255,7 +190,7 @@ def _check_upper(blank: GearBlank, upper: GearForm) -> None:
         )
 
 
-def _check_web(blank: GearBlank, form: GearForm) -> None:
+def _check_web(blank: Blank, form: GearForm) -> None:
     """A web needs a hub to stand on, a width to be thinner than and a rim that carries the teeth."""
     if not blank.web:
         return
@@ -282,7 +217,7 @@ def _range(low: float, high: float, otherwise: str) -> str:
     return f"give {low:.4g} to {high:.4g} mm" if low <= high else otherwise
 
 
-def _check_hub(blank: GearBlank, form: GearForm) -> None:
+def _check_hub(blank: Blank, form: GearForm) -> None:
     """The hub must hold the bore and the set screw, and stay inside the root."""
     if not blank.hub:
         return
@@ -298,38 +233,31 @@ def _check_hub(blank: GearBlank, form: GearForm) -> None:
         f"{form} has a hub of {hub.diameter:g} mm between its bore and its teeth; "
         + _range(least, largest, "leave the hub out, or give a smaller bore"),
     )
-    widest = max(min(hub.length, blank.bore_diameter) - 2 * LEAST_WALL, 0.0)
-    _require(
-        0 <= hub.set_screw_diameter <= widest,
-        f"{form} has a set screw of {hub.set_screw_diameter:g} mm in a hub of {hub.length:g} mm length with a"
-        f" bore of {blank.bore_diameter:g} mm; give at most {widest:.4g} mm",
-    )
+    if screw := hub.set_screw:
+        room = 2 * min(screw.height, hub.length - screw.height)
+        widest = max(min(room, blank.bore_diameter) - 2 * LEAST_WALL, 0.0)
+        _require(
+            0 < screw.diameter <= widest,
+            f"{form} has a set screw of {screw.diameter:g} mm in a hub of {hub.length:g} mm length with a"
+            f" bore of {blank.bore_diameter:g} mm; give at most {widest:.4g} mm",
+        )
 
 
-def _bore(blank: GearBlank) -> tuple[GearOutline, ...]:
-    """The outline of the bore, if there is one; its keyway lies on the x axis, under a tooth."""
+def _bore(blank: Blank) -> tuple[Loop, ...]:
+    """The loop of the bore, if there is one."""
     if not blank.bore_diameter:
         return ()
-    if not blank.keyway:
-        return (circle(blank.bore_diameter),)
-    radius, half = blank.bore_diameter / 2, blank.keyway.width / 2
-    angle = asin(half / radius)
-    edge, floor = complex(radius * cos(angle), half), complex(radius + blank.keyway.depth, half)
-    keyed = (
-        Line(edge.conjugate(), floor.conjugate()),
-        Line(floor.conjugate(), floor),
-        Line(floor, edge),
-        Arc(radius, angle, 2 * (pi - angle)),
-    )
-    return (GearOutline(keyed),)
+    return (loop_of(blank.bore()) if blank.key else circle(blank.bore_diameter),)
 
 
-def _lightening_holes(blank: GearBlank, form: GearForm) -> tuple[GearOutline, ...]:
+def _lightening_holes(blank: Blank, form: GearForm) -> tuple[Loop, ...]:
     if not blank.lightening:
         return ()
     count, diameter = blank.lightening.count, blank.lightening.hole_diameter
     low, high = max(blank.hub.diameter if blank.hub else 0.0, _reach(blank)), _rim_diameter(blank, form)
-    pitch_radius, largest = (low + high) / 4, (high - low) / 2 - 2 * LEAST_WALL
+    middle, ring = (low + high) / 2, blank.lightening.circle_diameter
+    pitch_radius = (middle if ring is None else ring) / 2
+    largest = (high - low) / 2 - abs(2 * pitch_radius - middle) - 2 * LEAST_WALL
     _require(
         count >= 1 and LEAST_WALL <= diameter <= largest,
         f"{form} has {count} lightening holes of {diameter:g} mm between {low:.4g} and {high:.4g} mm diameter; "
@@ -341,6 +269,5 @@ def _lightening_holes(blank: GearBlank, form: GearForm) -> tuple[GearOutline, ..
         f"{form} has {count} lightening holes of {diameter:g} mm on a circle of {2 * pitch_radius:.4g} mm diameter;"
         f" give at most {max(int(most), 1)}, or smaller ones",
     )
-    # Half a step off the keyway, which weakens the disc on the x axis.
-    angles = 2 * pi * (np.arange(count) + 0.5) / count
-    return tuple(circle(diameter, complex(pitch_radius * np.exp(1j * angle))) for angle in angles)
+    centers = blank.lightening.centers() if ring else blank.lightening.centers_off_keyway(2 * pitch_radius)
+    return tuple(circle(diameter, complex(x, y)) for x, y in centers)

@@ -14,9 +14,9 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
-from cadgen.gears.outline import Points
 from cadgen.gears.tooth import GearForm, Tooth, tooth_of
 from cadgen.gears.train import GearPair
+from cadgen.parts.loop import Points
 
 # Least contact ratio: with less than one pair in mesh the motion is passed on in jerks; the rest is for errors.
 LEAST_CONTACT_RATIO = 1.1

@@ -22,12 +22,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
-from cadgen.gears.blank import GearBlank, cluster_body, gear_body, with_collar
-from cadgen.gears.body import Body
+from cadgen.gears.blank import cluster_body, gear_body, with_collar
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import GearPair, Train
+from cadgen.parts.blank import Blank
+from cadgen.parts.body import Body
+from cadgen.parts.features import Keyway
 
-M = TypeVar("M", Body, GearBlank)
+M = TypeVar("M", Body, Blank)
 
 # Gauss-Legendre nodes of a set screw's hole, to either side of the keyway's edge: its integrand is analytic there.
 _SCREW_NODES = 40
@@ -43,9 +45,9 @@ ONE_AXIS = 1e-6
 class Blanks:
     """What the gears have besides their teeth: on the drive's shaft, the shafts between, and the output's."""
 
-    drive: GearBlank
-    intermediate: GearBlank
-    output: GearBlank
+    drive: Blank
+    intermediate: Blank
+    output: Blank
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,7 +62,7 @@ class TrainPart:
     shaft: int
     gears: tuple[GearForm, ...]
     stages: tuple[int, ...]
-    blank: GearBlank
+    blank: Blank
     body: Body
     axis: complex
     angle: float
@@ -79,10 +81,11 @@ class TrainPart:
         Across the hole, at the distance y from its axis, its chord is 2 √(ρ² − y²) long, and the wall reaches
         from the bore or the keyway's floor to the hub's circle.
         """
-        hub, bore, key = self.blank.hub, self.blank.bore_diameter / 2, self.blank.keyway
-        if hub is None or not hub.set_screw_diameter:
+        hub, bore = self.blank.hub, self.blank.bore_diameter / 2
+        if hub is None or hub.set_screw is None:
             return self.body.prismatic_volume
-        outside, hole = hub.diameter / 2, hub.set_screw_diameter / 2
+        key = self.blank.key if isinstance(self.blank.key, Keyway) else None
+        outside, hole = hub.diameter / 2, hub.set_screw.diameter / 2
 
         # y = ρ sin t makes the integrand smooth on either side of the keyway's edge.
         edge = asin(min(key.width / 2 / hole, 1.0)) if key else 0.0
@@ -187,9 +190,7 @@ def _stacked(train: Train, blanks: Blanks, clearance: float) -> list[TrainPart]:
     first, last = stages[0].driver.form, stages[-1].driven.form
     plane = stages[0].driven.form.width / 2
 
-    def part(
-        name: str, shaft: int, gears: tuple[GearForm, ...], blank: GearBlank, body: Body, height: float
-    ) -> TrainPart:
+    def part(name: str, shaft: int, gears: tuple[GearForm, ...], blank: Blank, body: Body, height: float) -> TrainPart:
         numbers = (shaft - 1, shaft) if len(gears) == 2 else (max(shaft - 1, 1),)
         return TrainPart(
             name=name,
@@ -220,7 +221,7 @@ def _stacked(train: Train, blanks: Blanks, clearance: float) -> list[TrainPart]:
     return parts
 
 
-def _made(shaft: int, place: str, make: Callable[..., M], *arguments: GearForm | GearBlank | float) -> M:
+def _made(shaft: int, place: str, make: Callable[..., M], *arguments: GearForm | Blank | float) -> M:
     try:
         return make(*arguments)
     except DesignError as error:

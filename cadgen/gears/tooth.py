@@ -20,7 +20,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
-from cadgen.gears.outline import Arc, Curve, GearOutline, Involute, Line, Trochoid
+from cadgen.parts.loop import Arc, Curve, Involute, Line, Loop, Trochoid
 
 MINIMUM_TEETH = 4
 # Outside these the basic rack has either no straight flank of use or no width at its tip.
@@ -172,7 +172,7 @@ class Tooth:
         return self.tip_half_angle * self.form.tip_diameter
 
     @property
-    def outline(self) -> GearOutline:
+    def outline(self) -> Loop:
         """Transverse section of the whole gear: root, flank, tip, flank, root and root circle per tooth."""
         form = self.form
         tip = Arc(form.tip_diameter / 2, -self.tip_half_angle, 2 * self.tip_half_angle)
@@ -188,7 +188,7 @@ class Tooth:
         if self.root_flat_angle > 0:
             gap = pi / form.teeth - self.root_flat_angle
             curves.append(Arc(form.root_diameter / 2, gap, 2 * self.root_flat_angle))
-        return GearOutline(tuple(curves), form.teeth)
+        return Loop(tuple(curves), form.teeth)
 
 
 def tooth_of(form: GearForm) -> Tooth:

@@ -1,32 +1,27 @@
 """The cam as a solid: the disc in one prism, or with chamfers on its rim, and its hub."""
 
-import numpy as np
 from OCP.BRepAlgoAPI import BRepAlgoAPI_BooleanOperation, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
-from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
 from OCP.collections import List_TopoDS_Shape
-from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 
-from cadgen.cam.blank import CamBlank, Hub
 from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.inset import chamfer_strips
 from cadgen.curves.spline import Degree, splines
 from cadgen.errors import FileError
+from cadgen.parts.blank import PROFILE_STEP, Blank, Boss
 from cadgen.solids.chamfered import chamfered_disc
 from cadgen.solids.crossing import with_exact_crossings
-from cadgen.solids.kernel import Edge, Part, contour_edges, is_valid, prism, solids, spline_edges
+from cadgen.solids.kernel import Edge, Part, contour_edges, drill, is_valid, prism, solids, spline_edges
 
 # How far the splines may stray from the profile, mm: a fiftieth of what the lift is allowed in a STEP file.
 # On a disc of 65 mm radius it moves the volume by 3e-7 of itself at most.
 SPLINE_TOLERANCE = 1e-5
 _DEGREE: Degree = 5  # fewer control points than degree 3 at this tolerance, and continuous third derivatives
-_STEP = 0.1  # mm between the profile's points when the walls are measured: 1e-4 mm of wall at 10 mm of radius
-_OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
 _COLOUR = (0.55, 0.62, 0.70)  # of milled aluminium
 
 
-def cam_part(profile: ClosedCurve, blank: CamBlank, thickness: float, *, name: str, description: str) -> Part:
+def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str, description: str) -> Part:
     """Return the disc with its bore, holes and hub; z = 0 is the inner face, z = thickness the outer one.
 
     Args:
@@ -41,13 +36,13 @@ def cam_part(profile: ClosedCurve, blank: CamBlank, thickness: float, *, name: s
         CheckError: the chamfers of broken edges meet, or run out at a ridge.
         FileError: the kernel made no valid solid of it.
     """
-    blank.require_walls(profile.outline(_STEP))
+    blank.require_walls(profile.outline(PROFILE_STEP))
     holes = [contour_edges(contour, 0.0) for contour in blank.holes()]
-    bore = blank.bore()
-    if blank.hub is None:
+    bore, boss = blank.bore(), blank.boss(thickness)
+    if boss is None:
         shape = _disc(profile, [contour_edges(bore, 0.0), *holes], thickness, blank.edge_break)
     else:
-        shape = _with_hub(_disc(profile, holes, thickness, blank.edge_break), blank.hub, bore, thickness)
+        shape = _with_hub(_disc(profile, holes, thickness, blank.edge_break), boss, bore)
     found = solids(shape)
     if len(found) != 1 or not is_valid(found[0]):
         raise FileError(
@@ -65,18 +60,13 @@ def _disc(profile: ClosedCurve, holes: list[list[Edge]], thickness: float, edge_
     return prism(spline_edges(splines(profile, SPLINE_TOLERANCE, _DEGREE), 0.0), holes, thickness)
 
 
-def _with_hub(disc: TopoDS_Shape, hub: Hub, bore: Contour, thickness: float) -> TopoDS_Shape:
+def _with_hub(disc: TopoDS_Shape, boss: Boss, bore: Contour) -> TopoDS_Shape:
     """Set the hub on a disc without bore, then cut bore and set screw through both."""
-    low, high = sorted((hub.level(0.0, thickness), hub.level(hub.length, thickness)))
-    boss = prism(contour_edges(circle((0.0, 0.0), hub.diameter / 2), low), (), high - low)
-    bottom, top = min(low, 0.0) - _OVERSHOOT, max(high, thickness) + _OVERSHOOT
-    tools = [prism(contour_edges(bore, bottom), (), top - bottom)]
-    if screw := hub.set_screw:
-        start = gp_Pnt(0.0, 0.0, hub.level(screw.height, thickness))
-        axis = gp_Ax2(start, gp_Dir(np.cos(screw.angle), np.sin(screw.angle), 0.0))
-        reach = hub.diameter / 2 + _OVERSHOOT
-        tools.append(BRepPrimAPI_MakeCylinder(axis, screw.diameter / 2, reach).Shape())
-    return with_exact_crossings(_boolean(BRepAlgoAPI_Cut(), _boolean(BRepAlgoAPI_Fuse(), disc, [boss]), tools))
+    hub = prism(contour_edges(circle((0.0, 0.0), boss.diameter / 2), boss.low), (), boss.high - boss.low)
+    tools = [prism(contour_edges(bore, boss.bottom), (), boss.top - boss.bottom)]
+    if boss.drill:
+        tools.append(drill(boss.drill))
+    return with_exact_crossings(_boolean(BRepAlgoAPI_Cut(), _boolean(BRepAlgoAPI_Fuse(), disc, [hub]), tools))
 
 
 def _boolean(operation: BRepAlgoAPI_BooleanOperation, shape: TopoDS_Shape, tools: list[TopoDS_Shape]) -> TopoDS_Shape:

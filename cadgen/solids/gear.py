@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from OCP.BRep import BRep_Builder
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
-from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder, BRepPrimAPI_MakePrism
+from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
 from OCP.collections import Array1_gp_Pnt
 from OCP.Geom import Geom_BezierCurve, Geom_Circle, Geom_Line, Geom_Plane
 from OCP.gp import gp_Ax2, gp_Ax3, gp_Dir, gp_Pnt, gp_Vec
@@ -20,10 +20,10 @@ from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
 
 from cadgen.errors import FileError
 from cadgen.gears.bezier import bezier_poles
-from cadgen.gears.body import Body, Cap, RadialHole, Wall, caps_of, walls_of
-from cadgen.gears.outline import Arc, Curve, GearOutline, Involute, Line, Points
+from cadgen.parts.body import Body, Cap, RadialHole, Wall, caps_of, walls_of
+from cadgen.parts.loop import Arc, Curve, Involute, Line, Loop, Points
 from cadgen.solids.crossing import with_exact_crossings
-from cadgen.solids.kernel import TOLERANCE, Edge, closed_wire
+from cadgen.solids.kernel import TOLERANCE, Edge, closed_wire, drill
 
 # Fit of the tooth curves, in mm: half of the 0.001 µm and 0.01 µm that flank and root are allowed.
 FLANK_TOLERANCE = 0.5e-6
@@ -33,7 +33,7 @@ ROOT_TOLERANCE = 5e-6
 DECIMALS = 8
 UP = gp_Dir(0.0, 0.0, 1.0)
 
-Wires = dict[tuple[GearOutline, float], TopoDS_Shape]
+Wires = dict[tuple[Loop, float], TopoDS_Shape]
 
 
 def body_solid(body: Body) -> TopoDS_Solid:
@@ -45,10 +45,10 @@ def body_solid(body: Body) -> TopoDS_Solid:
     """
     wires: Wires = {}
     sides = [(wall, _side(wall, wires)) for wall in walls_of(body)]
-    hole = body.radial_hole
+    hole, number = body.radial_hole, body.drilled
     drilled = []
-    if hole:
-        slab = body.slabs[hole.slab]
+    if hole and number is not None:
+        slab = body.slabs[number]
         ends = [_cap(cap, wires) for cap in caps_of((slab,))]
         drilled = _drilled([side for wall, side in sides if wall.within(slab)], ends, hole)
         sides = [(wall, side) for wall, side in sides if not wall.within(slab)]
@@ -66,7 +66,7 @@ def _side(wall: Wall, wires: Wires) -> TopoDS_Shape:
     return prism.Shape().Reversed() if wall.outward else prism.Shape()
 
 
-def _edges(outline: GearOutline, height: float) -> list[Edge]:
+def _edges(outline: Loop, height: float) -> list[Edge]:
     copies = [_copies(curve, outline.turns, height) for curve in outline.curves]
     return [edge for pitch in zip(*copies, strict=True) for edge in pitch]
 
@@ -141,9 +141,7 @@ def _drilled(sides: list[TopoDS_Shape], ends: list[TopoDS_Shape], hole: RadialHo
     would take ten times longer. The end faces' edges stay as they are, so the result fits its neighbours.
     """
     slab = _closed([face for side in sides for face in _faces(side)] + ends)
-    axis = gp_Ax2(gp_Pnt(0.0, 0.0, hole.height), gp_Dir(1.0, 0.0, 0.0))
-    drill = BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, hole.reach)
-    cut = BRepAlgoAPI_Cut(slab, drill.Shape())
+    cut = BRepAlgoAPI_Cut(slab, drill(hole))
     if not cut.IsDone():
         raise FileError(f"the kernel cannot drill the set screw of {hole.diameter:g} mm; change its diameter")
     return [face for face in _faces(with_exact_crossings(cut.Shape())) if not any(face.IsSame(end) for end in ends)]

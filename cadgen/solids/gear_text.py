@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from cadgen.errors import FileError
 from cadgen.gears.bezier import bernstein
-from cadgen.gears.mesh_check import CHORD_TOLERANCE, Section
-from cadgen.gears.outline import Curve, Involute, Trochoid, chord_parameters
 from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.meshes.teeth import CHORD_TOLERANCE, Section
+from cadgen.parts.loop import Curve, Involute, Trochoid, chord_parameters
 
 _SOLID = re.compile(r"#(\d+)=MANIFOLD_SOLID_BREP\(.*?(?=#\d+=(?:STYLED_ITEM|\(GEOMETRIC_REPRESENTATION_CONTEXT))")
 _POINT = re.compile(r"#(\d+)=CARTESIAN_POINT\('',\(([^)]*)\)\)")

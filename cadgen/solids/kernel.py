@@ -14,7 +14,7 @@ from OCP.BRep import BRep_Builder
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepGProp import BRepGProp
-from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder, BRepPrimAPI_MakePrism
 from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int
 from OCP.Geom import Geom_BSplineCurve, Geom_Circle, Geom_Curve, Geom_Line
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pln, gp_Pnt, gp_Vec
@@ -26,6 +26,7 @@ from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Shape, TopoDS_Solid, TopoDS_V
 from cadgen.curves.contour import Contour
 from cadgen.curves.spline import SplineArc
 from cadgen.errors import FileError
+from cadgen.parts.body import RadialHole
 
 if TYPE_CHECKING:
     from build123d import Solid
@@ -156,6 +157,12 @@ def prism(outer: Sequence[Edge], inner: Iterable[Sequence[Edge]], height: float)
     for edges in inner:
         face.Add(TopoDS.Wire(closed_wire(edges).Reversed()))
     return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0.0, 0.0, height)).Shape()
+
+
+def drill(hole: RadialHole) -> TopoDS_Shape:
+    """The cylinder that a radial hole takes away, from the z axis outwards."""
+    axis = gp_Ax2(gp_Pnt(0.0, 0.0, hole.height), gp_Dir(np.cos(hole.angle), np.sin(hole.angle), 0.0))
+    return BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, hole.reach).Shape()
 
 
 def solids(shape: TopoDS_Shape) -> list[TopoDS_Solid]:

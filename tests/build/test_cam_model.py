@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from cadgen.build import cam_model
-from cadgen.cam.blank import DFlat, Keyway
 from cadgen.cam.envelope import actual_profile
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
+from cadgen.parts.features import DFlat, Keyway
 
 Tables = dict[str, Any]
 Write = Callable[[str | bytes | Tables], Path]

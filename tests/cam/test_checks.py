@@ -7,16 +7,17 @@ import pytest
 from scipy.optimize import brentq
 
 from cadgen.cam import checks
-from cadgen.cam.blank import CamBlank, Hub
-from cadgen.cam.checks import CheckLimits, check_cam
+from cadgen.cam.checks import check_cam
 from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.lift import lift_curve
-from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
 from cadgen.cam.theoretical import published_profile, theoretical_profile
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.smoothing import smoothed_lift
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import Hub
 from cadgen.steering.car import steering_jets
 
 LIMITS = CheckLimits(
@@ -27,7 +28,7 @@ LIMITS = CheckLimits(
     rod_length=40.0,
     wall=2.0,
 )
-BLANK = CamBlank(bore_diameter=8.0)
+BLANK = Blank(bore_diameter=8.0)
 
 
 def run(car, curve=None, *, trims=None, limits=LIMITS, blank=BLANK, follower=None):
@@ -98,9 +99,9 @@ def test_each_limit_binds(carbon_free_car, change, name):
 
 
 def test_a_hub_in_the_rods_way(carbon_free_car):
-    low = run(carbon_free_car, blank=CamBlank(bore_diameter=8.0, hub=Hub(diameter=30.0, length=10.0)))
+    low = run(carbon_free_car, blank=Blank(bore_diameter=8.0, hub=Hub(diameter=30.0, length=10.0)))
     assert failed(low) == set()
-    high = run(carbon_free_car, blank=CamBlank(bore_diameter=8.0, hub=Hub(diameter=118.0, length=10.0)))
+    high = run(carbon_free_car, blank=Blank(bore_diameter=8.0, hub=Hub(diameter=118.0, length=10.0)))
     assert "rod above the hub" in failed(high)
 
 

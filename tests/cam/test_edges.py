@@ -6,13 +6,13 @@ from functools import partial
 import numpy as np
 import pytest
 
-from cadgen.cam.blank import CamBlank
-from cadgen.cam.checks import CHAMFER_LEAN, CheckLimits, check_cam
+from cadgen.cam.checks import CHAMFER_LEAN, check_cam
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.curves.closed import left_normal
 from cadgen.deviations.as_built import AS_DESIGNED
+from cadgen.parts.blank import Blank
 from cadgen.workflow.cam.edges import edges_check
 
 STEP = 4e-3  # mm between points: a rod of 2.5 mm then rests within 1e-6 mm
@@ -62,7 +62,7 @@ def end_of_run(tan_beta, car, length, stop, trim=0.0):
 
 def broken(follower, leg):
     """The rod on a rim of which both edges are broken."""
-    inner, outer = CamBlank(bore_diameter=8.0, edge_break=leg).carrying(follower.inner, follower.outer)
+    inner, outer = Blank(bore_diameter=8.0, edge_break=leg).carrying(follower.inner, follower.outer)
     return replace(follower, inner=inner, outer=outer)
 
 
@@ -118,16 +118,16 @@ def test_the_figure_shown_is_that_of_the_rolled_cam(carbon_free_car):
 
 
 def test_faces_and_planes_belong_together(carbon_free_car):
-    blank = CamBlank(bore_diameter=8.0, edge_break=0.3)
+    blank = Blank(bore_diameter=8.0, edge_break=0.3)
     rod = replace(carbon_free_car.follower, inner=23.8, outer=26.2)
     assert blank.carrying(23.5, 26.5) == pytest.approx((23.8, 26.2))
-    assert blank.faces(rod) == pytest.approx((23.5, 26.5))
+    assert blank.faces(rod.inner, rod.outer) == pytest.approx((23.5, 26.5))
     assert rod.land == pytest.approx(2.4)
 
 
 def test_walls_are_those_of_the_face(carbon_free_car):
     outline = carbon_free_car.actual.curve.outline(0.05)
-    sharp, eased = (CamBlank(bore_diameter=8.0, edge_break=leg).walls(outline)[0].thickness for leg in (0.0, 0.3))
+    sharp, eased = (Blank(bore_diameter=8.0, edge_break=leg).walls(outline)[0].thickness for leg in (0.0, 0.3))
     assert sharp - eased == pytest.approx(0.3)
 
 
@@ -143,7 +143,7 @@ def checks_of(built, leg, lift=None):
         rod_length=40.0,
         wall=2.0,
     )
-    blank = CamBlank(bore_diameter=8.0, edge_break=leg)
+    blank = Blank(bore_diameter=8.0, edge_break=leg)
     return {check.name: check for check in check_cam(lift, rod, profile.curve, profile.trims, blank, limits)}
 
 

@@ -14,7 +14,7 @@ from cadgen.check import Check
 from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
-from cadgen.workflow.cam.files import Written
+from cadgen.export.manifest import Written
 from tests.cli.conftest import one_sentence
 
 COMMAND = [sys.executable, "-c", "from cadgen.cli import main; main()"]

@@ -14,28 +14,23 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from cadgen.cam.blank import CamBlank, DFlat, Hub, Keyway, Lightening, SetScrew
 from cadgen.cam.contact import roll
 from cadgen.curves.closed import ClosedCurve, cross
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.inset import chamfered_off
 from cadgen.errors import DesignError, FileError
-from cadgen.export.mesh import (
-    Mesh,
-    MeshContent,
-    cam_mesh,
-    inspect,
-    read_3mf,
-    read_stl,
-    stl_bytes,
-    threemf_bytes,
-)
+from cadgen.export.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
+from cadgen.meshes.content import MeshContent, inspect
+from cadgen.meshes.disc import cam_mesh
+from cadgen.meshes.mesh import Mesh
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
 
 THICKNESS = 3.0
 CHORD = 0.005  # mm, the designs' default
 STEP = 0.05
 CAM_ANGLES = np.radians(np.arange(0, 360, 0.1))
-KEYED = CamBlank(
+KEYED = Blank(
     bore_diameter=8.0,
     key=Keyway(width=3.0, depth=1.4),
     lightening=Lightening(count=6, hole_diameter=18.0, circle_diameter=78.0),
@@ -43,15 +38,15 @@ KEYED = CamBlank(
 HUB = Hub(diameter=20.0, length=10.0, set_screw=SetScrew(diameter=4.2, height=5.0, angle=pi))
 BLANKS = {
     "keyway and holes": KEYED,
-    "plain": CamBlank(bore_diameter=8.0),
-    "D-flat": CamBlank(bore_diameter=8.0, key=DFlat(depth=1.0, angle=0.3)),
+    "plain": Blank(bore_diameter=8.0),
+    "D-flat": Blank(bore_diameter=8.0, key=DFlat(depth=1.0, angle=0.3)),
     "outer hub": replace(KEYED, hub=HUB),
     "inner hub": replace(KEYED, hub=replace(HUB, side="inner")),
     "hub without screw": replace(KEYED, hub=replace(HUB, set_screw=None)),
 }
 
 
-def exact_volume(blank: CamBlank, area: float) -> float:
+def exact_volume(blank: Blank, area: float) -> float:
     """Disc and hub, less the drill's cut through the hub's wall where the bore is round (quadrature)."""
     total = blank.disc_volume(area, THICKNESS)
     if blank.hub is None:
@@ -169,7 +164,7 @@ def test_a_profile_with_corners(appendix_car, through_file):
     hub=st.sampled_from([None, HUB]),
 )
 def test_any_blank_that_fits_gives_a_closed_mesh(bore, count, hole, angle, chord, hub):
-    blank = CamBlank(
+    blank = Blank(
         bore_diameter=bore,
         key=Keyway(width=0.3 * bore, depth=0.2 * bore, angle=angle),
         hub=hub and replace(hub, set_screw=replace(HUB.set_screw, diameter=0.4 * bore, angle=angle + pi)),
@@ -185,16 +180,17 @@ def test_any_blank_that_fits_gives_a_closed_mesh(bore, count, hole, angle, chord
 @pytest.mark.slow
 def test_bytes_depend_on_the_part_alone(carbon_free_car):
     """Also in another process, with another order of hashing."""
-    mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), CamBlank(bore_diameter=8.0), THICKNESS, CHORD)
+    mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), Blank(bore_diameter=8.0), THICKNESS, CHORD)
     expected = stl_bytes(mesh, "disc") + threemf_bytes(mesh, "disc", "test")
     cam_mesh(carbon_free_car.actual.curve, KEYED, THICKNESS, CHORD)
     assert stl_bytes(mesh, "disc") + threemf_bytes(mesh, "disc", "test") == expected
     program = """
 import sys
-from cadgen.cam.blank import CamBlank
+from cadgen.parts.blank import Blank
 from cadgen.curves.contour import circle
-from cadgen.export.mesh import cam_mesh, stl_bytes, threemf_bytes
-mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), CamBlank(bore_diameter=8.0), 3.0, 0.005)
+from cadgen.export.mesh import stl_bytes, threemf_bytes
+from cadgen.meshes.disc import cam_mesh
+mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), Blank(bore_diameter=8.0), 3.0, 0.005)
 sys.stdout.buffer.write(stl_bytes(mesh, "disc") + threemf_bytes(mesh, "disc", "test"))
 """
     environment = os.environ | {"PYTHONHASHSEED": "7", "PYTHONPATH": os.pathsep.join(sys.path)}
@@ -203,13 +199,13 @@ sys.stdout.buffer.write(stl_bytes(mesh, "disc") + threemf_bytes(mesh, "disc", "t
 
 
 def test_headers_name_part_and_unit():
-    mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), CamBlank(bore_diameter=8.0), THICKNESS, CHORD)
+    mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), Blank(bore_diameter=8.0), THICKNESS, CHORD)
     assert stl_bytes(mesh, "disc")[:80].rstrip() == b"cadgen: disc; mm"
     assert len(stl_bytes(mesh, 200 * "x")) == len(stl_bytes(mesh, "disc"))
 
 
 def washer() -> Mesh:
-    return cam_mesh(circle((0.0, 0.0), 10.0).curve(), CamBlank(bore_diameter=8.0), THICKNESS, 0.1)
+    return cam_mesh(circle((0.0, 0.0), 10.0).curve(), Blank(bore_diameter=8.0), THICKNESS, 0.1)
 
 
 def test_faults_of_a_mesh_are_found(through_file):
@@ -235,7 +231,7 @@ def test_a_mesh_without_its_inner_face_is_refused(through_file):
 
 def test_stl_keeps_vertices_closer_than_a_micrometre(tmp_path):
     """The reason for a reader of our own: lib3mf's welds them."""
-    mesh = cam_mesh(circle((0.0, 0.0), 0.01).curve(), CamBlank(bore_diameter=0.002), 0.001, 1e-6)
+    mesh = cam_mesh(circle((0.0, 0.0), 0.01).curve(), Blank(bore_diameter=0.002), 0.001, 1e-6)
     path = tmp_path / "tiny.stl"
     path.write_bytes(stl_bytes(mesh, "tiny"))
     apart = np.linalg.norm(mesh.vertices[mesh.triangles[:, 0]] - mesh.vertices[mesh.triangles[:, 1]], axis=1)
@@ -250,14 +246,15 @@ def test_a_full_disk_is_one_clear_error_and_leaves_nothing(tmp_path):
     program = f"""
 import resource
 from pathlib import Path
-from cadgen.cam.blank import CamBlank
+from cadgen.parts.blank import Blank
 from cadgen.curves.contour import circle
 from cadgen.errors import FileError
 from cadgen.export.folder import publishing
-from cadgen.export.mesh import cam_mesh, stl_bytes, threemf_bytes
+from cadgen.export.mesh import stl_bytes, threemf_bytes
+from cadgen.meshes.disc import cam_mesh
 from cadgen.solids.cam import cam_part
 from cadgen.solids.step import step_bytes
-profile, blank = circle((2.0, 0.0), 30.0).curve(), CamBlank(bore_diameter=8.0)
+profile, blank = circle((2.0, 0.0), 30.0).curve(), Blank(bore_diameter=8.0)
 mesh, part = cam_mesh(profile, blank, 3.0, 1e-5), cam_part(profile, blank, 3.0, name="disc", description="test")
 files = {{"stl": stl_bytes(mesh, "disc"), "3mf": threemf_bytes(mesh, "disc", ""), "step": step_bytes(part)}}
 resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
@@ -368,7 +365,7 @@ def test_broken_edges(carbon_free_car, through_file, name):
 )
 def test_broken_edges_that_come_to_a_point(corners):
     curve = Contour(np.array(corners, dtype=float), np.zeros(len(corners))).curve()
-    blank = CamBlank(bore_diameter=2.0, edge_break=0.5)
+    blank = Blank(bore_diameter=2.0, edge_break=0.5)
     content = inspect(cam_mesh(curve, blank, THICKNESS, 1e-4), STEP, (0.5, THICKNESS - 0.5))
     assert content.watertight
     assert content.volume == pytest.approx(

@@ -10,19 +10,20 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import train_play
-from cadgen.gears.blank import GearBlank, Hub, Keyway
-from cadgen.gears.gear_mesh import body_mesh
 from cadgen.gears.layout import Blanks, TrainLayout, lay_out, meshing_angle
 from cadgen.gears.thinning import thinned
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.meshes.prisms import body_mesh
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import Hub, Keyway, SetScrew
 
 CLEARANCE = 0.3
-COLLAR = GearBlank(bore_diameter=2.0, hub=Hub(diameter=6.0, length=1.0))
+COLLAR = Blank(bore_diameter=2.0, hub=Hub(diameter=6.0, length=1.0))
 BLANKS = Blanks(
-    drive=GearBlank(bore_diameter=3.0, hub=Hub(diameter=7.0, length=5.0, set_screw_diameter=1.6)),
+    drive=Blank(bore_diameter=3.0, hub=Hub(diameter=7.0, length=5.0, set_screw=SetScrew(diameter=1.6, height=2.5))),
     intermediate=COLLAR,
-    output=GearBlank(bore_diameter=6.0, keyway=Keyway(width=2.0, depth=1.0), hub=Hub(diameter=12.0, length=4.0)),
+    output=Blank(bore_diameter=6.0, key=Keyway(width=2.0, depth=1.0), hub=Hub(diameter=12.0, length=4.0)),
 )
 
 
@@ -36,7 +37,7 @@ def train(*stages: tuple[int, int], module: float = 0.5, **form: float) -> Train
 
 def shared_volume(layout: TrainLayout) -> float:
     """Greatest common volume of two parts, by their meshes: another way to see a collision than discs."""
-    solids = [body_mesh(part.body, 0.01).manifold().transform(part.transform) for part in layout.parts]
+    solids = [body_mesh(part.body, 0.01).solid().transform(part.transform) for part in layout.parts]
     return max((a ^ b).volume() for i, a in enumerate(solids) for b in solids[i + 1 :])
 
 
@@ -93,9 +94,9 @@ def test_a_tooth_of_one_meets_a_space_of_the_other(z1, z2, angle, direction):
 
 def test_volume_less_the_set_screw_is_that_of_a_fine_mesh():
     """The drilled mesh is made by manifold3d; its chords leave it short by their tolerance times the walls."""
-    for blank in (BLANKS.drive, replace(BLANKS.drive, keyway=Keyway(width=1.0, depth=0.6))):
+    for blank in (BLANKS.drive, replace(BLANKS.drive, key=Keyway(width=1.0, depth=0.6))):
         part = lay_out(train((30, 90)), replace(BLANKS, drive=blank)).parts[0]
-        assert body_mesh(part.body, 1e-5).manifold().volume() == pytest.approx(part.volume, abs=1e-5 * 500)
+        assert body_mesh(part.body, 1e-5).solid().volume() == pytest.approx(part.volume, abs=1e-5 * 500)
         assert part.body.prismatic_volume - part.volume > 1.0
 
 
@@ -105,7 +106,7 @@ def test_a_shaft_in_the_way_of_the_stage_before_is_refused():
 
 
 def test_wheels_that_rub_without_a_collar_are_refused():
-    flush = replace(BLANKS, intermediate=GearBlank(bore_diameter=2.0, hub=Hub(diameter=6.0, length=0.1)))
+    flush = replace(BLANKS, intermediate=Blank(bore_diameter=2.0, hub=Hub(diameter=6.0, length=0.1)))
     with pytest.raises(DesignError, match=r"gap between them is 0\.1 mm.*longer collar"):
         lay_out(train((20, 60), (20, 60)), flush)
 
@@ -153,7 +154,7 @@ def test_axes_on_top_of_each_other_are_not_blamed_on_bores():
 
 def test_a_blank_that_cannot_be_made_names_its_shaft():
     with pytest.raises(DesignError, match=r"on shaft 3 \(output\), the gear with 60 teeth .* has a bore"):
-        lay_out(train((20, 60), (20, 60)), replace(BLANKS, output=GearBlank(bore_diameter=29.0)))
+        lay_out(train((20, 60), (20, 60)), replace(BLANKS, output=Blank(bore_diameter=29.0)))
     with pytest.raises(DesignError, match=r"on shaft 2 \(intermediate\), the collar of 6 mm stands in the teeth"):
         lay_out(train((20, 60), (12, 60)), BLANKS)
 

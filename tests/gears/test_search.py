@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 from cadgen.errors import DesignError
 from cadgen.gears import chains
 from cadgen.gears.backlash import stage_play, train_play
-from cadgen.gears.blank import GearBlank, Hub
 from cadgen.gears.chains import Fit, best_chains
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.layout import Blanks, lay_out
@@ -24,6 +23,8 @@ from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair, Train
 from cadgen.gears.undercut import missing_shift
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import Hub
 
 
 def pair(z1: int, z2: int, module: float = 0.5, width: float = 5.0, **driver_overrides: float) -> GearPair:
@@ -291,9 +292,9 @@ def test_only_trains_that_can_be_laid_out_are_searched_for(collar):
     """Against the unrestricted list, sieved by laying the trains out: bores, hubs, collars, shafts and bearings."""
     limits = within(teeth=(14, 36), ratio=Fraction(4), keep=9000, widths=(4.0, 9.0), bearing_span=17.0)
     blanks = Blanks(
-        drive=GearBlank(bore_diameter=5.0),
-        intermediate=GearBlank(bore_diameter=2.0, hub=collar),
-        output=GearBlank(bore_diameter=6.0),
+        drive=Blank(bore_diameter=5.0),
+        intermediate=Blank(bore_diameter=2.0, hub=collar),
+        output=Blank(bore_diameter=6.0),
     )
 
     def laid_out(play):
@@ -311,7 +312,7 @@ def test_only_trains_that_can_be_laid_out_are_searched_for(collar):
     errors = [play.return_error_max for play in found]
     assert errors == sorted(errors)
     with pytest.raises(DesignError, match=r"no train of 2 stages .* gears that fit their blanks"):
-        search_trains(limits, replace(blanks, output=GearBlank(bore_diameter=40.0)))
+        search_trains(limits, replace(blanks, output=Blank(bore_diameter=40.0)))
 
 
 def test_a_pair_that_is_excluded_stands_nowhere():

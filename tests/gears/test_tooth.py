@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears.bezier import bernstein, bezier_poles
-from cadgen.gears.outline import chord_parameters
 from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.parts.loop import chord_parameters
 
 # Rounding of the rolled rack's distance on a gear of 100 mm, with a margin.
 ROLLED_ZERO_MM = 1e-9

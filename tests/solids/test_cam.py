@@ -16,22 +16,23 @@ from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_VERTEX
 from OCP.TopExp import TopExp
 from scipy.integrate import quad
 
-from cadgen.cam.blank import CamBlank, DFlat, Hub, Keyway, Lightening, SetScrew
 from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.spline import splines
 from cadgen.errors import DesignError, FileError
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
 from cadgen.solids.cam import SPLINE_TOLERANCE, cam_part
 from cadgen.solids.kernel import Part, closed_wire, contour_edges, is_valid, volume
 
 THICKNESS = 3.0
 VOLUME_BAR = 1e-6  # relative
 RING = Lightening(count=6, hole_diameter=18.0, circle_diameter=78.0)
-KEYED = CamBlank(bore_diameter=8.0, key=Keyway(width=3.0, depth=1.4), lightening=RING)
+KEYED = Blank(bore_diameter=8.0, key=Keyway(width=3.0, depth=1.4), lightening=RING)
 FLAT_BLANKS = {
-    "plain": CamBlank(bore_diameter=8.0),
+    "plain": Blank(bore_diameter=8.0),
     "keyway and holes": KEYED,
-    "D-flat": CamBlank(bore_diameter=8.0, key=DFlat(depth=1.0, angle=0.3)),
+    "D-flat": Blank(bore_diameter=8.0, key=DFlat(depth=1.0, angle=0.3)),
 }
 SCREW = SetScrew(diameter=4.2, height=5.0, angle=pi)
 HUB = Hub(diameter=20.0, length=10.0, set_screw=SCREW)
@@ -42,11 +43,11 @@ HUB_BLANKS = {
 }
 
 
-def make(profile: ClosedCurve, blank: CamBlank) -> Part:
+def make(profile: ClosedCurve, blank: Blank) -> Part:
     return cam_part(profile, blank, THICKNESS, name="cam", description="test")
 
 
-def hub_volume(blank: CamBlank) -> float:
+def hub_volume(blank: Blank) -> float:
     """Hub less bore, less the drill's cut through the wall where the bore is round (quadrature)."""
     hub = blank.hub
     assert hub is not None
@@ -164,7 +165,7 @@ def test_build123d_sees_the_same_part(carbon_free_car):
 
 
 @st.composite
-def blanks(draw) -> CamBlank:
+def blanks(draw) -> Blank:
     """Blanks that fit an eccentric circle whose rim is never nearer than 34 mm."""
     bore = draw(st.floats(4, 12))
     angle = draw(st.floats(-pi, pi))
@@ -196,7 +197,7 @@ def blanks(draw) -> CamBlank:
         start_angle=draw(st.floats(-pi, pi)),
     )
     holes = draw(st.sampled_from([None, lightening]))
-    return CamBlank(bore_diameter=bore, key=key, hub=hub, lightening=holes)
+    return Blank(bore_diameter=bore, key=key, hub=hub, lightening=holes)
 
 
 @pytest.mark.slow
@@ -212,7 +213,7 @@ def test_any_blank_that_fits_gives_its_volume(blank):
 
 def test_walls_against_closed_forms():
     """Eccentric rim of radius 40, 5 off the axis: the nearest rim is at polar angle pi, 35 mm off."""
-    blank = CamBlank(
+    blank = Blank(
         bore_diameter=8.0,
         key=Keyway(width=3.0, depth=1.5, angle=pi / 2),
         hub=Hub(diameter=20.0, length=5.0, set_screw=SetScrew(diameter=2.5, height=2.25, angle=pi / 2)),
@@ -249,7 +250,7 @@ def test_walls_against_closed_forms():
         (replace(KEYED, hub=replace(HUB, diameter=64.0)), "lightening hole . and hub"),
         (replace(KEYED, hub=replace(HUB, diameter=9.0)), "bore and hub"),
         (replace(KEYED, lightening=None, hub=replace(HUB, diameter=125.0)), "hub and profile"),
-        (CamBlank(bore_diameter=140.0), "bore and profile"),
+        (Blank(bore_diameter=140.0), "bore and profile"),
     ],
 )
 def test_what_does_not_fit_is_refused(carbon_free_car, blank, what):

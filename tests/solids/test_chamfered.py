@@ -6,17 +6,18 @@ from math import pi
 import numpy as np
 import pytest
 
-from cadgen.cam.blank import CamBlank, Hub, Keyway, Lightening, SetScrew
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.inset import chamfered_off
 from cadgen.errors import CheckError, FileError
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew
 from cadgen.solids.cam import cam_part
 from cadgen.solids.kernel import is_valid, solids, volume
 from cadgen.solids.step import read_step, step_bytes
 from cadgen.solids.step_text import read_rim
 
 THICKNESS = 3.0
-KEYED = CamBlank(
+KEYED = Blank(
     bore_diameter=8.0,
     key=Keyway(width=3.0, depth=1.4),
     lightening=Lightening(count=6, hole_diameter=18.0, circle_diameter=78.0),
@@ -49,7 +50,7 @@ CUT_CORNER = [[-10, -10], [10, -10], [10, 9.8], [9.8, 10], [-10, 10]]
     ids=["circle", "square"],
 )
 def test_volume_in_closed_form(curve, frustum):
-    blank = CamBlank(bore_diameter=4.0, edge_break=0.5)
+    blank = Blank(bore_diameter=4.0, edge_break=0.5)
     part = cam_part(curve, blank, THICKNESS, name="disc", description="test")
     exact = curve.area() * (THICKNESS - 1.0) + 2 * frustum(0.5) - pi * 4.0 * THICKNESS
     assert volume(part.solid) == pytest.approx(exact, rel=3e-7)
@@ -58,7 +59,7 @@ def test_volume_in_closed_form(curve, frustum):
 @pytest.mark.parametrize("corners", [HOOK, CUT_CORNER], ids=["hollow corner", "swallowed piece"])
 def test_faces_that_come_to_a_point_survive_the_file(corners, tmp_path):
     curve = polygon(corners)
-    blank = CamBlank(bore_diameter=2.0, edge_break=0.5)
+    blank = Blank(bore_diameter=2.0, edge_break=0.5)
     part = cam_part(curve, blank, THICKNESS, name="disc", description="test")
     assert is_valid(part.solid)
     (tmp_path / "disc.step").write_bytes(step_bytes(part))
@@ -110,7 +111,7 @@ def test_with_a_hub(carbon_free_car, side):
     hub = Hub(diameter=20.0, length=8.0, side=side, set_screw=SetScrew(diameter=3.0, height=4.0))
     eased, sharp = (
         cam_part(
-            curve, CamBlank(bore_diameter=8.0, hub=hub, edge_break=leg), THICKNESS, name="cam", description="test"
+            curve, Blank(bore_diameter=8.0, hub=hub, edge_break=leg), THICKNESS, name="cam", description="test"
         ).solid
         for leg in (0.2, 0.0)
     )
@@ -119,7 +120,7 @@ def test_with_a_hub(carbon_free_car, side):
 
 
 def test_a_leg_beyond_the_sharpest_ridge_is_refused():
-    blank = CamBlank(bore_diameter=2.0, edge_break=1.0)
+    blank = Blank(bore_diameter=2.0, edge_break=1.0)
     lens = Contour(np.array([[-10.0, -0.9], [10.0, -0.9], [10.0, 0.9], [-10.0, 0.9]]), np.array([0.4, 1.0, 0.4, 1.0]))
     with pytest.raises(CheckError, match=r"blank\.edge_break_mm is 1, but the outline is convex"):
         cam_part(lens.curve(), blank, THICKNESS, name="cam", description="test")

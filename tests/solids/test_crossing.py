@@ -7,11 +7,11 @@ from OCP.BRepGProp import BRepGProp
 from OCP.GProp import GProp_GProps
 from scipy.integrate import quad
 
-from cadgen.cam.blank import CamBlank, DFlat, Hub, Keyway, SetScrew
 from cadgen.curves.contour import circle
-from cadgen.gears.blank import GearBlank, gear_body
-from cadgen.gears.blank import Hub as GearHub
+from cadgen.gears.blank import gear_body
 from cadgen.gears.tooth import GearForm
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import DFlat, Hub, Keyway, SetScrew
 from cadgen.solids.cam import cam_part
 from cadgen.solids.gear import body_solid
 from cadgen.solids.kernel import Part, edges_on_surfaces, is_valid, solids, volume
@@ -58,7 +58,7 @@ def by_gauss(shape) -> float:
 def test_the_screw_of_a_cams_hub(name, tmp_path):
     key, diameter, length, side, hole, angle = CASES[name]
     screw = SetScrew(diameter=hole, height=length / 2, angle=angle)
-    blank = CamBlank(bore_diameter=8.0, hub=Hub(diameter=diameter, length=length, side=side, set_screw=screw), **key)
+    blank = Blank(bore_diameter=8.0, hub=Hub(diameter=diameter, length=length, side=side, set_screw=screw), **key)
     part = cam_part(circle((0, 0), 40.0).curve(), blank, 3.0, name="cam", description="test")
     again = read_again(part, tmp_path / "cam.step")
     assert edges_on_surfaces(part.solid)
@@ -75,7 +75,7 @@ def test_the_screw_of_a_cams_hub(name, tmp_path):
 
 @pytest.mark.slow
 def test_the_screw_of_a_gears_hub(tmp_path):
-    blank = GearBlank(bore_diameter=8.0, hub=GearHub(diameter=16.0, length=6.0, set_screw_diameter=3.0))
+    blank = Blank(bore_diameter=8.0, hub=Hub(diameter=16.0, length=6.0, set_screw=SetScrew(diameter=3.0, height=3.0)))
     body = gear_body(GearForm(teeth=30, normal_module=1.0, width=6.0), blank)
     part = Part(solid=body_solid(body), name="gear", description="test", colour=(0.5, 0.5, 0.5))
     again = read_again(part, tmp_path / "gear.step")

@@ -16,10 +16,13 @@ from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Shape, TopoDS_Solid
 
 from cadgen.errors import DesignError
-from cadgen.gears.blank import GearBlank, Hub, Keyway, Lightening, Web, cluster_body, gear_body
-from cadgen.gears.body import Body
-from cadgen.gears.gear_mesh import TriangleMesh, body_mesh
+from cadgen.gears.blank import cluster_body, gear_body
 from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.meshes.mesh import Mesh
+from cadgen.meshes.prisms import body_mesh
+from cadgen.parts.blank import Blank
+from cadgen.parts.body import Body
+from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 from cadgen.solids.gear import body_solid
 from cadgen.solids.kernel import Part, is_valid, volume
 from cadgen.solids.step import step_bytes
@@ -35,30 +38,30 @@ def gear(teeth: int, module: float = 0.5, shift: float = 0.0, **numbers: float) 
     return GearForm(teeth=teeth, normal_module=module, width=5.0, profile_shift=shift, **numbers)
 
 
-FULL = GearBlank(
+FULL = Blank(
     bore_diameter=8.0,
-    keyway=Keyway.standard(8.0),
-    hub=Hub(diameter=16.0, length=6.0, set_screw_diameter=3.0),
+    key=Keyway.standard(8.0),
+    hub=Hub(diameter=16.0, length=6.0, set_screw=SetScrew(diameter=3.0, height=3.0)),
     web=Web(thickness=2.0, rim_thickness=3.0),
     lightening=Lightening(count=6, hole_diameter=8.0),
 )
-COLLAR = GearBlank(bore_diameter=5.0, hub=Hub(diameter=15.0, length=4.0))
+COLLAR = Blank(bore_diameter=5.0, hub=Hub(diameter=15.0, length=4.0))
 BODIES = {
     "plain disc": gear_body(gear(30)),
-    "bore": gear_body(gear(30), GearBlank(bore_diameter=5.0)),
-    "keyway": gear_body(gear(40, 1.0), GearBlank(bore_diameter=10.0, keyway=Keyway.standard(10.0))),
-    "hub": gear_body(gear(40, 1.0), GearBlank(bore_diameter=10.0, hub=Hub(diameter=20.0, length=7.0))),
-    "hub without bore": gear_body(gear(40, 1.0), GearBlank(hub=Hub(diameter=20.0, length=7.0))),
-    "holes": gear_body(gear(60), GearBlank(bore_diameter=5.0, lightening=Lightening(count=5, hole_diameter=6.0))),
+    "bore": gear_body(gear(30), Blank(bore_diameter=5.0)),
+    "keyway": gear_body(gear(40, 1.0), Blank(bore_diameter=10.0, key=Keyway.standard(10.0))),
+    "hub": gear_body(gear(40, 1.0), Blank(bore_diameter=10.0, hub=Hub(diameter=20.0, length=7.0))),
+    "hub without bore": gear_body(gear(40, 1.0), Blank(hub=Hub(diameter=20.0, length=7.0))),
+    "holes": gear_body(gear(60), Blank(bore_diameter=5.0, lightening=Lightening(count=5, hole_diameter=6.0))),
     "web": gear_body(
         gear(60, 1.0),
-        GearBlank(bore_diameter=8.0, hub=Hub(diameter=14.0), web=Web(thickness=2.0, rim_thickness=4.0)),
+        Blank(bore_diameter=8.0, hub=Hub(diameter=14.0), web=Web(thickness=2.0, rim_thickness=4.0)),
     ),
     "everything": gear_body(gear(80, 1.0), FULL),
     "chamfer": gear_body(gear(24, 1.0, tip_chamfer=0.1)),
     "undercut": gear_body(gear(9, 1.0)),
     "limit of undercut": gear_body(gear(12, 1.0, 1.25 - 0.38 * (1 - 0.3420201433256687) - 6 * 0.11697777844051097)),
-    "cluster": cluster_body(gear(120), gear(40), GearBlank(bore_diameter=5.0), turn=0.02),
+    "cluster": cluster_body(gear(120), gear(40), Blank(bore_diameter=5.0), turn=0.02),
     "cluster with collar": cluster_body(gear(60), gear(40), COLLAR, turn=0.02),
 }
 
@@ -131,7 +134,7 @@ def test_flank_root_and_volume_of_the_solid_are_exact(teeth: int) -> None:
 @pytest.mark.slow
 def test_a_step_file_of_150_teeth_is_small_and_keeps_the_errors(tmp_path: Path) -> None:
     form = gear(150, 1.0)
-    body = gear_body(form, GearBlank(bore_diameter=10.0))
+    body = gear_body(form, Blank(bore_diameter=10.0))
     path = tmp_path / "gear.step"
     again = through_step(body_solid(body), path)
     flank, root = errors_um(again, form)
@@ -184,7 +187,7 @@ def test_a_gear_has_no_more_faces_than_curves_and_caps() -> None:
     assert wall_count(BODIES["cluster with collar"]) == 6 * (60 + 40) + 2 + 4
 
 
-def through_stl(mesh: TriangleMesh) -> trimesh.Trimesh:
+def through_stl(mesh: Mesh) -> trimesh.Trimesh:
     written = trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False).export(file_type="stl")
     return trimesh.load(trimesh.util.wrap_as_stream(written), file_type="stl")
 
@@ -197,9 +200,9 @@ def test_every_mesh_is_watertight_also_through_stl_and_as_large_as_the_solid(nam
     assert again.is_watertight
     assert again.is_winding_consistent
     assert again.is_volume
-    solid = mesh.manifold()
+    solid = mesh.solid()
     assert len(solid.decompose()) == 1
-    assert TriangleMesh(np.asarray(again.vertices), np.asarray(again.faces)).manifold().volume() > 0
+    assert Mesh(np.asarray(again.vertices), np.asarray(again.faces)).solid().volume() > 0
     # Chords err by less than their tolerance over the whole wall.
     side = again.area - 2 * abs(again.area_faces[np.abs(again.face_normals[:, 2]) > 0.5].sum()) / 2
     assert abs(solid.volume() - volume(body_solid(body))) < tolerance * side
@@ -208,7 +211,7 @@ def test_every_mesh_is_watertight_also_through_stl_and_as_large_as_the_solid(nam
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4])
 def test_the_stl_keeps_its_chord_tolerance(tolerance: float) -> None:
     form = gear(30, 1.0)
-    again = through_stl(body_mesh(gear_body(form, GearBlank(bore_diameter=8.0)), tolerance))
+    again = through_stl(body_mesh(gear_body(form, Blank(bore_diameter=8.0)), tolerance))
     cut = trimesh.intersections.mesh_plane(again, [0.0, 0.0, 1.0], [0.0, 0.0, 2.0])[:, :, :2] @ np.array([1.0, 1j])
     start, along = cut[:, 0], cut[:, 1] - cut[:, 0]
     worst = 0.0
@@ -223,7 +226,7 @@ def test_the_stl_keeps_its_chord_tolerance(tolerance: float) -> None:
 
 def test_solid_and_mesh_of_a_cluster_turn_the_upper_gear() -> None:
     turn = 0.03
-    body = cluster_body(gear(60), gear(30), GearBlank(bore_diameter=5.0), turn=turn)
+    body = cluster_body(gear(60), gear(30), Blank(bore_diameter=5.0), turn=turn)
     mesh = body_mesh(body, 1e-3)
     top = mesh.vertices[mesh.vertices[:, 2] == 10.0]
     tips = np.angle(top @ np.array([1.0, 1j, 0.0]))[np.hypot(top[:, 0], top[:, 1]) > 8.0 - 1e-9]
@@ -233,28 +236,30 @@ def test_solid_and_mesh_of_a_cluster_turn_the_upper_gear() -> None:
 
 
 REFUSED = {
-    "bore that reaches": GearBlank(bore_diameter=28.0),
-    "keyway that reaches": GearBlank(bore_diameter=22.0, keyway=Keyway(width=6.0, depth=2.8)),
-    "give a narrower one": GearBlank(bore_diameter=5.0, keyway=Keyway(width=6.0, depth=1.0)),
-    "keyway depth of 0": GearBlank(bore_diameter=5.0, keyway=Keyway(width=2.0, depth=0.0)),
-    "bore of -1": GearBlank(bore_diameter=-1.0),
-    "hub of 30": GearBlank(bore_diameter=5.0, hub=Hub(diameter=30.0, length=3.0)),
-    "hub of 5 mm": GearBlank(bore_diameter=5.0, hub=Hub(diameter=5.0, length=3.0)),
-    "hub of 0 mm length": GearBlank(bore_diameter=5.0, hub=Hub(diameter=10.0)),
-    "hub of -1 mm length": GearBlank(hub=Hub(diameter=10.0, length=-1.0), web=Web(thickness=2.0, rim_thickness=2.0)),
-    "set screw of 3": GearBlank(bore_diameter=5.0, hub=Hub(diameter=10.0, length=3.0, set_screw_diameter=3.0)),
-    "bore of 0": GearBlank(hub=Hub(diameter=10.0, length=8.0, set_screw_diameter=3.0)),
-    "web but no hub": GearBlank(web=Web(thickness=2.0, rim_thickness=2.0)),
-    "web of 4.5": GearBlank(hub=Hub(diameter=10.0), web=Web(thickness=4.5, rim_thickness=2.0)),
-    "rim of 0.5": GearBlank(hub=Hub(diameter=10.0), web=Web(thickness=2.0, rim_thickness=0.5)),
-    "give a hub of 0.8 to": GearBlank(hub=Hub(diameter=25.0), web=Web(thickness=2.0, rim_thickness=2.0)),
-    "0 lightening holes": GearBlank(lightening=Lightening(count=0, hole_diameter=3.0)),
-    "9 lightening holes": GearBlank(bore_diameter=8.0, lightening=Lightening(count=9, hole_diameter=7.0)),
+    "bore that reaches": Blank(bore_diameter=28.0),
+    "keyway that reaches": Blank(bore_diameter=22.0, key=Keyway(width=6.0, depth=2.8)),
+    "give a narrower one": Blank(bore_diameter=5.0, key=Keyway(width=6.0, depth=1.0)),
+    "keyway depth of 0": Blank(bore_diameter=5.0, key=Keyway(width=2.0, depth=0.0)),
+    "bore of -1": Blank(bore_diameter=-1.0),
+    "hub of 30": Blank(bore_diameter=5.0, hub=Hub(diameter=30.0, length=3.0)),
+    "hub of 5 mm": Blank(bore_diameter=5.0, hub=Hub(diameter=5.0, length=3.0)),
+    "hub of 0 mm length": Blank(bore_diameter=5.0, hub=Hub(diameter=10.0)),
+    "hub of -1 mm length": Blank(hub=Hub(diameter=10.0, length=-1.0), web=Web(thickness=2.0, rim_thickness=2.0)),
+    "set screw of 3": Blank(
+        bore_diameter=5.0, hub=Hub(diameter=10.0, length=3.0, set_screw=SetScrew(diameter=3.0, height=1.5))
+    ),
+    "bore of 0": Blank(hub=Hub(diameter=10.0, length=8.0, set_screw=SetScrew(diameter=3.0, height=4.0))),
+    "web but no hub": Blank(web=Web(thickness=2.0, rim_thickness=2.0)),
+    "web of 4.5": Blank(hub=Hub(diameter=10.0), web=Web(thickness=4.5, rim_thickness=2.0)),
+    "rim of 0.5": Blank(hub=Hub(diameter=10.0), web=Web(thickness=2.0, rim_thickness=0.5)),
+    "give a hub of 0.8 to": Blank(hub=Hub(diameter=25.0), web=Web(thickness=2.0, rim_thickness=2.0)),
+    "0 lightening holes": Blank(lightening=Lightening(count=0, hole_diameter=3.0)),
+    "9 lightening holes": Blank(bore_diameter=8.0, lightening=Lightening(count=9, hole_diameter=7.0)),
 }
 
 
 @pytest.mark.parametrize(("said", "blank"), REFUSED.items(), ids=REFUSED)
-def test_impossible_blanks_are_refused_in_one_sentence(said: str, blank: GearBlank) -> None:
+def test_impossible_blanks_are_refused_in_one_sentence(said: str, blank: Blank) -> None:
     with pytest.raises(DesignError) as refusal:
         gear_body(gear(30, 1.0), blank)
     assert said in str(refusal.value)
@@ -267,7 +272,7 @@ def test_clusters_that_do_not_fit_are_refused() -> None:
     with pytest.raises(DesignError, match="stands in the teeth"):
         cluster_body(gear(60), gear(30), COLLAR)
     with pytest.raises(DesignError, match="bore that reaches"):
-        cluster_body(gear(60), gear(14), GearBlank(bore_diameter=5.0))
+        cluster_body(gear(60), gear(14), Blank(bore_diameter=5.0))
 
 
 def test_standard_keyways_end_where_the_standard_ends() -> None:

@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 from OCP.Interface import Interface_Static
 
-from cadgen.cam.blank import CamBlank, Hub, Keyway, Lightening, SetScrew
 from cadgen.cam.contact import roll
 from cadgen.curves.contour import circle
 from cadgen.errors import FileError
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew
 from cadgen.solids.cam import SPLINE_TOLERANCE, cam_part
 from cadgen.solids.kernel import Part, contour_edges, prism, solids
 from cadgen.solids.step import read_step, step_bytes
@@ -25,7 +26,7 @@ SIZE_BAR = 200_000
 LIFT_BAR_UM = 0.5
 VOLUME_BAR = 1e-6
 CAM_ANGLES = np.radians(np.arange(0, 360, 0.1))
-KEYED = CamBlank(
+KEYED = Blank(
     bore_diameter=8.0,
     key=Keyway(width=3.0, depth=1.4),
     lightening=Lightening(count=6, hole_diameter=18.0, circle_diameter=78.0),
@@ -95,7 +96,7 @@ def test_the_rim_in_the_text_is_the_profile(carbon_free_car, file):
 @pytest.mark.slow
 def test_a_rim_of_corners_and_a_hub(appendix_car, tmp_path):
     hub = Hub(diameter=20.0, length=10.0, side="inner", set_screw=SetScrew(diameter=4.2, height=5.0, angle=2.0))
-    blank = CamBlank(bore_diameter=8.0, hub=hub)
+    blank = Blank(bore_diameter=8.0, hub=hub)
     curve = appendix_car.actual.curve
     file = tmp_path / "cam.step"
     file.write_bytes(step_bytes(cam_part(curve, blank, 2.7, name="cam", description="hub")))

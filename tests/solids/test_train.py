@@ -8,12 +8,13 @@ from build123d import import_step
 
 from cadgen.errors import FileError
 from cadgen.gears.backlash import train_play
-from cadgen.gears.blank import GearBlank, Hub, Keyway
 from cadgen.gears.layout import Blanks, lay_out
-from cadgen.gears.mesh_check import MeasuredPair, measured_pair
 from cadgen.gears.thinning import thinned
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.meshes.teeth import MeasuredPair, measured_pair
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import Hub, Keyway, SetScrew
 from cadgen.solids.gear_text import read_gear, solids_in
 from cadgen.solids.step import step_bytes
 from cadgen.solids.train import assembly_bytes, colour_of_shaft, read_assembly, train_parts
@@ -29,9 +30,9 @@ def pair(z1, z2):
 @pytest.fixture(scope="module")
 def layout():
     blanks = Blanks(
-        drive=GearBlank(bore_diameter=3.0, hub=Hub(diameter=7.0, length=5.0, set_screw_diameter=1.6)),
-        intermediate=GearBlank(bore_diameter=2.0, hub=Hub(diameter=6.0, length=1.0)),
-        output=GearBlank(bore_diameter=4.0, keyway=Keyway(width=1.0, depth=0.6)),
+        drive=Blank(bore_diameter=3.0, hub=Hub(diameter=7.0, length=5.0, set_screw=SetScrew(diameter=1.6, height=2.5))),
+        intermediate=Blank(bore_diameter=2.0, hub=Hub(diameter=6.0, length=1.0)),
+        output=Blank(bore_diameter=4.0, key=Keyway(width=1.0, depth=0.6)),
     )
     return lay_out(thinned(train_play(Train((pair(25, 48), pair(24, 36))))), blanks)
 

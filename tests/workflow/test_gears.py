@@ -11,8 +11,8 @@ from cadgen.build import gear_model
 from cadgen.check import Check
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
-from cadgen.gears.checks import PLAY_LIMIT_UM
 from cadgen.gears.search import search_trains
+from cadgen.meshes.train_checks import PLAY_LIMIT_UM
 from cadgen.workflow.gears import plan as workflow
 from cadgen.workflow.gears.facts import teeth_of
 from cadgen.workflow.gears.plan import NotMadeError, plan_gears

@@ -11,10 +11,10 @@ from cadgen.build.gear_model import mesh_chord
 from cadgen.design.load import load_design
 from cadgen.errors import FileError
 from cadgen.gears.blank import gear_body
-from cadgen.gears.gear_mesh import body_mesh
-from cadgen.gears.mesh_check import Section, section_of
 from cadgen.gears.thinning import with_deviation
 from cadgen.gears.tooth import GearForm
+from cadgen.meshes.prisms import body_mesh
+from cadgen.meshes.teeth import Section, section_of
 from cadgen.workflow.gears.files import _assembly, _in_mesh, _stl_facts, _tables, table_of
 from cadgen.workflow.gears.plan import plan_gears
 
@@ -94,9 +94,8 @@ def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
     mesh = body_mesh(part.body, 1e-3)
     assert _stl_facts("x.stl", mesh, part, 1e-3)["watertight"]
     with pytest.raises(FileError, match="misses the exact volume"):
-        _stl_facts("x.stl", replace(mesh, vertices=mesh.vertices * 1.01), part, 1e-3)
-    twice = replace(
-        mesh,
+        _stl_facts("x.stl", mesh._replace(vertices=mesh.vertices * 1.01), part, 1e-3)
+    twice = mesh._replace(
         vertices=np.concatenate([mesh.vertices, mesh.vertices + 50.0]),
         triangles=np.concatenate([mesh.triangles, mesh.triangles + len(mesh.vertices)]),
     )
@@ -125,6 +124,6 @@ def test_meshes_of_small_gears_are_as_true_as_those_of_large_ones(module):
         assert chord == pytest.approx(min(2e-3 * module, 5e-3))
         body = gear_body(form)
         mesh = body_mesh(body, chord)
-        assert abs(mesh.manifold().volume() / body.prismatic_volume - 1) < 2e-4
+        assert abs(mesh.solid().volume() / body.prismatic_volume - 1) < 2e-4
         assert 50 * len(mesh.triangles) < 0.4e6  # bytes of an STL
     assert mesh_chord(load_design(None, ["export.mesh_chord_um=20"]), [form]) == pytest.approx(0.02)

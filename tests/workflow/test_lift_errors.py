@@ -11,8 +11,9 @@ from cadgen.curves.closed import Outline
 from cadgen.design.load import load_design
 from cadgen.export.dxf import read_dxf
 from cadgen.export.gcode_reader import read_gcode
-from cadgen.export.mesh import inspect, read_3mf, read_stl
+from cadgen.export.mesh import read_3mf, read_stl
 from cadgen.export.points import contact_outline, read_csv, read_xyz
+from cadgen.meshes.content import inspect
 from cadgen.solids.step_text import read_rim
 from cadgen.workflow.cam.files import write_cam
 from cadgen.workflow.cam.plan import CamPlan, plan_cam

@@ -10,14 +10,13 @@ from typing import Any
 from cadgen.design.load import load_design
 from cadgen.errors import FileError
 from cadgen.export.folder import publishing
-from cadgen.export.manifest import file_facts, versions, write_manifest
+from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.measurement.diagnose import Diagnosis, Finding
 from cadgen.report.calibration import draw_record
 from cadgen.report.text import plain
 from cadgen.workflow.calibration.as_built_file import as_built_text
 from cadgen.workflow.calibration.plan import STEERED, Built, Calibration, ZoneMeans
 from cadgen.workflow.calibration.words import report, summary
-from cadgen.workflow.cam.files import Written
 from cadgen.workflow.cam.plan import Step
 
 FORMAT = 1

@@ -20,7 +20,7 @@ from cadgen.curves.inset import chamfered_off
 from cadgen.curves.spline import splines
 from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
-from cadgen.export.manifest import file_hash, versions, write_manifest
+from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.motion.sampled import rolled_lift
 from cadgen.workflow.cam.plan import CamPlan, Step
 
@@ -39,19 +39,6 @@ _DXF_SPLINE_TOLERANCE = 1e-4
 # Share of the chord tolerance that the rim's chords may take at a pressure angle of 0; and at least, at 87 degrees.
 _RIM_SHARE = 0.8
 _LEAST_RIM_SHARE = 0.04
-
-
-@dataclass(frozen=True)
-class Written:
-    """The files of one cam and their entry in the manifest.
-
-    Attributes:
-        part: name of the entry.
-        entry: its content; `entry["files"]` maps names to facts.
-    """
-
-    part: str
-    entry: dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -217,15 +204,13 @@ def edges_note(edge_break: float) -> str:
 
 
 def _judged(job: _Job, result: _Result) -> dict[str, Any]:
-    file = job.staging / result.name
     if not result.lift_error_um <= result.lift_limit_um:
         raise FileError(
             f"{result.name}, read back, moves the rod by {result.lift_error_um:.2f} µm, more than the "
             f"{result.lift_limit_um:g} µm allowed: use finer tolerances in the design's [export]"
         )
     return {
-        "bytes": file.stat().st_size,
-        "sha256": file_hash(file),
+        **file_facts(job.staging / result.name),
         "lift_error_um": result.lift_error_um,
         "lift_limit_um": result.lift_limit_um,
         **result.facts,
@@ -259,7 +244,10 @@ def _step(job: _Job) -> Iterator[_Result]:
 
 
 def _meshes(job: _Job) -> Iterator[_Result]:
-    from cadgen.export.mesh import Mesh, cam_mesh, inspect, read_3mf, read_stl, stl_bytes, threemf_bytes
+    from cadgen.export.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
+    from cadgen.meshes.content import inspect
+    from cadgen.meshes.disc import cam_mesh
+    from cadgen.meshes.mesh import Mesh
 
     chord = job.plan.design.export.cam_chord_um * 1e-3
     mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord, job.rim_share)

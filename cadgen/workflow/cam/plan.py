@@ -7,7 +7,6 @@ from math import ceil, degrees, floor, isfinite, log10
 from typing import Any
 
 from cadgen.build import cam_model, variation
-from cadgen.cam.blank import CamBlank
 from cadgen.cam.checks import check_cam
 from cadgen.cam.cure import undercut_cures
 from cadgen.cam.envelope import Trim, actual_profile
@@ -22,6 +21,7 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError, DesignError
 from cadgen.optimize.judge import Judged, Task, judge
+from cadgen.parts.blank import Blank
 from cadgen.path.track import Track
 from cadgen.workflow.cam.as_built import as_built_facts
 from cadgen.workflow.cam.edges import edges_check
@@ -85,7 +85,7 @@ class CamPlan:
     rod: Follower
     curve: ClosedCurve
     trims: tuple[Trim, ...]
-    blank: CamBlank
+    blank: Blank
     checks: tuple[Check, ...]
     against: Against | None = None
 

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay, play_distribution
-from cadgen.gears.checks import exact_play, limit_states
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.inspection import Inspection, Limits
@@ -23,6 +22,7 @@ from cadgen.gears.tolerances import (
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair
 from cadgen.gears.undercut import missing_shift
+from cadgen.meshes.train_checks import exact_play, limit_states
 
 if TYPE_CHECKING:
     from cadgen.workflow.gears.plan import GearsPlan

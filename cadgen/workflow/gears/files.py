@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,11 +13,12 @@ import numpy as np
 from cadgen.build.gear_model import mesh_chord
 from cadgen.errors import FileError
 from cadgen.export.folder import publishing
-from cadgen.export.manifest import file_hash, versions, write_manifest
-from cadgen.gears.checks import PLAY_LIMIT_UM, cycle, exact_play, meshes, play_error_um, return_error_um
-from cadgen.gears.gear_mesh import body_mesh
+from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.gears.layout import TrainPart
-from cadgen.gears.mesh_check import LEAST_OVERLAP, MeasuredPair, Section
+from cadgen.meshes.mesh import Mesh
+from cadgen.meshes.prisms import body_mesh
+from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section
+from cadgen.meshes.train_checks import PLAY_LIMIT_UM, cycle, exact_play, meshes, play_error_um, return_error_um
 from cadgen.workflow.gears.plan import GearsPlan, Step
 
 if TYPE_CHECKING:
@@ -45,19 +45,7 @@ FRAME = (
 )
 
 
-@dataclass(frozen=True)
-class GearsWritten:
-    """The files of one train and their entry in the manifest; `entry["files"]` maps names to facts.
-
-    `chord_is_given` tells whether the design gives the chord of the STL files.
-    """
-
-    part: str
-    entry: dict[str, Any]
-    chord_is_given: bool
-
-
-def write_gears(plan: GearsPlan, out: Path, step: Step = lambda text: None) -> GearsWritten:
+def write_gears(plan: GearsPlan, out: Path, step: Step = lambda text: None) -> Written:
     """Write, read back, judge and publish every file of a train.
 
     Args:
@@ -74,11 +62,10 @@ def write_gears(plan: GearsPlan, out: Path, step: Step = lambda text: None) -> G
         for label, make in (("STEP", _step_files), ("STL", _stl_files), ("tables", _tables)):
             step(f"writing and reading back {label}")
             for name, facts in make(plan, staging, stem):
-                file = staging / name
-                files[name] = {"bytes": file.stat().st_size, "sha256": file_hash(file), **facts}
+                files[name] = {**file_facts(staging / name), **facts}
         entry = {**plan.facts(), "frame": FRAME, "versions": versions(), "omitted": {}, "files": files}
         write_manifest(staging, f"{stem}_train", entry)
-    return GearsWritten(f"{stem}_train", entry, plan.design.export.mesh_chord_um is not None)
+    return Written(f"{stem}_train", entry)
 
 
 Result = tuple[str, dict[str, Any]]
@@ -169,21 +156,18 @@ def _in_mesh(plan: GearsPlan, name: str, sections: list[tuple[Section, ...]]) ->
 
 
 def _stl_files(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
-    from cadgen.export.mesh import Mesh, read_stl, stl_bytes
+    from cadgen.export.mesh import read_stl, stl_bytes
 
     for part in plan.layout.parts:
         chord = mesh_chord(plan.design, part.gears)
         name = f"{stem}_{part.name}.stl"
-        made = body_mesh(part.body, chord)
-        (staging / name).write_bytes(stl_bytes(Mesh(made.vertices, made.triangles), f"{stem}_{part.name}"))
+        (staging / name).write_bytes(stl_bytes(body_mesh(part.body, chord), f"{stem}_{part.name}"))
         yield name, _stl_facts(name, read_stl(staging / name), part, chord)
 
 
-def _stl_facts(name: str, again: Any, part: TrainPart, chord: float) -> dict[str, Any]:
+def _stl_facts(name: str, again: Mesh, part: TrainPart, chord: float) -> dict[str, Any]:
     """Closed, one body, and no further from the exact volume than the chords and the wall's area allow."""
-    from cadgen.gears.gear_mesh import TriangleMesh
-
-    solid = TriangleMesh(again.vertices, again.triangles).manifold()
+    solid = again.solid()
     _require(len(solid.decompose()) == 1, name, "is not one body")
     corners = again.vertices[again.triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

@@ -12,7 +12,6 @@ from cadgen.check import Check
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import Departure, GearPlay, TrainPlay, departures, train_play
-from cadgen.gears.checks import failing_stages, gear_checks
 from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.joints import WholePlay
 from cadgen.gears.layout import TrainLayout, lay_out
@@ -21,6 +20,7 @@ from cadgen.gears.search import Order, TrainSearch, arrange
 from cadgen.gears.thinning import thinned
 from cadgen.gears.train import GearPair, Train
 from cadgen.gears.undercut import missing_shift
+from cadgen.meshes.train_checks import failing_stages, gear_checks
 from cadgen.workflow.gears.facts import plan_facts, teeth_of
 
 Step = Callable[[str], None]

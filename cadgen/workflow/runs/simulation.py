@@ -10,7 +10,7 @@ import numpy as np
 
 from cadgen.design.schema import Design
 from cadgen.export.folder import publishing
-from cadgen.export.manifest import file_facts, versions, write_manifest
+from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.export.tracks import write_tracks
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflected, deflection_sum, deflections, run_error
@@ -19,7 +19,6 @@ from cadgen.report.errors import draw_events
 from cadgen.report.lift import LiftPicture, draw_lift
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.workflow.cam.as_built import as_built_facts
-from cadgen.workflow.cam.files import Written
 from cadgen.workflow.cam.mechanics import mechanics_facts
 from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.cam.play import Against

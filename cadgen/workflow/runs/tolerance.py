@@ -13,13 +13,12 @@ from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError, FileError
 from cadgen.export.folder import publishing
-from cadgen.export.manifest import file_facts, versions, write_manifest
+from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.monte_carlo.fleet import Fleet, make_fleet
 from cadgen.monte_carlo.robust import FleetEnds, Sensitivity, sensitivities, tolerance_run
 from cadgen.motion.drive import STEPS
 from cadgen.report.errors import FleetPicture, draw_fleet
 from cadgen.workflow.cam.as_built import as_built_facts
-from cadgen.workflow.cam.files import Written
 from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet, unit_of
 

@@ -22,9 +22,9 @@ import manifold3d
 import numpy as np
 
 from cadgen.errors import CheckError
-from cadgen.gears.outline import Points
 from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.gears.train import GearPair
+from cadgen.parts.loop import Points
 
 # Greatest distance of a section's chords from the tooth curves, in mm.
 CHORD_TOLERANCE = 1e-5

@@ -7,9 +7,9 @@ import pytest
 
 from cadgen.check import Check
 from cadgen.design.load import load_design
-from cadgen.gears.checks import PLAY_LIMIT_UM, _bodies, _worst, cycle, meshes, play_error_um, return_error_um
-from cadgen.gears.mesh_check import LEAST_OVERLAP, MeasuredPair, Section, section_of
 from cadgen.gears.thinning import with_deviations
+from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section, section_of
+from cadgen.meshes.train_checks import PLAY_LIMIT_UM, _bodies, _worst, cycle, meshes, play_error_um, return_error_um
 from cadgen.workflow.gears.plan import plan_gears
 
 

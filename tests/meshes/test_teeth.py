@@ -11,17 +11,17 @@ from hypothesis import strategies as st
 from cadgen.errors import CheckError, DesignError
 from cadgen.gears.backlash import train_play
 from cadgen.gears.contact import contact_ratio
-from cadgen.gears.mesh_check import (
+from cadgen.gears.thinning import thinned, with_deviations
+from cadgen.gears.tolerances import ToleranceOverrides
+from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.meshes.teeth import (
     LEAST_OVERLAP,
     MeasuredPair,
     measured_pair,
     return_error,
     section_of,
 )
-from cadgen.gears.thinning import thinned, with_deviations
-from cadgen.gears.tolerances import ToleranceOverrides
-from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
 
 # The error that `mesh_check` argues, in mm of arc: four chord tolerances, what is not seen, and the search's step.
 MEASURING_ERROR = 0.06e-3

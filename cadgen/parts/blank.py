@@ -1,113 +1,22 @@
-"""What a disc has besides its profile: bore, keyway or flat, holes, hub, broken edges; and the walls left."""
+"""What a part has besides its outline or teeth: bore, keyway or flat, hub, web, holes, broken edges; a disc's walls."""
 
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
 from cadgen.curves.closed import Outline, cross, polar_angle
 from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
 from cadgen.errors import DesignError
+from cadgen.parts.body import RadialHole
+from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Web
 
+OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
+PROFILE_STEP = 0.1  # mm between the profile's points when the walls are measured: 1e-4 mm of wall at 10 mm of radius
 _STEP = 0.05  # mm between points on bore and hub, which errs by 1e-4 mm of wall on a hub of 6 mm
 _STATION = 64  # points of an outline, of which the first is tried before the others
 _ROUNDING = 1e-9  # mm, of a way along an outline
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Keyway:
-    """A keyway in the bore's wall.
-
-    Attributes:
-        width: across the key, mm.
-        depth: from the bore's circle to the keyway's floor, mm.
-        angle: polar angle of its middle, rad.
-    """
-
-    width: float
-    depth: float
-    angle: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DFlat:
-    """A flat in the bore.
-
-    Attributes:
-        depth: how far it stands inside the bore's circle, mm.
-        angle: polar angle of its middle, rad.
-    """
-
-    depth: float
-    angle: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SetScrew:
-    """A radial hole through the hub's wall.
-
-    Attributes:
-        diameter: mm.
-        height: of its axis above the disc's face, mm.
-        angle: polar angle of its axis, rad.
-    """
-
-    diameter: float
-    height: float
-    angle: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Hub:
-    """A round hub on one face of the disc.
-
-    Attributes:
-        diameter: mm.
-        length: how far it stands out of the face, mm.
-        side: the face it stands on.
-        set_screw: None for a hub without one.
-    """
-
-    diameter: float
-    length: float
-    side: Literal["outer", "inner"] = "outer"
-    set_screw: SetScrew | None = None
-
-    def level(self, height: float, thickness: float) -> float:
-        """What stands `height` mm above the hub's face, as z on a disc from z = 0 to z = thickness, mm."""
-        return thickness + height if self.side == "outer" else -height
-
-    def screw_walls(self) -> tuple["Wall", ...]:
-        """Material along the hub's length on either side of its set screw, none without one."""
-        screw = self.set_screw
-        if screw is None:
-            return ()
-        place = self.diameter / 2 * np.array([np.cos(screw.angle), np.sin(screw.angle)])
-        below = screw.height - screw.diameter / 2
-        return (
-            Wall("set screw and disc", below, place),
-            Wall("set screw and the hub's end", self.length - screw.height - screw.diameter / 2, place),
-        )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Lightening:
-    """A ring of equal round holes.
-
-    Attributes:
-        count: how many.
-        hole_diameter: of each, mm.
-        circle_diameter: of the circle on which their centres lie, mm.
-        start_angle: polar angle of the first one, rad.
-    """
-
-    count: int
-    hole_diameter: float
-    circle_diameter: float
-    start_angle: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,20 +35,43 @@ class Wall:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CamBlank:
-    """What a disc has besides its profile.
+class Boss:
+    """A hub on a disc from z = 0 to z = thickness: what is added to the disc, and what is then cut through both.
 
     Attributes:
-        bore_diameter: of the hole for the camshaft, mm.
-        key: what keeps the disc from turning on its shaft; None for a plain bore.
-        hub: None for a flat disc.
-        lightening: None for a full disc.
-        edge_break: leg of the 45 degree chamfer on both edges of the rim, mm; 0 for sharp edges.
+        diameter: of the hub, mm.
+        low: z at which the hub begins, mm.
+        high: z at which it ends, mm.
+        bottom: z at which the cut of the bore begins, outside both, mm.
+        top: z at which that cut ends, mm.
+        drill: the set screw's hole; None for a hub without one.
     """
 
-    bore_diameter: float
+    diameter: float
+    low: float
+    high: float
+    bottom: float
+    top: float
+    drill: RadialHole | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Blank:
+    """What a part has besides its outline or teeth; None, and lengths of 0, leave a feature out.
+
+    Attributes:
+        bore_diameter: of the hole for the shaft, mm; 0 for none, which only a gear may have.
+        key: what keeps the part from turning on its shaft; None for a plain bore. A gear has no D-flat.
+        hub: None for a flat part.
+        web: of a gear only.
+        lightening: None for a full part.
+        edge_break: leg of the 45 degree chamfer on both edges of a disc's rim, mm; 0 for sharp edges.
+    """
+
+    bore_diameter: float = 0.0
     key: Keyway | DFlat | None = None
     hub: Hub | None = None
+    web: Web | None = None
     lightening: Lightening | None = None
     edge_break: float = 0.0
 
@@ -152,9 +84,9 @@ class CamBlank:
         """
         return inner_face + self.edge_break, outer_face - self.edge_break
 
-    def faces(self, follower: Follower) -> tuple[float, float]:
-        """Lateral distances of the disc's faces from the fork axis, mm: `carrying` undone."""
-        return follower.inner - self.edge_break, follower.outer + self.edge_break
+    def faces(self, inner: float, outer: float) -> tuple[float, float]:
+        """Lateral distances of the disc's faces from the fork axis, mm, by those of the planes of `carrying`."""
+        return inner - self.edge_break, outer + self.edge_break
 
     def bore(self) -> Contour:
         """The bore with its keyway or flat, run counterclockwise.
@@ -171,17 +103,32 @@ class CamBlank:
                 return circle((0.0, 0.0), self.bore_diameter / 2)
 
     def holes(self) -> tuple[Contour, ...]:
-        """The lightening holes, each run counterclockwise."""
+        """The lightening holes of a disc, each run counterclockwise.
+
+        Raises:
+            DesignError: the circle that their centres lie on is not given.
+        """
         ring = self.lightening
         if ring is None:
             return ()
-        angles = ring.start_angle + TURN / ring.count * np.arange(ring.count)
-        centers = ring.circle_diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-        return tuple(circle(center, ring.hole_diameter / 2) for center in centers)
+        return tuple(circle(center, ring.hole_diameter / 2) for center in ring.centers())
 
     def inner_contours(self) -> tuple[Contour, ...]:
         """Everything cut out of the disc: the bore, then the lightening holes."""
         return self.bore(), *self.holes()
+
+    def boss(self, thickness: float) -> Boss | None:
+        """The hub on a disc from z = 0 to z = thickness (mm); None without one."""
+        hub = self.hub
+        if hub is None:
+            return None
+        low, high = sorted((hub.level(0.0, thickness), hub.level(hub.length, thickness)))
+        drill = None
+        if screw := hub.set_screw:
+            height, reach = hub.level(screw.height, thickness), hub.diameter / 2 + OVERSHOOT
+            drill = RadialHole(screw.diameter, height, reach, screw.angle)
+        bottom, top = min(low, 0.0) - OVERSHOOT, max(high, thickness) + OVERSHOOT
+        return Boss(diameter=hub.diameter, low=low, high=high, bottom=bottom, top=top, drill=drill)
 
     def disc_volume(self, profile_area: float, thickness: float) -> float:
         """Volume of the disc without its hub, mm^3: what the contours leave of the profile's area (mm^2).
@@ -206,7 +153,7 @@ class CamBlank:
             walls.append(_enclosed(core, name, hub.outline(_STEP), "hub"))
             core, name = hub, "hub"
             walls.append(_enclosed(core, name, profile, "profile"))
-            walls += self.hub.screw_walls()
+            walls += _screw_walls(self.hub)
         holes, ring = self.holes(), self.lightening
         if ring:
             rim = [_enclosed(hole, f"lightening hole {n}", profile, "profile") for n, hole in enumerate(holes, 1)]
@@ -216,7 +163,7 @@ class CamBlank:
             inner = aside - ring.hole_diameter / 2
             worst = int(np.argmin(inner))
             walls.append(Wall(f"lightening hole {worst + 1} and {name}", float(inner[worst]), centers[worst]))
-        if ring and ring.count > 1:
+        if ring and ring.circle_diameter and ring.count > 1:
             apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
             walls.append(Wall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
         return tuple(
@@ -228,8 +175,12 @@ class CamBlank:
         """Refuse a blank of which no solid can be made.
 
         Raises:
-            DesignError: one feature cuts into another or through the profile.
+            DesignError: one feature cuts into another or through the profile, or is for gears only.
         """
+        if self.web:
+            raise DesignError("a web is for a gear: leave it out of the disc's blank")
+        if not self.bore_diameter > 0:
+            raise DesignError(f"the bore of a disc is {self.bore_diameter:g} mm: give it a diameter of more than 0")
         thinnest = min(self.walls(profile), key=lambda wall: wall.thickness)
         if thinnest.thickness <= 0:
             x, y = thinnest.place
@@ -237,6 +188,19 @@ class CamBlank:
                 f"{thinnest.between} overlap by {-thinnest.thickness:.2f} mm at ({x:.1f}, {y:.1f}) mm: "
                 "make one of them smaller or move them apart (the design's [blank])"
             )
+
+
+def _screw_walls(hub: Hub) -> tuple[Wall, ...]:
+    """Material along the hub's length on either side of its set screw, none without one."""
+    screw = hub.set_screw
+    if screw is None:
+        return ()
+    place = hub.diameter / 2 * np.array([np.cos(screw.angle), np.sin(screw.angle)])
+    below = screw.height - screw.diameter / 2
+    return (
+        Wall("set screw and disc", below, place),
+        Wall("set screw and the hub's end", hub.length - screw.height - screw.diameter / 2, place),
+    )
 
 
 def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Wall:

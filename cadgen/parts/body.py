@@ -1,4 +1,4 @@
-"""A gear's body as a stack of prisms, and the walls and caps that bound it.
+"""A body as a stack of prisms, and the walls and caps that bound it.
 
 Both the B-rep and the mesh are made from this one description, so a feature is described once.
 """
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise, zip_longest
 
 from cadgen.errors import DesignError
-from cadgen.gears.outline import GearOutline
+from cadgen.parts.loop import Loop
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,8 +23,8 @@ class Slab:
 
     start: float
     end: float
-    rings: tuple[GearOutline, ...]
-    holes: tuple[GearOutline, ...] = ()
+    rings: tuple[Loop, ...]
+    holes: tuple[Loop, ...] = ()
 
     @property
     def area(self) -> float:
@@ -32,19 +32,26 @@ class Slab:
         areas = (outline.area if outward else -outline.area for outline, outward in self.walls().items())
         return sum(areas)
 
-    def walls(self) -> dict[GearOutline, bool]:
+    def walls(self) -> dict[Loop, bool]:
         """Every outline of the section, with True where the material is inside it."""
         return {ring: i % 2 == 0 for i, ring in enumerate(self.rings)} | dict.fromkeys(self.holes, False)
 
 
 @dataclass(frozen=True, slots=True)
 class RadialHole:
-    """Round hole drilled at `height` from the axis along +x as far as `reach`, through slab number `slab`."""
+    """A round hole drilled from the axis outwards.
 
-    slab: int
+    Attributes:
+        diameter: mm.
+        height: of its axis along z, mm.
+        reach: how far it goes, from the axis on, mm.
+        angle: polar angle of its axis, rad.
+    """
+
     diameter: float
     height: float
     reach: float
+    angle: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +60,14 @@ class Body:
 
     slabs: tuple[Slab, ...]
     radial_hole: RadialHole | None = None
+
+    @property
+    def drilled(self) -> int | None:
+        """Number of the slab that the radial hole goes through; None without a hole."""
+        hole = self.radial_hole
+        if hole is None:
+            return None
+        return next(number for number, slab in enumerate(self.slabs) if slab.start < hole.height < slab.end)
 
     @property
     def prismatic_volume(self) -> float:
@@ -64,7 +79,7 @@ class Body:
 class Wall:
     """Outline swept from the height `start` to `end`; `outward` where the material is inside it."""
 
-    outline: GearOutline
+    outline: Loop
     start: float
     end: float
     outward: bool
@@ -80,8 +95,8 @@ class Cap:
 
     height: float
     up: bool
-    outer: GearOutline
-    inner: tuple[GearOutline, ...]
+    outer: Loop
+    inner: tuple[Loop, ...]
 
 
 def walls_of(body: Body) -> Iterator[Wall]:
@@ -89,8 +104,8 @@ def walls_of(body: Body) -> Iterator[Wall]:
 
     A slab with a radial hole keeps its walls apart from those of its neighbours.
     """
-    drilled = body.radial_hole.slab if body.radial_hole else None
-    open_walls: dict[tuple[GearOutline, bool], float] = {}
+    drilled = body.drilled
+    open_walls: dict[tuple[Loop, bool], float] = {}
     for i, slab in enumerate(body.slabs):
         here = slab.walls()
         above = body.slabs[i + 1].walls() if i + 1 < len(body.slabs) else {}
@@ -123,7 +138,7 @@ def caps_of(slabs: tuple[Slab, ...]) -> Iterator[Cap]:
             yield Cap(height, up, outer, tuple(inside))
 
 
-def _require_nested(height: float, rings: list[GearOutline]) -> None:
+def _require_nested(height: float, rings: list[Loop]) -> None:
     for outer, inner in pairwise(rings):
         if inner.radii[1] >= outer.radii[0]:
             raise DesignError(

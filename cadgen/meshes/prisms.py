@@ -1,4 +1,4 @@
-"""Direct triangle mesh of a gear's body: no CAD kernel, every corner on the exact outline.
+"""Direct mesh of a body of prisms, such as a gear's: no CAD kernel, every corner on the exact outline.
 
 The walls are strips between equal polygons and the caps share their corners, so the mesh is closed by
 construction.
@@ -6,47 +6,26 @@ construction.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import manifold3d
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.errors import FileError
-from cadgen.gears.body import Body, Cap, RadialHole, caps_of, walls_of
-from cadgen.gears.outline import GearOutline, Points, circle
+from cadgen.meshes.mesh import Mesh, drill, mesh_of
+from cadgen.parts.body import Body, Cap, RadialHole, caps_of, walls_of
+from cadgen.parts.loop import Loop, Points, circle
 
-Corners = dict[tuple[GearOutline, float], int]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class TriangleMesh:
-    """Closed triangle mesh, corners counter-clockwise from outside.
-
-    `vertices` has the shape (n, 3), in mm; `triangles` has the shape (m, 3) and holds vertex indices.
-    """
-
-    vertices: NDArray[np.float64]
-    triangles: NDArray[np.int64]
-
-    def manifold(self) -> manifold3d.Manifold:
-        """The mesh as a manifold3d solid; `FileError` if it is not closed."""
-        mesh = manifold3d.Mesh64(self.vertices, self.triangles.astype(np.uint64, order="C"))
-        solid = manifold3d.Manifold(mesh)
-        if solid.status() != manifold3d.Error.NoError:
-            raise FileError(f"the mesh of a gear is not closed ({solid.status().name}); choose another chord tolerance")
-        return solid
+Corners = dict[tuple[Loop, float], int]
 
 
-def body_mesh(body: Body, chord_tolerance: float) -> TriangleMesh:
+def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
     """Mesh of `body` whose chords stay within `chord_tolerance` (mm) of the exact outlines."""
-    polygons: dict[GearOutline, Points] = {}
+    polygons: dict[Loop, Points] = {}
     corners: Corners = {}
     vertices: list[NDArray[np.float64]] = []
     triangles: list[NDArray[np.int64]] = []
     count = 0
 
-    def row(outline: GearOutline, height: float) -> int:
+    def row(outline: Loop, height: float) -> int:
         """Index of the first corner of `outline` at `height`."""
         nonlocal count
         if (outline, height) not in corners:
@@ -63,7 +42,7 @@ def body_mesh(body: Body, chord_tolerance: float) -> TriangleMesh:
     for cap in caps_of(body.slabs):
         flat = _cap_triangles(cap, polygons, corners)
         triangles.append(flat if cap.up else flat[:, ::-1])
-    mesh = TriangleMesh(np.concatenate(vertices), np.concatenate(triangles))
+    mesh = Mesh(np.concatenate(vertices), np.concatenate(triangles))
     if body.radial_hole:
         return _drilled(mesh, body.radial_hole, chord_tolerance)
     return mesh
@@ -81,7 +60,7 @@ def _strip(low: int, high: int, count: int) -> NDArray[np.int64]:
     )
 
 
-def _cap_triangles(cap: Cap, polygons: dict[GearOutline, Points], corners: Corners) -> NDArray[np.int64]:
+def _cap_triangles(cap: Cap, polygons: dict[Loop, Points], corners: Corners) -> NDArray[np.int64]:
     """Triangles of a cap, counter-clockwise from above.
 
     Triangulating thousands of corners at once is slow. One pitch of the outer outline is cut off by the chord
@@ -110,13 +89,9 @@ def _triangulate(rings: list[Points]) -> NDArray[np.int64]:
     return np.asarray(manifold3d.triangulate(flat), dtype=np.int64)
 
 
-def _drilled(mesh: TriangleMesh, hole: RadialHole, chord_tolerance: float) -> TriangleMesh:
+def _drilled(mesh: Mesh, hole: RadialHole, chord_tolerance: float) -> Mesh:
     """The mesh less the radial hole, as a prism between axis and reach."""
     section = circle(hole.diameter).polygon(chord_tolerance)
-    drill = manifold3d.Manifold.extrude(
-        manifold3d.CrossSection([np.column_stack([section.real, section.imag])]), hole.reach
-    )
-    drill = drill.rotate([0.0, 90.0, 0.0]).translate([0.0, 0.0, hole.height])
-    cut = (mesh.manifold() - drill).to_mesh64()
-    # Copies: the arrays handed out by manifold3d are read-only, and it takes no such array back.
-    return TriangleMesh(np.array(cut.vert_properties[:, :3], dtype=np.float64), np.array(cut.tri_verts, dtype=np.int64))
+    # Made before the solid: the order in which both are made is that of their triangles in the result.
+    tool = drill(hole, np.column_stack([section.real, section.imag]))
+    return mesh_of(mesh.solid() - tool)

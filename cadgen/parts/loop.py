@@ -1,4 +1,4 @@
-"""Plane curves that bound a gear's transverse section, and closed outlines made of them.
+"""Plane curves that bound a section of a part, and closed loops made of them.
 
 Points are complex numbers x + iy in mm, so that turning by an angle is a product with exp(i·angle).
 Every curve runs over a parameter t in [0, 1] and gives its points, its unit tangent and its share of the
@@ -13,6 +13,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from cadgen.curves.contour import Contour
 from cadgen.curves.spacing import even_nodes, inside_spans
 
 Points = NDArray[np.complex128]
@@ -26,6 +27,9 @@ CHORD_SAMPLES = 8
 SHARES = np.linspace(0.0, 1.0, 65)
 # No chord turns by more, so that even a curve smaller than the tolerance keeps its shape.
 QUARTER_TURN = np.pi / 2
+# Decimals of a mm to which the arcs of a contour are rounded, far below any kernel's least distance: radius and centre
+# come from chord and bulge, which leave some 1e-15 mm of noise on them.
+ARC_DECIMALS = 12
 
 
 def _share(start: float, end: float, t: ArrayLike) -> Reals:
@@ -222,7 +226,7 @@ def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
 
 
 @dataclass(frozen=True, slots=True)
-class GearOutline:
+class Loop:
     """Closed counter-clockwise curve: `curves` end to end, and their copies turned by 2π/`repeats`.
 
     Arcs in it run counter-clockwise.
@@ -252,11 +256,29 @@ class GearOutline:
         """exp(i·angle) of the copies, shape (repeats,)."""
         return _unit(2 * np.pi / self.repeats * np.arange(self.repeats))
 
-    def rotated(self, angle: float) -> GearOutline:
+    def rotated(self, angle: float) -> Loop:
         """The outline turned about the origin by `angle` in rad."""
-        return GearOutline(tuple(curve.rotated(angle) for curve in self.curves), self.repeats)
+        return Loop(tuple(curve.rotated(angle) for curve in self.curves), self.repeats)
 
 
-def circle(diameter: float, centre: complex = 0j) -> GearOutline:
-    """Circle of `diameter` (mm) as an outline."""
-    return GearOutline((Arc(diameter / 2, 0.0, 2 * np.pi, centre),))
+def circle(diameter: float, centre: complex = 0j) -> Loop:
+    """Circle of `diameter` (mm) as a loop."""
+    return Loop((Arc(diameter / 2, 0.0, 2 * np.pi, centre),))
+
+
+def loop_of(contour: Contour) -> Loop:
+    """A counterclockwise contour of lines and arcs as a loop, begun with its second side.
+
+    A bore's first side is its arc, so that the loop begins with the keyway or the flat.
+    """
+    count = len(contour.bulges)
+    return Loop(tuple(_side(contour, number % count) for number in range(1, count + 1)))
+
+
+def _side(contour: Contour, number: int) -> Line | Arc:
+    start, end = (complex(*contour.vertices[k % len(contour.vertices)]) for k in (number, number + 1))
+    if contour.bulges[number] == 0:
+        return Line(start, end)
+    centre = complex(*np.round(contour.centers[number], ARC_DECIMALS))
+    radius = round(float(contour.radii[number]), ARC_DECIMALS)
+    return Arc(radius, float(np.angle(start - centre)), float(contour.sweeps[number]), centre)

@@ -11,11 +11,11 @@ from typing import NamedTuple
 from cadgen.check import Check
 from cadgen.gears.backlash import StagePlay
 from cadgen.gears.contact import LEAST_CONTACT_RATIO, LEAST_ROOT_CLEARANCE, contact_ratio, found_contact_ratio
-from cadgen.gears.gear_mesh import body_mesh
 from cadgen.gears.layout import TrainLayout
-from cadgen.gears.mesh_check import LEAST_OVERLAP, MeasuredPair, measured_pair, return_error
 from cadgen.gears.thinning import with_deviations
 from cadgen.gears.train import GearPair, Train
+from cadgen.meshes.prisms import body_mesh
+from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, measured_pair, return_error
 
 # What a measured play may differ from the computed one, µm of arc on the driven gear's pitch circle.
 PLAY_LIMIT_UM = 0.5
@@ -171,7 +171,7 @@ def _closer(state: str) -> str:
 def _bodies(layout: TrainLayout, chords: Sequence[float]) -> list[Check]:
     """The parts at their places as meshes: no two of them may have any volume in common."""
     solids = [
-        body_mesh(part.body, chord).manifold().transform(part.transform)
+        body_mesh(part.body, chord).solid().transform(part.transform)
         for part, chord in zip(layout.parts, chords, strict=True)
     ]
     shared = [

@@ -1,0 +1,11 @@
+"""What a part has besides its outline or teeth: one definition of each feature, for disc and gear alike.
+
+| module     | what it holds                                                                        |
+|------------|--------------------------------------------------------------------------------------|
+| `features` | keyway, D-flat, set screw, hub, web, lightening holes, as a drawing dimensions them    |
+| `loop`     | closed loops of exact lines, arcs, involutes and trochoids                           |
+| `body`     | a body as a stack of prisms between such loops, and the walls and caps that bound it |
+| `blank`    | all features of one part; a disc's contours, its hub, and the walls left between them |
+
+Lengths are mm, angles rad. Polar angles of features are those of the outline, or from the tooth on the x axis.
+"""

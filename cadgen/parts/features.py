@@ -1,0 +1,155 @@
+"""Features of a part: what a drawing gives beside the outline of a disc or the teeth of a gear."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import TURN, Array
+from cadgen.errors import DesignError
+
+# DIN 6885-1 (ISO 773): bore above and up to, in mm; width b and depth t2 of the keyway in the hub, in mm.
+STANDARD_KEYWAYS = (
+    (6.0, 8.0, 2.0, 1.0),
+    (8.0, 10.0, 3.0, 1.4),
+    (10.0, 12.0, 4.0, 1.8),
+    (12.0, 17.0, 5.0, 2.3),
+    (17.0, 22.0, 6.0, 2.8),
+    (22.0, 30.0, 8.0, 3.3),
+    (30.0, 38.0, 10.0, 3.3),
+    (38.0, 44.0, 12.0, 3.3),
+    (44.0, 50.0, 14.0, 3.8),
+    (50.0, 58.0, 16.0, 4.3),
+    (58.0, 65.0, 18.0, 4.4),
+    (65.0, 75.0, 20.0, 4.9),
+    (75.0, 85.0, 22.0, 5.4),
+    (85.0, 95.0, 25.0, 5.4),
+    (95.0, 110.0, 28.0, 6.4),
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Keyway:
+    """A keyway in the bore's wall.
+
+    Attributes:
+        width: b, across the key, mm.
+        depth: t2, from the bore's circle to the keyway's floor along its middle, mm: bore and keyway span d + t2.
+        angle: polar angle of its middle, rad.
+    """
+
+    width: float
+    depth: float
+    angle: float = 0.0
+
+    @classmethod
+    def standard(cls, bore_diameter: float) -> Keyway:
+        """The keyway of DIN 6885-1 (ISO 773) for a bore in mm; `DesignError` for one it does not cover."""
+        for above, up_to, width, depth in STANDARD_KEYWAYS:
+            if above < bore_diameter <= up_to:
+                return cls(width=width, depth=depth)
+        raise DesignError(
+            f"no keyway is standardised for a bore of {bore_diameter:g} mm; give a bore above 6 up to 110 mm,"
+            " or the keyway's own width and depth"
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DFlat:
+    """A flat in the bore.
+
+    Attributes:
+        depth: how far it stands inside the bore's circle, mm.
+        angle: polar angle of its middle, rad.
+    """
+
+    depth: float
+    angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SetScrew:
+    """A radial hole through the hub's wall.
+
+    Attributes:
+        diameter: mm.
+        height: of its axis above the face that the hub stands on, mm.
+        angle: polar angle of its axis, rad.
+    """
+
+    diameter: float
+    height: float
+    angle: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hub:
+    """A round hub on one face of the part.
+
+    Attributes:
+        diameter: mm.
+        length: how far it stands out of the face, mm; 0 for one that is flush and only bounds a web.
+        side: the face it stands on.
+        set_screw: None for a hub without one.
+    """
+
+    diameter: float
+    length: float = 0.0
+    side: Literal["outer", "inner"] = "outer"
+    set_screw: SetScrew | None = None
+
+    def level(self, height: float, thickness: float) -> float:
+        """What stands `height` mm above the hub's face, as z on a part from z = 0 to z = thickness, mm."""
+        return thickness + height if self.side == "outer" else -height
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Web:
+    """A thinner disc between hub and rim, midway along the width of a gear.
+
+    Attributes:
+        thickness: of the disc, mm.
+        rim_thickness: of the rim under the root of the teeth, mm.
+    """
+
+    thickness: float
+    rim_thickness: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lightening:
+    """A ring of equal round holes.
+
+    Attributes:
+        count: how many.
+        hole_diameter: of each, mm.
+        circle_diameter: of the circle on which their centres lie, mm; None, on a gear, for midway between hub and
+            rim, the first hole half a step off the keyway.
+        start_angle: polar angle of the first one on a circle that is given, rad.
+    """
+
+    count: int
+    hole_diameter: float
+    circle_diameter: float | None = None
+    start_angle: float = 0.0
+
+    def centers(self) -> Array:
+        """Centres of the holes, shape (count, 2), mm.
+
+        Raises:
+            DesignError: the circle is not given.
+        """
+        if self.circle_diameter is None:
+            raise DesignError("lightening holes need the diameter of the circle that their centres lie on")
+        return _on_circle(self.circle_diameter, self.start_angle + TURN / self.count * np.arange(self.count))
+
+    def centers_off_keyway(self, circle_diameter: float) -> Array:
+        """Centres on a circle, the first half a step off a keyway on the x axis, shape (count, 2), mm."""
+        return _on_circle(circle_diameter, TURN * (np.arange(self.count) + 0.5) / self.count)
+
+
+def _on_circle(diameter: float, angles: NDArray[np.floating]) -> Array:
+    return np.asarray(diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1), dtype=np.float64)
