@@ -1,0 +1,98 @@
+"""One page of the Python reference for each room of the package, written when the site is built.
+
+`cadgen.api`, the face of the package, comes first, then the rooms whose functions the theory names; each page has every
+public name of the room's modules, and a new module appears by itself. Docstrings are written as plain text with tables
+and formulas indented; here they become what Sphinx reads.
+"""
+
+from pathlib import re
+from pathlib import Path
+from pkgutil import iter_modules
+from typing import Any
+
+from sphinx.application import Sphinx
+
+import cadgen
+
+FOLDER = "reference/python"
+ROOMS = ("api", "path", "steering", "cam", "gears", "motion")
+
+
+def modules(room: str) -> list[str]:
+    """List a room's modules, the room itself first; none for a room that the package does not have."""
+    names = {module.name: module for module in iter_modules(cadgen.__path__)}
+    if room not in names:
+        return []
+    inside = iter_modules([str(Path(cadgen.__path__[0], room))]) if names[room].ispkg else []
+    return [f"cadgen.{room}", *(f"cadgen.{room}.{module.name}" for module in inside)]
+
+
+def write_pages(app: Sphinx) -> None:
+    """Write the pages, and take away those of rooms that are gone; a page that is as it was keeps its date."""
+    folder = Path(app.srcdir, FOLDER)
+    folder.mkdir(parents=True, exist_ok=True)
+    rooms = [room for room in ROOMS if modules(room)]
+    pages = {f"{room}.rst": _page(room, modules(room)) for room in rooms}
+    pages["rooms.txt"] = "\n".join(["```{toctree}", ":maxdepth: 1", *(f"python/{room}" for room in rooms), "```", ""])
+    for old in folder.iterdir():
+        if old.name not in pages:
+            old.unlink()
+    for name, text in pages.items():
+        page = folder / name
+        if not page.exists() or page.read_text(encoding="utf-8") != text:
+            page.write_text(text, encoding="utf-8")
+
+
+def _page(room: str, names: list[str]) -> str:
+    title = f"cadgen.{room}"
+    lines = [title, "=" * len(title), ""]
+    for module in names:
+        if module != title:
+            lines += [module, "-" * len(module), ""]
+        lines += [f".. automodule:: {module}", "   :members:", ""]
+    return "\n".join(lines)
+
+
+def as_rst(app: Sphinx, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+    """Turn the tables and indented formulas of a docstring into reStructuredText, in place."""
+    out: list[str] = []
+    for number, line in enumerate(lines):
+        before = lines[number - 1] if number else ""
+        if line.startswith("|") and line.rstrip().endswith("|"):
+            if not before.startswith("|"):
+                out += ["", ".. list-table::", "   :header-rows: 1", ""]
+            if not re.fullmatch(r"[|\s:-]+", line):
+                cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+                out += [f"   {'* -' if column == 0 else '  -'} {cell}" for column, cell in enumerate(cells)]
+            continue
+        if before.startswith("|"):
+            out.append("")
+        out.append(line)
+    lines[:] = [re.sub(r"\|(?=\S)", r"\\|", line) for line in _formulas(out)]
+
+
+def _formulas(lines: list[str]) -> list[str]:
+    """Mark text that is indented by four under a plain sentence as a literal block."""
+    out: list[str] = []
+    inside = False
+    for number, line in enumerate(lines):
+        before = lines[number - 1] if number else ""
+        formula = line.startswith("    ") and not line.lstrip().startswith((":", "*", "-", ".."))
+        if formula and not inside and not before.startswith((" ", ":", "..")):
+            if before.strip():
+                out.append("")
+            out += ["::", ""]
+            inside = True
+        elif inside and line.strip() and not line.startswith("    "):
+            if before.strip():
+                out.append("")
+            inside = False
+        out.append(line)
+    return out
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Have the pages written before the sources are read, and docstrings turned when they are."""
+    app.connect("builder-inited", write_pages)
+    app.connect("autodoc-process-docstring", as_rst, priority=900)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

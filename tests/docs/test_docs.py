@@ -1,0 +1,232 @@
+"""The documentation does what it says: its commands print what it shows, its designs load, its words are explained."""
+
+import re
+import subprocess
+import sys
+import tomllib
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+import tomli_w
+
+from cadgen.cli import cli
+from cadgen.design.load import load_design, load_train
+from tests.docs.blocks import DOCS, INSTALL, ROOT, Block, Workshop, blocks, pages, same
+from tests.forks import MAIN
+
+PAGES = {str(page.relative_to(ROOT)): page for page in pages()}
+FENCES = [block for page in PAGES.values() for block in blocks(page)]
+TUTORIAL = DOCS / "tutorial.md"
+# Blocks in these languages are shown and not run: directives of the site, and text that no command prints.
+SHOWN = {"text", "bibtex", ""}
+
+
+@pytest.fixture(scope="session")
+def workshop(forks, tmp_path_factory):
+    """A folder in which the tutorial was done."""
+
+    def cadgen(arguments: list[str], folder: Path) -> tuple[int, str]:
+        done = forks.run(MAIN, *arguments, cwd=folder, env={"COLUMNS": "80"})
+        return done.returncode, done.stdout + done.stderr
+
+    shop = Workshop.at(tmp_path_factory.mktemp("workshop"), cadgen)
+    assert shop.run(TUTORIAL) >= 5
+    return shop
+
+
+def test_commands_print_what_the_pages_show(workshop) -> None:
+    # One test, for the pages share commands.
+    for page in PAGES.values():
+        workshop.run(page)
+
+
+@pytest.mark.slow
+def test_dear_commands_print_what_the_pages_show(workshop) -> None:
+    assert sum(workshop.run(page, slow=True) for page in PAGES.values())
+
+
+def test_what_is_shown_is_compared() -> None:
+    assert same("a  b\n...\nc", "a  b\nx\ny\nc\n")
+    assert same("a ...d", "\na b c d  \n")
+    assert same("a b", "a    b")
+    assert not same("a b", "ab")
+    assert not same("a\n...", "b\na\n")
+
+
+@pytest.mark.parametrize("block", FENCES, ids=lambda block: f"{block.page}:{block.line}")
+def test_blocks_have_a_language_that_is_run(block: Block) -> None:
+    language = block.language
+    assert language in {"console", "sh", "toml", "python", *SHOWN} or language.startswith("{")
+    # A command without output or a design must not hide as text.
+    if language in SHOWN:
+        assert "$ cadgen" not in block.text
+
+
+@pytest.mark.parametrize(
+    "block", [block for block in FENCES if block.language == "toml"], ids=lambda block: f"{block.page}:{block.line}"
+)
+def test_designs_load(block: Block, tmp_path: Path) -> None:
+    tables, design = tomllib.loads(block.text), tmp_path / "shown.toml"
+    whole = tomllib.loads((DOCS / "tutorial/first_car.toml").read_text(encoding="utf-8"))
+    alone = "path" in tables or "train" in tables
+    # A part of a design is put into the tutorial's.
+    design.write_text(block.text if alone else tomli_w.dumps(whole | tables), encoding="utf-8")
+    (load_train if "path" not in tables and "train" in tables else load_design)(design)
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        pytest.param(block, id=f"{block.page}:{block.line}", marks=[pytest.mark.slow] if block.slow else [])
+        for block in FENCES
+        if block.language == "python"
+    ],
+)
+def test_python_runs(block: Block, tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", block.text],
+        cwd=tmp_path,
+        env={"PYTHONPATH": str(ROOT), "OPENBLAS_NUM_THREADS": "1"},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == 0, done.stderr
+    # What it prints stands behind its prints, as `print(...)  # 3.7`.
+    shown = re.findall(r"^print\(.*\)  # (.*)$", block.text, re.M)
+    assert done.stdout.splitlines() == shown
+
+
+def test_commands_in_the_text_exist() -> None:
+    found = 0
+    for name, page in PAGES.items():
+        for line in re.findall(r"`(cadgen [a-z][^`]*)`", page.read_text(encoding="utf-8")):
+            words = re.split(r"\s+", line)[1:]
+            assert words[0] in cli.commands, f"{name}: `{line}`"
+            options = {option for o in cli.commands[words[0]].params for option in o.opts}
+            for word in words:
+                assert not word.startswith("--") or word.split("=")[0] in options, f"{name}: `{line}`"
+            found += 1
+    assert found > 40
+
+
+def test_terms_are_in_the_glossary() -> None:
+    glossary = (DOCS / "glossary.md").read_text(encoding="utf-8")
+    entries = dict(re.findall(r"^### (.*)\n(.*)", glossary, re.M))
+    terms = {term.lower().replace(" ", "-") for term in entries}
+    linked = {
+        (name, anchor)
+        for name, page in PAGES.items()
+        for anchor in re.findall(r"glossary\.md#([\w-]+)", page.read_text(encoding="utf-8"))
+    }
+    assert {(name, anchor) for name, anchor in linked if anchor not in terms} == set()
+    assert len({anchor for _, anchor in linked}) > 25
+    for term, line in entries.items():
+        assert re.match(r"[^·]*[\u4e00-\u9fff][^·]* · .+", line), term
+    for section in glossary.split("\n## ")[1:]:
+        names = re.findall(r"^### (.*)", section, re.M)
+        assert names == sorted(names, key=str.lower)
+
+
+def test_every_equation_of_the_paper_has_its_function() -> None:
+    rows = re.findall(r"^\| (\d+) \| .* \| `cadgen\.([\w.]+)` \|", (DOCS / "theory/paper.md").read_text(), re.M)
+    assert [int(number) for number, _ in rows] == list(range(1, 34))
+    text = (DOCS / "theory/paper.md").read_text()
+    for name in set(re.findall(r"`(cadgen\.[\w.]+)`", text)):
+        assert resolve(name) is not None
+
+
+def resolve(name: str) -> object:
+    """A module's function, class or method by its full name."""
+    parts = name.split(".")
+    for count in range(len(parts), 0, -1):
+        try:
+            thing = import_module(".".join(parts[:count]))
+        except ModuleNotFoundError:
+            continue
+        for part in parts[count:]:
+            thing = getattr(thing, part)
+        return thing
+    raise AssertionError(name)
+
+
+def test_equations_in_docstrings_are_in_the_table() -> None:
+    """A room whose docstrings cite an equation is one that the table names, or its caller."""
+    cited = set()
+    for file in (ROOT / "cadgen").rglob("*.py"):
+        for first, last in re.findall(r"\beq\. (\d+)(?:-(\d+))?", file.read_text(encoding="utf-8")):
+            cited |= set(range(int(first), int(last or first) + 1))
+    assert cited
+    assert max(cited) <= 33
+
+
+def test_files_named_in_the_pages_exist() -> None:
+    for name, page in PAGES.items():
+        text = page.read_text(encoding="utf-8")
+        for path in re.findall(r"`((?:docs|tests|cadgen|designs|benchmarks)/[\w./-]+\.\w+)`", text):
+            assert (ROOT / path).exists(), f"{name}: {path}"
+        for module in re.findall(r"python -m ((?:tests|docs|cadgen)\.[\w.]+)", text):
+            assert (ROOT / (module.replace(".", "/") + ".py")).exists(), f"{name}: {module}"
+
+
+def test_the_tutorials_camera_file_is_as_its_script_makes_it() -> None:
+    from docs.tutorial.make_camera import camera_file
+
+    assert (DOCS / "tutorial/camera.csv").read_text(encoding="utf-8") == camera_file()
+
+
+def test_the_page_shows_the_design_and_the_data_as_they_are() -> None:
+    text = TUTORIAL.read_text(encoding="utf-8")
+    design = (DOCS / "tutorial/first_car.toml").read_text(encoding="utf-8")
+    assert design in text
+    assert "\n".join((DOCS / "tutorial/camera.csv").read_text(encoding="utf-8").splitlines()[:5]) in text
+
+
+def test_the_second_cam_brings_the_real_car_home(workshop) -> None:
+    from docs.make_pictures import ends
+
+    before, after = ends(workshop.folder, (348.0, 345.26))
+    text = TUTORIAL.read_text(encoding="utf-8")
+    assert f"{before:.0f} mm" in text
+    assert after < 1.0
+
+
+def curves(svg: str) -> dict[str, list[float]]:
+    """Points of the curves that the script names."""
+    found = re.findall(r'<g id="(curve-\w+)">\s*<path d="([^"]*)"', svg)
+    return {name: [float(number) for number in re.findall(r"-?[\d.]+", path)] for name, path in found}
+
+
+def test_pictures_are_up_to_date(workshop, tmp_path: Path) -> None:
+    from docs.make_pictures import NAMES, PICTURES, save
+
+    save(workshop.folder, tmp_path)
+    assert sorted(file.stem for file in tmp_path.iterdir()) == sorted(NAMES)
+    for name in NAMES:
+        drawn, kept = (curves((folder / f"{name}.svg").read_text(encoding="utf-8")) for folder in (tmp_path, PICTURES))
+        assert drawn
+        assert drawn.keys() == kept.keys(), "run: python -m docs.make_pictures"
+        for curve, points in kept.items():
+            # A pixel is nothing to the eye; places of the axes may move with the fonts of another matplotlib.
+            assert drawn[curve] == pytest.approx(points, abs=1.0), "run: python -m docs.make_pictures"
+
+
+def test_the_install_commands_stay() -> None:
+    first, second = next(block for block in blocks(ROOT / "README.md") if block.language == "sh").text.splitlines()
+    assert first == f"{INSTALL} .venv && .venv/bin/pip install . && .venv/bin/cadgen cam --profile optimized --out exports/"
+    assert second == f"{INSTALL} .venv && .venv/bin/pip install -e '.[test]' && .venv/bin/pytest -n 2"
+
+
+@pytest.mark.slow
+def test_the_site_builds_without_a_warning(tmp_path: Path) -> None:
+    pytest.importorskip("sphinx")
+    done = subprocess.run(
+        [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-b", "html", "-d", tmp_path / "trees", DOCS, tmp_path / "site"],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        timeout=600,
+    )
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "site/index.html").exists()
