@@ -10,11 +10,14 @@ from pathlib import Path
 from pkgutil import iter_modules
 from typing import Any
 
+from docutils import nodes
+from sphinx.addnodes import pending_xref
 from sphinx.application import Sphinx
 
 import cadgen
 
 FOLDER = "reference/python"
+_ARRAY = re.compile(r"(?:numpy\.)?ndarray\[tuple\[Any, \.\.\.\], (?:numpy\.)?dtype\[(?:numpy\.)?float64\]\]")
 ROOMS = ("api", "path", "steering", "cam", "gears", "motion")
 
 
@@ -91,8 +94,27 @@ def _formulas(lines: list[str]) -> list[str]:
     return out
 
 
+def shorten(app: Sphinx, what: str, name: str, thing: Any, options: Any, signature: str, returns: str) -> Any:
+    """Write `Array` for an array of floats, as the code does."""
+    return tuple(text and _ARRAY.sub("Array", text) for text in (signature, returns))
+
+
+def link_names(app: Sphinx, tree: nodes.document) -> None:
+    """Make a link to the reference of every full name of ours in a page's text, such as `cadgen.cam.lift.lift_curve`."""
+    for literal in list(tree.findall(nodes.literal)):
+        name = literal.astext()
+        if re.fullmatch(r"cadgen(\.\w+)+", name) and not isinstance(literal.parent, (pending_xref, nodes.reference)):
+            link = pending_xref(
+                "", refdomain="py", reftype="obj", reftarget=name, refexplicit=True, refdoc=app.env.docname, refwarn=False
+            )
+            literal.replace_self(link)
+            link += literal
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Have the pages written before the sources are read, and docstrings turned when they are."""
     app.connect("builder-inited", write_pages)
     app.connect("autodoc-process-docstring", as_rst, priority=900)
+    app.connect("autodoc-process-signature", shorten)
+    app.connect("doctree-read", link_names)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
