@@ -29,6 +29,8 @@ napoleon_use_ivar = True
 napoleon_attr_annotations = False  # the signature has the types
 
 html_theme = "furo"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
 html_title = f"cadgen {release}"
 html_copy_source = False
 html_show_sourcelink = False

@@ -41,7 +41,7 @@ def table(file: Path) -> dict[str, Any]:
 
 
 def real_run(cam: Path) -> Any:
-    """Drive the car as it is with the cam of a contact table; places of its drive wheel as x + iy, every half degree."""
+    """Drive the car as it is with the cam of a contact table; its drive wheel as x + iy, every half degree."""
     contact, world = table(cam), car_as_designed()
     angle, tangent = contact["cam_angle_deg"], np.tan(contact["steering_deg"] * DEG)
 

@@ -5,7 +5,7 @@ public name of the room's modules, and a new module appears by itself. Docstring
 and formulas indented; here they become what Sphinx reads.
 """
 
-from pathlib import re
+import re
 from pathlib import Path
 from pkgutil import iter_modules
 from typing import Any
@@ -17,7 +17,7 @@ from sphinx.application import Sphinx
 import cadgen
 
 FOLDER = "reference/python"
-_ARRAY = re.compile(r"(?:numpy\.)?ndarray\[tuple\[Any, \.\.\.\], (?:numpy\.)?dtype\[(?:numpy\.)?float64\]\]")
+_ARRAY = re.compile(r"~?numpy\.ndarray\[tuple\[~?typing\.Any, \.\.\.\], ~?numpy\.dtype\[~?numpy\.float64\]\]")
 ROOMS = ("api", "path", "steering", "cam", "gears", "motion")
 
 
@@ -100,12 +100,18 @@ def shorten(app: Sphinx, what: str, name: str, thing: Any, options: Any, signatu
 
 
 def link_names(app: Sphinx, tree: nodes.document) -> None:
-    """Make a link to the reference of every full name of ours in a page's text, such as `cadgen.cam.lift.lift_curve`."""
+    """Link every full name of ours in a page to the reference, such as `cadgen.cam.lift.lift_curve`."""
     for literal in list(tree.findall(nodes.literal)):
         name = literal.astext()
         if re.fullmatch(r"cadgen(\.\w+)+", name) and not isinstance(literal.parent, (pending_xref, nodes.reference)):
             link = pending_xref(
-                "", refdomain="py", reftype="obj", reftarget=name, refexplicit=True, refdoc=app.env.docname, refwarn=False
+                "",
+                refdomain="py",
+                reftype="obj",
+                reftarget=name,
+                refexplicit=True,
+                refdoc=app.env.docname,
+                refwarn=False,
             )
             literal.replace_self(link)
             link += literal
