@@ -44,6 +44,7 @@ def test_the_pages_do_what_they_say(workshop, tmp_path) -> None:
         workshop.run(page)
     assert_the_second_cam_brings_the_real_car_home(workshop.folder)
     assert_pictures_are_up_to_date(workshop.folder)
+    assert_the_manifest_has_the_keys_of_its_page(workshop.folder / "exports/manifest.json")
 
 
 def assert_the_second_cam_brings_the_real_car_home(folder: Path) -> None:
@@ -73,6 +74,22 @@ def assert_pictures_are_up_to_date(folder: Path) -> None:
         assert drawn.keys() == kept.keys(), "run: python -m docs.make_pictures"
         for curve, points in kept.items():
             assert drawn[curve] == pytest.approx(points, abs=1.0), "run: python -m docs.make_pictures"
+
+
+def assert_the_manifest_has_the_keys_of_its_page(file: Path) -> None:
+    """Cams of the tutorial, their files, their play and what was built, key by key in both directions."""
+    parts = json.loads(file.read_text(encoding="utf-8"))["parts"]
+    cams = [parts["first_car_actual"], parts["first_car_optimized"]]
+    page = (DOCS / "reference/manifest.md").read_text(encoding="utf-8")
+    shown = [re.findall(r"^\| (`.*?) \|", section, re.M) for section in page.split("\n## ")[1:5]]
+    levels = [
+        cams,
+        [entry for cam in cams for entry in cam["files"].values()],
+        [cams[1]["play"]],
+        [cams[1]["as_built"]],
+    ]
+    for rows, level in zip(shown, levels, strict=True):
+        assert {key for row in rows for key in re.findall(r"`(\w+)`", row)} == {key for entry in level for key in entry}
 
 
 def curves(svg: str) -> dict[str, list[float]]:
@@ -123,15 +140,8 @@ def test_designs_load(block: Block, tmp_path: Path) -> None:
         if block.language == "python"
     ],
 )
-def test_python_runs(block: Block, tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-c", block.text],
-        cwd=tmp_path,
-        env={"PYTHONPATH": str(ROOT), "OPENBLAS_NUM_THREADS": "1"},
-        capture_output=True,
-        text=True,
-        timeout=120,
-    )
+def test_python_runs(block: Block, forks, tmp_path: Path) -> None:
+    done = forks.run(block.text, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     # What it prints stands behind its prints, as `print(...)  # 3.7`.
     shown = re.findall(r"^print\(.*\)  # (.*)$", block.text, re.M)
