@@ -242,6 +242,21 @@ def test_the_install_commands_stay() -> None:
     assert second == f"{INSTALL} .venv && .venv/bin/pip install -e '.[test]' && .venv/bin/pytest -n 2"
 
 
+def test_the_reference_takes_up_the_face_of_the_package(tmp_path: Path, monkeypatch) -> None:
+    pytest.importorskip("sphinx")
+    monkeypatch.syspath_prepend(DOCS / "_ext")
+    from python_pages import modules
+
+    (tmp_path / "api.py").touch()
+    (tmp_path / "motion").mkdir()
+    for name in ("__init__", "drive", "play"):
+        (tmp_path / f"motion/{name}.py").touch()
+    monkeypatch.setattr("cadgen.__path__", [str(tmp_path)])
+    assert modules("api") == ["cadgen.api"]
+    assert modules("motion") == ["cadgen.motion", "cadgen.motion.drive", "cadgen.motion.play"]
+    assert modules("steering") == []
+
+
 @pytest.mark.slow
 def test_the_site_builds_without_a_warning(tmp_path: Path) -> None:
     pytest.importorskip("sphinx")
