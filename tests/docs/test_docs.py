@@ -7,10 +7,12 @@ import sys
 import tomllib
 from importlib import import_module
 from pathlib import Path
+from pkgutil import iter_modules
 
 import pytest
 import tomli_w
 
+import cadgen
 from cadgen.cli import cli
 from cadgen.design.load import load_design, load_train
 from tests.docs.blocks import DOCS, INSTALL, ROOT, Block, Workshop, blocks, pages, same
@@ -209,6 +211,12 @@ def test_equations_in_docstrings_are_in_the_table() -> None:
             cited |= set(range(int(first), int(last or first) + 1))
     assert cited
     assert max(cited) <= 33
+
+
+def test_the_contributors_page_has_every_room() -> None:
+    text = (DOCS / "contributing.md").read_text(encoding="utf-8").partition("## The rooms")[2].partition("\n## ")[0]
+    named = {name for row in re.findall(r"^\| (`.*?) \|", text, re.M) for name in re.findall(r"`(\w+)`", row)}
+    assert named - {"api"} == {module.name for module in iter_modules(cadgen.__path__)} - {"__main__", "api"}
 
 
 def test_files_named_in_the_pages_exist() -> None:
