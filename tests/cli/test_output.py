@@ -10,7 +10,7 @@ from types import SimpleNamespace
 import pytest
 from click.testing import CliRunner
 
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
@@ -109,7 +109,7 @@ def test_what_is_left_out_is_said_with_its_reason(capsys, monkeypatch):
 @pytest.mark.parametrize("columns", [40, 80, 200])
 def test_numbers_are_never_folded(capsys, monkeypatch, columns):
     monkeypatch.setenv("COLUMNS", str(columns))
-    check = Check("rod pushed out", 0.000456, "µm", 0.2, "max", "cam angle 126.40°", "")
+    check = Check(CheckCode.ROD_PUSHED_OUT, "rod pushed out", 0.000456, "µm", 0.2, "max", "cam angle 126.40°", "")
     plan = SimpleNamespace(
         design=SimpleNamespace(name="car"),
         profile="actual",
@@ -127,7 +127,16 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
 
 def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
-    check = Check("wall [red]", 1.0, "mm", 2.0, "min", "hole :smile: [blank]", "move it (the design's [blank])")
+    check = Check(
+        CheckCode.ROD_PUSHED_OUT,
+        "wall [red]",
+        1.0,
+        "mm",
+        2.0,
+        "min",
+        "hole :smile: [blank]",
+        "move it (the design's [blank])",
+    )
     plan = SimpleNamespace(
         design=SimpleNamespace(name="car[1]"),
         against=None,

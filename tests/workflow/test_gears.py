@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from cadgen.build import gear_model
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.gears.search import search_trains
@@ -180,7 +180,7 @@ def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(mo
 
     def judge(layout, plays, chord):
         wrong = layout.train.stages[0].driver.form.teeth in failing
-        return (Check("tried", float(wrong), "", 0.0, "max"),)
+        return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, "max"),)
 
     monkeypatch.setattr("cadgen.workflow.gears.plan.gear_checks", judge)
     design = load_design()
@@ -351,7 +351,7 @@ def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
 
     def judge(layout, plays, chords):
         wrong = any(pair.driven.form.teeth > 140 for pair in layout.train.stages)
-        return (Check("tried", float(wrong), "", 0.0, "max"),)
+        return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, "max"),)
 
     def failing(layout, plays):
         return [n for n, pair in enumerate(layout.train.stages) if pair.driven.form.teeth > 140]

@@ -8,7 +8,7 @@ import numpy as np
 from cadgen.build import variation
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.motion.errors import run_error
@@ -57,19 +57,19 @@ def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: Mecha
     if band is not None:
         need = holding(lift, band)
         ahead = max(need.with_friction - band.drag[0], 0.0)
-        found.append(
-            Check("cam runs ahead", ahead, "N·mm", inf, "max", f"cam angle {degrees(need.cam_angle):.1f}°", "")
-        )
+        place = f"cam angle {degrees(need.cam_angle):.1f}°"
+        found.append(Check(CheckCode.CAM_RUNS_AHEAD, "cam runs ahead", ahead, "N·mm", inf, "max", place))
         if band.drag[1] > 0 and need.torque > 0:
             # A figure, not a verdict: 1 and more holds.
             margin = 0.0 if band.behind > 0 else band.drag[0] / need.torque
             where = f"times what is needed, {need.torque:.3g} N·mm without friction"
             if band.behind > 0:
                 where = f"nothing holds the disc's {degrees(band.behind):.3f}° of play on its shaft"
-            found.append(Check("cam holds", margin, "", -inf, "min", where, ""))
+            found.append(Check(CheckCode.CAM_HOLDS, "cam holds", margin, "", -inf, "min", where))
     if design.follower.width_mm is not None:
         found.append(
             Check(
+                CheckCode.BEARING_WIDTH,
                 "bearing width",
                 touched_width(lift, rod),
                 "mm",

@@ -7,7 +7,7 @@ from math import ceil, degrees, floor, isfinite, log10
 from typing import Any
 
 from cadgen.build import cam_model, variation
-from cadgen.cam.checks import check_cam
+from cadgen.cam.checks import LOST_LIFT, check_cam
 from cadgen.cam.cure import undercut_cures
 from cadgen.cam.envelope import Trim, actual_profile
 from cadgen.cam.follower import Follower
@@ -177,6 +177,7 @@ class CamPlan:
             "passed": self.passed,
             "checks": [
                 {
+                    "code": check.code,
                     "name": check.name,
                     "value": _plain(check.value),
                     "unit": check.unit,
@@ -349,7 +350,7 @@ def _failed(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 
 def _lost(failed: tuple[Check, ...]) -> tuple[Check, ...]:
-    return tuple(check for check in failed if check.name.startswith("lost lift"))
+    return tuple(check for check in failed if check.code in LOST_LIFT)
 
 
 def against_of(plan: CamPlan) -> Against:

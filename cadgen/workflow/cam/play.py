@@ -11,7 +11,7 @@ from cadgen.arrays import TURN
 from cadgen.build import cam_model, variation
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
@@ -348,6 +348,7 @@ def lift_check(design: Design, one: Judged) -> Check:
     most = design.optimize.max_lift_error_um
     where = float(one.run.motor[np.argmax(np.abs(one.lift_error))])
     return Check(
+        CheckCode.LIFT_ERROR_WITH_PLAY,
         "lift error with play",
         one.worst_lift_error * 1e3,
         "µm",
