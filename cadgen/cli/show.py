@@ -20,6 +20,7 @@ from cadgen.report.table import FittedTable
 if TYPE_CHECKING:
     from cadgen.check import Check
     from cadgen.export.manifest import Written
+    from cadgen.workflow.cam.cures import Cures
     from cadgen.workflow.cam.plan import CamPlan
 
 
@@ -59,11 +60,11 @@ def document(facts: dict[str, Any]) -> None:
         hush()
 
 
-def checks(plan: "CamPlan") -> None:
+def checks(plan: "CamPlan", cures: "Cures") -> None:
     """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
     friction(plan)
     figures(f"{plan.design.name}, {plan.profile} profile", (*plan.checks, plan.edges))
-    for line in plan.cure_sentences():
+    for line in cures.sentences():
         Output().print(line)
 
 

@@ -15,6 +15,7 @@ from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
 from cadgen.export.manifest import Written
+from cadgen.workflow.cam.cures import Cure, Cures
 from tests.cli.conftest import one_sentence
 
 COMMAND = [sys.executable, "-c", "from cadgen.cli import main; main()"]
@@ -116,9 +117,8 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
         against=None,
         checks=(check,),
         edges=check,
-        cure_sentences=list,
     )
-    show.checks(plan)
+    show.checks(plan, Cures((), (), 0))
     printed = capsys.readouterr().out
     assert max(map(len, printed.splitlines())) <= columns
     assert "0.000456 µm" in printed
@@ -143,11 +143,15 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
         profile="actual",
         checks=(check,),
         edges=check,
-        cure_sentences=lambda: ["[x] cures it"],
     )
-    show.checks(plan)
+    show.checks(plan, Cures((check,), (Cure("[x]", "1", ()),), 0))
     printed = capsys.readouterr().out
-    for text in ("car[1], actual", "hole :smile: [blank]", "wall [red]: move it (the design's [blank]).", "[x] cures"):
+    for text in (
+        "car[1], actual",
+        "hole :smile: [blank]",
+        "wall [red]: move it (the design's [blank]).",
+        "--set [x] (now 1) cures it",
+    ):
         assert text in printed
 
 
