@@ -20,7 +20,7 @@ def cam(
 
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
     """
-    from cadgen.cli import show
+    from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
     from cadgen.workflow.cam.cures import find_cures
     from cadgen.workflow.cam.files import write_cam
@@ -36,7 +36,7 @@ def cam(
         show.document(cam_facts(plan, cures) if written is None else written.entry)
     else:
         show.checks(plan, cures)
-        show.against(plan)
+        show_play.against(plan)
         if written:
             show.files(written, out)
         else:

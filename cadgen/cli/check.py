@@ -15,7 +15,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
 
     Exit code 1 if a check fails.
     """
-    from cadgen.cli import show
+    from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
     from cadgen.workflow.cam.cures import find_cures
     from cadgen.workflow.cam.manifest import cam_facts
@@ -29,5 +29,5 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
         show.document(cam_facts(plan, cures))
     else:
         show.checks(plan, cures)
-        show.against(plan)
+        show_play.against(plan)
     sys.exit(0 if plan.passed else 1)

@@ -113,19 +113,6 @@ def figures(title: str, found: "Sequence[Check]") -> None:
         console.print(Text.assemble((" and ".join(names), "red"), f": {text}."))
 
 
-def against(plan: "CamPlan") -> None:
-    """Print what the profile does about play, beside the one before, and why it was chosen."""
-    if plan.against is not None:
-        from cadgen.cli.show_play import methods
-
-        methods(plan)
-    else:
-        from cadgen.workflow.cam.as_built import as_built_sentences
-
-        for text in as_built_sentences(plan.design, plan.lift.blend_start):
-            Output().print(text)
-
-
 def files(written: "Written", out: Path) -> None:
     """Print each file with its size, its error at the follower's lift, and where it takes a car with play.
 

@@ -14,6 +14,17 @@ if TYPE_CHECKING:
     from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
 
 
+def against(plan: "CamPlan") -> None:
+    """Print what the profile does about play, beside the one before, and why it was chosen."""
+    from cadgen.workflow.cam.as_built import as_built_sentences
+
+    if plan.against is not None:
+        methods(plan)
+        return
+    for text in as_built_sentences(plan.design, plan.lift.blend_start):
+        Output().print(text)
+
+
 def methods(plan: "CamPlan") -> None:
     """Print every method compared, the bound, and the reasons."""
     from cadgen.workflow.cam.against import PAPER_PERCENT

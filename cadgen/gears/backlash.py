@@ -250,6 +250,11 @@ def train_play(train: Train) -> TrainPlay:
     return TrainPlay(train=train, stages=tuple(stages))
 
 
+def teeth_of(play: TrainPlay) -> str:
+    """The stages of a train as driver/driven teeth, from the drive on."""
+    return " ".join(f"{pair.driver.form.teeth}/{pair.driven.form.teeth}" for pair in play.train.stages)
+
+
 def play_distribution(stage: StagePlay[float], law: Law = "normal") -> ZoneSum:
     """Distribution of a stage's play on the pitch circle, in mm.
 
