@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from cadgen.cli.options import design_options, out_option
+from cadgen.gears.names import ORDERS
 
 if TYPE_CHECKING:
     from cadgen.export.manifest import Written
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from cadgen.gears.joints import WholePlay
     from cadgen.workflow.gears.plan import GearsPlan
 
-ORDERS = ("as-given", "reordered", "search")
 RANKED_SHOWN = 8
 REASONS_SHOWN = 3
 

@@ -27,7 +27,8 @@ from typing import Any, Generic
 import numpy as np
 
 from cadgen.errors import DesignError
-from cadgen.gears.distribution import Law, ZoneSum
+from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.names import Law, Thinning
 from cadgen.gears.tolerances import (
     GearTolerances,
     T,
@@ -35,7 +36,7 @@ from cadgen.gears.tolerances import (
     gear_tolerance,
     gear_tolerances,
 )
-from cadgen.gears.train import Gear, GearPair, Thinning, Train
+from cadgen.gears.train import Gear, GearPair, Train
 
 # The paper's "end face angle" of eq. 3 and 12, and the base helix angle of spur gears (see above).
 ALPHA_T = 0.0

@@ -14,7 +14,8 @@ from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.joints import WholePlay
 from cadgen.gears.layout import TrainLayout, lay_out
 from cadgen.gears.limits import SearchLimits
-from cadgen.gears.search import Order, TrainSearch, arrange
+from cadgen.gears.names import Order
+from cadgen.gears.search import TrainSearch, arrange
 from cadgen.gears.thinning import thinned
 from cadgen.gears.train import GearPair, Train
 from cadgen.gears.undercut import missing_shift
