@@ -3,7 +3,6 @@
 from dataclasses import replace
 from functools import partial
 from math import degrees, inf, radians
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +18,7 @@ from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.fits import clearance as fit_clearance
 from cadgen.gears.joints import WholePlay
+from cadgen.gears.names import STAGE_ORDERS
 from cadgen.gears.search import arrange
 from cadgen.monte_carlo.derivatives import Expansion
 from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS
@@ -32,8 +32,6 @@ from cadgen.optimize.remedies import holding
 
 _ENDINGS = {"mm": "mm", "rad": "deg", "N": "N", "K": "K", "1": "", "Nmm": ""}  # of the keys of [tolerances]
 _STATIONS = 3600  # of the turn at which forces are looked at
-
-ORDERS: tuple[Literal["as-given", "reordered"], ...] = ("as-given", "reordered")
 
 
 def play_bands(design: Design) -> dict[str, PlayBand]:
@@ -288,5 +286,5 @@ def train_plays(design: Design) -> dict[str, WholePlay]:
     if design.train is None:
         return {}
     given = gear_model.train(design)
-    teeth = {order: arrange(given, order)[0] for order in ORDERS}
+    teeth = {order: arrange(given, order)[0] for order in STAGE_ORDERS}
     return {order: WholePlay(teeth=one, loose=gear_model.loose(design, one.train)) for order, one in teeth.items()}

@@ -10,6 +10,8 @@
 | `limits`      | what the checks allow; textbook limits of the pressure angle, by name           |
 | `cutter`      | which cutter reaches every concave part                                         |
 | `checks`      | every figure with its limit, place and verdict                                  |
+| `clearance`   | of these the ones on room: rim, chamfers, hub, walls, concave parts              |
+| `place`       | where on a cam something is, in words                                           |
 | `lowest`      | which branch of the envelope is the lowest, with rounding kept out              |
 | `loss`        | lift that is missing where the envelope is trimmed                              |
 | `difference`  | how far two outlines lift the rod apart                                         |

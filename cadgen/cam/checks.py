@@ -8,16 +8,17 @@ from math import inf, radians
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.cam.clearance import chamfer_clearance, cutter_room, hub_clearance, rod_reach, thinnest_wall
 from cadgen.cam.contact import ROLLING_TOLERANCE, Contact, roll_curve
-from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.loss import Loss, lost_lift
+from cadgen.cam.place import cam_place, polar_place
 from cadgen.cam.theoretical import theoretical_profile
-from cadgen.check import Check
-from cadgen.curves.closed import ClosedCurve, Outline
+from cadgen.check import Check, CheckCode
+from cadgen.curves.closed import ClosedCurve
 from cadgen.parts.blank import Blank
 
 STATIONS = 3600  # one per 0.1 degree of cam angle
@@ -32,8 +33,8 @@ LOCKING_ANGLE = radians(70)
 # Relative to the curve's own largest value; the second derivative carries rounding of some 1e-8 where nodes are
 # close together, and a jump above this would turn the outline by a microradian.
 CLOSURE_LIMIT = 1e-6
-# The chamfers recede at 45 degrees along the rim's normal; the rod, which leans along the radius, recedes by no more.
-CHAMFER_LEAN = 45.0
+# The checks that fail where the profile cannot give the lift wanted.
+LOST_LIFT = (CheckCode.LOST_LIFT_UNDERCUT, CheckCode.LOST_LIFT_CROSSING, CheckCode.LOST_LIFT_FACE_CHANGE)
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
 
 
@@ -78,11 +79,11 @@ def check_cam(
         *_undercut(lift, driven, limits),
         *_contact(lift, follower, contact, contact.lift - wanted, trims),
         *_blend(lift, contact, contact.lift - wanted, losses, limits),
-        _rod_reach(follower, theta, steering, blank, limits),
-        *_chamfer_clearance(theta, steering, blank),
-        *_hub_clearance(follower, theta, steering, blank),
-        _cutter(cut or curve, limits),
-        _wall(blank, curve.outline(max(step, curve.length() / _WALL_POINTS)), limits),
+        rod_reach(follower, theta, steering, blank, limits.rod_length),
+        *chamfer_clearance(theta, steering, blank),
+        *hub_clearance(follower, theta, steering, blank),
+        cutter_room(cut or curve, limits.cutter_radius),
+        thinnest_wall(blank, curve.outline(max(step, curve.length() / _WALL_POINTS)), limits.wall),
         *_closure(lift),
     )
 
@@ -91,20 +92,21 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
     rising, driven = lift.tan_beta(contact.cam_angle, nu=1) >= 0, ~lift.in_blend(contact.cam_angle)
     angle = np.degrees(np.abs(contact.pressure_angle))
     checks = []
-    for name, mine, limit in (
-        ("pressure angle, rise", rising & driven, limits.pressure_angle.rise),
-        ("pressure angle, return", ~rising & driven, limits.pressure_angle.fall),
+    for code, name, mine, limit in (
+        (CheckCode.PRESSURE_ANGLE_RISE, "pressure angle, rise", rising & driven, limits.pressure_angle.rise),
+        (CheckCode.PRESSURE_ANGLE_RETURN, "pressure angle, return", ~rising & driven, limits.pressure_angle.fall),
     ):
         value = np.where(mine, angle, 0.0)
         worst = int(np.argmax(value))
         checks.append(
             Check(
+                code,
                 name,
                 float(value[worst]),
                 "°",
                 float(np.degrees(limit)),
                 "max",
-                _at(contact.cam_angle[worst]),
+                cam_place(contact.cam_angle[worst]),
                 f"{_soften(lift, contact.cam_angle[worst])}, raise cam.base_radius_mm, or choose another "
                 f"checks.pressure_angle_limit (now {limits.pressure_angle.source})",
             )
@@ -117,23 +119,24 @@ def _curvature(
     follower: Follower,
     curve: ClosedCurve,
     losses: list[Loss],
-    least: float,
+    allowed: float,
     limits: CheckLimits,
 ) -> list[Check]:
     theoretical = theoretical_profile(lift, follower)
     radius, point = _least_convex_radius(theoretical)
-    place = _polar(point)
+    place = polar_place(point)
     if lift.kinks.size:
         corners = [c for c in theoretical.corners(1e-4) if c.turn > 0 and _near(c.point, lift.kinks)]
         if corners:
             sharpest = max(corners, key=lambda c: c.turn)
             radius, point = 0.0, sharpest.point
-            place = f"{_polar(point)}, corner {np.degrees(sharpest.turn):.1f}°"
+            place = f"{polar_place(point)}, corner {np.degrees(sharpest.turn):.1f}°"
     # What is sharper than the rod is undercut; that is sized as lost lift, and bearable if the loss is.
     lost = max((loss.lift for loss in losses if loss.trim.kind == "local"), default=0.0)
     angle = float(np.arctan2(point[1], point[0])) % TURN
     checks = [
         Check(
+            CheckCode.CONVEX_RADIUS_THEORY,
             "convex radius, theory",
             radius,
             "mm",
@@ -147,26 +150,27 @@ def _curvature(
     radius, point = _least_convex_radius(curve)
     milder = "lower follower.radius_mm or raise cam.base_radius_mm"
     advice = f"a sharp ridge wears: {milder}"
-    if least > limits.min_convex_radius:
+    if allowed > limits.min_convex_radius:
         advice = f"the chamfers of the broken edges meet on a sharp ridge: lower blank.edge_break_mm, {milder}"
-    checks.append(Check("convex radius, profile", radius, "mm", least, "min", _polar(point), advice))
+    code = CheckCode.CONVEX_RADIUS_PROFILE
+    checks.append(Check(code, "convex radius, profile", radius, "mm", allowed, "min", polar_place(point), advice))
     return checks
 
 
 def _undercut(lift: LiftCurve, losses: list[Loss], limits: CheckLimits) -> list[Check]:
     checks = []
-    for name, kind, reason in (
-        ("lost lift, undercut", "local", "no profile gives this lift to this rod"),
-        ("lost lift, crossing", "global", "two flanks cut each other off"),
-        ("lost lift, face change", "face change", ""),
+    for code, name, kind, reason in (
+        (CheckCode.LOST_LIFT_UNDERCUT, "lost lift, undercut", "local", "no profile gives this lift to this rod"),
+        (CheckCode.LOST_LIFT_CROSSING, "lost lift, crossing", "global", "two flanks cut each other off"),
+        (CheckCode.LOST_LIFT_FACE_CHANGE, "lost lift, face change", "face change", ""),
     ):
         mine = [loss for loss in losses if loss.trim.kind == kind]
         worst = max(mine, key=lambda loss: loss.lift, default=None)
-        place = "none" if worst is None else f"{_at(worst.cam_angle)} ({len(mine)} in all)"
+        place = "none" if worst is None else f"{cam_place(worst.cam_angle)} ({len(mine)} in all)"
         value = 0.0 if worst is None else worst.lift * 1e3
         softer = "" if worst is None else _soften(lift, worst.cam_angle)
         advice = f"{reason}: {softer}" if reason else f"make the disc thinner (cam.thickness_mm) or {softer}"
-        checks.append(Check(name, value, "µm", limits.lost_lift * 1e3, "max", place, advice))
+        checks.append(Check(code, name, value, "µm", limits.lost_lift * 1e3, "max", place, advice))
     return checks
 
 
@@ -179,16 +183,20 @@ def _contact(
     for trim in trims:
         trimmed |= (contact.cam_angle - trim.before) % TURN <= (trim.after - trim.before) % TURN
     checks = []
-    for name, beyond in (("rod pushed out", error), ("rod falls short", np.where(trimmed, 0.0, -error))):
+    for code, name, beyond in (
+        (CheckCode.ROD_PUSHED_OUT, "rod pushed out", error),
+        (CheckCode.ROD_FALLS_SHORT, "rod falls short", np.where(trimmed, 0.0, -error)),
+    ):
         worst = int(np.argmax(beyond))
         checks.append(
             Check(
+                code,
                 name,
                 max(float(beyond[worst]) * 1e3, 0.0),
                 "µm",
                 CONTACT_LIMIT_UM,
                 "max",
-                _at(contact.cam_angle[worst]),
+                cam_place(contact.cam_angle[worst]),
                 "this profile is not the rod's envelope: use --profile actual",
             )
         )
@@ -197,6 +205,7 @@ def _contact(
     inner = float(np.mean(contact.face == follower.inner)) * 100
     checks.append(
         Check(
+            CheckCode.WRONG_FACE,
             "wrong face carries",
             float(np.sum(wrong)),
             "stations",
@@ -212,30 +221,32 @@ def _contact(
 def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], limits: CheckLimits) -> list[Check]:
     """What the closing blend does, where the car does not drive: refused only where the rod would lock."""
     within = lift.in_blend(contact.cam_angle)
-    place, value = _at(lift.blend_start), 0.0
+    place, value = cam_place(lift.blend_start), 0.0
     # Corners lie between the stations.
     lost = [(loss.lift, loss.cam_angle) for loss in losses if not loss.driven]
     off = list(zip(np.abs(error[within]).tolist(), contact.cam_angle[within].tolist(), strict=True))
     if lost or off:
         value, angle = max(lost + off)
-        place = f"{_at(angle)}, where the car does not drive"
-    checks = [Check("lift not given, blend", value * 1e3, "µm", inf, "max", place)]
+        place = f"{cam_place(angle)}, where the car does not drive"
+    checks = [Check(CheckCode.BLEND_LIFT, "lift not given, blend", value * 1e3, "µm", inf, "max", place)]
     rising = lift.tan_beta(contact.cam_angle, nu=1) >= 0
     angles = np.abs(contact.pressure_angle)
-    for name, mine, usual in (
-        ("pressure angle, blend rise", within & rising, limits.pressure_angle.rise),
-        ("pressure angle, blend return", within & ~rising, limits.pressure_angle.fall),
+    rise, fall = CheckCode.BLEND_PRESSURE_ANGLE_RISE, CheckCode.BLEND_PRESSURE_ANGLE_RETURN
+    for code, name, mine, usual in (
+        (rise, "pressure angle, blend rise", within & rising, limits.pressure_angle.rise),
+        (fall, "pressure angle, blend return", within & ~rising, limits.pressure_angle.fall),
     ):
         size = np.where(mine, angles, 0.0)
         worst = int(np.argmax(size))
         checks.append(
             Check(
+                code,
                 name,
                 float(np.degrees(size[worst])),
                 "°",
                 float(np.degrees(max(LOCKING_ANGLE, usual))),
                 "max",
-                _at(contact.cam_angle[worst]) if mine.any() else "none",
+                cam_place(contact.cam_angle[worst]) if mine.any() else "none",
                 "on so steep a flank the rod locks when the cam is turned on to its start: "
                 f"{_soften(lift, lift.blend_start)} or raise cam.base_radius_mm",
             )
@@ -243,102 +254,19 @@ def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], 
     return checks
 
 
-def _rod_reach(follower: Follower, theta: Array, steering: Array, blank: Blank, limits: CheckLimits) -> Check:
-    """The rod must cross the whole rim: its end lies beyond the outer face at every steering, shape (2, n)."""
-    T = np.abs(steering).max(axis=0)
-    # Of the end's rim, the point nearest to the fork lies r sin(beta) nearer than its centre.
-    beyond = limits.rod_length / np.sqrt(1 + T**2) - follower.radius * T / np.sqrt(1 + T**2)
-    worst = int(np.argmin(beyond))
-    return Check(
-        "rod past the rim",
-        float(beyond[worst] - blank.faces(follower.inner, follower.outer)[1]),
-        "mm",
-        0.0,
-        "min",
-        _at(theta[worst]),
-        "the rod slips off the disc's rim: raise follower.length_mm",
-    )
-
-
-def _chamfer_clearance(theta: Array, steering: Array, blank: Blank) -> list[Check]:
-    """The rod rides on the land as long as it leans less than the chamfers do, at every steering, shape (2, n)."""
-    if blank.edge_break == 0:
-        return []
-    T = np.abs(steering).max(axis=0)
-    worst = int(np.argmax(T))
-    return [
-        Check(
-            "lean over the chamfers",
-            float(np.degrees(np.arctan(T[worst]))),
-            "°",
-            CHAMFER_LEAN,
-            "max",
-            _at(theta[worst]),
-            "the rod leans so far that it rides on the broken edge: leave the edges sharp (blank.edge_break_mm) or "
-            "widen the turn there (path.waypoints_mm)",
-        )
-    ]
-
-
-def _hub_clearance(follower: Follower, theta: Array, steering: Array, blank: Blank) -> list[Check]:
-    """The rod passes above the hub as well as above the disc, at every steering, shape (2, n)."""
-    if blank.hub is None:
-        return []
-    inner, outer = blank.faces(follower.inner, follower.outer)
-    ends = {
-        "outer": (outer, outer + blank.hub.length),
-        "inner": (inner - blank.hub.length, inner),
-    }[blank.hub.side]
-    nearest = np.min([follower.base_radius + w * steering for w in ends], axis=0)
-    nearest = (nearest - follower.radius * np.sqrt(1 + steering**2)).min(axis=0)
-    worst = int(np.argmin(nearest))
-    return [
-        Check(
-            "rod above the hub",
-            float(nearest[worst]) - blank.hub.diameter / 2,
-            "mm",
-            0.0,
-            "min",
-            _at(theta[worst]),
-            "the rod meets the hub: lower blank.hub.diameter_mm or blank.hub.length_mm",
-        )
-    ]
-
-
-def _wall(blank: Blank, outline: Outline, limits: CheckLimits) -> Check:
-    wall = min(blank.walls(outline), key=lambda wall: wall.thickness)
-    return Check(
-        "thinnest wall",
-        wall.thickness,
-        "mm",
-        limits.wall,
-        "min",
-        f"{wall.between}, {_polar(wall.place)}",
-        "make the hole smaller or move it (the design's [blank]), or lower checks.min_wall_mm",
-    )
-
-
-def _cutter(curve: ClosedCurve, limits: CheckLimits) -> Check:
-    cutter = largest_cutter(curve)
-    return Check(
-        "largest cutter radius",
-        cutter.radius,
-        "mm",
-        limits.cutter_radius,
-        "min",
-        "no concave part" if cutter.point is None else f"{_polar(cutter.point)} ({cutter.kind})",
-        "choose a smaller machining.cutter_diameter_mm",
-    )
-
-
 def _closure(lift: LiftCurve) -> list[Check]:
     """Jumps of tan(beta) and its derivatives where the turn closes and where the blend begins."""
     dense = np.linspace(0.0, TURN, STATIONS, endpoint=False)
     breaks, coefficients = lift.tan_beta.x, lift.tan_beta.c
     checks = []
-    for name, left in (
-        ("closure ", len(breaks) - 2),
-        ("start of the blend", int(np.searchsorted(breaks, lift.blend_start)) - 1),
+    for code, name, at, left in (
+        (CheckCode.CLOSURE, "closure ", 0.0, len(breaks) - 2),
+        (
+            CheckCode.BLEND_START,
+            "start of the blend",
+            lift.blend_start,
+            int(np.searchsorted(breaks, lift.blend_start)) - 1,
+        ),
     ):
         right = (left + 1) % (len(breaks) - 1)
         width = breaks[left + 1] - breaks[left]
@@ -350,12 +278,13 @@ def _closure(lift: LiftCurve) -> list[Check]:
             worst = max(worst, jump / scale if scale > 0 else jump)
         checks.append(
             Check(
+                code,
                 name,
                 worst,
                 "",
                 CLOSURE_LIMIT,
                 "max",
-                _at(lift.blend_start if "blend" in name else 0.0),
+                cam_place(at),
                 "lift, slope and second derivative must not jump: report this design",
             )
         )
@@ -382,11 +311,3 @@ def _soften(lift: LiftCurve, theta: float) -> str:
     if theta >= lift.blend_start:
         return "raise cam.blend_deg (the closing blend steers there)"
     return "widen the turn there (path.waypoints_mm)"
-
-
-def _at(theta: float) -> str:
-    return f"cam angle {np.degrees(theta):.2f}°"
-
-
-def _polar(point: Array) -> str:
-    return f"polar angle {np.degrees(np.arctan2(point[1], point[0])) % 360:.2f}°"

@@ -70,6 +70,8 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
     limit = max(limit, _ROUNDING)
     thinner, larger = follower.radius, follower.base_radius
     now = worst_loss(lift, follower)
+    if now <= limit:  # the envelope loses less: what is lost is the doing of another curve, which no rod mends
+        return ()
     cures = []
     factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, radius=thinner / f)), now, limit)
     if factor is not None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import PROFILES, Number, out_option
+from cadgen.optimize.profiles.actual import ACTUAL
 
 
 @click.command()
@@ -14,7 +15,7 @@ from cadgen.cli.options import PROFILES, Number, out_option
     "--profile",
     type=click.Choice(PROFILES),
     metavar="PROFILE",
-    default=PROFILES[0],
+    default=ACTUAL.code,
     show_default=True,
     help=f"Of the cam that was measured, or was on the car. One of {', '.join(PROFILES)}.",
 )

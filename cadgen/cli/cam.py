@@ -20,21 +20,23 @@ def cam(
 
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
     """
-    from cadgen.cli import show
+    from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
+    from cadgen.workflow.cam.cures import find_cures
     from cadgen.workflow.cam.files import write_cam
+    from cadgen.workflow.cam.manifest import cam_facts
     from cadgen.workflow.cam.plan import plan_cam
 
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:
         plan = plan_cam(loaded, profile, step)
-        plan.find_cures(step)
-        written = write_cam(plan, out, step) if plan.passed or force else None
+        cures = find_cures(plan, step)
+        written = write_cam(plan, out, step, cures=cures) if plan.passed or force else None
     if as_json:
-        show.document(plan.facts() if written is None else written.entry)
+        show.document(cam_facts(plan, cures) if written is None else written.entry)
     else:
-        show.checks(plan)
-        show.against(plan)
+        show.checks(plan, cures)
+        show_play.against(plan)
         if written:
             show.files(written, out)
         else:

@@ -2,19 +2,21 @@
 
 import sys
 from collections.abc import Sequence
+from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from cadgen.cli.options import design_options, out_option
+from cadgen.gears.names import ORDERS
 
 if TYPE_CHECKING:
     from cadgen.export.manifest import Written
     from cadgen.gears.backlash import TrainPlay
+    from cadgen.gears.joints import WholePlay
     from cadgen.workflow.gears.plan import GearsPlan
 
-ORDERS = ("as-given", "reordered", "search")
 RANKED_SHOWN = 8
 REASONS_SHOWN = 3
 
@@ -38,6 +40,7 @@ def gears(design: str | None, overrides: tuple[str, ...], order: str, as_json: b
     """
     from cadgen.cli import show
     from cadgen.design.load import load_train
+    from cadgen.workflow.gears.facts import plan_facts
     from cadgen.workflow.gears.files import write_gears
     from cadgen.workflow.gears.plan import NotMadeError, plan_gears
 
@@ -51,7 +54,7 @@ def gears(design: str | None, overrides: tuple[str, ...], order: str, as_json: b
             _ranking(error.ranked, error.baseline)
         raise
     if as_json:
-        show.document(plan.facts() if written is None else written.entry)
+        show.document(plan_facts(plan) if written is None else written.entry)
     else:
         _return_errors(plan)
         _ranking(plan.ranked, plan.baseline)
@@ -67,57 +70,65 @@ def gears(design: str | None, overrides: tuple[str, ...], order: str, as_json: b
 def _return_errors(plan: "GearsPlan") -> None:
     """Play and return error of every stage and of the train, as made and by the standard alone."""
     from cadgen.cli.show import Output, plain_table
+    from cadgen.meshes.train_checks import exact_play
 
-    facts = plan.facts()
-    table = plain_table(f"{plan.design.name}, {plan.order}, ratio {facts['ratio']}")
+    table = plain_table(f"{plan.design.name}, {plan.order}, ratio {plan.play.train.ratio}")
     table.add_column("return error")
     for column in ("a, mm", "play, µm", "as cut", "least", "mean", "greatest"):
         table.add_column(column, justify="right")
-    for number, stage in enumerate(facts["stages"], 1):
-        least, greatest = (stage[f"return_error_{which}_deg"] for which in ("least", "greatest"))
+    for number, (pair, stage) in enumerate(zip(plan.layout.train.stages, plan.play.stages, strict=True), 1):
+        play = stage.j_bnmin * 1e3, stage.j_bnmax * 1e3
         table.add_row(
-            f"stage {number}, {stage['teeth']}",
-            f"{stage['centre_distance_mm']:g}",
-            f"{stage['j_bnmin_um']:.1f}{' to ' if stage['j_bnmin_um'] < 0 else '-'}{stage['j_bnmax_um']:.1f}",
-            f"{stage['play_as_cut_um']:.1f}",
-            *(f"{angle:.3f}°" for angle in (least, (least + greatest) / 2, greatest)),
+            f"stage {number}, {pair.driver.form.teeth}/{pair.driven.form.teeth}",
+            f"{pair.centre_distance:g}",
+            f"{play[0]:.1f}{' to ' if play[0] < 0 else '-'}{play[1]:.1f}",
+            f"{exact_play(pair) * pair.driven_pitch_radius * 1e3:.1f}",
+            *_angles(stage.B_min, (stage.B_min + stage.B_max) / 2, stage.B_max),
         )
-    rows = [("train", "return_error_deg")]
+    rows: list[tuple[str, TrainPlay | WholePlay]] = [("train", plan.play)]
     if plan.departures and plan.standard:
-        rows.append(("train, by the standard", "return_error_by_the_standard_deg"))
+        rows.append(("train, by the standard", plan.standard))
     if plan.order != "as-given":
-        rows.append(("train, as given", "return_error_as_given_deg"))
+        rows.append(("train, as given", plan.given))
     if plan.baseline is not plan.given:
-        rows.append(("as given, by the standard", "return_error_as_given_by_the_standard_deg"))
-    for label, key in rows:
-        table.add_row(label, "", "", "", *(f"{facts[key][which]:.3f}°" for which in ("least", "mean", "greatest")))
-    for joint in facts.get("joints_deg", ()):
-        angles = (joint["least"], (joint["least"] + joint["greatest"]) / 2, joint["greatest"])
-        table.add_row(joint["name"], "", "", "", *(f"{angle:.3f}°" for angle in angles))
-    if "joints_deg" in facts:
-        whole = facts["return_error_with_joints_deg"]
-        table.add_row("train with these", "", "", "", *(f"{whole[w]:.3f}°" for w in ("least", "mean", "greatest")))
+        rows.append(("as given, by the standard", plan.baseline))
+    for label, found in rows:
+        table.add_row(label, "", "", "", *_return_error(found))
+    for joint in plan.whole.loose:
+        table.add_row(joint.name, "", "", "", *_angles(joint.least, (joint.least + joint.greatest) / 2, joint.greatest))
+    if plan.whole.loose:
+        table.add_row("train with these", "", "", "", *_return_error(plan.whole))
     console = Output()
     console.print(table)
-    for found in facts["overridden_tolerances"]:
-        standard = found["standard_um"]
-        says = "no standard covers this size" if standard is None else f"the standard says {standard:g} µm"
-        console.print(f"{found['symbol']} = {found['used_um']:g} µm ({found['where']}) is the design's own; {says}.")
+    for departure in plan.departures:
+        standard = departure.standard
+        says = "no standard covers this size" if standard is None else f"the standard says {standard * 1e3:g} µm"
+        console.print(
+            f"{departure.symbol} = {departure.used * 1e3:g} µm ({departure.where}) is the design's own; {says}."
+        )
+
+
+def _return_error(play: "TrainPlay | WholePlay") -> tuple[str, ...]:
+    """Least, mean and greatest return error, as texts."""
+    return _angles(play.return_error_min, play.return_error_distribution().mean, play.return_error_max)
+
+
+def _angles(*angles: float) -> tuple[str, ...]:
+    return tuple(f"{degrees(angle):.3f}°" for angle in angles)
 
 
 def _ranking(ranked: "Sequence[TrainPlay]", baseline: "TrainPlay") -> None:
     if len(ranked) < 2:
         return
     from cadgen.cli.show import Output, plain_table
-    from cadgen.workflow.gears.facts import return_error, teeth_of
+    from cadgen.gears.backlash import teeth_of
 
     table = plain_table("\ntrains, best first")
     table.add_column("teeth, from the drive")
     for column in ("module", "width", "least", "greatest", "change"):
         table.add_column(column, justify="right")
     for play in ranked[:RANKED_SHOWN]:
-        errors = return_error(play)
-        angles = [errors[which] for which in ("least", "greatest")]
+        angles = [degrees(play.return_error_min), degrees(play.return_error_max)]
         change = 100 * (play.return_error_max / baseline.return_error_max - 1)
         pairs = play.train.stages
         modules = _each([f"{pair.driver.form.normal_module:g}" for pair in pairs])
@@ -136,7 +147,7 @@ def _each(values: list[str], between: str = " ") -> str:
 def _choice(plan: "GearsPlan") -> None:
     """Which train is made, why not those before it, and what the searched ones do not have."""
     from cadgen.cli.show import Output
-    from cadgen.workflow.gears.facts import teeth_of
+    from cadgen.gears.backlash import teeth_of
 
     console = Output()
     reasons: dict[str, list[str]] = {}

@@ -19,22 +19,26 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
+    from cadgen.optimize.profiles.optimized import OPTIMIZED
+    from cadgen.workflow.cam.cures import find_cures
+    from cadgen.workflow.cam.manifest import cam_facts, remedy_facts
     from cadgen.workflow.cam.plan import against_of, plan_cam
     from cadgen.workflow.cam.remedies import remedies
 
     loaded = load_design(design, overrides)
     written = None
     with show.progress(not as_json) as step:
-        plan = plan_cam(loaded, "optimized", step, all_trains=True)
+        plan = plan_cam(loaded, OPTIMIZED.code, step, all_trains=True)
+        cures = find_cures(plan, step)
         against = against_of(plan)
         sheet = remedies(loaded, against, step) if against.task.mechanics else ()
         if out is not None:
-            from cadgen.workflow.runs.simulation import write_comparison
+            from cadgen.workflow.runs.files import write_comparison
 
-            written = write_comparison(plan, out, step)
+            written = write_comparison(plan, out, step, cures=cures)
     if as_json:
-        facts = plan.facts() if written is None else written.entry
-        show.document({**facts, "remedies": [remedy.facts() for remedy in sheet]} if sheet else facts)
+        facts = cam_facts(plan, cures) if written is None else written.entry
+        show.document({**facts, "remedies": [remedy_facts(remedy) for remedy in sheet]} if sheet else facts)
     else:
         show.friction(plan)
         show_play.methods(plan)

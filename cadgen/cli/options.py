@@ -7,8 +7,10 @@ from typing import Any
 
 import click
 
-PLAY_PROFILES = ("optimized", "compensated", "smoothed", "smoothed+compensated")
-PROFILES = ("actual", *PLAY_PROFILES, "theoretical", "published")
+from cadgen.optimize.profiles.optimized import OPTIMIZED
+from cadgen.optimize.profiles.table import codes, meanings
+
+PLAY_PROFILES, PROFILES = codes(for_play=True), codes()
 
 Command = Callable[..., Any]
 
@@ -36,21 +38,18 @@ def profile_option(command: Command) -> Command:
         "--profile",
         type=click.Choice(PROFILES),
         metavar="PROFILE",
-        help="actual: the exact envelope of the rod; optimized: the best against the gears' play, of actual and the "
-        "next three; compensated: cut so that the play takes itself out; smoothed: the paper's; smoothed+compensated: "
-        "both; theoretical: the rod's axis; published: the paper's formula.  [default: optimized, or actual if the "
-        "design has neither [train] nor [play]]",
+        help=f"{meanings()}.  [default: optimized, or actual if the design has neither [train] nor [play]]",
     )(command)
 
 
 def play_profile_option(*more: str, meaning: str) -> Callable[[Command], Command]:
-    """--profile of a cam that is to run with play: the four against it, and others."""
+    """--profile of a cam that is to run with play: those against it, and others."""
     profiles = (*PLAY_PROFILES, *more)
     return click.option(
         "--profile",
         type=click.Choice(profiles),
         metavar="PROFILE",
-        default=PLAY_PROFILES[0],
+        default=OPTIMIZED.code,
         show_default=True,
         help=f"{meaning} One of {', '.join(profiles)}.",
     )

@@ -20,6 +20,7 @@ from cadgen.report.table import FittedTable
 if TYPE_CHECKING:
     from cadgen.check import Check
     from cadgen.export.manifest import Written
+    from cadgen.workflow.cam.cures import Cures
     from cadgen.workflow.cam.plan import CamPlan
 
 
@@ -59,11 +60,11 @@ def document(facts: dict[str, Any]) -> None:
         hush()
 
 
-def checks(plan: "CamPlan") -> None:
+def checks(plan: "CamPlan", cures: "Cures") -> None:
     """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
     friction(plan)
     figures(f"{plan.design.name}, {plan.profile} profile", (*plan.checks, plan.edges))
-    for line in plan.cure_sentences():
+    for line in cures.sentences():
         Output().print(line)
 
 
@@ -110,19 +111,6 @@ def figures(title: str, found: "Sequence[Check]") -> None:
             advice.setdefault(check.advice, []).append(check.name)
     for text, names in advice.items():
         console.print(Text.assemble((" and ".join(names), "red"), f": {text}."))
-
-
-def against(plan: "CamPlan") -> None:
-    """Print what the profile does about play, beside the one before, and why it was chosen."""
-    if plan.against is not None:
-        from cadgen.cli.show_play import methods
-
-        methods(plan)
-    else:
-        from cadgen.workflow.cam.as_built import as_built_sentences
-
-        for text in as_built_sentences(plan.design, plan.lift.blend_start):
-            Output().print(text)
 
 
 def files(written: "Written", out: Path) -> None:

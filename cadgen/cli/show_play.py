@@ -11,14 +11,25 @@ if TYPE_CHECKING:
     from cadgen.workflow.cam.remedies import Remedy
     from cadgen.workflow.runs.budget import BudgetSheet
     from cadgen.workflow.runs.simulation import Simulation
-    from cadgen.workflow.runs.tolerance import ToleranceRun
+    from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
+
+
+def against(plan: "CamPlan") -> None:
+    """Print what the profile does about play, beside the one before, and why it was chosen."""
+    from cadgen.workflow.cam.as_built import as_built_sentences
+
+    if plan.against is not None:
+        methods(plan)
+        return
+    for text in as_built_sentences(plan.design, plan.lift.blend_start):
+        Output().print(text)
 
 
 def methods(plan: "CamPlan") -> None:
     """Print every method compared, the bound, and the reasons."""
+    from cadgen.workflow.cam.against import PAPER_PERCENT
     from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
     from cadgen.workflow.cam.plan import against_of
-    from cadgen.workflow.cam.play import PAPER_PERCENT
 
     against = against_of(plan)
     console = Output()
@@ -38,36 +49,36 @@ def methods(plan: "CamPlan") -> None:
     ):
         for head in heads:
             table.add_column(head, justify="left" if head == "profile" else "right")
-    several = len({one.train for one in against.judged}) > 1
+    several = len({evaluation.train for evaluation in against.evaluations}) > 1
     train = ""
-    for one in against.judged:
-        if several and one.train != train:
-            train = one.train
+    for evaluation in against.evaluations:
+        if several and evaluation.train != train:
+            train = evaluation.train
             for table in (errors, costs):
                 table.add_row(train, style="dim")
-        name = "cam as measured" if one.measured else one.profile.replace("smoothed+", "smoothed, ")
-        style = "bold" if one is against.chosen else None
-        first = one is against.before
+        name = "cam as measured" if evaluation.measured else evaluation.profile.code.replace("smoothed+", "smoothed, ")
+        style = "bold" if evaluation is against.chosen else None
+        first = evaluation is against.before
         errors.add_row(
             name,
-            f"{degrees(one.error.end_heading):.3f}°",
-            f"{one.error.end_distance:.1f} mm",
-            "" if first else _share(against.gain(one)[1]),
-            f"{degrees(one.band.worst_heading):.2f}°",
-            f"{one.band.worst_distance:.0f} mm",
-            "" if first else _share(against.worst_gain(one.band.worst_distance)),
+            f"{degrees(evaluation.error.end_heading):.3f}°",
+            f"{evaluation.error.end_distance:.1f} mm",
+            "" if first else _share(against.gain(evaluation)[1]),
+            f"{degrees(evaluation.band.worst_heading):.2f}°",
+            f"{evaluation.band.worst_distance:.0f} mm",
+            "" if first else _share(against.worst_gain(evaluation.band.worst_distance)),
             style=style,
         )
         # What is skipped and repeated on a compensated profile is meant to be, and no error.
-        summed = one.profile in ("actual", "smoothed")
+        summed = not evaluation.profile.dilated
         costs.add_row(
             name,
-            f"{degrees(one.made_for):.3f}°" if one.profile.endswith("compensated") else "",
-            f"{one.deviation.end_distance:.0f} mm",
-            f"{one.deviation.distance.max():.0f} mm",
-            f"{one.worst_lift_error * 1e3:.0f} µm",
-            f"{degrees(one.deflection_sum):.3f}°" if summed else "",
-            _share(against.sum_gain(one), 2) if summed and not first else "",
+            f"{degrees(evaluation.made_for):.3f}°" if evaluation.profile.dilated else "",
+            f"{evaluation.deviation.end_distance:.0f} mm",
+            f"{evaluation.deviation.distance.max():.0f} mm",
+            f"{evaluation.worst_lift_error * 1e3:.0f} µm",
+            f"{degrees(evaluation.deflection_sum):.3f}°" if summed else "",
+            _share(against.sum_gain(evaluation), 2) if summed and not first else "",
             style=style,
         )
     # The bound is for a rod that slides without friction.
@@ -158,7 +169,7 @@ def runs(simulation: "Simulation") -> None:
     for column in ("profile", "heading", "position", "greatest on the run"):
         table.add_column(column, justify="left" if column == "profile" else "right")
     for name, error in (
-        (before.title if before.measured else "actual", simulation.before_error),
+        (before.title if before.measured else before.profile.code, simulation.before_error),
         (f"{chosen.profile}, cut for {degrees(chosen.made_for):.3f}°", simulation.after_error),
         (f"{chosen.profile}, without play", chosen.deviation),
     ):
@@ -175,10 +186,10 @@ def fleet(run: "ToleranceRun") -> None:
     """Print where the cars end, how many pass, and what matters most."""
     from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
     from cadgen.workflow.cam.mechanics import joint_sentences
+    from cadgen.workflow.runs.budget import shown
 
     console = Output()
     friction(run.plan)
-    facts = run.facts()
     design = run.plan.design
     for text in (
         *assumed_play(design),
@@ -187,30 +198,35 @@ def fleet(run: "ToleranceRun") -> None:
     ):
         console.print(text)
     console.print(
-        f"{facts['design']}, {facts['profile']} profile: {facts['samples']} cars, seed {facts['seed']}, "
-        f"{facts['law']} law",
+        f"{design.name}, {run.plan.profile} profile: {run.samples} cars, seed {run.seed}, {design.tolerances.law} law",
         style="bold",
     )
-    for label, key, unit in (("position", "end_position_mm", " mm"), ("heading", "end_heading_deg", "°")):
-        values = ", ".join(f"{name} {value:.3g}{unit}" for name, value in facts[key].items())
-        console.print(f"{label} error at the end: {values}")
-    console.print(
-        f"{100 * facts['yield']:.2f} % pass all {facts['gates']} gates of {facts['gate_width_mm']:g} mm",
-    )
+    position, heading = run.end_position, run.end_heading_deg
+    for label, values, unit in (
+        ("position", {"mean": position.mean, **_parts(position), "greatest": position.greatest}, " mm"),
+        ("heading", {"mean of size": heading.mean, **_parts(heading)}, "°"),
+    ):
+        texts = ", ".join(f"{name} {value:.3g}{unit}" for name, value in values.items())
+        console.print(f"{label} error at the end: {texts}")
+    console.print(f"{100 * run.passed:.2f} % pass all {run.gates} gates of {design.tolerances.gate_width_mm:g} mm")
     table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
     for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
         table.add_column(column, justify="left" if column == "tolerance" else "right")
-    for one in facts["sensitivities"]:
-        unit = {"deg": "°", "1": ""}.get(one["unit"], f" {one['unit']}")
+    for sensitivity in run.sensitivities:
+        name = sensitivity.name
         table.add_row(
-            one["tolerance"].replace("_", " "),
-            f"{one['half_width']:.3g}{unit}",
-            f"{one['step']:.3g}{unit}",
-            f"{one['position_mm_per_step']:.3f} mm",
-            f"{one['heading_deg_per_step']:.4f}°",
-            f"{100 * one['share_of_variance']:.1f} %",
+            name.replace("_", " "),
+            shown(name, run.half_width(name)),
+            shown(name, sensitivity.step),
+            f"{sensitivity.distance:.3f} mm",
+            f"{degrees(sensitivity.heading):.4f}°",
+            f"{100 * sensitivity.share:.1f} %",
         )
     console.print(table)
+
+
+def _parts(spread: "Spread") -> dict[str, float]:
+    return {f"{100 * part:g} %": value for part, value in spread.quantiles.items()}
 
 
 def budget(sheet: "BudgetSheet") -> None:

@@ -26,8 +26,8 @@ def simulate(
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
+    from cadgen.workflow.runs.files import write_simulation
     from cadgen.workflow.runs.simulation import simulate as run
-    from cadgen.workflow.runs.simulation import write_simulation
 
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:

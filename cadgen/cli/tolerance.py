@@ -6,11 +6,12 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import design_options, out_option, play_profile_option
+from cadgen.optimize.profiles.actual import ACTUAL
 
 
 @click.command()
 @design_options
-@play_profile_option("actual", meaning="Profile that all cars have.")
+@play_profile_option(ACTUAL.code, meaning="Profile that all cars have.")
 @click.option(
     "--samples", type=click.IntRange(1, 10_000_000), default=10_000, show_default=True, help="Number of cars."
 )
@@ -45,14 +46,16 @@ def tolerance(
     """
     from cadgen.cli import show, show_play
     from cadgen.design.load import load_design
-    from cadgen.workflow.runs.tolerance import run_tolerance, write_tolerance
+    from cadgen.workflow.runs.files import write_tolerance
+    from cadgen.workflow.runs.manifest import tolerance_facts
+    from cadgen.workflow.runs.tolerance import run_tolerance
 
     loaded = load_design(design, overrides)
     with show.progress(not as_json) as step:
         run = run_tolerance(loaded, profile, samples, seed, processes, step, with_budget=budget)
         written = None if out is None else write_tolerance(run, out, step)
     if as_json:
-        show.document(run.facts() if written is None else written.entry)
+        show.document(tolerance_facts(run) if written is None else written.entry)
         return
     show_play.fleet(run)
     if run.budget is not None:

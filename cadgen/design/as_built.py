@@ -1,13 +1,15 @@
 """The section of the car as it was built: the effects that measured data were traced to, and what becomes of each."""
 
 import re
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field, Strict, field_validator, model_validator
 
-from cadgen.design.section import Section, listed
+from cadgen.design.section import OneOf, Section, listed
 from cadgen.deviations.names import Kind, Place
 from cadgen.errors import DesignError
+from cadgen.optimize.profiles.actual import ACTUAL
+from cadgen.optimize.profiles.table import codes
 
 if TYPE_CHECKING:
     from cadgen.deviations.effect import Effect as Known
@@ -106,10 +108,8 @@ class Effect(Section):
 class AsBuilt(Section):
     """The car as it was built and measured: written by `cadgen calibrate`, taken into account by every command."""
 
-    profile: Literal[
-        "actual", "theoretical", "published", "compensated", "smoothed", "smoothed+compensated", "optimized"
-    ] = Field(
-        default="actual",
+    profile: Annotated[str, OneOf(codes)] = Field(
+        default=ACTUAL.code,
         description="of the cam that was on the car when it was measured, made from this design with `cut_for` in the "
         "place of `effects`",
     )

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field, Strict, model_validator
 
 from cadgen.design.section import Section
+from cadgen.gears.names import Law, StageOrder
 from cadgen.motion.friction import DiscMaterial
 
 Hardware = Literal["drag", "trim"]
@@ -45,7 +46,7 @@ class Tolerances(Section):
     [mechanics].
     """
 
-    law: Literal["normal", "uniform"] = Field(
+    law: Law = Field(
         default="normal",
         description="within the zones: normal, with its 3 sigma at the limits and clipped there, or uniform",
     )
@@ -123,7 +124,7 @@ class Tolerances(Section):
 class Optimize(Section):
     """What the profile against play must keep. A limit that is left out allows anything."""
 
-    order: Literal["as-given", "reordered"] = Field(
+    order: StageOrder = Field(
         default="as-given",
         description="of the stages of [train] in the car: as they stand there, or the order of least return error",
     )

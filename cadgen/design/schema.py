@@ -8,7 +8,6 @@ them all; their messages are sentences for the user.
 import hashlib
 import json
 import re
-from typing import Literal
 
 from pydantic import Field, field_validator, model_validator
 
@@ -20,6 +19,7 @@ from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train
 from cadgen.motion.friction import FollowerMaterial
+from cadgen.path.names import SplineKind
 
 # What may be part of a file's name on every system, and of STEP's product data.
 _FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
@@ -35,7 +35,7 @@ MOST_WAYPOINTS = {"quintic": 10_000, "cubic": 1000}
 class Path(Section):
     """The path the car is to drive."""
 
-    spline: Literal["quintic", "cubic"] = Field(
+    spline: SplineKind = Field(
         default="quintic",
         description="curve through the waypoints: the sixth-order natural spline of the paper's text, or the "
         "cubic of its appendix, whose curvature has kinks",

@@ -3,13 +3,14 @@
 What a gear or a stage does not say, the train says for all of them.
 """
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from annotated_types import Gt, Le
 from pydantic import Field, Strict
 
 from cadgen.design.joint import Held
 from cadgen.design.section import Section
+from cadgen.gears.names import Thinning
 
 # All orders of so many stages, 5040, are compared within a second; ten would take an hour.
 MOST_STAGES = 7
@@ -165,7 +166,7 @@ class Train(Section):
         description="by which a shaft can move across its bearings; it opens every mesh; left out, none",
     )
     grade: int = Field(default=7, ge=3, le=12, description="tolerance grade of ISO 1328")
-    thinning: Literal["least", "middle", "greatest"] = Field(
+    thinning: Thinning = Field(
         default="middle",
         description="what the teeth are cut to: E_sns, the middle between both limits, or E_sni; their zone, T_sn "
         "wide, lies about it",

@@ -19,11 +19,6 @@ DECIMALS = 4  # of a coordinate: what hobby controllers read and 0.05 um of roun
 # An arc that bulges less than the rounding is a line; so none is left whose rounded ends coincide, which a
 # controller would take for a full circle.
 _STRAIGHT = 10.0**-DECIMALS / 2
-# What the shop must know of profiles that are no part to use.
-NOTES = {
-    "theoretical": "NOT THE OUTLINE OF A PART TO USE: this is the curve of the rod's axis",
-    "published": "NOT THE OUTLINE OF A PART TO USE: this is the paper's formula, for comparison",
-}
 # The search for the farthest point: samples of a piece, then of two spans, in rounds down to about 1e-5 mm.
 _COARSE, _FINE, _ROUNDS = 1025, 33, 4
 

@@ -5,6 +5,7 @@
 | `tooth`        | numbers of a gear -> exact curves of its teeth                                  |
 | `tolerances`   | ISO 1328-1, ISO 1328-2, ISO 286: grade and size -> tolerances                   |
 | `train`        | gears, pairs and stages in a row, checked                                       |
+| `names`        | laws within a zone, orders of the stages, limits of thinning, by name           |
 | `distribution` | sum of contributions free in their zones: bounds, moments, quantiles, samples   |
 | `backlash`     | tolerances -> play of a stage (eq. 1-13) -> return error of a train (eq. 25-26) |
 | `fits`         | free angle of keys and D-flats, clearance of fits (ISO 286)                     |

@@ -27,7 +27,8 @@ from typing import Any, Generic
 import numpy as np
 
 from cadgen.errors import DesignError
-from cadgen.gears.distribution import Law, ZoneSum
+from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.names import Law, Thinning
 from cadgen.gears.tolerances import (
     GearTolerances,
     T,
@@ -35,7 +36,7 @@ from cadgen.gears.tolerances import (
     gear_tolerance,
     gear_tolerances,
 )
-from cadgen.gears.train import Gear, GearPair, Thinning, Train
+from cadgen.gears.train import Gear, GearPair, Train
 
 # The paper's "end face angle" of eq. 3 and 12, and the base helix angle of spur gears (see above).
 ALPHA_T = 0.0
@@ -248,6 +249,11 @@ def train_play(train: Train) -> TrainPlay:
         except DesignError as error:
             raise DesignError(f"in stage {number}, {error}") from error
     return TrainPlay(train=train, stages=tuple(stages))
+
+
+def teeth_of(play: TrainPlay) -> str:
+    """The stages of a train as driver/driven teeth, from the drive on."""
+    return " ".join(f"{pair.driver.form.teeth}/{pair.driven.form.teeth}" for pair in play.train.stages)
 
 
 def play_distribution(stage: StagePlay[float], law: Law = "normal") -> ZoneSum:

@@ -11,15 +11,14 @@ Both are symmetric about the middle of the zone, so the mean of the sum is the m
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Literal, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import erf, ndtr, ndtri, wofz
 
 from cadgen.arrays import Array
-
-Law = Literal["normal", "uniform"]
+from cadgen.gears.names import Law
 
 # Half a zone in standard deviations of the unclipped normal law.
 SIGMAS = 3.0

@@ -14,7 +14,8 @@ from math import degrees, tan
 import numpy as np
 
 from cadgen.gears.backlash import TrainPlay
-from cadgen.gears.distribution import Law, ZoneSum
+from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.names import Law
 from cadgen.gears.train import Train
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import permutations
-from typing import Literal
 
 import numpy as np
 
@@ -19,10 +18,9 @@ from cadgen.gears.candidates import Pairs, fit_of, form_of, pairs_within
 from cadgen.gears.chains import Fit, best_chains
 from cadgen.gears.layout import Blanks
 from cadgen.gears.limits import SearchLimits
+from cadgen.gears.names import Order
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.train import GearPair, Train
-
-Order = Literal["as-given", "reordered", "search"]
 
 
 def arrange(train: Train, order: Order, limits: SearchLimits | None = None) -> tuple[TrainPlay, ...]:

@@ -9,17 +9,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import acos, cos, degrees, inf, prod, tan
-from typing import Literal, Self
+from typing import Self
 
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
+from cadgen.gears.names import Thinning
 from cadgen.gears.tolerances import GRADES, ToleranceOverrides
 from cadgen.gears.tooth import GearForm, involute
 
 # Where in its zone the thickness of a tooth is aimed at: its upper limit E_sns by eq. 7, the middle, or the lower limit
 # E_sni by eq. 9.
-Thinning = Literal["least", "middle", "greatest"]
 # Centre distances are stated to the micrometre: one this much short, in mm, is rounded and not too small.
 CENTRE_DISTANCE_ROUNDING = 0.5e-3
 # Greatest working pressure angle that profile shifts may ask for, in rad (80°).

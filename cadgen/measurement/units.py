@@ -1,16 +1,17 @@
 """Refuse a file whose numbers are those of another unit than its header says, by what the design lets expect."""
 
 from math import pi
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.deviations.disc import Disc
 from cadgen.errors import FileError
 from cadgen.measurement.record import Record
-
-if TYPE_CHECKING:
-    from cadgen.measurement.nominal import Nominal
+from cadgen.path.track import Track
 
 # Size of a number in a mistaken unit, over its size in the one that the header names.
 SLIPS = {
@@ -21,7 +22,31 @@ SLIPS = {
 NEAR = 1.6
 
 
-def refuse_wrong_units(record: Record, nominal: "Nominal") -> None:
+class Expected(Protocol):
+    """What of a design says how far measured readings span; as in `Nominal`."""
+
+    @property
+    def lift(self) -> LiftCurve:
+        """The lift that the cam gives."""
+
+    @property
+    def follower(self) -> Follower:
+        """What rolls on it."""
+
+    @property
+    def disc(self) -> Disc:
+        """The outline that was made."""
+
+    @property
+    def track(self) -> Track:
+        """The track of the drive wheel."""
+
+    @property
+    def ratios(self) -> tuple[float, ...]:
+        """Of the train's stages; empty if there is none."""
+
+
+def refuse_wrong_units(record: Record, nominal: Expected) -> None:
     """Compare how far the readings span with what the design would give.
 
     Raises:

@@ -8,7 +8,7 @@ from functools import cache
 from math import pi
 from typing import NamedTuple
 
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.gears.backlash import StagePlay
 from cadgen.gears.contact import LEAST_CONTACT_RATIO, LEAST_ROOT_CLEARANCE, contact_ratio, found_contact_ratio
 from cadgen.gears.layout import TrainLayout
@@ -30,6 +30,13 @@ OVERLAP_LIMIT = 1e-6
 CONTRADICTION = "the teeth contradict the formulas: report this design"
 
 
+_PLAY = {
+    "as cut": CheckCode.PLAY_AS_CUT,
+    "greatest": CheckCode.PLAY_GREATEST,
+    "least": CheckCode.PLAY_LEAST,
+}
+
+
 class State(NamedTuple):
     """A pair at a centre distance in mm."""
 
@@ -43,9 +50,8 @@ def gear_checks(layout: TrainLayout, plays: Sequence[StagePlay[float]], chords: 
     checks = [*_bodies(layout, chords), *_worst([_of_stage(pair, play) for pair, play in zip(cut, plays, strict=True)])]
     if meshes(cut):
         error = return_error_um(cut, [_built(pair, pair.centre_distance) for pair in cut])
-        checks.append(
-            Check("return error - computed", abs(error), "µm", PLAY_LIMIT_UM, "max", "whole train", CONTRADICTION)
-        )
+        code, name = CheckCode.RETURN_ERROR, "return error - computed"
+        checks.append(Check(code, name, abs(error), "µm", PLAY_LIMIT_UM, "max", "whole train", CONTRADICTION))
     return tuple(checks)
 
 
@@ -136,24 +142,50 @@ def _of_stage(pair: GearPair, found: StagePlay[float]) -> tuple[Check, ...]:
     hold, loose = min((_built(*state).overlap_tooth_on_tooth(0.0), name) for name, state in states.items())
     closest = exact_play(*least) * pair.driven_pitch_radius * 1e3
     checks = [
-        Check("root clearance", min(built.clearances()) / module, "modules", LEAST_ROOT_CLEARANCE, "min", advice=wider),
-        Check("contact ratio", ratio, "", LEAST_CONTACT_RATIO, "min", advice="give more teeth"),
-        Check("contact ratio - formula", abs(ratio - contact_ratio(pair)), "", CONTACT_RATIO_ERROR, "max"),
-        Check("teeth jam", jam, "mm2", LEAST_OVERLAP, "max", jammed, _thinner(closest)),
-        Check("teeth hold each other", hold, "mm2", LEAST_OVERLAP, "min", loose, _closer(loose)),
+        Check(
+            CheckCode.ROOT_CLEARANCE,
+            "root clearance",
+            min(built.clearances()) / module,
+            "modules",
+            LEAST_ROOT_CLEARANCE,
+            "min",
+            advice=wider,
+        ),
+        Check(
+            CheckCode.CONTACT_RATIO, "contact ratio", ratio, "", LEAST_CONTACT_RATIO, "min", advice="give more teeth"
+        ),
+        Check(
+            CheckCode.CONTACT_RATIO_FORMULA,
+            "contact ratio - formula",
+            abs(ratio - contact_ratio(pair)),
+            "",
+            CONTACT_RATIO_ERROR,
+            "max",
+        ),
+        Check(CheckCode.TEETH_JAM, "teeth jam", jam, "mm2", LEAST_OVERLAP, "max", jammed, _thinner(closest)),
+        Check(CheckCode.TEETH_HOLD, "teeth hold each other", hold, "mm2", LEAST_OVERLAP, "min", loose, _closer(loose)),
     ]
     if _engages(states["as cut"]):
         over, past = cycle(pair, built)
         checks.append(
-            Check("overlap within the play", over, "mm2", LEAST_OVERLAP, "max", advice="tips meet roots: " + wider)
+            Check(
+                CheckCode.OVERLAP_WITHIN_PLAY,
+                "overlap within the play",
+                over,
+                "mm2",
+                LEAST_OVERLAP,
+                "max",
+                advice="tips meet roots: " + wider,
+            )
         )
         if ratio >= 1:
-            checks.append(Check("overlap past the play", past, "mm2", LEAST_OVERLAP, "min"))
+            code = CheckCode.OVERLAP_PAST_PLAY
+            checks.append(Check(code, "overlap past the play", past, "mm2", LEAST_OVERLAP, "min"))
     for name, state in states.items():
         # With a contact ratio below 1 there are places where no tooth is in mesh, and the play is greater.
         if _engages(state) and contact_ratio(state.pair, state.apart) >= 1:
             off = (_built(*state).play(0.0) - exact_play(*state)) * pair.driven_pitch_radius * 1e3
-            checks.append(Check(f"play - computed, {name}", abs(off), "µm", PLAY_LIMIT_UM, "max"))
+            checks.append(Check(_PLAY[name], f"play - computed, {name}", abs(off), "µm", PLAY_LIMIT_UM, "max"))
     return tuple(check if check.advice else replace(check, advice=CONTRADICTION) for check in checks)
 
 
@@ -182,7 +214,8 @@ def _bodies(layout: TrainLayout, chords: Sequence[float]) -> list[Check]:
     ]
     worst, place = max(shared)
     advice = "give a longer collar, smaller hubs, or more thinning"
-    return [Check("bodies overlap", worst, "mm3", OVERLAP_LIMIT, "max", place if worst > 0 else "", advice)]
+    met = place if worst > 0 else ""
+    return [Check(CheckCode.BODIES_OVERLAP, "bodies overlap", worst, "mm3", OVERLAP_LIMIT, "max", met, advice)]
 
 
 def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
@@ -190,11 +223,11 @@ def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
 
     A stage that does not mesh has fewer checks than others.
     """
-    found: dict[str, Check] = {}
+    found: dict[CheckCode, Check] = {}
     for number, checks in enumerate(stages, 1):
         for check in checks:
             here = replace(check, place=", ".join(filter(None, (f"stage {number}", check.place))))
-            best = found.setdefault(check.name, here)
+            best = found.setdefault(check.code, here)
             if (check.value > best.value) if check.bound == "max" else (check.value < best.value):
-                found[check.name] = here
+                found[check.code] = here
     return list(found.values())

@@ -5,18 +5,17 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from math import degrees, floor, log10, radians
-from typing import Literal
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.names import Law
 from cadgen.monte_carlo.derivatives import STEERING
 from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, run_fleet
 
 Sampler = Callable[[np.random.Generator, int], Array]
-Law = Literal["normal", "uniform"]
 
 # Cars run together: their arrays of one value per step stay near the processor's cache, and a run of many uses
 # little memory. It fixes the numbers that a seed gives, with any number of processes.

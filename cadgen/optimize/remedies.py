@@ -23,7 +23,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.motion.drive import Run, drive
 from cadgen.motion.errors import RunError, run_error
 from cadgen.motion.mechanics import Leads, Mechanics, MechanicsBand
-from cadgen.optimize.judge import Task
+from cadgen.optimize.task import Task
 
 MARGIN = 1.25  # of a drag that is to hold, over the torque that it must hold
 _STEPS = 720  # of a run; its end errs by 1e-5 mm

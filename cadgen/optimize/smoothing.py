@@ -8,7 +8,7 @@ stay where they are. The knee lies at (1 - depth) T_e, or at the neighbouring ev
 serves all events. A valley within a right turn, or a peak within a left one, is left alone.
 
 The deflection at an event falls because the car steers less around it; so it leaves the planned path even without
-play. That is the method's cost: `Judged.deviation` of `cadgen.optimize.judge`.
+play. That is the method's cost: `Evaluation.deviation` of `cadgen.optimize.evaluate`.
 """
 
 from functools import cache

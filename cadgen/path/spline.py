@@ -1,15 +1,13 @@
 """The planned path: a parametric spline through the waypoints."""
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from scipy.interpolate import BSpline, make_interp_spline
 
 from cadgen.arrays import Array
 from cadgen.errors import DesignError
-
-SplineKind = Literal["quintic", "cubic"]
+from cadgen.path.names import SplineKind
 
 MIN_WAYPOINTS = 4  # the cubic's end slope is that of the cubic through the first four
 MIN_CHORD_MM = 1e-6  # below this two waypoints are one, and the centripetal parameter stalls

@@ -11,7 +11,8 @@ from cadgen.curves.contour import circle
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.path import track
-from cadgen.workflow.cam import plan as plan_module
+from cadgen.workflow.cam import cures as cures_module
+from cadgen.workflow.cam.cures import find_cures
 from cadgen.workflow.cam.plan import plan_cam
 
 
@@ -76,9 +77,10 @@ def test_a_rod_too_thin_is_refused_by_its_key():
 def test_cures_are_not_sought_at_very_many_kinks(monkeypatch):
     plan = plan_cam(load_design("appendix_car"), "actual")
     assert plan.lost
-    monkeypatch.setattr(plan_module, "MOST_KINKS_CURED", len(plan.lift.kinks) - 1)
-    assert plan.cures == ()
-    (said,) = plan.cure_sentences()
+    monkeypatch.setattr(cures_module, "MOST_KINKS_CURED", len(plan.lift.kinks) - 1)
+    cures = find_cures(plan)
+    assert cures.found == ()
+    (said,) = cures.sentences()
     assert f"the lift has {len(plan.lift.kinks)} kinks" in said
     assert 'set path.spline = "quintic"' in said
 

@@ -6,7 +6,8 @@ from functools import partial
 import numpy as np
 import pytest
 
-from cadgen.cam.checks import CHAMFER_LEAN, check_cam
+from cadgen.cam.checks import check_cam
+from cadgen.cam.clearance import CHAMFER_LEAN
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits

@@ -10,11 +10,12 @@ from types import SimpleNamespace
 import pytest
 from click.testing import CliRunner
 
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
 from cadgen.export.manifest import Written
+from cadgen.workflow.cam.cures import Cure, Cures
 from tests.cli.conftest import one_sentence
 
 COMMAND = [sys.executable, "-c", "from cadgen.cli import main; main()"]
@@ -109,16 +110,15 @@ def test_what_is_left_out_is_said_with_its_reason(capsys, monkeypatch):
 @pytest.mark.parametrize("columns", [40, 80, 200])
 def test_numbers_are_never_folded(capsys, monkeypatch, columns):
     monkeypatch.setenv("COLUMNS", str(columns))
-    check = Check("rod pushed out", 0.000456, "µm", 0.2, "max", "cam angle 126.40°", "")
+    check = Check(CheckCode.ROD_PUSHED_OUT, "rod pushed out", 0.000456, "µm", 0.2, "max", "cam angle 126.40°", "")
     plan = SimpleNamespace(
         design=SimpleNamespace(name="car"),
         profile="actual",
         against=None,
         checks=(check,),
         edges=check,
-        cure_sentences=list,
     )
-    show.checks(plan)
+    show.checks(plan, Cures((), (), 0))
     printed = capsys.readouterr().out
     assert max(map(len, printed.splitlines())) <= columns
     assert "0.000456 µm" in printed
@@ -127,18 +127,31 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
 
 def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
-    check = Check("wall [red]", 1.0, "mm", 2.0, "min", "hole :smile: [blank]", "move it (the design's [blank])")
+    check = Check(
+        CheckCode.ROD_PUSHED_OUT,
+        "wall [red]",
+        1.0,
+        "mm",
+        2.0,
+        "min",
+        "hole :smile: [blank]",
+        "move it (the design's [blank])",
+    )
     plan = SimpleNamespace(
         design=SimpleNamespace(name="car[1]"),
         against=None,
         profile="actual",
         checks=(check,),
         edges=check,
-        cure_sentences=lambda: ["[x] cures it"],
     )
-    show.checks(plan)
+    show.checks(plan, Cures((check,), (Cure("[x]", "1", ()),), 0))
     printed = capsys.readouterr().out
-    for text in ("car[1], actual", "hole :smile: [blank]", "wall [red]: move it (the design's [blank]).", "[x] cures"):
+    for text in (
+        "car[1], actual",
+        "hole :smile: [blank]",
+        "wall [red]: move it (the design's [blank]).",
+        "--set [x] (now 1) cures it",
+    ):
         assert text in printed
 
 

@@ -10,8 +10,9 @@ from cadgen.cam.cutter import largest_cutter
 from cadgen.curves.contour import circle
 from cadgen.design.schema import Machining
 from cadgen.errors import CheckError, FileError
-from cadgen.export.gcode import NOTES, cutter_path, write_gcode
+from cadgen.export.gcode import cutter_path, write_gcode
 from cadgen.export.gcode_reader import read_gcode
+from cadgen.optimize.profiles.table import profile_of
 from tests.curves.shapes import limacon
 
 THICKNESS = 3.0
@@ -70,7 +71,7 @@ def test_rapid_moves_pass_above_a_hub(tmp_path):
 def test_an_outline_that_is_no_part_says_so_at_the_top(tmp_path, profile):
     curve = circle((4.0, 3.0), 30.0).curve()
     centre = cutter_path(curve, 2.0, largest_cutter(curve), 2e-4)
-    write_gcode(tmp_path / "disc.nc", centre, MACHINING, THICKNESS, name="disc", notes=[NOTES[profile]])
+    write_gcode(tmp_path / "disc.nc", centre, MACHINING, THICKNESS, name="disc", notes=[profile_of(profile).note])
     assert (tmp_path / "disc.nc").read_text().splitlines()[1].startswith("(NOT THE OUTLINE OF A PART TO USE: ")
     read_gcode(tmp_path / "disc.nc", MACHINING, THICKNESS)
 

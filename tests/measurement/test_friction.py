@@ -18,7 +18,8 @@ from cadgen.measurement.nominal import calibrate
 from cadgen.measurement.together import no_friction
 from cadgen.measurement.verdict import Judgement
 from cadgen.motion.mechanics import Mechanics, holding_friction
-from cadgen.workflow.cam.as_built import as_built_facts, as_built_sentences
+from cadgen.workflow.cam.as_built import as_built_sentences
+from cadgen.workflow.cam.manifest import as_built_facts
 from tests.measurement.synthetic_drive import RATIOS
 from tests.measurement.synthetic_rod import rod_record
 from tests.studies.friction_cars import case, judged

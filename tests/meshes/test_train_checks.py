@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.design.load import load_design
 from cadgen.gears.thinning import with_deviations
 from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section, section_of
@@ -92,8 +92,10 @@ def test_teeth_mesh_unless_they_jam(layout):
 
 
 def test_the_worst_stage_is_shown_by_check_also_where_stages_have_fewer():
+    codes = {"most": CheckCode.TEETH_JAM, "least": CheckCode.TEETH_HOLD, "gap": CheckCode.OVERLAP_PAST_PLAY}
+
     def check(name, value, bound, place=""):
-        return Check(name, value, "mm", 1.0, bound, place)
+        return Check(codes[name], name, value, "mm", 1.0, bound, place)
 
     found = _worst(
         [

@@ -14,7 +14,6 @@ from cadgen.motion.errors import run_error
 from cadgen.motion.friction import BEARING, STEEL_ON, USUAL, friction_band
 from cadgen.motion.mechanics import Mechanics, MechanicsBand
 from cadgen.optimize.band import best_for_band, over_band
-from cadgen.optimize.judge import Task
 from cadgen.optimize.remedies import (
     BEARINGS,
     bearing_for,
@@ -26,6 +25,7 @@ from cadgen.optimize.remedies import (
     trims,
     worst_on_way,
 )
+from cadgen.optimize.task import Task
 
 ENDS = np.radians([0.512, 0.962])
 

@@ -14,7 +14,8 @@ from cadgen.report import style
 from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
 from cadgen.report.lift import draw_lift
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
-from cadgen.workflow.runs.simulation import lift_picture, simulate
+from cadgen.workflow.runs.files import lift_picture
+from cadgen.workflow.runs.simulation import simulate
 
 
 @pytest.fixture(scope="module")

@@ -25,10 +25,10 @@ from cadgen.motion.friction import BEARING
 from cadgen.motion.mechanics import MechanicsBand
 from cadgen.optimize.band import best_for_band, over_band
 from cadgen.optimize.compensation import compensated_lift
-from cadgen.optimize.judge import Task
 from cadgen.optimize.remedies import holding, trims
+from cadgen.optimize.task import Task
 from cadgen.path.hermite import quintic_hermite
-from cadgen.workflow.cam.play import task_of
+from cadgen.workflow.cam.against import task_of
 
 ENDS = tuple(np.radians([0.512, 0.962]))
 PLAYS = np.radians([0.512, 0.737, 0.962])

@@ -28,13 +28,14 @@ from functools import partial
 from importlib import import_module
 from pathlib import Path
 
+from cadgen.optimize.profiles.table import codes
 from tests.studies import fuzz_data, fuzz_designs
 
 COMMANDS = ("check", "cam", "gears", "optimize", "simulate", "tolerance", "calibrate")
 CPU_SECONDS, MEMORY_KB, WALL_SECONDS = 60, 2_000_000, 3600
 ADDRESS_SPACE = 6 * 2**30  # beyond which a run is ended; libraries reserve more than they use
 LONGEST_LINE, MOST_LINES = 900, 7
-PROFILES = ("actual", "optimized", "compensated", "smoothed", "smoothed+compensated", "theoretical", "published")
+PROFILES = codes()
 # Loaded before the first fork.
 MODULES = {
     "calibrate": ("cadgen.workflow.calibration.plan", "cadgen.workflow.calibration.files", "cadgen.cli.show_calibrate"),
@@ -42,8 +43,8 @@ MODULES = {
     "check": (),
     "gears": ("cadgen.workflow.gears.plan", "cadgen.workflow.gears.files", "cadgen.solids.kernel"),
     "optimize": (),
-    "simulate": ("cadgen.workflow.runs.simulation", "cadgen.report.tracks"),
-    "tolerance": ("cadgen.workflow.runs.tolerance",),
+    "simulate": ("cadgen.workflow.runs.files", "cadgen.report.tracks"),
+    "tolerance": ("cadgen.workflow.runs.files",),
 }
 DOCS = Path(__file__).parents[2] / "docs" / "studies"
 

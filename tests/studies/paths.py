@@ -19,6 +19,8 @@ from pathlib import Path
 import numpy as np
 
 from cadgen import __version__
+from cadgen.cam.checks import LOST_LIFT
+from cadgen.check import CheckCode
 from cadgen.curves.biarc import arcs
 from cadgen.curves.spline import splines
 from cadgen.design.load import load_design
@@ -182,7 +184,7 @@ def verdict(case: Case, number: int, *, write: bool = False) -> str:
         except Exception:
             return "fault: " + traceback.format_exc(limit=-2).strip().replace("\n", " | ")
     if not plan.passed:
-        unfounded = [c.name for c in plan.failed if not _founded(c.name, truth)]
+        unfounded = [c.name for c in plan.failed if not _founded(c.code, truth)]
         return "refused" if not unfounded else f"false refusal: {', '.join(unfounded)}"
     if truth.pressure_angle(driven=True) > PRESSURE_LIMIT + radians(1.5):
         return f"passed, but the pressure angle is {degrees(truth.pressure_angle(driven=True)):.1f}"
@@ -213,20 +215,20 @@ def _refusal(message: str, truth: Truth) -> str:
     return "refused" if any(part in message and true for part, true in founded.items()) else f"false refusal: {message}"
 
 
-def _founded(check: str, truth: Truth) -> bool:
+def _founded(check: CheckCode, truth: Truth) -> bool:
     """Whether the truth fails a check, too, or all but fails it."""
     convex, hollow = truth.radii
-    if check in ("pressure angle, rise", "pressure angle, return"):
+    if check in (CheckCode.PRESSURE_ANGLE_RISE, CheckCode.PRESSURE_ANGLE_RETURN):
         return truth.pressure_angle(driven=True) > PRESSURE_LIMIT - radians(1.5)
-    if check.startswith("pressure angle, blend"):
+    if check in (CheckCode.BLEND_PRESSURE_ANGLE_RISE, CheckCode.BLEND_PRESSURE_ANGLE_RETURN):
         return truth.pressure_angle(driven=False) > radians(65)
-    if check == "largest cutter radius":
+    if check is CheckCode.CUTTER_RADIUS:
         # Where the curvature has kinks, the rod's own section rounds the hollow corner.
         corner = truth.kind == "cubic" and truth.rod < CUTTER and truth.hollow_corner() > 4e-3
         return hollow + truth.rod < CUTTER * 1.1 or corner
-    if check == "convex radius, profile":
+    if check is CheckCode.CONVEX_RADIUS_PROFILE:
         return 0 < convex < truth.rod + 0.6
-    if check.startswith("lost lift") or check == "convex radius, theory":
+    if check in LOST_LIFT or check is CheckCode.CONVEX_RADIUS_THEORY:
         return truth.lost_lift() * 1e3 > LOST_LIMIT_UM * 0.8
     return False
 

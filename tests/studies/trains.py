@@ -93,6 +93,7 @@ def judged(seed: int, number: int) -> tuple[str, str]:
     """Kind of outcome of a case, and what is wrong with it; empty if nothing is."""
     from cadgen.design.schema import TrainDesign
     from cadgen.errors import DesignError
+    from cadgen.workflow.gears.facts import plan_facts
     from cadgen.workflow.gears.plan import NotMadeError, plan_gears
 
     made = case(seed, number)
@@ -106,7 +107,7 @@ def judged(seed: int, number: int) -> tuple[str, str]:
     faults = [check.name for check in plan.checks if not check.passed and "report this design" in check.advice]
     if faults:
         return "internal fault", f"checks contradict: {faults}"
-    facts = plan.facts()
+    facts = plan_facts(plan)
     pairs = _pairs_of(plan, made.keys)
     wrong = _figures(facts, pairs)
     failing = {name for pair in pairs for name in in_mesh(pair)}

@@ -19,6 +19,7 @@ from cadgen.workflow.calibration.plan import nominal_of
 from cadgen.workflow.cam import files
 from cadgen.workflow.cam.as_built import as_built_sentences
 from cadgen.workflow.cam.files import write_cam
+from cadgen.workflow.cam.manifest import as_built_facts
 from cadgen.workflow.cam.plan import plan_cam
 from cadgen.workflow.runs.simulation import simulate
 from cadgen.workflow.runs.tolerance import run_tolerance
@@ -169,7 +170,7 @@ def test_the_key_takes_the_phase_out(built):
     assert np.degrees(cam_model.blank(design).key.angle) == pytest.approx(28.5)
     assert np.degrees(cam_model.blank(design.as_designed()).key.angle) == pytest.approx(30.0)
     plan = plan_cam(design, "actual")
-    assert plan.facts()["as_built"]["key_turned_deg"] == pytest.approx(-1.5)
+    assert as_built_facts(plan.design, plan.lift.blend_start)["key_turned_deg"] == pytest.approx(-1.5)
     (line,) = (text for text in as_built_sentences(design, plan.lift.blend_start) if "key" in text)
     assert line == "The key of the new cam is turned by -1.500°, which takes out the cam's phase."
 
@@ -224,7 +225,7 @@ def test_tolerances_are_about_the_car_as_built(built):
     )
     run = run_tolerance(design, "compensated", 40, 1, 1)
     nominal = run.plan.against.chosen.error.end_distance
-    median = run.facts()["end_position_mm"]["50 %"]
+    median = run.end_position.quantiles[0.5]
     print(f"{nominal:.2f} mm, median {median:.1f} mm")
     assert nominal < 10
     assert median < 200

@@ -8,6 +8,9 @@ import pytest
 from cadgen.build import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
+from cadgen.optimize.profiles.actual import ACTUAL
+from cadgen.optimize.profiles.compensated import COMPENSATED
+from cadgen.workflow.cam.manifest import against_facts, remedy_facts
 from cadgen.workflow.cam.plan import plan_cam
 from cadgen.workflow.cam.remedies import remedies
 
@@ -31,14 +34,14 @@ def rubbing():
 
 def test_the_workshop_s_car_does_not_mind_its_play(workshop):
     assert workshop.passed
-    assert workshop.against.chosen.profile == "actual"
+    assert workshop.against.chosen.profile is ACTUAL
     assert workshop.against.chosen.band.worst_distance < 1.0
     assert workshop.against.rubbing == ""
     checks = {check.name: check for check in workshop.checks}
     assert checks["cam runs ahead"].value == 0.0
     assert checks["cam holds"].value == pytest.approx(42.0 / 32.4, rel=5e-3)
     assert workshop.design.blank.edge_break_mm == 0.2
-    facts = workshop.facts()["play"]["mechanics"]
+    facts = against_facts(workshop.against)["mechanics"]
     assert facts["friction"] == [0.05, 0.20]
     assert facts["drag_Nmm"] == [42.0, 60.0]
 
@@ -46,10 +49,10 @@ def test_the_workshop_s_car_does_not_mind_its_play(workshop):
 @pytest.mark.slow
 def test_a_cam_for_a_rod_that_rubs(rubbing):
     against = rubbing.against
-    assert against.chosen.profile == "compensated"
+    assert against.chosen.profile is COMPENSATED
     assert against.chosen.band.worst_distance <= 510.0
     assert against.chosen.band.worst.friction == pytest.approx(0.3)
-    # The window of the dilation is not the play of the run that it is judged by.
+    # The window of the dilation is not the play of the run that it is evaluated at.
     assert against.chosen.made_for < against.chosen.play == pytest.approx(sum(against.band.ends) / 2)
     assert any("a change by 0.01 moves the end of the run" in reason for reason in against.reasons)
     checks = {check.name: check for check in rubbing.checks}
@@ -77,7 +80,7 @@ def test_a_design_that_says_nothing_of_friction_is_told_what_a_rod_would_make_of
     assert plan.against.chosen.made_for == plan.against.chosen.play  # as without friction
     assert "up to 814 mm off" in plan.against.rubbing
     assert "1207 mm" in plan.against.rubbing
-    assert plan.facts()["play"]["friction_note"] == plan.against.rubbing
+    assert against_facts(plan.against)["friction_note"] == plan.against.rubbing
 
 
 def test_hardware_that_the_design_allows():
@@ -88,7 +91,7 @@ def test_hardware_that_the_design_allows():
     assert kept.drag == (50.0, 50.0)
     assert band(*FRICTION).drag == (0.0, 0.0)
     trimmed = plan_cam(load_design("carbon_free_car", [*FRICTION, 'optimize.hardware=["trim"]']), "optimized")
-    assert trimmed.against.chosen.profile == "actual"
+    assert trimmed.against.chosen.profile is ACTUAL
     assert any("after a trial run" in reason for reason in trimmed.against.reasons)
 
 
@@ -116,7 +119,7 @@ def test_with_a_measured_play_the_friction_is_not_known_either(rubbing):
 def test_a_remedy_that_cannot_be_built_is_no_number():
     small = ["cam.base_radius_mm=17", "blank.lightening=", "blank.keyway=", "blank.bore_diameter_mm=2"]
     plan = plan_cam(load_design("carbon_free_car", [*FRICTION, *small]), "optimized", all_trains=True)
-    facts = [remedy.facts() for remedy in remedies(plan.design, plan.against)]
+    facts = [remedy_facts(remedy) for remedy in remedies(plan.design, plan.against)]
     json.dumps(facts, allow_nan=False)
     (bearing,) = (fact for fact in facts if fact["remedy"].startswith("ball bearing"))
     assert bearing["worst_end_position_mm"] is None

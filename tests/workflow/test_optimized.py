@@ -16,6 +16,8 @@ from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.motion.sampled import sampled_lift
 from cadgen.optimize.compensation import compensated_lift
+from cadgen.optimize.profiles.actual import ACTUAL
+from cadgen.optimize.profiles.compensated import COMPENSATED
 from cadgen.workflow.cam.files import write_cam
 from cadgen.workflow.cam.plan import default_profile, plan_cam
 
@@ -134,7 +136,7 @@ def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):
 )
 def test_the_papers_return_errors_come_from_the_train_of_table_2(play, order, heading_deg, position_mm):
     plan = plan_cam(load_design("carbon_free_car", [f"optimize.order={order}"]), "compensated")
-    bare = next(one for one in plan.against.judged if one.profile == "actual" and one.train == order)
+    bare = next(one for one in plan.against.evaluations if one.profile is ACTUAL and one.train == order)
     assert f"{np.degrees(plan.against.band.greatest):.3f}" == f"{play}"
     assert np.degrees(bare.band.worst_heading) == pytest.approx(heading_deg, rel=1e-3)
     assert bare.band.worst_distance == pytest.approx(position_mm, rel=1e-3)
@@ -159,7 +161,7 @@ def test_the_next_best_is_taken_if_the_best_fails_a_check():
     """A cutter too large for the compensated valley, but not for the actual one."""
     tight = ["machining.cutter_diameter_mm=8", "optimize.max_lift_error_um="]
     plan = plan_cam(load_design("carbon_free_car", tight), "optimized")
-    assert plan.against.chosen.profile == "actual"
+    assert plan.against.chosen.profile is ACTUAL
     assert plan.passed
     assert plan.against.reasons[0] == "compensated refused: it fails largest cutter radius"
 
@@ -167,7 +169,7 @@ def test_the_next_best_is_taken_if_the_best_fails_a_check():
 @pytest.mark.slow
 def test_if_all_fail_a_check_the_failing_best_is_shown():
     plan = plan_cam(load_design("appendix_car"), "optimized")
-    assert plan.against.chosen.profile == "compensated"
+    assert plan.against.chosen.profile is COMPENSATED
     assert not plan.passed
     assert "lost lift, undercut" in plan.against.reasons[0]
 
@@ -184,7 +186,7 @@ def test_smoothing_fails_the_lift_check_and_is_made_without_it():
     free = plan_cam(load_design("carbon_free_car", ["optimize.max_lift_error_um="]), "smoothed")
     assert free.passed
     assert free.against.chosen.error.end_distance > free.against.before.error.end_distance
-    sums = [one.deflection_sum for one in free.against.judged]
+    sums = [one.deflection_sum for one in free.against.evaluations]
     assert 1 - sums[1] / sums[0] == pytest.approx(0.2715, abs=1e-4)
 
 
@@ -194,7 +196,7 @@ def test_a_design_without_play_has_the_actual_profile_and_says_what_the_others_n
     assert default_profile(load_design("carbon_free_car")) == "optimized"
     with pytest.raises(DesignError, match=r"says nothing of the gears' play.*add \[train\].*or \[play\]"):
         plan_cam(bare, "optimized")
-    assert plan_cam(bare).profile == "actual"
+    assert plan_cam(bare).profile is ACTUAL
 
 
 @pytest.mark.parametrize("play_deg", [0.5, 0.738, 0.9])

@@ -12,9 +12,14 @@ from cadgen.errors import CheckError, FileError
 from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
 from cadgen.optimize.compensation import compensated_lift
+from cadgen.optimize.profiles.actual import ACTUAL
+from cadgen.optimize.profiles.compensated import COMPENSATED
+from cadgen.workflow.cam.manifest import against_facts
 from cadgen.workflow.cam.plan import against_of, plan_cam
 from cadgen.workflow.runs import tolerance
-from cadgen.workflow.runs.simulation import simulate, write_simulation
+from cadgen.workflow.runs.files import write_simulation
+from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
+from cadgen.workflow.runs.simulation import simulate
 
 ROOT = Path(__file__).parents[2]
 TRIALS = ROOT / "tests" / "data" / "trials"
@@ -66,10 +71,10 @@ def signed(value, digits):
 
 def rows(against):
     """Lines of the table in docs/play.md."""
-    for one in against.judged:
+    for one in against.evaluations:
         cells = (
             f"{one.profile}, {one.train}",
-            f"{degrees(one.play):.3f}°" if one.profile.endswith("compensated") else "",
+            f"{degrees(one.play):.3f}°" if one.profile.dilated else "",
             f"{signed(degrees(one.error.end_heading), 3)}°, {one.error.end_distance:.1f} mm",
             f"{degrees(one.band.worst_heading):.2f}°, {one.band.worst_distance:.0f} mm",
             "" if one is against.before else f"{signed(100 * against.worst_gain(one.band.worst_distance), 1)} %",
@@ -119,10 +124,10 @@ def test_the_documentation_has_the_figures_of_the_command(compared):
 def test_each_row_is_compared_at_its_own_play(compared, carbon_free_car):
     """With the train reordered the actual profile is the same, so at one play nothing is off."""
     against = compared["carbon_free_car"].against
-    found = {(one["profile"], one["train"]): one for one in against.facts()["compared"]}
+    found = {(one["profile"], one["train"]): one for one in against_facts(against)["compared"]}
     for train in ("as-given", "reordered"):
         assert found["actual", train]["position_percent_off"] == pytest.approx(0.0, abs=1e-9)
-    one = next(one for one in against.judged if one.name == "smoothed, reordered")
+    one = next(one for one in against.evaluations if one.name == "smoothed, reordered")
     built = carbon_free_car
     bare = run_error(
         drive(built.lift, built.car, built.track.length, play=one.play),
@@ -137,7 +142,7 @@ def test_each_row_is_compared_at_its_own_play(compared, carbon_free_car):
 def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
     """The unsmoothed profile's 0.738 degrees would leave 2243 mm."""
     both = next(
-        one for one in compared["carbon_free_car"].against.judged if one.name == "smoothed+compensated, as-given"
+        one for one in compared["carbon_free_car"].against.evaluations if one.name == "smoothed+compensated, as-given"
     )
     assert degrees(both.play) == pytest.approx(0.962, abs=5e-4)
     assert both.band.worst_distance < 2020
@@ -148,7 +153,7 @@ def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
 )
 def test_without_play_no_share_of_it_can_be_off(overrides):
     against = plan_cam(load_design("carbon_free_car", overrides), "optimized").against
-    figures = {one["profile"]: one for one in against.facts()["compared"]}
+    figures = {one["profile"]: one for one in against_facts(against)["compared"]}
     assert set(figures) == {"actual", "compensated", "smoothed", "smoothed+compensated"}
     for one in figures.values():
         assert one["heading_percent_off"] is one["position_percent_off"] is None
@@ -158,7 +163,7 @@ def test_without_play_no_share_of_it_can_be_off(overrides):
 
 def test_with_a_measured_play_limits_and_choice_go_by_the_errors_with_it(carbon_free_car):
     plan = plan_cam(with_play(0.74, "optimize.max_end_position_mm=100", "optimize.max_end_heading_deg=1"), "optimized")
-    assert plan.against.chosen.profile == "compensated"
+    assert plan.against.chosen.profile is COMPENSATED
     assert any("least position error at the end with the measured play, 0.6" in text for text in plan.against.reasons)
     # The band of other cars is told all the same.
     assert plan.against.chosen.band.worst_distance > 300
@@ -213,7 +218,7 @@ def test_no_order_is_advised_that_does_not_help(name, limit):
 def test_simulates_with_the_play_that_is_asked_for(simulated, carbon_free_car):
     made_for = simulated.against.chosen.play
     exact = end_of_compensated(carbon_free_car, made_for, radians(0.9))
-    facts = simulated.facts()
+    facts = simulation_facts(simulated)
     assert facts["after"]["end_position_mm"] == pytest.approx(exact.end_distance, abs=0.1)
     assert facts["after"]["end_heading_deg"] == pytest.approx(degrees(exact.end_heading), abs=0.001)
     without = end_of_compensated(carbon_free_car, made_for, 0.0)
@@ -225,13 +230,13 @@ def test_simulates_with_the_play_that_is_asked_for(simulated, carbon_free_car):
 @pytest.mark.slow
 def test_simulations_of_two_profiles_have_files_of_their_own(simulated, tmp_path, monkeypatch):
     for drawing in ("draw_lift", "draw_tracks", "draw_run_errors"):  # they take long
-        monkeypatch.setattr(f"cadgen.workflow.runs.simulation.{drawing}", lambda *content: [])
+        monkeypatch.setattr(f"cadgen.workflow.runs.files.{drawing}", lambda *content: [])
     smoothed = simulate(load_design("carbon_free_car"), "smoothed")
     names = [set(write_simulation(one, tmp_path).entry["files"]) for one in (simulated, smoothed)]
     assert not names[0] & names[1]
     assert names[0] | names[1] | {"manifest.json"} == {file.name for file in tmp_path.iterdir()}
-    assert smoothed.facts()["failed_checks"] == ["lift error with play"]
-    assert not smoothed.facts()["passed"]
+    assert simulation_facts(smoothed)["failed_checks"] == ["lift error with play"]
+    assert not simulation_facts(smoothed)["passed"]
 
 
 def test_a_play_wider_than_events_are_apart_is_driven_and_what_is_lost_is_said():
@@ -259,7 +264,7 @@ def test_a_lift_without_peaks_gets_the_actual_profile_and_it_is_said():
     plan = plan_cam(design)
     against = against_of(plan)
     assert plan.passed
-    assert against.chosen.profile == "actual"
+    assert against.chosen.profile is ACTUAL
     assert "no peak and no valley before its closing blend at 348.0°" in against.reasons[0]
     assert against.chosen.band.worst_distance < 0.01
     assert against_of(plan_cam(design, "compensated")).chosen.band.worst_distance < 0.01
@@ -273,7 +278,7 @@ def test_cars_that_hardly_differ_end_where_the_profile_was_judged_to(carbon_free
     exact = end_of_compensated(carbon_free_car, radians(0.74), radians(0.74))
     np.testing.assert_allclose(np.degrees(run.ends.heading), degrees(exact.end_heading), atol=0.001)
     np.testing.assert_allclose(run.ends.distance, exact.end_distance, atol=0.1)
-    assert run.facts()["passed"]
+    assert tolerance_facts(run)["passed"]
 
 
 def test_out_of_memory_for_many_cars_advises_fewer(monkeypatch):
@@ -287,5 +292,5 @@ def test_out_of_memory_for_many_cars_advises_fewer(monkeypatch):
 
 def test_a_prediction_names_the_checks_that_fail():
     run = tolerance.run_tolerance(load_design("appendix_car"), "compensated", 3, seed=1, processes=1)
-    assert not run.facts()["passed"]
-    assert run.facts()["failed_checks"] == ["convex radius, theory", "lost lift, undercut"]
+    assert not tolerance_facts(run)["passed"]
+    assert tolerance_facts(run)["failed_checks"] == ["convex radius, theory", "lost lift, undercut"]

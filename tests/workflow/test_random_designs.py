@@ -5,12 +5,20 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from cadgen.cam.checks import LOST_LIFT
+from cadgen.check import CheckCode
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.workflow.cam.plan import plan_cam
 
 BASE = load_design("carbon_free_car")
-OURS = ("rod pushed out", "rod falls short", "wrong face carries", "closure", "start of the blend")
+OURS = {
+    CheckCode.ROD_PUSHED_OUT,
+    CheckCode.ROD_FALLS_SHORT,
+    CheckCode.WRONG_FACE,
+    CheckCode.CLOSURE,
+    CheckCode.BLEND_START,
+}
 
 
 @st.composite
@@ -50,6 +58,6 @@ def test_only_what_is_wrong_with_the_design_fails(overrides):
         cures = ("wider turn", "steeper than radial", "overhangs near", "follower.radius_mm", "follower.length_mm")
         assert any(cure in said for cure in cures)
         return
-    failed = {check.name: check.value for check in plan.checks if not check.passed}
-    assert not set(failed) & set(OURS), failed
-    assert np.isfinite([check.value for check in plan.checks if check.name.startswith("lost lift")]).all()
+    failed = {check.code: check.value for check in plan.checks if not check.passed}
+    assert not set(failed) & OURS, failed
+    assert np.isfinite([check.value for check in plan.checks if check.code in LOST_LIFT]).all()

@@ -31,8 +31,6 @@ from cadgen.workflow.cam.plan import Step, plan_cam
 
 STEERED: Kind = "steered track"
 ZONES: Kind = "zones"
-# Profiles whose planned lift is what the rod gets from them.
-_EXACT = ("actual", "theoretical", "optimized", "compensated", "smoothed", "smoothed+compensated")
 _STATIONS = 3600  # at which any other is rolled
 # Rows that are read for one command which judges every file alone: their records have some 200 MB.
 MOST_READ = 2_000_000
@@ -270,11 +268,11 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
     bare = design.as_designed()
     follower = replace(cam_model.follower(bare), radius=plan.follower.radius and cam_model.follower(bare).radius)
     lift = cut = plan.lift
-    if design.as_built is not None or profile not in _EXACT:
+    if design.as_built is not None or not plan.profile.gives_lift:
         # What is cut gives the rod of the designed car another lift than the planned one.
         angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
         lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
-        cut = cut if profile in _EXACT else lift
+        cut = cut if plan.profile.gives_lift else lift
     ratios, teeth = _train(design)
     return Nominal(
         lift=lift,

@@ -1,7 +1,6 @@
-"""What a design says of the car as it was built, in words and as plain values."""
+"""What a design says of the car as it was built, in words."""
 
 from math import degrees, radians
-from typing import Any
 
 from cadgen.arrays import TURN
 from cadgen.build import cam_model, gear_model, variation
@@ -10,56 +9,28 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 
 _SIGNS = {"deg": "°", "um": " µm", "%": " %", "mm": " mm", "s": " s", "": ""}
-_LEAST_SHIFT = radians(0.005)  # of the run's end: what is less than a hundredth of a degree is not told
-
-
-def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
-    """What was taken into account and what was only noted; None for a car as designed.
-
-    Args:
-        design: a loaded design.
-        stop: cam angle at which the path ends, rad.
-    """
-    given = design.as_built
-    if given is None:
-        return None
-    known = cam_model.as_built(design)
-    phase = known.phase
-    return {
-        "measured_with": given.profile,
-        "sources": [source.model_dump(mode="json") for source in given.sources],
-        "effects": [one.model_dump(mode="json", exclude_none=True) for one in given.effects if one.place != "noted"],
-        "noted": [one.model_dump(mode="json", exclude_none=True) for one in given.effects if one.place == "noted"],
-        "stop": {
-            "cam_angle_deg": degrees(stop),
-            "as_designed_deg": degrees(_stop_as_designed(design)),
-            "wheel_turns": None if design.train is None else stop / TURN * float(gear_model.train(design).ratio),
-        },
-        "play_measured": variation.measured_play(design) is not None,
-        "friction_measured": None if known.friction is None else known.friction[0],
-        "play_found_without_friction": known.runs_free,
-        "phase_deg": degrees(phase),
-        "key_turned_deg": -degrees(phase) if cam_model.has_key(design) else None,
-    }
+_LEAST_SHIFT = radians(0.005)  # of the run's end: less than a hundredth of a degree is not worth a sentence
 
 
 def as_built_sentences(design: Design, stop: float) -> list[str]:
     """What is taken into account, what is only noted, where to stop the run, and how to set the cam."""
-    given = design.as_built
-    if given is None:
+    record = design.as_built
+    if record is None:
         return []
-    used, noted = ([one for one in given.effects if (one.place == "noted") is aside] for aside in (False, True))
-    lines = [f"As built: {_told(used)}." if used else "As built: nothing that a cam or a run depends on."]
+    used, noted = (
+        [effect for effect in record.effects if (effect.place == "noted") is aside] for aside in (False, True)
+    )
+    lines = [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
     if noted:
-        lines.append(f"Only noted: {_told(noted)}.")
+        lines.append(f"Only noted: {_listed_effects(noted)}.")
     lines += _friction_sentences(design)
-    if abs(stop - _stop_as_designed(design)) > _LEAST_SHIFT:
+    if abs(stop - stop_as_designed(design)) > _LEAST_SHIFT:
         turns = ""
         if design.train is not None:
             turns = f" ({stop / TURN * float(gear_model.train(design).ratio):.3f} turns of the wheel)"
         lines.append(
             f"The path ends at {degrees(stop):.2f}° of cam angle{turns}, not at "
-            f"{degrees(_stop_as_designed(design)):.2f}°: stop the run there."
+            f"{degrees(stop_as_designed(design)):.2f}°: stop the run there."
         )
     phase = cam_model.as_built(design).phase
     if phase != 0 and cam_model.has_key(design):
@@ -109,18 +80,20 @@ def assumed_play(design: Design) -> list[str]:
     ]
 
 
-def _stop_as_designed(design: Design) -> float:
+def stop_as_designed(design: Design) -> float:
+    """Cam angle at which the path of the car as designed ends, rad."""
     return TURN - radians(design.cam.blend_deg)
 
 
-def _told(effects: list[Effect]) -> str:
-    return listed([f"{one.effect} {_values(one)} ({one.place}, from {one.kind})" for one in effects], "and")
+def _listed_effects(effects: list[Effect]) -> str:
+    named = [f"{effect.effect} {_values(effect)} ({effect.place}, from {effect.kind})" for effect in effects]
+    return listed(named, "and")
 
 
-def _values(one: Effect) -> str:
-    units = {p.name: p.unit for p in one.known().parameters}
+def _values(effect: Effect) -> str:
+    units = {p.name: p.unit for p in effect.known().parameters}
     return ", ".join(
         f"{value.value:.4g}{_SIGNS[units.get(value.name, '')]}"
         + (f" ± {value.sigma:.2g}" if value.sigma is not None else "")
-        for value in one.values
+        for value in effect.values
     )

@@ -9,7 +9,7 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.as_built import AsBuilt
 from cadgen.motion.drive import drive
@@ -58,6 +58,7 @@ def edges_check(
         here, slope = off(trim), (off(trim + _TRIM_STEP) - off(trim - _TRIM_STEP)) / (2 * _TRIM_STEP)
         trim -= (here * slope.conjugate()).real / abs(slope) ** 2
     return Check(
+        CheckCode.EDGES_BROKEN_MORE,
         f"edges broken {more:g} mm more",
         abs(off(0.0)),
         "mm",

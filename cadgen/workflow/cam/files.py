@@ -22,6 +22,8 @@ from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.motion.sampled import rolled_lift
+from cadgen.workflow.cam.cures import Cures, find_cures
+from cadgen.workflow.cam.manifest import cam_facts
 from cadgen.workflow.cam.plan import CamPlan, Step
 
 if TYPE_CHECKING:
@@ -145,19 +147,20 @@ class _Job:
         else:
             rolled = contact.at(np.searchsorted(contact.cam_angle, self.cam_angle))
         # Rises and falls within what the file may err by are no events of the path.
-        least = max(against.chosen.least, lift_limit_um * 1e-3 / self.plan.rod.inner)
+        least_swing = max(against.chosen.least_swing, lift_limit_um * 1e-3 / self.plan.rod.inner)
         lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
-        heading, distance = against.end_of(lift, least)
+        heading, distance = against.end_of(lift, least_swing)
         return {"end_heading_deg": degrees(heading), "end_position_mm": distance}
 
 
-def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None) -> Written:
+def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None, *, cures: Cures | None = None) -> Written:
     """Write, read back, judge and publish every file of a cam.
 
     Args:
         plan: a computed cam, normally one whose checks passed.
         out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
         step: told what is being done.
+        cures: of lost lift, if they were sought already.
 
     Raises:
         FileError: a file cannot be written, or what was read back is not what was meant.
@@ -176,10 +179,10 @@ def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None) -> Writt
                 omitted[label] = str(error)
                 continue
             for result in results:
-                files[result.name] = _judged(job, result)
+                files[result.name] = _measured(job, result)
                 warnings += _loss(job, result, _REFINE[label])
         entry = {
-            **plan.facts(),
+            **cam_facts(plan, find_cures(plan, step) if cures is None else cures),
             "frame": _FRAME,
             "versions": versions(),
             "omitted": omitted,
@@ -203,7 +206,7 @@ def edges_note(edge_break: float) -> str:
     return f"afterwards break both edges of the outline by {edge_break:g} mm at 45 degrees: the rod rides between them"
 
 
-def _judged(job: _Job, result: _Result) -> dict[str, Any]:
+def _measured(job: _Job, result: _Result) -> dict[str, Any]:
     if not result.lift_error_um <= result.lift_limit_um:
         raise FileError(
             f"{result.name}, read back, moves the rod by {result.lift_error_um:.2f} µm, more than the "
@@ -301,7 +304,7 @@ def _dxf(job: _Job) -> Iterator[_Result]:
 
 
 def _gcode(job: _Job) -> Iterator[_Result]:
-    from cadgen.export.gcode import NOTES, cutter_path, write_gcode
+    from cadgen.export.gcode import cutter_path, write_gcode
     from cadgen.export.gcode_reader import read_gcode
 
     plan = job.plan
@@ -311,7 +314,7 @@ def _gcode(job: _Job) -> Iterator[_Result]:
     name = f"{job.stem}.nc"
     hub = plan.blank.hub
     above = hub.length if hub and hub.side == "outer" else 0.0
-    notes = [note for note in (NOTES.get(plan.profile, ""), edges_note(plan.blank.edge_break)) if note]
+    notes = [note for note in (plan.profile.note, edges_note(plan.blank.edge_break)) if note]
     write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above, notes=notes)
     outline = read_gcode(job.staging / name, machining, job.thickness, job.step)
     facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}

@@ -1,37 +1,44 @@
 """What friction and drag do to a cam, in checks and in words."""
 
 from math import degrees, inf
-from typing import Any
 
 import numpy as np
 
 from cadgen.build import variation
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
-from cadgen.check import Check
+from cadgen.check import Check, CheckCode
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.motion.errors import run_error
 from cadgen.motion.friction import USUAL
 from cadgen.motion.mechanics import MechanicsBand
 from cadgen.optimize.band import PlayBand, over_band
-from cadgen.optimize.judge import Judged, Task
+from cadgen.optimize.evaluate import Evaluation
 from cadgen.optimize.remedies import holding, touched_width
+from cadgen.optimize.task import Task
 
 _FRICTION_STEP = 0.01
 _STEEP = 20.0  # mm at the end of the run for that step: friction decides more than anything that is cut
 _SHOWN = 1.0  # mm; less at the end is not worth a sentence
 
 
-def rubbing_sentence(task: Task, band: PlayBand, chosen: Judged, plain: Judged) -> str:
+def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Evaluation) -> str:
     """What a rod that rubs would make of a cam that was reckoned without friction; empty if that changes nothing."""
     usual = MechanicsBand(follower=task.follower, friction=USUAL).cases
     plays = np.array(band.ends if band.measured is None else [band.measured])
     worst = [
         over_band(
-            one.rolled, task.lift, task.car, task.length, plays, least=one.least, mechanics=usual, cut=one.lift
+            evaluation.rolled,
+            task.lift,
+            task.car,
+            task.length,
+            plays,
+            least=evaluation.least_swing,
+            mechanics=usual,
+            cut=evaluation.lift,
         ).worst_distance
-        for one in (chosen, plain)
+        for evaluation in (chosen, plain)
     ]
     if max(worst) < _SHOWN:
         return ""
@@ -53,23 +60,23 @@ def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: Mecha
         lift: that the cam is cut for.
         band: what is known of friction and drag; None if nothing is.
     """
-    found: list[Check] = []
+    checks: list[Check] = []
     if band is not None:
         need = holding(lift, band)
         ahead = max(need.with_friction - band.drag[0], 0.0)
-        found.append(
-            Check("cam runs ahead", ahead, "N·mm", inf, "max", f"cam angle {degrees(need.cam_angle):.1f}°", "")
-        )
+        place = f"cam angle {degrees(need.cam_angle):.1f}°"
+        checks.append(Check(CheckCode.CAM_RUNS_AHEAD, "cam runs ahead", ahead, "N·mm", inf, "max", place))
         if band.drag[1] > 0 and need.torque > 0:
             # A figure, not a verdict: 1 and more holds.
             margin = 0.0 if band.behind > 0 else band.drag[0] / need.torque
             where = f"times what is needed, {need.torque:.3g} N·mm without friction"
             if band.behind > 0:
                 where = f"nothing holds the disc's {degrees(band.behind):.3f}° of play on its shaft"
-            found.append(Check("cam holds", margin, "", -inf, "min", where, ""))
+            checks.append(Check(CheckCode.CAM_HOLDS, "cam holds", margin, "", -inf, "min", where))
     if design.follower.width_mm is not None:
-        found.append(
+        checks.append(
             Check(
+                CheckCode.BEARING_WIDTH,
                 "bearing width",
                 touched_width(lift, rod),
                 "mm",
@@ -79,7 +86,7 @@ def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: Mecha
                 "the bearing leaves the disc: take a wider one, or two side by side, and set follower.width_mm",
             )
         )
-    return tuple(found)
+    return tuple(checks)
 
 
 def joint_sentences(design: Design) -> list[str]:
@@ -87,8 +94,8 @@ def joint_sentences(design: Design) -> list[str]:
     whole = variation.whole_play(design)
     if whole is None or not whole.loose or design.play is not None:
         return []
-    added = sum(one.greatest for one in whole.loose)
-    parts = listed([f"{one.name} {degrees(one.greatest):.3f}°" for one in whole.loose], "and")
+    added = sum(joint.greatest for joint in whole.loose)
+    parts = listed([f"{joint.name} {degrees(joint.greatest):.3f}°" for joint in whole.loose], "and")
     teeth = "" if whole.teeth is None else f" to the teeth's {degrees(whole.teeth.return_error_max):.3f}°"
     return [
         f"Joints and bearings add up to {degrees(added):.3f}°{teeth}: {parts}.",
@@ -96,14 +103,14 @@ def joint_sentences(design: Design) -> list[str]:
     ]
 
 
-def border_sentences(design: Design, task: Task, one: Judged, band: PlayBand) -> list[str]:
+def border_sentences(design: Design, task: Task, chosen: Evaluation, band: PlayBand) -> list[str]:
     """What to build or do besides the cam; warnings where it may be held in one run and lead in the next."""
-    known, given = task.mechanics, design.mechanics
+    known, keys = task.mechanics, design.mechanics
     if known is None:
         return []
     lines = []
-    need = holding(one.lift, known)
-    if known.drag[0] > (0.0 if given is None else given.drag_Nmm[0]):
+    need = holding(chosen.lift, known)
+    if known.drag[0] > (0.0 if keys is None else keys.drag_Nmm[0]):
         lines.append(
             f"Build: a brake on the disc itself with a drag of {known.drag[0]:.3g} N·mm, a quarter more than the cam's "
             f"{need.torque:.3g} N·mm at {degrees(need.cam_angle):.1f}°, for a rod force of {known.rod_force:g} N; it "
@@ -115,7 +122,7 @@ def border_sentences(design: Design, task: Task, one: Judged, band: PlayBand) ->
             "the ends after that trim, the figures in the table are before it."
         )
     weak, strong = known.at(known.friction[0], known.drag[0]), known.at(known.friction[1], known.drag[1])
-    held = [not len(case.leads(one.lift).stretches) for case in (weak, strong)]
+    held = [not len(case.leads(chosen.lift).stretches) for case in (weak, strong)]
     if held == [False, True]:
         lines.append(
             "Warning: the cam leads its gears at the least friction and drag and is held at the greatest, which is the "
@@ -143,7 +150,8 @@ def border_sentences(design: Design, task: Task, one: Judged, band: PlayBand) ->
         ends = []
         for friction in frictions.tolist():
             case = known.at(friction, sum(known.drag) / 2)
-            error = run_error(task.run(one.rolled, play, least=one.least, cut=one.lift, mechanics=case), planned)
+            run = task.run(chosen.rolled, play, least=chosen.least_swing, cut=chosen.lift, mechanics=case)
+            error = run_error(run, planned)
             ends.append(complex(error.along[-1], error.across[-1]))
         moved = np.abs(np.diff(ends))
         steep = int(np.argmax(moved))
@@ -153,22 +161,3 @@ def border_sentences(design: Design, task: Task, one: Judged, band: PlayBand) ->
                 f"the run by {moved[steep]:.0f} mm."
             )
     return lines
-
-
-def mechanics_facts(band: MechanicsBand | None, lift: LiftCurve) -> dict[str, Any] | None:
-    """Friction, drag and torques as plain values; None if the design says nothing of them."""
-    if band is None:
-        return None
-    need = holding(lift, band)
-    return {
-        "rod_force_N": band.rod_force,
-        "rod_rate_N_per_mm": band.rod_rate,
-        "friction": list(band.friction),
-        "drag_Nmm": list(band.drag),
-        "play_behind_drag_deg": degrees(band.behind),
-        "torque_ahead_Nmm": need.torque,
-        "torque_ahead_at_deg": degrees(need.cam_angle),
-        "torque_ahead_at_least_friction_Nmm": need.with_friction,
-        "drag_to_build_Nmm": need.drag,
-        "energy_of_that_drag_J": need.energy,
-    }

@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees
-from typing import Any
 
 import numpy as np
 
@@ -17,9 +16,11 @@ from cadgen.errors import DesignError
 from cadgen.motion.friction import BEARING
 from cadgen.motion.mechanics import Mechanics, MechanicsBand
 from cadgen.optimize.band import PlayBand, best_for_band, over_band
-from cadgen.optimize.judge import Judged, Task
+from cadgen.optimize.evaluate import Evaluation
+from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
-from cadgen.workflow.cam.play import Against, known_trains
+from cadgen.optimize.task import Task
+from cadgen.workflow.cam.against import Against, known_trains
 
 _ALLOWED_END = 100.0  # mm; what a trimmed car may be off where [optimize] says nothing
 
@@ -41,16 +42,6 @@ class Remedy:
     worst_end: float | None
     on_way: float | None
     build: str = ""
-
-    def facts(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        return {
-            "remedy": self.name,
-            "cut_for_deg": None if self.cut_for is None else degrees(self.cut_for),
-            "worst_end_position_mm": self.worst_end,
-            "worst_position_on_run_mm": self.on_way,
-            "build": self.build,
-        }
 
 
 @dataclass(frozen=True)
@@ -117,22 +108,25 @@ def remedies(design: Design, against: Against, step: Callable[[str], None] = lam
         raise DesignError("remedies against play go by the rod's force and friction: add [mechanics]")
     step("comparing remedies against play")
     sheet = _Sheet(design, against.task, against.band, mechanics)
-    own = [one for one in against.judged if one.train == design.optimize.order and not one.measured]
-    plain = next(one for one in own if one.profile == "actual")
+    plain = next(
+        evaluation
+        for evaluation in against.evaluations
+        if evaluation.profile is ACTUAL and evaluation.train == design.optimize.order and not evaluation.measured
+    )
     cases, chosen = sheet.known.cases, against.chosen
-    found = [
+    rows = [
         sheet.row(f"this design: {chosen.profile}", chosen.lift, chosen.rolled, mechanics.cases),
         sheet.row("plain cam", plain.lift, plain.rolled, cases),
     ]
-    found += _reordered(sheet)
-    found += _compensated(sheet)
-    found += _tight_joint(sheet)
-    found += _split_wheel(sheet)
-    found += _bearing(sheet)
+    rows += _reordered(sheet)
+    rows += _compensated(sheet)
+    rows += _tight_joint(sheet)
+    rows += _split_wheel(sheet)
+    rows += _bearing(sheet)
     if holding(plain.lift, sheet.known).torque > 0:
-        found += _trim(sheet, plain)
-        found += _drag(sheet, plain)
-    return tuple(found)
+        rows += _trim(sheet, plain)
+        rows += _drag(sheet, plain)
+    return tuple(rows)
 
 
 def _reordered(sheet: _Sheet) -> list[Remedy]:
@@ -149,15 +143,15 @@ def _compensated(sheet: _Sheet) -> list[Remedy]:
     """Profiles compensated for the car in the middle of the bands, and for all of them."""
     task, known = sheet.task, sheet.known
     play = sum(sheet.plays) / len(sheet.plays)
-    one = best_for_band(task.lift, task.follower, task.car, task.length, (play, play), mechanics=(known.nominal,))
-    left = one.worst_distance
+    middle = best_for_band(task.lift, task.follower, task.car, task.length, (play, play), mechanics=(known.nominal,))
+    left = middle.worst_distance
     rows = [
         sheet.row(
             "compensated for one car",
-            one.lift,
-            one.lift,
+            middle.lift,
+            middle.lift,
             known.cases,
-            cut_for=one.made_for,
+            cut_for=middle.made_for,
             build=f"right for a play of {degrees(play):.3f}° and a friction of {known.nominal.friction:.3g}, where it "
             f"leaves {left:.0f} mm: measure both on the car",
         )
@@ -252,22 +246,22 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
     ]
 
 
-def _trim(sheet: _Sheet, plain: Judged) -> list[Remedy]:
+def _trim(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
     """The plain cam with the steering set after a trial run."""
     task, known = sheet.task, sheet.known
-    found = trims(task, plain.rolled, plain.lift, sheet.plays, known.fine_cases)
+    settings = trims(task, plain.rolled, plain.lift, sheet.plays, known.fine_cases)
     middle = sum(sheet.plays) / len(sheet.plays)
     allowed = sheet.design.optimize.max_end_position_mm or _ALLOWED_END
     low, high = friction_to_fail(task, plain.rolled, plain.lift, middle, known.nominal, allowed)
     # A larger base radius turns the steering to the left: tan(beta) falls by its growth over the faces' distance.
     arm = (task.follower.inner + task.follower.outer) / 2
-    turns = sorted((-trim.tan_beta * arm * 1e3 for trim in found), key=abs)
+    turns = sorted((-trim.tan_beta * arm * 1e3 for trim in settings), key=abs)
     return [
         Remedy(
             name="plain cam, trimmed",
             cut_for=None,
-            worst_end=max(trim.error.end_distance for trim in found),
-            on_way=max(float(trim.error.distance.max()) for trim in found),
+            worst_end=max(trim.error.end_distance for trim in settings),
+            on_way=max(float(trim.error.distance.max()) for trim in settings),
             build=f"after a trial run change the base radius at the micrometer by {turns[0]:+.0f} to "
             f"{turns[-1]:+.0f} µm, so that the end is met; set at a friction of {known.nominal.friction:.3g}, the end "
             f"stays within {allowed:g} mm more while friction stays from {low:.3g} to {high:.3g}",
@@ -275,15 +269,15 @@ def _trim(sheet: _Sheet, plain: Judged) -> list[Remedy]:
     ]
 
 
-def _drag(sheet: _Sheet, plain: Judged) -> list[Remedy]:
+def _drag(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
     """The plain cam with a brake on the disc that holds it."""
     need = holding(plain.lift, sheet.known)
     braked = replace(sheet.known, drag=(need.drag, need.drag), friction=(0.0, sheet.known.friction[1]), behind=0.0)
-    given = sheet.design.mechanics
+    keys = sheet.design.mechanics
     share = ""
-    if given is not None and given.drive_energy_J is not None:
-        share = f", {100 * need.energy / given.drive_energy_J:.1f} % of the drive's {given.drive_energy_J:g} J"
-        if need.energy > given.drive_energy_J:
+    if keys is not None and keys.drive_energy_J is not None:
+        share = f", {100 * need.energy / keys.drive_energy_J:.1f} % of the drive's {keys.drive_energy_J:g} J"
+        if need.energy > keys.drive_energy_J:
             share += ", which it has not got"
     return [
         sheet.row(

@@ -1,14 +1,12 @@
 """A planned gear train as plain values for the manifest, the table of parts and machines: µm, mm and degrees."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from math import degrees
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay, play_distribution
+from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay, play_distribution, teeth_of
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.inspection import Inspection, Limits
@@ -23,9 +21,7 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair
 from cadgen.gears.undercut import missing_shift
 from cadgen.meshes.train_checks import exact_play, limit_states
-
-if TYPE_CHECKING:
-    from cadgen.workflow.gears.plan import GearsPlan
+from cadgen.workflow.gears.plan import GearsPlan
 
 # Of trains made with every contribution free in its zone: this part has less play.
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
@@ -110,11 +106,6 @@ def _joint_facts(plan: GearsPlan) -> dict[str, Any]:
             {"name": one.name, "least": degrees(one.least), "greatest": degrees(one.greatest)} for one in whole.loose
         ],
     }
-
-
-def teeth_of(play: TrainPlay) -> str:
-    """The stages of a train as driver/driven teeth, from the drive on."""
-    return " ".join(f"{pair.driver.form.teeth}/{pair.driven.form.teeth}" for pair in play.train.stages)
 
 
 def return_error(play: TrainPlay | WholePlay) -> dict[str, float]:

@@ -19,6 +19,7 @@ from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.prisms import body_mesh
 from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM, cycle, exact_play, meshes, play_error_um, return_error_um
+from cadgen.workflow.gears.facts import plan_facts
 from cadgen.workflow.gears.plan import GearsPlan, Step
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ def write_gears(plan: GearsPlan, out: Path, step: Step = lambda text: None) -> W
             step(f"writing and reading back {label}")
             for name, facts in make(plan, staging, stem):
                 files[name] = {**file_facts(staging / name), **facts}
-        entry = {**plan.facts(), "frame": FRAME, "versions": versions(), "omitted": {}, "files": files}
+        entry = {**plan_facts(plan), "frame": FRAME, "versions": versions(), "omitted": {}, "files": files}
         write_manifest(staging, f"{stem}_train", entry)
     return Written(f"{stem}_train", entry)
 
@@ -202,7 +203,7 @@ def _tables(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
 def table_of(plan: GearsPlan) -> list[dict[str, Any]]:
     """The table of parts with what the shop measures, one row per gear; volume and mass are the whole part's."""
     rows = []
-    for part in plan.facts()["parts"]:
+    for part in plan_facts(plan)["parts"]:
         whole = {"part": part["name"], "shaft": part["shaft"]}
         body = {
             "bore_mm": part["bore_mm"],

@@ -4,24 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
 
 from cadgen.build import gear_model
 from cadgen.check import Check
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import Departure, GearPlay, TrainPlay, departures, train_play
+from cadgen.gears.backlash import Departure, GearPlay, TrainPlay, departures, teeth_of, train_play
 from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.joints import WholePlay
 from cadgen.gears.layout import TrainLayout, lay_out
 from cadgen.gears.limits import SearchLimits
-from cadgen.gears.search import Order, TrainSearch, arrange
+from cadgen.gears.names import Order
+from cadgen.gears.search import TrainSearch, arrange
 from cadgen.gears.thinning import thinned
 from cadgen.gears.train import GearPair, Train
 from cadgen.gears.undercut import missing_shift
 from cadgen.meshes.train_checks import failing_stages, gear_checks
-from cadgen.workflow.gears.facts import plan_facts, teeth_of
 
 Step = Callable[[str], None]
 
@@ -96,14 +94,6 @@ class GearsPlan:
     def baseline(self) -> TrainPlay:
         """What the ranked trains are compared with: like with like, so for a search by the standard alone."""
         return _baseline(self.order, self.given, self.given_standard)
-
-    def facts(self) -> dict[str, Any]:
-        """The plan as plain values for the manifest and for machines."""
-        return self._facts
-
-    @cached_property
-    def _facts(self) -> dict[str, Any]:
-        return plan_facts(self)
 
     def role(self, shaft: int, stage: int) -> GearPlay[float]:
         """Play of the gear of a stage that sits on a shaft, both counted from 1."""

@@ -2,7 +2,9 @@
 
 | module       | what it holds                                                            |
 |--------------|--------------------------------------------------------------------------|
-| `simulation` | one run on the actual profile and on another: tracks, events, pictures   |
+| `simulation` | one run on the actual profile and on another: runs, events, errors       |
 | `tolerance`  | many cars within the tolerances: ends, yield, what matters most          |
 | `budget`     | the error budget on one sheet: what costs most, and what to hold tighter |
+| `manifest`   | the same as plain values                                                 |
+| `files`      | tracks and pictures, published with these values                         |
 """

@@ -3,8 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import degrees
-from pathlib import Path
-from typing import Any
 
 from cadgen.build import variation
 from cadgen.design.schema import Design
@@ -12,7 +10,6 @@ from cadgen.monte_carlo.budget import Budget, Cost, by_process, error_budget
 from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet
 from cadgen.monte_carlo.processes import Process
 from cadgen.monte_carlo.robust import Tolerances
-from cadgen.report.errors import draw_budget
 
 _SHOWN = {"rad": ("deg", degrees(1.0)), "Nmm": ("N·mm", 1.0)}
 
@@ -28,21 +25,6 @@ class BudgetSheet:
 
     budget: Budget
     processes: Mapping[Process, Budget]
-
-    def facts(self) -> dict[str, Any]:
-        """Plain values for machines."""
-        return {
-            "costs": _costs(self.budget),
-            "root_of_squares_mm": {"before": self.budget.before, "after_trim": self.budget.after},
-            "processes": {
-                process: {
-                    "costs": _costs(budget),
-                    "root_of_squares_mm": {"before": budget.before, "after_trim": budget.after},
-                }
-                for process, budget in self.processes.items()
-            },
-            "advice": self.sentences(),
-        }
 
     def sentences(self) -> list[str]:
         """What to hold tighter, and what the marks mean."""
@@ -70,21 +52,16 @@ class BudgetSheet:
     def rows(self) -> list[tuple[str, list[str]]]:
         """Each thing that a process decides, its cost for each, and all of them together, greatest first."""
         first = max(self.processes.values(), key=lambda budget: budget.before)
-        found = []
+        rows = []
         for name in [cost.name for cost in first.costs]:
             cells = []
             for budget in self.processes.values():
                 cost = next((cost for cost in budget.costs if cost.name == name), None)
                 rough = "~" if cost is not None and cost.rough else ""
                 cells.append("" if cost is None else f"{rough}{cost.before:.0f}, {cost.after:.0f}")
-            found.append((name, cells))
+            rows.append((name, cells))
         together = [f"{budget.before:.0f}, {budget.after:.0f}" for budget in self.processes.values()]
-        return [*found, ("all, root of squares", together)]
-
-    def draw(self, title: str, folder: Path, name: str) -> list[str]:
-        """Draw the ranking; return the files' names."""
-        bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in self.budget.costs}
-        return draw_budget(title, bars, folder, name)
+        return [*rows, ("all, root of squares", together)]
 
 
 def budget_sheet(design: Design, fleet: Fleet, tolerances: Tolerances) -> BudgetSheet:
@@ -106,22 +83,12 @@ def unit_of(name: str) -> tuple[str, float]:
     return _SHOWN.get(unit, (unit, 1.0))
 
 
+def shown(name: str, value: float) -> str:
+    """A value of a tolerance as users see it, with its unit."""
+    unit, scale = unit_of(name)
+    return f"{value * scale:.3g}" + {"deg": "°", "1": ""}.get(unit, f" {unit}")
+
+
 def shown_half_width(cost: Cost) -> str:
     """How far off something may be, with its unit."""
-    unit, scale = unit_of(cost.parameter)
-    return f"{cost.half_width * scale:.3g}" + {"deg": "°", "1": ""}.get(unit, f" {unit}")
-
-
-def _costs(budget: Budget) -> list[dict[str, Any]]:
-    return [
-        {
-            "name": cost.name,
-            "half_width": cost.half_width * unit_of(cost.parameter)[1],
-            "unit": unit_of(cost.parameter)[0],
-            "end_position_mm": cost.before,
-            "end_position_after_trim_mm": cost.after,
-            "repeats": cost.repeats,
-            "beyond_first_order": cost.rough,
-        }
-        for cost in budget.costs
-    ]
+    return shown(cost.parameter, cost.half_width)

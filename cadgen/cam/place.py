@@ -1,0 +1,15 @@
+"""Where on a cam something is, in words."""
+
+import numpy as np
+
+from cadgen.arrays import Array
+
+
+def cam_place(theta: float) -> str:
+    """A cam angle in words."""
+    return f"cam angle {np.degrees(theta):.2f}°"
+
+
+def polar_place(point: Array) -> str:
+    """The direction of a point from the camshaft in words."""
+    return f"polar angle {np.degrees(np.arctan2(point[1], point[0])) % 360:.2f}°"

@@ -1,0 +1,28 @@
+"""The profile by the formula that the paper's appendix gives, for comparison."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from cadgen.optimize.profiles.profile import Profile
+
+if TYPE_CHECKING:
+    from cadgen.cam.envelope import ActualProfile
+    from cadgen.cam.follower import Follower
+    from cadgen.cam.lift import LiftCurve
+
+
+def _curve(lift: LiftCurve, follower: Follower) -> ActualProfile:
+    from cadgen.cam.envelope import ActualProfile
+    from cadgen.cam.theoretical import published_profile
+
+    return ActualProfile(published_profile(lift, follower), ())
+
+
+PUBLISHED = Profile(
+    code="published",
+    meaning="the paper's formula",
+    curve=_curve,
+    gives_lift=False,
+    note="NOT THE OUTLINE OF A PART TO USE: this is the paper's formula, for comparison",
+)

@@ -1,0 +1,154 @@
+"""What is wanted of a cam against play: the run, and on a train the window for which a lift is best dilated."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt
+from cadgen.motion.drive import Pose, Run, drive
+from cadgen.motion.mechanics import Mechanics, MechanicsBand
+from cadgen.motion.play import LEAST_SWING, Following, follow
+from cadgen.optimize.band import Bound, PlayBand, best_for_band, fixed_profile_bound
+from cadgen.optimize.smoothing import smooth_to
+from cadgen.steering.car import Car
+
+
+@dataclass(frozen=True, kw_only=True)
+class Task:
+    """What is wanted, and of what.
+
+    Attributes:
+        lift: the lift wanted by motor position.
+        follower: the rod and the faces.
+        car: its dimensions.
+        length: travel of the drive wheel's rim in one turn of the cam, mm.
+        aim: share of its own sum of deflection errors that smoothing takes off.
+        start: where runs begin.
+        as_built: what else is known of the car: what becomes of a disc that is cut.
+        mechanics: what is known of friction and drag; None where they are left out, as if the rod slid freely.
+    """
+
+    lift: LiftCurve
+    follower: Follower
+    car: Car
+    length: float
+    aim: float
+    start: Pose
+    as_built: AsBuilt = AS_DESIGNED
+    mechanics: MechanicsBand | None = None
+
+    def planned(self) -> Run:
+        """The run that is wanted."""
+        return self.run(self.lift, 0.0)
+
+    def run(
+        self,
+        lift: LiftCurve,
+        play: float,
+        *,
+        least: float = LEAST_SWING,
+        cut: LiftCurve | None = None,
+        mechanics: Mechanics | None = None,
+    ) -> Run:
+        """The run that a cam gives with play.
+
+        Args:
+            lift: that the rod gets.
+            play: return error B, rad.
+            least: as in `follow`.
+            cut: lift that the cam was cut for; `lift` itself if left out.
+            mechanics: friction and drag; those of the nominal car if left out.
+        """
+        following = self.following(lift, play, least=least, cut=cut, mechanics=mechanics)
+        stop = self.lift.blend_start
+        return drive(lift, self.car, self.length, start=self.start, stop=stop, following=following)
+
+    def following(
+        self,
+        lift: LiftCurve,
+        play: float,
+        *,
+        least: float = LEAST_SWING,
+        cut: LiftCurve | None = None,
+        mechanics: Mechanics | None = None,
+    ) -> Following:
+        """How a cam follows the motor; arguments as in `run`."""
+        if mechanics is None and self.mechanics is not None:
+            mechanics = self.mechanics.nominal
+        if mechanics is None:
+            return follow(lift, play, least=least)
+        return mechanics.leads(cut or lift).follow(lift, play)
+
+
+@dataclass(frozen=True)
+class TrainTask:
+    """A task on one train. The train enters as its return error alone: the paper's `reordered` one has a smaller one.
+
+    Attributes:
+        task: what is wanted.
+        train: name of the train.
+        band: its return error.
+    """
+
+    task: Task
+    train: str
+    band: PlayBand
+
+    @cached_property
+    def window(self) -> float:
+        """The window of the dilation that is best for the lift wanted: `window_of`, rad.
+
+        Raises:
+            DesignError: the band is not one.
+        """
+        return self.window_of(self.task.lift)
+
+    def window_of(self, lift: LiftCurve) -> float:
+        """The measured play, or else the one that makes the worst end of the run over the band least, rad.
+
+        With friction it is the window of the dilation that does so over plays and frictions, also for a measured play.
+
+        Args:
+            lift: that is to be compensated.
+
+        Raises:
+            DesignError: the band is not one.
+        """
+        task, ends, measured = self.task, self.band.ends, self.band.measured
+        mechanics = task.mechanics.corners if task.mechanics else ()
+        if measured is not None:
+            ends = measured, measured
+            if not mechanics:
+                return measured
+        best = best_for_band(lift, task.follower, task.car, task.length, ends, wanted=task.lift, mechanics=mechanics)
+        return best.made_for
+
+    @cached_property
+    def smoothed(self) -> LiftCurve:
+        """The lift wanted with its peaks and valleys brought nearer, as the task asks.
+
+        Raises:
+            DesignError: no smoothing does that.
+        """
+        task = self.task
+        return smooth_to(task.lift, task.follower, task.car, task.length, self.band.ends[1], aim=task.aim)
+
+    @cached_property
+    def planned(self) -> Run:
+        """The run that is wanted."""
+        return self.task.planned()
+
+    def run_at(self, made_for: float) -> float:
+        """Return error of the run that a profile is evaluated by: what it is cut for, or with friction the car's, rad.
+
+        Args:
+            made_for: window that the profile is cut for, rad.
+        """
+        if self.task.mechanics is None:
+            return made_for
+        return sum(self.band.ends) / 2 if self.band.measured is None else self.band.measured
+
+    def bound(self) -> Bound:
+        """What the worst end of the run over the band is at least with these peaks and valleys."""
+        return fixed_profile_bound(self.task.lift, self.task.car, self.task.length, self.band.ends)

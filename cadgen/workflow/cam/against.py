@@ -1,0 +1,139 @@
+"""A profile against play beside the plain one: what both do, and what the better one saves."""
+
+from dataclasses import dataclass
+from math import radians
+
+from cadgen.build import cam_model, variation
+from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
+from cadgen.curves.closed import ClosedCurve
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError
+from cadgen.motion.drive import Run, start_pose
+from cadgen.motion.errors import run_error
+from cadgen.motion.play import LEAST_SWING, Following
+from cadgen.optimize.band import Bound, PlayBand
+from cadgen.optimize.evaluate import Evaluation
+from cadgen.optimize.profiles.profile import Profile
+from cadgen.optimize.task import Task
+from cadgen.path.track import Track
+
+PAPER_PERCENT = 45.31  # what the paper's two methods together take off its sum of deflection errors
+# An error before that is no greater than this is what rolling errs by: no share of it can be taken off. mm and rad.
+_NO_DISTANCE, _NO_HEADING = 1.0, radians(0.01)
+_LOSS = 0.01  # share of the error before that a file may give away
+_LEAST_LOSS = 10.0  # mm; less is within what a start by hand is off
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeasuredCam:
+    """The cam that was on the car when it was measured: its profile, its lift, and the curve it was cut to."""
+
+    profile: Profile
+    lift: LiftCurve
+    curve: ClosedCurve
+
+
+@dataclass(frozen=True, kw_only=True)
+class Against:
+    """A profile against play, beside the plain one.
+
+    Attributes:
+        task: what is wanted.
+        band: return error of the design's train.
+        before: the actual profile with the train as given; of a design as built, the cam as it was measured.
+        chosen: the profile to be cut.
+        evaluations: of all that were compared, `before` and `chosen` among them.
+        reasons: a sentence on each, if there was a choice.
+        bound: what no fixed profile with the same peaks and valleys betters over the band, to first order, if the
+            rod slides without friction.
+        rubbing: what a rod that rubs would make of the profile, if the design says nothing of friction; a sentence.
+    """
+
+    task: Task
+    band: PlayBand
+    before: Evaluation
+    chosen: Evaluation
+    evaluations: tuple[Evaluation, ...]
+    reasons: tuple[str, ...]
+    bound: Bound
+    rubbing: str
+
+    def gain(self, evaluation: Evaluation) -> tuple[float | None, float | None]:
+        """Shares of heading and position error at the end that a profile takes off; None where there is hardly any.
+
+        Both cars have the same play, that of `evaluation`; `worst_gain` says what a train with less play saves.
+        """
+        error = run_error(self.run(self.before, evaluation.play), self.task.planned())
+        return (
+            _off(evaluation.error.end_heading, error.end_heading, _NO_HEADING),
+            _off(evaluation.error.end_distance, error.end_distance, _NO_DISTANCE),
+        )
+
+    def worst_gain(self, distance: float) -> float | None:
+        """Share of the first profile's worst end position over its band that is off at another one, mm."""
+        return _off(distance, self.before.band.worst_distance, _NO_DISTANCE)
+
+    def sum_gain(self, evaluation: Evaluation) -> float | None:
+        """Share of the first profile's sum of deflection errors that another takes off, on its own train."""
+        return _off(evaluation.deflection_sum, self.before.deflection_sum, _NO_HEADING)
+
+    def loses(self, end_distance: float) -> bool:
+        """Whether a file whose run ends so far off, mm, gives away what the profile is for.
+
+        It does if it ends further off than the profile itself by more than 10 mm and one percent of the error before.
+        """
+        error = run_error(self.run(self.before, self.chosen.play), self.task.planned())
+        return end_distance - self.chosen.error.end_distance > max(_LOSS * error.end_distance, _LEAST_LOSS)
+
+    def run(self, evaluation: Evaluation, play: float) -> Run:
+        """The run on a profile with any play, rad."""
+        return self.task.run(evaluation.rolled, play, least=evaluation.least_swing, cut=evaluation.lift)
+
+    def following(self, evaluation: Evaluation, play: float) -> Following:
+        """How the cam with a profile follows the motor with any play, rad."""
+        return self.task.following(evaluation.rolled, play, least=evaluation.least_swing, cut=evaluation.lift)
+
+    def end_of(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> tuple[float, float]:
+        """Heading (rad) and position error (mm) at the end with the play it is cut for, of the lift that a file gives.
+
+        Args:
+            lift: that the rod gets.
+            least_swing: rises and falls of tan(beta) that are smaller are no events.
+        """
+        run = self.task.run(lift, self.chosen.play, least=least_swing, cut=self.chosen.lift)
+        error = run_error(run, self.task.planned())
+        return error.end_heading, error.end_distance
+
+
+def _off(error: float, before: float, smallest: float) -> float | None:
+    return 1 - abs(error / before) if abs(before) > smallest else None
+
+
+def task_of(design: Design, track: Track, lift: LiftCurve, rod: Follower) -> Task:
+    """What is wanted of a profile against play."""
+    return Task(
+        lift=lift,
+        follower=rod,
+        car=cam_model.car(design),
+        length=cam_model.travel(design, track),
+        aim=design.optimize.smoothing_percent / 100,
+        start=start_pose(track),
+        as_built=cam_model.as_built(design),
+        mechanics=variation.mechanics(design, rod, lift),
+    )
+
+
+def known_trains(design: Design) -> dict[str, PlayBand]:
+    """The return errors of the design's train as given and, if its gears are known, reordered.
+
+    Raises:
+        DesignError: the design says nothing about play.
+    """
+    bands = variation.play_bands(design)
+    if not bands:
+        raise DesignError(
+            "the design says nothing of the gears' play, which this needs: add [train] with the gears, or [play] with "
+            "measured_deg or least_deg and greatest_deg; --profile actual makes the cam without"
+        )
+    return bands

@@ -1,0 +1,59 @@
+"""The checks of a profile that was evaluated against play, each made once."""
+
+from dataclasses import dataclass, field
+from math import degrees, inf
+
+import numpy as np
+
+from cadgen.build import cam_model
+from cadgen.cam.checks import check_cam
+from cadgen.check import Check, CheckCode
+from cadgen.design.schema import Design
+from cadgen.optimize.evaluate import Evaluation
+from cadgen.optimize.task import Task
+from cadgen.workflow.cam.mechanics import mechanics_checks
+
+
+@dataclass(frozen=True)
+class ProfileChecks:
+    """Checks of the profiles of one design; they take time, so those of a profile on a train are made once.
+
+    Attributes:
+        design: a loaded design.
+        task: what is wanted of it.
+    """
+
+    design: Design
+    task: Task
+    _made: dict[str, tuple[Check, ...]] = field(default_factory=dict, repr=False)
+
+    def of(self, evaluation: Evaluation) -> tuple[Check, ...]:
+        """Every check of a profile."""
+        if evaluation.name not in self._made:
+            self._made[evaluation.name] = self._make(evaluation)
+        return self._made[evaluation.name]
+
+    def _make(self, evaluation: Evaluation) -> tuple[Check, ...]:
+        design, wanted = self.design, evaluation.wanted
+        rod, blank, limits = cam_model.follower(design), cam_model.blank(design), cam_model.check_limits(design)
+        return (
+            *check_cam(evaluation.lift, rod, wanted.curve, wanted.trims, blank, limits, cut=evaluation.cut),
+            _lift_check(design, evaluation),
+            *mechanics_checks(design, rod, evaluation.lift, self.task.mechanics),
+        )
+
+
+def _lift_check(design: Design, evaluation: Evaluation) -> Check:
+    """The lift that the rod gets with play against the lift wanted, as a check of the cam."""
+    most = design.optimize.max_lift_error_um
+    where = float(evaluation.run.motor[np.argmax(np.abs(evaluation.lift_error))])
+    return Check(
+        CheckCode.LIFT_ERROR_WITH_PLAY,
+        "lift error with play",
+        evaluation.worst_lift_error * 1e3,
+        "µm",
+        inf if most is None else most,
+        "max",
+        f"motor {degrees(where):.2f}° (play {degrees(evaluation.play):.3f}°)",
+        "the profile leaves the planned path: use --profile compensated, or raise optimize.max_lift_error_um",
+    )

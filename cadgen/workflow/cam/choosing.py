@@ -1,0 +1,111 @@
+"""The choice among profiles: by the limits of [optimize] and by the checks of the cam."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+
+from cadgen.check import failing
+from cadgen.design.schema import Design
+from cadgen.errors import CheckError
+from cadgen.optimize.band import PlayBand, over_band
+from cadgen.optimize.choice import Candidate, Limit, choose
+from cadgen.optimize.evaluate import Evaluation
+from cadgen.optimize.remedies import trims
+from cadgen.workflow.cam.checking import ProfileChecks
+
+
+@dataclass(frozen=True)
+class Best:
+    """The profile chosen on a train, and a sentence on each that was compared."""
+
+    evaluation: Evaluation
+    reasons: tuple[str, ...]
+
+
+def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileChecks) -> Best:
+    """The best that keeps the limits and passes its checks; profiles are checked in order of merit.
+
+    Args:
+        evaluations: of profiles on one train, at least one.
+        band: return error of that train.
+        checks: of the design's profiles.
+
+    Returns:
+        If none passes its checks, the best without them, so that its own checks say what fails.
+
+    Raises:
+        CheckError: no profile keeps the limits of [optimize].
+    """
+    allowed, deciding = _limits(checks.design, band), _deciding(band)
+    remaining = {str(evaluation.profile): evaluation for evaluation in evaluations}
+    candidates = {
+        name: Candidate(name=name, figures=_figures(checks, evaluation, band)) for name, evaluation in remaining.items()
+    }
+    first = remaining[choose(list(candidates.values()), allowed, least=deciding).best.name]
+    refused: list[str] = []
+    while remaining:
+        try:
+            choice = choose([candidates[name] for name in remaining], allowed, least=deciding)
+        except CheckError as error:  # those left were never allowed
+            refused.append(f"of the others, {error}")
+            break
+        best = remaining.pop(choice.best.name)
+        failed = [check.name for check in failing(checks.of(best))]
+        if not failed:
+            return Best(best, (*refused, *choice.reasons))
+        refused.append(f"{best.profile} refused: it fails {', '.join(failed)}")
+    return Best(first, tuple(refused))
+
+
+def _deciding(band: PlayBand) -> str:
+    """Name of the figure that the choice goes by: with a measured play other cars do not matter."""
+    return "worst end position error" if band.measured is None else "position error at the end with the measured play"
+
+
+def _heading(band: PlayBand) -> str:
+    return _deciding(band).replace("position", "heading")
+
+
+def _limits(design: Design, band: PlayBand) -> tuple[Limit, ...]:
+    """What [optimize] allows."""
+    keys = design.optimize
+    limits = (
+        (_deciding(band), keys.max_end_position_mm, "mm"),
+        (_heading(band), keys.max_end_heading_deg, "degrees"),
+        ("position error on the run", keys.max_run_position_mm, "mm"),
+        ("lift error with play", keys.max_lift_error_um, "µm"),
+    )
+    return tuple(Limit(figure=name, most=most, unit=unit) for name, most, unit in limits if most is not None)
+
+
+def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> dict[str, float]:
+    """Errors of a profile by the names of their limits in [optimize]; after the trim, if the design allows a trim."""
+    task, hardware = checks.task, checks.design.optimize.hardware or ()
+    heading, distance = evaluation.band.worst_heading, evaluation.band.worst_distance
+    if band.measured is not None and task.mechanics is None:
+        heading, distance = abs(evaluation.error.end_heading), evaluation.error.end_distance
+    elif band.measured is not None and task.mechanics is not None:
+        at_play = over_band(
+            evaluation.rolled,
+            task.lift,
+            task.car,
+            task.length,
+            np.array([band.measured]),
+            least=evaluation.least_swing,
+            mechanics=task.mechanics.cases,
+            cut=evaluation.lift,
+        )
+        heading, distance = at_play.worst_heading, at_play.worst_distance
+    if task.mechanics and "trim" in hardware:
+        plays = band.ends if band.measured is None else (band.measured,)
+        trimmed = [trim.error for trim in trims(task, evaluation.rolled, evaluation.lift, plays, task.mechanics.cases)]
+        heading = max(abs(error.end_heading) for error in trimmed)
+        distance = max(error.end_distance for error in trimmed)
+    return {
+        _deciding(band): distance,
+        _heading(band): degrees(heading),
+        "position error on the run": float(evaluation.error.distance.max()),
+        "lift error with play": evaluation.worst_lift_error * 1e3,
+    }

@@ -1,0 +1,202 @@
+"""Runs as files: tracks and pictures, published together with their figures."""
+
+from math import degrees
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.design.schema import Design
+from cadgen.export.folder import publishing
+from cadgen.export.manifest import Written, file_facts, versions, write_manifest
+from cadgen.export.tracks import write_tracks
+from cadgen.motion.errors import RunError, deflected, run_error
+from cadgen.optimize.evaluate import Evaluation
+from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
+from cadgen.report.lift import LiftPicture, draw_lift
+from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
+from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.cures import Cures, find_cures
+from cadgen.workflow.cam.manifest import cam_facts
+from cadgen.workflow.cam.plan import CamPlan, Step, against_of
+from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
+from cadgen.workflow.runs.simulation import Simulation
+from cadgen.workflow.runs.tolerance import ToleranceRun
+
+
+def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text: None) -> Written:
+    """Write tracks and pictures, and publish them together.
+
+    Raises:
+        FileError: a file cannot be written, or what was read back is not what was meant.
+    """
+    against, design = simulation.against, simulation.plan.design
+    stem = f"{design.name}_{simulation.plan.profile}_simulation"
+    runs = {"planned": simulation.planned, "before": simulation.before, "after": simulation.after}
+    named = design.name if design.as_built is None else f"{design.name}, as built"
+    title = f"{named}, return error {degrees(simulation.play):.3f}°"
+    with publishing(out) as staging:
+        names = [f"{stem}_tracks.csv"]
+        step("writing and reading back the tracks")
+        write_tracks(staging / names[0], runs)
+        step("drawing")
+        names += draw_lift(lift_picture(simulation), staging, f"{stem}_lift")
+        names += draw_tracks(
+            [
+                TrackPanel(title="planned", run=simulation.planned),
+                *(
+                    TrackPanel(title=f"{evaluation.title}, with play", run=run, ends=_ends(against, evaluation))
+                    for evaluation, run in ((against.before, simulation.before), (against.chosen, simulation.after))
+                ),
+            ],
+            simulation.planned,
+            _field(design),
+            staging,
+            f"{stem}_tracks",
+        )
+        lines = [
+            ErrorLine(label=evaluation.title, at_play=error, at_ends=_at_ends(simulation, evaluation))
+            for evaluation, error in (
+                (against.before, simulation.before_error),
+                (against.chosen, simulation.after_error),
+            )
+        ]
+        names += draw_run_errors(title, lines, against.task.length, staging, f"{stem}_errors")
+        entry = {
+            **simulation_facts(simulation),
+            "versions": versions(),
+            "files": {name: file_facts(staging / name) for name in names},
+        }
+        write_manifest(staging, stem, entry)
+    return Written(stem, entry)
+
+
+def write_comparison(
+    plan: CamPlan, out: Path, step: Step = lambda text: None, *, cures: Cures | None = None
+) -> Written:
+    """Draw what the methods do, and publish the pictures together.
+
+    Args:
+        plan: of an optimized profile.
+        out: the folder; nothing appears in it unless everything succeeded.
+        step: told what is being done.
+        cures: of lost lift, if they were sought already.
+
+    Raises:
+        FileError: a file cannot be written.
+    """
+    against = against_of(plan)
+    stem = f"{plan.design.name}_methods"
+    with publishing(out) as staging:
+        step("drawing")
+        bars = {
+            f"{_name(evaluation)}, {evaluation.train}": evaluation.events
+            for evaluation in against.evaluations
+            if not evaluation.profile.dilated and evaluation.events
+        }
+        names = draw_events(f"{plan.design.name}: deflection error by event", bars, staging, f"{stem}_events")
+        planned = against.task.planned()
+        panels = [
+            TrackPanel(
+                title=f"{_name(evaluation)}, {evaluation.train}",
+                run=evaluation.run,
+                ends=_ends(against, evaluation),
+            )
+            for evaluation in against.evaluations
+        ]
+        names += draw_tracks(panels, planned, _field(plan.design), staging, f"{stem}_tracks")
+        names += draw_tracks(_alone(against), planned, _field(plan.design), staging, f"{stem}_tracks_by_event")
+        facts = cam_facts(plan, find_cures(plan, step) if cures is None else cures)
+        entry = {**facts, "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
+        write_manifest(staging, stem, entry)
+    return Written(stem, entry)
+
+
+def _alone(against: Against) -> list[TrackPanel]:
+    """What jumps alone do to the paths of the paper's methods at the greatest play, and what reverses alone do."""
+    return [
+        TrackPanel(
+            title=f"{_name(evaluation)}, {evaluation.train}: {kind}s alone, {degrees(evaluation.band.plays[-1]):.3f}°",
+            run=deflected(against.run(evaluation, 0.0), [event for event in evaluation.events if event.kind == kind]),
+        )
+        for kind in ("jump", "reverse")
+        for evaluation in against.evaluations
+        if not evaluation.profile.dilated and evaluation.events
+    ]
+
+
+def lift_picture(simulation: Simulation) -> LiftPicture:
+    """The lift before and after, close by the highest peak and the deepest valley."""
+    jumps = [event for event in simulation.events if event.kind == "jump"]
+    waits = [event for event in simulation.events if event.kind == "reverse"]
+    against = simulation.against
+    return LiftPicture(
+        title=simulation.plan.design.name + ("" if simulation.plan.design.as_built is None else ", as built"),
+        follower=against.task.follower,
+        wanted=against.task.lift,
+        before=against.following(against.before, simulation.play),
+        before_name=against.before.title,
+        after=against.following(against.chosen, simulation.play),
+        after_name=against.chosen.profile.code,
+        play=simulation.play,
+        peak=max(jumps, key=lambda event: event.lift).cam_angle if jumps else None,
+        valley=min(waits, key=lambda event: event.lift).cam_angle if waits else None,
+    )
+
+
+def _name(evaluation: Evaluation) -> str:
+    return evaluation.title if evaluation.measured else evaluation.profile.code
+
+
+def _at_ends(simulation: Simulation, evaluation: Evaluation) -> tuple[RunError, RunError]:
+    low, high = (
+        run_error(simulation.against.run(evaluation, play), simulation.planned) for play in simulation.against.band.ends
+    )
+    return low, high
+
+
+def _ends(against: Against, evaluation: Evaluation) -> Array:
+    return np.array([against.run(evaluation, play).drive_wheel[-1] for play in evaluation.band.plays])
+
+
+def _field(design: Design) -> Field:
+    field = design.field
+    if field is None:
+        return Field(obstacles=np.empty((0, 2)))
+    return Field(
+        corner=field.corner_mm,
+        size=field.size_mm,
+        obstacles=np.array(field.obstacles_mm).reshape(-1, 2),
+        obstacle_radius=field.obstacle_radius_mm,
+    )
+
+
+def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None) -> Written:
+    """Draw the distribution and the sensitivities, and publish the pictures together.
+
+    Raises:
+        FileError: a file cannot be written.
+    """
+    design = run.plan.design
+    stem = f"{design.name}_{run.plan.profile}_tolerance"
+    step("drawing")
+    with publishing(out) as staging:
+        picture = FleetPicture(
+            title=f"{design.name}, {run.plan.profile} profile, {run.samples} cars",
+            along=run.ends.along,
+            across=run.ends.across,
+            gate_width=design.tolerances.gate_width_mm,
+            passed=run.passed,
+            shares={sensitivity.name: sensitivity.share for sensitivity in run.sensitivities},
+        )
+        names = draw_fleet(picture, staging, stem)
+        if run.budget is not None:
+            bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in run.budget.budget.costs}
+            names += draw_budget(f"{design.name}, {run.plan.profile} profile", bars, staging, f"{stem}_budget")
+        entry = {
+            **tolerance_facts(run),
+            "versions": versions(),
+            "files": {name: file_facts(staging / name) for name in names},
+        }
+        write_manifest(staging, stem, entry)
+    return Written(stem, entry)
