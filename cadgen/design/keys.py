@@ -12,7 +12,7 @@ from annotated_types import Ge, Gt, Le, Lt, MinLen
 from pydantic.fields import FieldInfo
 
 from cadgen.design.schema import DesignFile
-from cadgen.design.section import Section, listed
+from cadgen.design.section import OneOf, Section, listed
 from cadgen.errors import escaped
 
 # How the ends of key names read in a sentence.
@@ -220,6 +220,8 @@ def _phrases(limits: Iterable[Any]) -> str:
 
 def _phrase(limit: Any) -> str:
     match limit:
+        case OneOf():
+            return limit.allowed
         case MinLen(least):
             return f"{least} or more"
         case Gt(bound):

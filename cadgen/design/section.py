@@ -1,10 +1,13 @@
 """What all sections of a design file have in common."""
 
-from collections.abc import Sequence
-from typing import Annotated
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any
 
 from annotated_types import Ge, Le
-from pydantic import BaseModel, ConfigDict, Strict
+from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, Strict
+from pydantic_core import CoreSchema, core_schema
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
@@ -30,3 +33,23 @@ class Section(BaseModel):
 def listed(items: Sequence[str], conjunction: str) -> str:
     """Join words as in a sentence: a, b and c."""
     return f"{', '.join(items[:-1])} {conjunction} {items[-1]}" if len(items) > 1 else "".join(items)
+
+
+@dataclass(frozen=True)
+class OneOf:
+    """Text that must be one of the codes of registered objects, asked for when a design is read."""
+
+    codes: Callable[[], Sequence[str]]
+
+    @property
+    def allowed(self) -> str:
+        """The codes as they read after "must be"."""
+        return listed([json.dumps(code) for code in self.codes()], "or")
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.no_info_after_validator_function(self._checked, handler(source))
+
+    def _checked(self, code: str) -> str:
+        if code not in self.codes():
+            raise ValueError(f"{HERE} is {json.dumps(code[:80])}; it must be {self.allowed}")
+        return code

@@ -72,7 +72,7 @@ class Hypothesis:
     @property
     def reach(self) -> frozenset[str]:
         """Its key and that of every effect it becomes for some values: subsets within it are nested in it."""
-        return self.key | {effect.includes for effect in self.effects if effect.includes}
+        return self.key | {effect.includes.key for effect in self.effects if effect.includes}
 
     @property
     def claims(self) -> frozenset[str]:
@@ -82,7 +82,7 @@ class Hypothesis:
     @property
     def holds(self) -> frozenset[str]:
         """The claims, and the names of what they become for some values."""
-        return self.claims | {effect.includes for effect in self.effects if effect.includes}
+        return self.claims | {effect.includes.name for effect in self.effects if effect.includes}
 
     def at(self, evidence: Evidence, *, loose: bool) -> "Hypothesis":
         """The same with the spectrum that keeps the floor, or with the one that exceeds it."""

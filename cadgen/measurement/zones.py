@@ -12,7 +12,7 @@ from scipy.stats import t as student
 
 from cadgen.deviations.transmission import RETURN_ERROR
 from cadgen.errors import FileError
-from cadgen.measurement.diagnose import Finding, Value
+from cadgen.measurement.findings import Finding, Value
 from cadgen.measurement.record import Record
 from cadgen.measurement.verdict import Judgement, Verdict, sigmas_of
 

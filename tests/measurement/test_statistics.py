@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.effect import READING, Effect, Parameter
 from cadgen.deviations.rows import Rows
 from cadgen.measurement.doubt import unfit
 from cadgen.measurement.evidence import Evidence, Spectrum
@@ -132,7 +132,7 @@ def test_orders_stop_short_of_nyquist():
 
 def _effect(name: str, parameters: int = 1, **more: object) -> Effect:
     sizes = tuple(Parameter(name=f"p{k}_um", unit="um", lower=-9.0, upper=9.0, step=1.0) for k in range(parameters))
-    return Effect(name=name, stage="reading", parameters=sizes, act=lambda thing, p, at: thing, **more)
+    return Effect(name=name, stage=READING, parameters=sizes, act=lambda thing, p, at: thing, **more)
 
 
 def test_a_cause_with_many_orders_is_one_cause():

@@ -14,10 +14,6 @@ class Model(Protocol):
     """A forward model with its data."""
 
     @property
-    def kind(self) -> str:
-        """Of data."""
-
-    @property
     def unit(self) -> str:
         """Key of `UNITS` in which residuals are told."""
 

@@ -4,7 +4,7 @@ from math import isfinite
 from typing import Any
 
 from cadgen.design.override import override
-from cadgen.measurement.diagnose import Value
+from cadgen.measurement.findings import Value
 from cadgen.workflow.calibration.plan import Calibration
 from cadgen.workflow.calibration.words import sentence, shown
 
@@ -45,7 +45,7 @@ def _table(calibration: Calibration) -> str:
             "",
             f"[[{_TABLE}.sources]]",
             f"file = {_text(source.path.name)}",
-            f'kind = "{source.kind}"',
+            f'kind = "{source.kind.code}"',
             f'sha256 = "{source.sha256}"',
             f'verdict = "{calibration.verdict(source.kind)}"',
         ]
@@ -57,7 +57,7 @@ def _table(calibration: Calibration) -> str:
     for one in calibration.built:
         finding = one.claim.finding
         values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.given)]
-        lines += _effect("effects", finding.effect, one.claim.kind, one.place, values, sentence(one))
+        lines += _effect("effects", finding.effect, one.claim.kind.code, one.place, values, sentence(one))
     return "\n".join(lines) + "\n"
 
 
