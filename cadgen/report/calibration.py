@@ -177,8 +177,8 @@ def _candidates(axes: "Axes", diagnosis: Diagnosis) -> None:
     axes.bar_label(bars, labels=[_score(c.score) for c in shown], padding=3, fontsize=8)
     for row, candidate in zip(rows, shown, strict=True):
         names = ", ".join(candidate.effects) or "no effect"
-        told_name = names if len(names) <= _NAME else f"{names[: _NAME - 1]}…"
-        axes.text(0.01, float(row), told_name, transform=axes.get_yaxis_transform(), fontsize=7.5, va="bottom")
+        shown_name = names if len(names) <= _NAME else f"{names[: _NAME - 1]}…"
+        axes.text(0.01, float(row), shown_name, transform=axes.get_yaxis_transform(), fontsize=7.5, va="bottom")
     axes.set_xscale("symlog", linthresh=10)
     axes.set_ylim(len(shown) - 0.4, -0.5)
     axes.set_xlim(0, max(c.score for c in shown) * 4 + 10)

@@ -105,7 +105,7 @@ def fork_file(synthetic_car, tmp_path_factory):
 def test_a_made_up_kind_is_read_judged_and_written(fork, fork_file, nominal, tmp_path):
     design = load_design()
     calibration = plan.calibrate(design, "actual", plan.read([fork_file]), nominal=nominal)
-    (diagnosis,) = calibration.told
+    (diagnosis,) = calibration.diagnoses
     assert (diagnosis.kind, diagnosis.verdict, diagnosis.judgement.claimed) == (FORK, "traced", (PROTRACTOR.name,))
     (value,) = diagnosis.findings[0].values
     assert value.value == pytest.approx(4.0, abs=3 * value.sigma)

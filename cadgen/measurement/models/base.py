@@ -15,7 +15,7 @@ class Model(Protocol):
 
     @property
     def unit(self) -> str:
-        """Key of `UNITS` in which residuals are told."""
+        """Key of `UNITS` of residuals as they are reported."""
 
     @property
     def rows(self) -> Rows:

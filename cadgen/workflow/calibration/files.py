@@ -41,18 +41,18 @@ def document(calibration: Calibration) -> dict[str, Any]:
         "wheelbase_mm": c.wheelbase and c.wheelbase[0],
         "warnings": list(c.warnings),
         "files": [_file(source) for source in c.sources],
-        "records": [_record(diagnosis) for diagnosis in c.told],
+        "records": [_record(diagnosis) for diagnosis in c.diagnoses],
         "zones": c.zones and _zones(c.zones),
         "shared": [_shared(quantity) for quantity in c.shared],
         "settled": [
             {
                 "source": source,
-                "claims": [claim.finding.effect for claim in one.claims],
-                "by": [{"source": claim.source, "effect": claim.finding.effect} for claim in one.by],
+                "claims": [claim.finding.effect for claim in decided.claims],
+                "by": [{"source": claim.source, "effect": claim.finding.effect} for claim in decided.by],
             }
-            for source, one in c.settled.items()
+            for source, decided in c.settled.items()
         ],
-        "as_built": [_built(one) for one in c.built],
+        "as_built": [_built(built) for built in c.built],
         "versions": versions(),
     }
 
@@ -89,7 +89,7 @@ def write_calibration(calibration: Calibration, design_text: str, out: Path, ste
     with publishing(out) as staging:
         names = _documents(staging, stem, document(c), plain(report(c), _TEXT_WIDTH))
         step("drawing")
-        for diagnosis in c.told:
+        for diagnosis in c.diagnoses:
             names += draw_record(diagnosis, c.track_length, staging, f"{stem}_{diagnosis.kind.stem}")
         if c.built:
             names.append(f"{c.design.name}_as_built.toml")
@@ -128,13 +128,13 @@ def _published(staging: Path, out: Path, stem: str, facts: dict[str, Any], names
 def _read_back(c: Calibration, file: Path) -> None:
     """The as-built design must be the design with its overrides and nothing else but [as_built]."""
     again = load_design(file)
-    meant = [(one.claim.finding.effect, one.claim.kind.code, one.place) for one in c.built]
-    built = again.as_built
+    meant = [(built.claim.finding.effect, built.claim.kind.code, built.place) for built in c.built]
+    as_built = again.as_built
     same = again.as_designed().values() == c.design.as_designed().values()
-    if built is None or not same or [(e.effect, e.kind, e.place) for e in built.effects] != meant:
+    if as_built is None or not same or [(e.effect, e.kind, e.place) for e in as_built.effects] != meant:
         raise FileError(f"{file.name}, read back, is not the design with what was measured: report this design")
-    for one, effect in zip(c.built, built.effects, strict=True):
-        for value in one.claim.finding.values:
+    for built, effect in zip(c.built, as_built.effects, strict=True):
+        for value in built.claim.finding.values:
             sigma = value.sigma if isfinite(value.sigma) and value.sigma > 0 else abs(value.value) * 1e-4
             # Rounding to two digits of the uncertainty moves a value by no more than a twentieth of it.
             if abs(effect.numbers[value.name] - value.value) > 0.06 * sigma:
@@ -252,20 +252,20 @@ def _zones(means: ZoneMeans) -> dict[str, Any]:
         "smooth_deg": z.smooth_deg,
         "misfit": z.misfit,
         "tabled": [
-            {"order": order, "return_error_deg": value, "standard_errors": one.apart, "inside": one.inside}
-            for (order, value), one in zip(means.tabled.items(), z.compared, strict=True)
+            {"order": order, "return_error_deg": value, "standard_errors": c.apart, "inside": c.inside}
+            for (order, value), c in zip(means.tabled.items(), z.compared, strict=True)
         ],
         "shortfall": means.shortfall and asdict(means.shortfall),
     }
 
 
-def _built(one: Built) -> dict[str, Any]:
+def _built(built: Built) -> dict[str, Any]:
     return {
-        "source": one.claim.source,
-        "kind": one.claim.kind.code,
-        "place": one.place,
-        "mean_of": list(one.mean_of),
-        **_finding(one.claim.finding),
+        "source": built.claim.source,
+        "kind": built.claim.kind.code,
+        "place": built.place,
+        "mean_of": list(built.mean_of),
+        **_finding(built.claim.finding),
     }
 
 

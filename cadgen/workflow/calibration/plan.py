@@ -102,7 +102,7 @@ class Calibration:
         wheelbase: of logged tracks, mm, and whether a file said it; None without such a track.
         track_length: of the design's track, mm; None if only logged tracks and zones were given.
         sources: the files.
-        told: the verdict on each kind with a forward model.
+        diagnoses: what each kind with a forward model shows.
         zones: on means over zones.
         claims: what the verdicts claim, with what is settled, and that there is no play where that was seen.
         settled: source of an ambiguous record -> what others decide in it.
@@ -118,7 +118,7 @@ class Calibration:
     wheelbase: tuple[float, bool] | None
     track_length: float | None
     sources: tuple[Source, ...]
-    told: tuple[Diagnosis, ...]
+    diagnoses: tuple[Diagnosis, ...]
     zones: ZoneMeans | None
     claims: tuple[Claim, ...]
     settled: dict[str, Settled]
@@ -151,7 +151,7 @@ class Calibration:
         """On the files of a kind."""
         if self.zones is not None and kind is self.zones.kind:
             return self.zones.judgement.verdict
-        return next(diagnosis.verdict for diagnosis in self.told if diagnosis.kind is kind)
+        return next(diagnosis.verdict for diagnosis in self.diagnoses if diagnosis.kind is kind)
 
 
 def read(paths: Sequence[Path], step: Step = lambda text: None, *, each: bool = False) -> tuple[Source, ...]:
@@ -241,7 +241,7 @@ def calibrate(
         wheelbase=wheelbase,
         track_length=track_length,
         sources=tuple(sources),
-        told=tuple(diagnoses[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in diagnoses),
+        diagnoses=tuple(diagnoses[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in diagnoses),
         zones=zones,
         claims=(*found, *(claim for rivals in decided.values() for claim in rivals.claims)),
         settled=decided,
@@ -345,12 +345,12 @@ def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[f
 
 def _wheelbase(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
     """Of the logged car, mm, and whether a file says so."""
-    told = {float(found[0]) for record in records if (found := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
-    if len(told) > 1:
+    stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
+    if len(stated) > 1:
         raise FileError(
-            f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(told)} mm: judge them apart"
+            f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(stated)} mm: judge them apart"
         )
-    return (told.pop(), True) if told else (design.car.wheelbase_mm, False)
+    return (stated.pop(), True) if stated else (design.car.wheelbase_mm, False)
 
 
 def _zone_means(design: Design, record: Record) -> ZoneMeans:
@@ -375,7 +375,7 @@ def _zone_means(design: Design, record: Record) -> ZoneMeans:
 
 def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
     """The effects of a file that a design was calibrated with are in it, and would be found a second time."""
-    known = {} if design.as_built is None else {one.sha256: one.file for one in design.as_built.sources}
+    known = {} if design.as_built is None else {source.sha256: source.file for source in design.as_built.sources}
     for source in sources:
         if source.sha256 in known:
             raise FileError(

@@ -45,7 +45,7 @@ def report(calibration: Calibration) -> list[Block]:
             f"Wheelbase of the logged car {c.wheelbase[0]:g} mm ({by}); the design's cam plays no part in it."
         )
     blocks += [f"Warning: {text}." for text in c.warnings]
-    for diagnosis in c.told:
+    for diagnosis in c.diagnoses:
         blocks += _record(diagnosis, c.files(diagnosis.kind))
         if decided := c.settled.get(diagnosis.source):
             names = " and ".join(claim.finding.effect for claim in decided.claims)
@@ -63,7 +63,7 @@ def summary(each: Sequence[Calibration]) -> list[Block]:
     rows, effects = [], []
     for c in each:
         name = c.sources[0].path.stem
-        for diagnosis in c.told:
+        for diagnosis in c.diagnoses:
             rows.append((name, diagnosis.verdict, SIGNS[diagnosis.unit], *map(_number, _figures(diagnosis))))
             effects.append((name, sizes(diagnosis.findings) or "-"))
         if c.zones is not None:
@@ -250,17 +250,17 @@ def _together(c: Calibration) -> list[Block]:
     if not c.shared:
         return []
     blocks: list[Block] = [Heading("together")]
-    for one in c.shared:
-        sources = listed(one.sources, "and")
-        if one.agrees:
-            values = ", ".join(f"{v.name} {' ± '.join(shown(v))}" for v in one.values)
-            blocks.append(f"{one.quantity.name} shows in {sources}, and they agree: {values} together.")
+    for common in c.shared:
+        sources = listed(common.sources, "and")
+        if common.agrees:
+            values = ", ".join(f"{v.name} {' ± '.join(shown(v))}" for v in common.values)
+            blocks.append(f"{common.quantity.name} shows in {sources}, and they agree: {values} together.")
         else:
-            best = at_work([claim for claim in c.claims if claim.quantity == one.quantity])[0]
+            best = at_work([claim for claim in c.claims if claim.quantity == common.quantity])[0]
             blocks.append(
-                f"{one.quantity.name} shows in {sources}, but not with one size (chance {one.chance:.0e}): it is not "
-                f"one effect, or something else hides in one of them. That of the {best.kind.code} is taken, which is "
-                "nearest to what the car drives with."
+                f"{common.quantity.name} shows in {sources}, but not with one size (chance {common.chance:.0e}): it is "
+                f"not one effect, or something else hides in one of them. That of the {best.kind.code} is taken, which "
+                "is nearest to what the car drives with."
             )
     return blocks
 
@@ -268,7 +268,7 @@ def _together(c: Calibration) -> list[Block]:
 def _built(c: Calibration) -> list[Block]:
     if not c.built:
         return [Heading("as built"), "Nothing is claimed, so there is no as-built design."]
-    return [Heading("as built"), *(sentence(one) for one in c.built), *_held(c)]
+    return [Heading("as built"), *map(sentence, c.built), *_held(c)]
 
 
 def _held(c: Calibration) -> list[Block]:
@@ -285,17 +285,17 @@ def _held(c: Calibration) -> list[Block]:
     ]
 
 
-def sentence(one: Built) -> str:
+def sentence(built: Built) -> str:
     """A claimed effect, the sense of its numbers, and what becomes of it."""
-    finding, place = one.claim.finding, PLACES[one.place]
-    if one.instead is not None:
-        place = f"recorded only: the {one.instead.finding.effect} from {one.instead.kind.code} stands for it"
-    name = f"no {finding.effect}" if one.claim.absent else finding.effect
-    if one.claim.remainder:
-        name += f" beside the profile's ({one.claim.quantity.name})"
-    signs = "; ".join(p.meaning for p in one.claim.kind.named(finding.effect, dict(finding.given)).parameters)
-    of = f", the mean of {listed(one.mean_of, 'and')}" if one.mean_of else ""
-    return f"{name}, from {one.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
+    finding, place = built.claim.finding, PLACES[built.place]
+    if built.instead is not None:
+        place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
+    name = f"no {finding.effect}" if built.claim.absent else finding.effect
+    if built.claim.remainder:
+        name += f" beside the profile's ({built.claim.quantity.name})"
+    signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.given)).parameters)
+    of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
+    return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
 
 
 def _number(value: float | None) -> str:
