@@ -1,6 +1,7 @@
 """The as-built design file, and one car from several kinds of data."""
 
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from cadgen.build import variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import FileError
+from cadgen.measurement import kinds
 from cadgen.measurement.findings import Finding, Value
 from cadgen.report.text import Heading, Table, plain
 from cadgen.workflow.calibration import plan
@@ -169,7 +171,7 @@ def test_text_is_folded_but_numbers_are_not():
 
 def test_files_are_refused_before_more_are_read_than_can_be_judged(monkeypatch):
     names = [MEASURED / f"{name}.csv" for name in ("track_a", "track_b", "there_is_none")]
-    monkeypatch.setattr(plan, "most_rows", lambda kind: 1000)
+    monkeypatch.setitem(kinds._kinds, "track", replace(kinds.TRACK, most_rows=1000))
     with pytest.raises(
         FileError, match=r"the 2 files up to track_b.csv have \d+ rows of track data, more than the 1000"
     ):

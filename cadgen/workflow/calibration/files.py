@@ -17,8 +17,9 @@ from cadgen.measurement.together import Shared
 from cadgen.report.calibration import draw_record
 from cadgen.report.text import plain
 from cadgen.workflow.calibration.as_built_file import as_built_text
-from cadgen.workflow.calibration.plan import Built, Calibration, Source, ZoneMeans
+from cadgen.workflow.calibration.plan import Built, Calibration, Source
 from cadgen.workflow.calibration.words import report, summary
+from cadgen.workflow.calibration.zone_means import ZoneMeans
 from cadgen.workflow.cam.plan import Step
 
 FORMAT = 1

@@ -20,16 +20,15 @@ from cadgen.gears.search import arrange
 from cadgen.measurement.calibrate import calibrate as judge
 from cadgen.measurement.calibrate import calibrate_tricycle
 from cadgen.measurement.diagnose import SOUND
-from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding
+from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
-from cadgen.measurement.verdict import Judgement
-from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.records.load import digest, load
+from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
 from cadgen.workflow.cam.plan import Step, plan_cam
 
 # Profiles whose planned lift is what the rod gets from them.
@@ -52,27 +51,6 @@ class Source:
     def kind(self) -> Kind:
         """Of data."""
         return self.record.kind
-
-
-@dataclass(frozen=True, kw_only=True)
-class ZoneMeans:
-    """What the mean turns over zones say.
-
-    Attributes:
-        source, kind: of the record.
-        judgement, finding: the verdict, and the return error.
-        zones: the numbers.
-        tabled: greatest return errors of the design's train by the order of its stages, deg; empty if it has none.
-        shortfall: what would explain the smooth zone's turn; None if speed and time were not said or there is no train.
-    """
-
-    source: str
-    kind: Kind
-    judgement: Judgement
-    finding: Finding
-    zones: Zones
-    tabled: dict[str, float]
-    shortfall: Shortfall | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,7 +193,9 @@ def calibrate(
     diagnoses: dict[Kind, Diagnosis] = {}
     track_length, holds = None, None
     records = {method: [s.record for s in sources if s.kind.method is method] for method in Method}
-    zones = _zone_means(design, join(records[Method.ZONE_MEANS])) if records[Method.ZONE_MEANS] else None
+    zones = (
+        zone_means(design, join(records[Method.ZONE_MEANS]), _train(design)[0]) if records[Method.ZONE_MEANS] else None
+    )
     if records[Method.EVIDENCE]:
         known = replace(nominal or nominal_of(design, profile, step), form_error=floor * 1e-3)
         if zones is not None and zones.judgement.claimed:
@@ -351,26 +331,6 @@ def _wheelbase(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
             f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(stated)} mm: judge them apart"
         )
     return (stated.pop(), True) if stated else (design.car.wheelbase_mm, False)
-
-
-def _zone_means(design: Design, record: Record) -> ZoneMeans:
-    tabled = {order: degrees(play.return_error_max) for order, play in variation.train_plays(design).items()}
-    zones = return_error(record, tuple(tabled.values()))
-    judgement, finding = judged(record, zones)
-    speed, time = said(record, r"([0-9.]*[0-9]) rpm"), said(record, r"([0-9.]*[0-9]) s a trial")
-    ratio = float(np.prod(_train(design)[0]))
-    why = None
-    if speed and time and design.train is not None:
-        why = shortfall(zones, rpm=float(speed[0]), seconds=float(time[0]), ratio=ratio)
-    return ZoneMeans(
-        source=record.source,
-        kind=record.kind,
-        judgement=judgement,
-        finding=finding,
-        zones=zones,
-        tabled=tabled,
-        shortfall=why,
-    )
 
 
 def _refuse_known(design: Design, sources: Sequence[Source]) -> None:

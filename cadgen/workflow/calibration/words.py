@@ -22,7 +22,8 @@ from cadgen.measurement.findings import (
 )
 from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
-from cadgen.workflow.calibration.plan import Built, Calibration, Source, ZoneMeans
+from cadgen.workflow.calibration.plan import Built, Calibration, Source
+from cadgen.workflow.calibration.zone_means import ZoneMeans
 
 SIGNS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
 PLACES = {
