@@ -137,7 +137,11 @@ def _effect(name: str, parameters: int = 1, **more: object) -> Effect:
 
 def test_a_cause_with_many_orders_is_one_cause():
     search = Search(1000, {"scale": 1, "phase": 1, "waviness": 100}, 50)
-    scale, wave, bump = _effect("scale"), _effect("waviness, order 9", 2), _effect("bump", 3, shape=True)
+    scale, wave, bump = (
+        _effect("scale"),
+        _effect("waviness, order 9", 2, cause="waviness"),
+        _effect("bump", 3, shape=True),
+    )
     # Three causes alike likely; a hundred orders of one of them; fifty shapes.
     assert search.penalty((scale,), 1) == pytest.approx(np.log(1000) + 2 * np.log(3))
     assert search.penalty((wave,), 2) == pytest.approx(2 * np.log(1000) + 2 * np.log(3 * 100))
