@@ -16,9 +16,10 @@ The rooms, in walking order; each imports only those before it.
 | `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |
 | `motion`      | how the car runs when the gears have play                                 |
 | `deviations`  | what a real car differs by, and what that does to it                      |
-| `measurement` | measured data -> the effects that explain them                            |
+| `measurement` | measured data -> the effects that explain them; one object a kind of data |
 | `optimize`    | methods against play and the choice among them                            |
 | `monte_carlo` | many cars within the tolerances                                           |
+| `records`     | measured data from files, each of the kind that its columns say           |
 | `design`      | the design file: TOML -> frozen values                                    |
 | `build`       | design -> the numeric rooms' own types, in mm and rad                     |
 | `meshes`      | parts as closed meshes; the checks of a train put together                |

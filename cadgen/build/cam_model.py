@@ -56,7 +56,7 @@ def as_built(design: Design) -> AsBuilt:
             known = one.known()
             values = tuple(one.numbers[p.name] * p.scale for p in known.parameters)
             sigma = (one.values[0].sigma or 0.0) * known.parameters[0].scale
-            placed.append(Placed(known, values, one.place, sigma, one.kind == "track"))
+            placed.append(Placed(known, values, one.place, sigma, one.kind_of_data.rod_on))
     return AsBuilt(tuple(placed))
 
 

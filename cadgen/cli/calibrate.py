@@ -72,17 +72,17 @@ def calibrate(
     with show.progress(not as_json) as step:
         sources = work.read([Path(file) for file in files], step, each=each)
         if each:
-            told = work.calibrate_each(loaded, profile, sources, form_error_um, step)
-            facts = write.documents(told)
-            written = None if out is None else write.write_each(told, out)
+            alone = work.calibrate_each(loaded, profile, sources, form_error_um, step)
+            facts = write.documents(alone)
+            written = None if out is None else write.write_each(alone, out)
         else:
-            one = work.calibrate(loaded, profile, sources, form_error_um, step)
-            facts = write.document(one)
+            together = work.calibrate(loaded, profile, sources, form_error_um, step)
+            facts = write.document(together)
             text = design_file(design).read_bytes().decode("utf-8-sig")
-            written = None if out is None else write.write_calibration(one, text, out, step)
+            written = None if out is None else write.write_calibration(together, text, out, step)
     if as_json:
         show.document(facts)
         return
-    show_calibrate.summary(told) if each else show_calibrate.report(one)
+    show_calibrate.summary(alone) if each else show_calibrate.report(together)
     if written is not None and out is not None:
         show.files(written, out)

@@ -6,13 +6,24 @@ from typing import TYPE_CHECKING, Annotated
 from pydantic import Field, Strict, field_validator, model_validator
 
 from cadgen.design.section import OneOf, Section, listed
-from cadgen.deviations.names import Kind, Place
+from cadgen.deviations.names import Place
 from cadgen.errors import DesignError
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.profiles.table import codes
 
 if TYPE_CHECKING:
     from cadgen.deviations.effect import Effect as Known
+    from cadgen.measurement.record import Kind as KindOfData
+
+
+def _codes() -> tuple[str, ...]:
+    # Only here: the kinds need numpy, and most designs have no effects.
+    from cadgen.measurement.kinds import codes
+
+    return codes()
+
+
+Kind = Annotated[str, OneOf(_codes)]
 
 _ROUNDING = 1e-9  # of a parameter's range, by which a written value may pass its bound
 
@@ -63,16 +74,20 @@ class Effect(Section):
         """Values by their names, in the units of these."""
         return {one.name: one.value for one in self.values}
 
+    @property
+    def kind_of_data(self) -> "KindOfData":
+        """The kind as an object."""
+        from cadgen.measurement.kinds import kind_of
+
+        return kind_of(self.kind)
+
     def known(self) -> "Known":
         """The effect of the catalogue.
 
         Raises:
             DesignError: there is none of that name.
         """
-        # Only here: the catalogue needs numpy, and most designs have no effects.
-        from cadgen.deviations.catalogue import named
-
-        return named(self.kind, self.effect, self.numbers)
+        return self.kind_of_data.named(self.effect, self.numbers)
 
     @model_validator(mode="after")
     def _is_in_the_catalogue(self) -> "Effect":

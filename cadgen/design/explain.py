@@ -109,6 +109,8 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any]) -
     wanted = f"{key.kinds[depth]} in {key.unit}" if key.unit else key.kinds[depth]
     if kind == "missing" and depth == 0:
         return f"{name} is missing: add it, {wanted} ({key.meaning})"
+    if kind == "string_type" and key.allowed:
+        return f"{name} is {shown(value)}; it must be {key.allowed}"
     if kind in _WRONG_TYPE:
         bare = ", without quotes or unit" if isinstance(value, str) and "number" in wanted else ""
         return f"{name} is {shown(value)}; it must be {wanted}{bare}"

@@ -2,7 +2,8 @@
 
 | module         | what it holds                                                                   |
 |----------------|---------------------------------------------------------------------------------|
-| `names`        | kinds of data and places of an effect, light enough for every design file       |
+| `names`        | places of an effect, light enough for every design file                         |
+| `quantities`   | what effects are physically, whatever each kind of data calls them              |
 | `rows`         | where measured numbers belong: run, place on the cam, place within the run      |
 | `effect`       | what an effect is: a change at one stage of a model, with parameters and bounds |
 | `disc`         | effects on the disc's outline about its bore                                    |
@@ -11,7 +12,6 @@
 | `track`        | effects of the car that a cam steers                                            |
 | `tricycle`     | effects of a car whose front wheel is logged                                    |
 | `friction`     | what effects of sliding friction share                                          |
-| `catalogue`    | an effect by the kind of data and the name that a design file gives it          |
+| `catalogue`    | the effects of each kind of data, by the names that design files give them      |
 | `as_built`     | the car with its effects: what becomes of a disc, and what to cut for it        |
-| `reference`    | the catalogue as a page of documentation                                        |
 """

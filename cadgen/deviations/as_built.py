@@ -15,9 +15,10 @@ from cadgen.cam.contact import Contact, roll
 from cadgen.cam.follower import Follower
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.curves.moved import moved
+from cadgen.deviations import quantities
 from cadgen.deviations.disc import (
     AXIS_REVERSAL,
-    ECCENTRIC_BORE,
+    DISC,
     Disc,
     joined_normals,
     lost_motion,
@@ -26,7 +27,6 @@ from cadgen.deviations.disc import (
 )
 from cadgen.deviations.effect import Effect
 from cadgen.deviations.names import Place
-from cadgen.deviations.track import BACKLASH, SLIDING_FRICTION
 from cadgen.errors import DesignError
 from cadgen.steering.car import Car
 
@@ -106,9 +106,9 @@ class AsBuilt:
     @property
     def friction(self) -> tuple[float, float] | None:
         """Sliding friction between rod and disc, and its standard deviation; None if it was not found."""
-        for one in self.effects:
-            if one.place == "car" and one.effect.name == SLIDING_FRICTION.name:
-                return one.values[0], one.sigma
+        for placed in self.effects:
+            if placed.place == "car" and placed.effect.quantity == quantities.SLIDING_FRICTION:
+                return placed.values[0], placed.sigma
         return None
 
     @property
@@ -119,7 +119,10 @@ class AsBuilt:
     @property
     def shows_play_with_rod(self) -> bool:
         """Whether the return error, or that there is none, was found on a track."""
-        return any(one.place == "car" and one.effect.name == BACKLASH.name and one.on_track for one in self.effects)
+        return any(
+            placed.place == "car" and placed.effect.quantity == quantities.RETURN_ERROR and placed.on_track
+            for placed in self.effects
+        )
 
     @property
     def phase(self) -> float:
@@ -129,7 +132,7 @@ class AsBuilt:
     @property
     def shapes_discs(self) -> bool:
         """Whether a new disc comes out, or runs, other than it is cut."""
-        return any(one.effect.stage == "disc" and one.place in ("process", "car") for one in self.effects)
+        return any(placed.effect.stage is DISC and placed.place in ("process", "car") for placed in self.effects)
 
     def unevenness(self, *, measured: bool) -> float:
         """Rises and falls of the lift that waves and steps of the outline may make, mm: they are no events of a path.
@@ -139,10 +142,10 @@ class AsBuilt:
         """
         places: tuple[Place, ...] = ("part", "process") if measured else ("process",)
         found = 0.0
-        for one in self.effects:
-            uneven = one.effect.name == AXIS_REVERSAL.name or one.effect.name.startswith(("lobing", "waviness"))
-            if one.place in places and uneven:
-                found += 2 * float(np.hypot(one.values[0], one.values[1]))
+        for placed in self.effects:
+            uneven = placed.effect.quantity in (quantities.AXIS_REVERSAL, quantities.UNDULATION)
+            if placed.place in places and uneven:
+                found += 2 * float(np.hypot(placed.values[0], placed.values[1]))
         return found
 
     def roll_measured(self, curve: ClosedCurve, follower: Follower, cam_angle: Array, step: float) -> Contact:
@@ -158,9 +161,9 @@ class AsBuilt:
             DesignError: as `roll`, or a worn nose that the profile does not have.
         """
         disc = nominal_disc(curve, step)
-        for one in self.effects:
-            number = dict(one.effect.given).get("nose_number", 0)
-            if one.place == "part" and number > len(disc.noses):
+        for placed in self.effects:
+            number = dict(placed.effect.given).get("nose_number", 0)
+            if placed.place == "part" and number > len(disc.noses):
                 raise DesignError(
                     f"[as_built] has a worn nose number {number:g}, but the profile has {len(disc.noses)}: correct "
                     "nose_number"
@@ -225,13 +228,13 @@ class AsBuilt:
         self, disc: Disc, places: tuple[Place, ...], turned: float, reversal: _Act, at: Array | None = None
     ) -> Disc:
         """Let the effects of some places act; the shaft's are turned back by an angle, as the disc's key is."""
-        for one in self.effects:
-            if one.effect.stage == "disc" and one.place in places:
-                values, act = np.array(one.values), one.effect.act
-                if one.place == "car" and one.effect.name == ECCENTRIC_BORE.name:
+        for placed in self.effects:
+            if placed.effect.stage is DISC and placed.place in places:
+                values, act = np.array(placed.values), placed.effect.act
+                if placed.place == "car" and placed.effect.quantity == quantities.ECCENTRIC_BORE:
                     c, s = np.cos(turned), np.sin(turned)
                     values = np.array([c * values[0] + s * values[1], c * values[1] - s * values[0]])
-                if one.effect.name == AXIS_REVERSAL.name:
+                if placed.effect.quantity == quantities.AXIS_REVERSAL:
                     act = reversal
                 disc = act(disc, values, at)
         return disc
@@ -243,9 +246,9 @@ class AsBuilt:
         """Values of what stays with the car by the names of the parameters, mm and rad."""
         return {
             parameter.name: value
-            for one in self.effects
-            if one.place == "car"
-            for parameter, value in zip(one.effect.parameters, one.values, strict=True)
+            for placed in self.effects
+            if placed.place == "car"
+            for parameter, value in zip(placed.effect.parameters, placed.values, strict=True)
         }
 
 

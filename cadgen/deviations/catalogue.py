@@ -1,61 +1,115 @@
-"""Effects by the kind of data and the name that they are written under in an as-built design."""
+"""The effects that are looked for in each kind of data: a new effect is a file and a line here, or is registered.
+
+A name is unique in its catalogue; it is what verdicts claim and as-built designs write.
+"""
 
 import re
-from collections.abc import Mapping
-from difflib import get_close_matches
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 from cadgen.deviations.disc import LAST_LOBE, NOSE_WIDTHS_DEG, PROFILE_EFFECTS, undulation, worn_nose
 from cadgen.deviations.effect import Effect
 from cadgen.deviations.lift import LIFT_EFFECTS
-from cadgen.deviations.names import Kind
 from cadgen.deviations.track import TRACK_EFFECTS
-from cadgen.deviations.transmission import RATE, RETURN_ERROR, WIND_UP, runout, tooth_mesh
-from cadgen.deviations.transmission import SLIDING_FRICTION as TRAIN_FRICTION
+from cadgen.deviations.transmission import RETURN_ERROR, TRAIN_EFFECTS, runout, tooth_mesh
 from cadgen.deviations.tricycle import TRICYCLE_EFFECTS
-from cadgen.errors import DesignError
-
-_EFFECTS: dict[Kind, tuple[Effect, ...]] = {
-    "lift": (*LIFT_EFFECTS, worn_nose(0, NOSE_WIDTHS_DEG[0])),
-    "profile": (*PROFILE_EFFECTS, worn_nose(0, NOSE_WIDTHS_DEG[0]), undulation(2), undulation(LAST_LOBE + 1)),
-    # Orders are those of the train; what is only noted does not need them.
-    "transmission": (RETURN_ERROR, TRAIN_FRICTION, RATE, WIND_UP, runout("the camshaft", 1.0), tooth_mesh(1, 1.0)),
-    "track": TRACK_EFFECTS,
-    "zones": (RETURN_ERROR,),
-    "steered track": TRICYCLE_EFFECTS,
-}
-_ORDER = re.compile(r"(?:lobing|waviness), order (\d{1,3})")
-_SHAFT = re.compile(r"runout of (the motor shaft|the camshaft|shaft \d{1,2})")
-_STAGE = re.compile(r"tooth mesh of stage (\d{1,2})")
 
 
-def entries(kind: Kind) -> tuple[Effect, ...]:
-    """The effects of a kind of data; one nose, order, shaft and stage stands for all of them."""
-    return _EFFECTS[kind]
+@dataclass(frozen=True)
+class Family:
+    """Effects of which there are many, one for each order, nose, shaft or stage.
 
-
-def named(kind: Kind, name: str, given: Mapping[str, float] | None = None) -> Effect:
-    """The effect of a kind of data that is written under a name.
-
-    Args:
-        kind: of data.
-        name: as it was claimed, such as `steering zero` or `lobing, order 3`.
-        given: numbers that belong to the name (see `Effect.given`): `nose_number` of a worn nose, counted from 1 by
-            polar angle; the first if left out.
-
-    Raises:
-        DesignError: there is no such effect; names the nearest.
+    Attributes:
+        examples: that stand for all of them on the page of effects.
+        pattern: of their names.
+        member: the effect of a matched name and the numbers written with it; None if there is none.
     """
-    if name == "worn nose" and kind in ("lift", "profile"):
-        return worn_nose(int((given or {}).get("nose_number", 1)) - 1, NOSE_WIDTHS_DEG[0])
-    for effect in _EFFECTS[kind]:
-        if effect.name == name:
-            return effect
-    if kind == "profile" and (found := _ORDER.fullmatch(name)) and undulation(int(found[1])).name == name:
-        return undulation(int(found[1]))
-    if kind == "transmission" and (found := _SHAFT.fullmatch(name)):
-        return runout(found[1], 1.0)
-    if kind == "transmission" and (found := _STAGE.fullmatch(name)):
-        return tooth_mesh(int(found[1]), 1.0)
-    names = [effect.name for effect in _EFFECTS[kind]]
-    near = get_close_matches(name, names, 3, 0.5) or names
-    raise DesignError(f'there is no effect "{name}" in data of kind {kind}: write {" or ".join(near)}')
+
+    examples: tuple[Effect, ...]
+    pattern: re.Pattern[str]
+    member: Callable[[re.Match[str], Mapping[str, float]], Effect | None]
+
+
+class Catalogue:
+    """The effects of one kind of data.
+
+    Attributes:
+        families: of which the forward model offers the members that its data resolve.
+    """
+
+    def __init__(self, *effects: Effect, families: tuple[Family, ...] = ()) -> None:
+        self._effects: list[Effect] = []
+        self.families = families
+        for effect in effects:
+            self.register(effect)
+
+    @property
+    def effects(self) -> tuple[Effect, ...]:
+        """Those that are no members of a family, in the order in which they are tried."""
+        return tuple(self._effects)
+
+    @property
+    def entries(self) -> tuple[Effect, ...]:
+        """These, and the examples of the families."""
+        return (*self._effects, *(example for family in self.families for example in family.examples))
+
+    def register(self, effect: Effect) -> None:
+        """Add an effect, which is then looked for, claimed, written and read back like any other.
+
+        Raises:
+            ValueError: there is one of that name.
+        """
+        if self.named(effect.name) is not None:
+            raise ValueError(f'there is an effect "{effect.name}" already: give another name')
+        self._effects.append(effect)
+
+    def remove(self, effect: Effect) -> None:
+        """Take a registered effect out again."""
+        self._effects.remove(effect)
+
+    def named(self, name: str, given: Mapping[str, float] | None = None) -> Effect | None:
+        """The effect that is written under a name; None if there is none.
+
+        Args:
+            name: as it was claimed, such as `steering zero` or `lobing, order 3`.
+            given: numbers that belong to the name (see `Effect.given`): `nose_number` of a worn nose, counted from 1
+                by polar angle; the first if left out.
+        """
+        for effect in self._effects:
+            if effect.name == name:
+                return effect
+        matched = ((family, family.pattern.fullmatch(name)) for family in self.families)
+        return next((family.member(match, given or {}) for family, match in matched if match), None)
+
+
+def _nose(match: re.Match[str], given: Mapping[str, float]) -> Effect:
+    return worn_nose(int(given.get("nose_number", 1)) - 1, NOSE_WIDTHS_DEG[0])
+
+
+def _undulation(match: re.Match[str], given: Mapping[str, float]) -> Effect | None:
+    effect = undulation(int(match[1]))
+    return effect if effect.name == match[0] else None
+
+
+_NOSES = Family((worn_nose(0, NOSE_WIDTHS_DEG[0]),), re.compile(r"worn nose"), _nose)
+_UNDULATIONS = Family(
+    (undulation(2), undulation(LAST_LOBE + 1)), re.compile(r"(?:lobing|waviness), order (\d{1,3})"), _undulation
+)
+# Orders are those of the train; what is only noted does not need them.
+_RUNOUTS = Family(
+    (runout("the camshaft", 1.0),),
+    re.compile(r"runout of (the motor shaft|the camshaft|shaft \d{1,2})"),
+    lambda match, given: runout(match[1], 1.0),
+)
+_MESHES = Family(
+    (tooth_mesh(1, 1.0),),
+    re.compile(r"tooth mesh of stage (\d{1,2})"),
+    lambda match, given: tooth_mesh(int(match[1]), 1.0),
+)
+
+LIFT = Catalogue(*LIFT_EFFECTS, families=(_NOSES,))
+PROFILE = Catalogue(*PROFILE_EFFECTS, families=(_NOSES, _UNDULATIONS))
+TRANSMISSION = Catalogue(*TRAIN_EFFECTS, families=(_RUNOUTS, _MESHES))
+TRACK = Catalogue(*TRACK_EFFECTS)
+STEERED_TRACK = Catalogue(*TRICYCLE_EFFECTS)
+ZONES = Catalogue(RETURN_ERROR)

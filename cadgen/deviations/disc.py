@@ -1,6 +1,6 @@
 """Effects on the disc itself: they show in a measured profile, and some of them in the lift.
 
-All act at the stage `disc`, on a `Disc`; the points are those of the outline about the bore.
+All act at the stage `DISC`, on a `Disc`; the points are those of the outline about the bore.
 """
 
 from collections.abc import Callable
@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.closed import ClosedCurve, left_normal
-from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations import quantities
+from cadgen.deviations.effect import Effect, Parameter, Stage
 
 OUTLINE_STEP = 0.06  # mm; the rod rolled on it errs by under 0.01 um
 _JOINT = 1e-9  # distance of a joint's two points at most, mm
@@ -39,6 +40,8 @@ class Disc:
         """Every point moved outwards along its normal, mm."""
         return replace(self, points=self.points + along[:, None] * self.normal)
 
+
+DISC = Stage[Disc]("disc")
 
 # Radius of the hollow at the foot of a ramp that takes a reversal back, where the outline itself is straight, mm.
 LEAST_HOLLOW = 4.0
@@ -129,19 +132,20 @@ def _travel(disc: Disc) -> Array:
 
 ECCENTRIC_BORE = Effect(
     name="eccentric bore",
-    stage="disc",
+    stage=DISC,
     parameters=(
         _um("eccentric_x_um", "+: the shaft's axis lies towards +x of the outline"),
         _um("eccentric_y_um", "+: towards +y"),
     ),
     act=_eccentric,
+    quantity=quantities.ECCENTRIC_BORE,
     places=("part", "process", "car"),
     confused_with="a wobbling camshaft, or run-out of the shaft, in lift data",
     separated_by="measure the profile about the bore on a CMM",
 )
 CUTTER_COMPENSATION = Effect(
     name="cutter compensation",
-    stage="disc",
+    stage=DISC,
     parameters=(_um("cutter_offset_um", "+: too much stands all round, along the normal"),),
     act=_offset,
     places=("process", "part"),
@@ -151,7 +155,7 @@ CUTTER_COMPENSATION = Effect(
 )
 UNIFORM_SCALE = Effect(
     name="uniform scale",
-    stage="disc",
+    stage=DISC,
     parameters=(_percent("scale_percent", "+: the disc is too big"),),
     act=_scale,
     places=("process", "part"),
@@ -161,7 +165,7 @@ UNIFORM_SCALE = Effect(
 )
 ANISOTROPIC_SCALE = Effect(
     name="anisotropic scale",
-    stage="disc",
+    stage=DISC,
     parameters=(
         _percent("scale_x_percent", "+: too long in x"),
         _percent("scale_y_percent", "+: too long in y"),
@@ -169,18 +173,19 @@ ANISOTROPIC_SCALE = Effect(
     act=_scale,
     places=("process", "part"),
     family="scale",
-    includes="uniform scale",
+    includes=UNIFORM_SCALE,
     confused_with="lobing of order two",
     separated_by="print or cut the part turned by 90 degrees: a scale stays with the machine",
 )
 AXIS_REVERSAL = Effect(
     name="machine-axis reversal",
-    stage="disc",
+    stage=DISC,
     parameters=(
         _um("reversal_x_um", "+: the x axis lags by half of it, the cutter running counterclockwise", -200.0, 200.0),
         _um("reversal_y_um", "+: the y axis likewise", -200.0, 200.0),
     ),
     act=_reversal,
+    quantity=quantities.AXIS_REVERSAL,
     places=("process", "part"),
     confused_with="an eccentric bore if only one half was measured",
     separated_by="cut a circle on the same machine and look for steps at the four quadrants",
@@ -204,12 +209,14 @@ def undulation(order: int) -> Effect:
     sort = "lobing" if order <= LAST_LOBE else "waviness"
     return Effect(
         name=f"{sort}, order {order}",
-        stage="disc",
+        stage=DISC,
         parameters=(
             _um(f"{sort}_cos_um", "+: outwards where cos(n phi) = 1, phi the polar angle"),
             _um(f"{sort}_sin_um", "+: outwards where sin(n phi) = 1"),
         ),
         act=_harmonic(order),
+        quantity=quantities.UNDULATION,
+        cause=sort,
         places=("part",),
         numerous=True,
         confused_with="anisotropic scale" if order == 2 else "the stylus or spindle of the measuring machine",
@@ -234,7 +241,7 @@ def worn_nose(number: int, width_deg: float) -> Effect:
 
     return Effect(
         name="worn nose",
-        stage="disc",
+        stage=DISC,
         parameters=(
             _um("worn_depth_um", "material that is gone at the middle", 0.0, 300.0),
             Parameter(
@@ -248,6 +255,7 @@ def worn_nose(number: int, width_deg: float) -> Effect:
             ),
         ),
         act=act,
+        quantity=quantities.WORN_NOSE,
         places=("part",),
         family="worn nose",
         variant=f"at {number} from {width_deg:g}",

@@ -3,14 +3,15 @@
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import pi
-from typing import Any, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.deviations.names import Place
+from cadgen.deviations.quantities import Quantity
 
-Thing = TypeVar("Thing")
+State = TypeVar("State")
 
 UM = 1e-3  # mm in a micrometre
 DEG = pi / 180
@@ -18,6 +19,16 @@ PERCENT = 1e-2
 
 # Internal value of one of each unit that people read.
 UNITS = {"um": UM, "mm": 1.0, "deg": DEG, "%": PERCENT, "": 1.0, "s": 1.0}
+
+
+@dataclass(frozen=True, eq=False)
+class Stage(Generic[State]):
+    """A place in a forward model at which effects change what passes there, such as a disc or the angles of a shaft.
+
+    It is told from others by identity; `name` is for messages.
+    """
+
+    name: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,25 +68,29 @@ class Effect:
         name: as it is claimed.
         stage: of the forward model at which it acts.
         parameters: their internal values, in order, are the array `act` receives.
-        act: (thing at this stage, values, stations) -> the same thing changed; exact, not linearised.
+        act: (what passes the stage, values, stations) -> the same changed; exact, not linearised.
+        quantity: what it is physically; None for what no other kind of data shows.
         family: effects of one family are never combined with each other unless it is empty.
         twins: causes that no data of this kind can tell from this one.
         confused_with: what looks like it.
         separated_by: the measurement that tells them apart.
         shape: True for a form without a name in the catalogue.
         numerous: True if it is one of many of its sort (orders, places): they enter a subset one at a time.
-        includes: name of an effect that this one becomes for some values.
+        includes: effect that this one becomes for some values.
         places: where the effect may be, the likeliest first; any effect may be `noted`.
         given: numbers that are not fitted but make it this effect, by the names they are written under.
-        beside: name of the effect without which it does nothing; with that it counts as one cause.
+        beside: effect without which it does nothing; with that it counts as one cause.
         parts: effects that it stands for while a search begins, each with its share of the parameters in order.
-        variant: tells entries of one name apart (which nose, from which width the search begins).
+        variant: makes entries of one name different (which nose, from which width the search begins).
+        cause: what its orders and places share; the name if empty.
+        one_run: True if it acts in one of the measured runs alone.
     """
 
     name: str
-    stage: str
+    stage: Stage[Any]
     parameters: tuple[Parameter, ...]
     act: Callable[[Any, Array, Any], Any]
+    quantity: Quantity | None = None
     family: str = ""
     twins: tuple[str, ...] = ()
     confused_with: str = ""
@@ -83,10 +98,12 @@ class Effect:
     shape: bool = False
     numerous: bool = False
     variant: str = ""
-    includes: str = ""
+    cause: str = ""
+    one_run: bool = False
+    includes: "Effect | None" = None
     places: tuple[Place, ...] = ("noted",)
     given: tuple[tuple[str, float], ...] = ()
-    beside: str = ""
+    beside: "Effect | None" = None
     parts: tuple["Effect", ...] = ()
 
     @property
@@ -97,7 +114,7 @@ class Effect:
     @property
     def sort(self) -> str:
         """Name of the cause: what all its orders and places share."""
-        return self.name.partition(",")[0]
+        return self.cause or self.name
 
     @property
     def steps(self) -> Array:
@@ -116,6 +133,9 @@ class Effect:
         return lower, np.array([p.upper * p.scale for p in self.parameters])
 
 
+# What the instrument shows; the forms without a name act here in every kind of data.
+READING = Stage[Array]("reading")
+
 Active = Sequence[tuple[Effect, Array]]
 
 
@@ -124,9 +144,9 @@ def causes(effects: Iterable[Effect]) -> int:
     return sum(not effect.beside for effect in effects)
 
 
-def through(stage: str, thing: Thing, active: Iterable[tuple[Effect, Array]], at: Any) -> Thing:
-    """Let every active effect of a stage act in turn."""
+def through(stage: Stage[State], state: State, active: Iterable[tuple[Effect, Array]], at: Any) -> State:
+    """Let every active effect of a stage act in turn on what passes there."""
     for effect, values in active:
-        if effect.stage == stage:
-            thing = effect.act(thing, values, at)
-    return thing
+        if effect.stage is stage:
+            state = effect.act(state, values, at)
+    return state

@@ -1,6 +1,7 @@
 """Effects of the mechanism and the instrument that show in a measured lift.
 
-Stages: `angle` (cam angle of each reading), `follower`, `reading` (what the dial shows). `at` are the `Readings`.
+Stages: `ANGLE` (cam angle of each reading), `FOLLOWER` (the `Setting`), `READING` (what the dial shows). `at` are the
+`Readings`.
 """
 
 from dataclasses import dataclass, replace
@@ -9,8 +10,9 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.follower import Follower
-from cadgen.deviations.disc import ECCENTRIC_BORE, NOSE_WIDTHS_DEG, worn_nose
-from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations import quantities
+from cadgen.deviations.disc import ECCENTRIC_BORE
+from cadgen.deviations.effect import READING, Effect, Parameter, Stage
 from cadgen.deviations.rows import Rows
 
 
@@ -35,6 +37,10 @@ class Setting:
 
     follower: Follower
     wobble: tuple[float, float] = (0.0, 0.0)
+
+
+ANGLE = Stage[Array]("angle")
+FOLLOWER = Stage[Setting]("follower")
 
 
 def _um(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
@@ -101,7 +107,7 @@ LIFT_EFFECTS = (
     replace(ECCENTRIC_BORE, places=("car", "part", "process")),
     Effect(
         name="phase",
-        stage="angle",
+        stage=ANGLE,
         parameters=(
             Parameter(
                 name="phase_deg",
@@ -113,6 +119,7 @@ LIFT_EFFECTS = (
             ),
         ),
         act=_phase,
+        quantity=quantities.CAM_PHASE,
         places=("car",),
         twins=("zero of the divider",),
         confused_with="backlash held by the spring",
@@ -120,7 +127,7 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="rod radius",
-        stage="follower",
+        stage=FOLLOWER,
         parameters=(_um("rod_radius_um", "+: the rod is too thick", 1500.0),),
         act=_rod,
         places=("car",),
@@ -130,7 +137,7 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="lever gain",
-        stage="reading",
+        stage=READING,
         parameters=(
             Parameter(
                 name="gain_percent", unit="%", lower=-5.0, upper=5.0, step=0.1, meaning="+: the dial shows too much"
@@ -143,7 +150,7 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="axial offset",
-        stage="follower",
+        stage=FOLLOWER,
         parameters=(_um("axial_offset_um", "+: the disc stands too far from the fork axis", 4000.0),),
         act=_axial,
         places=("car",),
@@ -152,7 +159,7 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="camshaft wobble",
-        stage="follower",
+        stage=FOLLOWER,
         parameters=(
             _um("wobble_cos_um", "+: at 0° of cam angle the face stands further from the fork axis", 4000.0),
             _um("wobble_sin_um", "+: at 90° of cam angle", 4000.0),
@@ -163,7 +170,7 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="lost motion by friction",
-        stage="reading",
+        stage=READING,
         parameters=(_um("lost_motion_um", "by which the dial lags behind the rod, either way", 300.0, 0.0),),
         act=_friction,
         confused_with="backlash",
@@ -171,9 +178,10 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="backlash",
-        stage="angle",
+        stage=ANGLE,
         parameters=(_play("whole play at the camshaft; the cam lags by half of it either way"),),
         act=_held_by_friction,
+        quantity=quantities.RETURN_ERROR,
         places=("car",),
         family="backlash",
         confused_with="lost motion by friction",
@@ -181,9 +189,11 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="backlash, held by the spring",
-        stage="angle",
+        cause="backlash",
+        stage=ANGLE,
         parameters=(_play("whole play at the camshaft; the spring turns the cam downhill by half of it"),),
         act=_held_by_spring,
+        quantity=quantities.RETURN_ERROR,
         places=("car",),
         family="backlash",
         confused_with="lost motion by friction",
@@ -191,7 +201,7 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="hysteresis of the dial",
-        stage="reading",
+        stage=READING,
         parameters=(_um("hysteresis_um", "+: it reads less by half of it going forward, more in reverse", 300.0),),
         act=_hysteresis,
         confused_with="drift, as each run goes forward first and then back",
@@ -199,7 +209,7 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="drift",
-        stage="reading",
+        stage=READING,
         parameters=(_um("drift_um_per_run", "+: the reading grows from a run's first row to its last", 200.0),),
         act=_drift,
         confused_with="runs that disagree",
@@ -207,7 +217,7 @@ LIFT_EFFECTS = (
     ),
     Effect(
         name="tilted indicator",
-        stage="reading",
+        stage=READING,
         parameters=(
             Parameter(
                 name="indicator_tilt_deg",
@@ -224,8 +234,3 @@ LIFT_EFFECTS = (
         separated_by="set the spindle square to the rod with a precision square and measure again",
     ),
 )
-
-
-def lift_effects(noses: int) -> tuple[Effect, ...]:
-    """The catalogue for lift data of a cam with so many noses."""
-    return LIFT_EFFECTS + tuple(worn_nose(k, width) for k in range(noses) for width in NOSE_WIDTHS_DEG)

@@ -1,7 +1,7 @@
 """Effects of the car that a cam steers, as its track shows them.
 
-Stages: `drive` (the `Drive`: numbers of the car and its train), `cam` (cam angle), `lever` (tan beta of the rod ->
-of the fork), `steering` (-> of the front wheel). `at` are the `Rows` of the stations.
+Stages: `RUNNING` (the `Running` car: its numbers, play, friction and the cam's seat), `STEERING` (tangent of the front
+wheel's angle at motor positions). `at` are the motor positions of the stations, rad.
 
 Friction and drag hold the cam on the gentler parts of each fall, where it would else run ahead by the play: they do
 nothing without play, and act beside it.
@@ -11,76 +11,59 @@ A gain of the lever and an error of the wheelbase turn every curvature into the 
 order in the angle, a yaw of the rear axle from a steering zero.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations import quantities
+from cadgen.deviations.effect import Effect, Parameter, Stage
 from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
+from cadgen.motion.drive import Running
+
+RUNNING = Stage[Running]("running")
+STEERING = Stage[Array]("steering")
 
 
-@dataclass(frozen=True)
-class Drive:
-    """The car as it runs.
-
-    Attributes:
-        wheelbase: L, mm.
-        drive_wheel_offset: A1, mm.
-        length: travel of the drive wheel for one turn of the cam, mm.
-        play: return error at the camshaft, rad.
-        friction: sliding, between rod and disc.
-        slip: share of the travel lost for each unit of |tan beta|.
-    """
-
-    wheelbase: float
-    drive_wheel_offset: float
-    length: float
-    play: float = 0.0
-    friction: float = 0.0
-    slip: float = 0.0
+def _length(run: Running, p: Array, at: object) -> Running:
+    return replace(run, length=run.length * (1 + p[0]))
 
 
-def _length(drive: Drive, p: Array, at: object) -> Drive:
-    return replace(drive, length=drive.length * (1 + p[0]))
+def _offset(run: Running, p: Array, at: object) -> Running:
+    return replace(run, car=replace(run.car, drive_wheel_offset=run.car.drive_wheel_offset + p[0]))
 
 
-def _offset(drive: Drive, p: Array, at: object) -> Drive:
-    return replace(drive, drive_wheel_offset=drive.drive_wheel_offset + p[0])
+def _slip(run: Running, p: Array, at: object) -> Running:
+    return replace(run, car=replace(run.car, slip=float(p[0])))
 
 
-def _slip(drive: Drive, p: Array, at: object) -> Drive:
-    return replace(drive, slip=float(p[0]))
+def _play(run: Running, p: Array, at: object) -> Running:
+    return replace(run, play=float(p[0]))
 
 
-def _play(drive: Drive, p: Array, at: object) -> Drive:
-    return replace(drive, play=float(p[0]))
+def _friction(run: Running, p: Array, at: object) -> Running:
+    return replace(run, friction=float(p[0]))
 
 
-def _friction(drive: Drive, p: Array, at: object) -> Drive:
-    return replace(drive, friction=float(p[0]))
+def _rubbing(run: Running, p: Array, at: object) -> Running:
+    return _friction(_play(run, p[:1], at), p[1:], at)
 
 
-def _rubbing(drive: Drive, p: Array, at: object) -> Drive:
-    return _friction(_play(drive, p[:1], at), p[1:], at)
+def _phase(run: Running, p: Array, at: object) -> Running:
+    return replace(run, phase=run.phase + float(p[0]))
 
 
-def _phase(angle: Array, p: Array, at: object) -> Array:
-    return np.asarray(angle + p[0])
+def _zero(run: Running, p: Array, at: object) -> Running:
+    return replace(run, car=replace(run.car, steering_zero=run.car.steering_zero + float(p[0])))
 
 
-def _zero(steering: Array, p: Array, at: object) -> Array:
-    tangent = np.tan(p[0])
-    return np.asarray((steering + tangent) / (1 - steering * tangent))
-
-
-def _gain(steering: Array, p: Array, at: object) -> Array:
-    return np.asarray(steering * (1 + p[0]))
+def _gain(run: Running, p: Array, at: object) -> Running:
+    return replace(run, car=replace(run.car, steering_gain=run.car.steering_gain * (1 + float(p[0]))))
 
 
 BACKLASH = Effect(
     name="backlash",
-    stage="drive",
+    stage=RUNNING,
     parameters=(
         Parameter(
             name="return_error_deg",
@@ -92,6 +75,7 @@ BACKLASH = Effect(
         ),
     ),
     act=_play,
+    quantity=quantities.RETURN_ERROR,
     places=("car",),
     family="play",
     confused_with="cam phase, steering zero",
@@ -99,11 +83,12 @@ BACKLASH = Effect(
 )
 SLIDING_FRICTION = Effect(
     name="sliding friction",
-    stage="drive",
+    stage=RUNNING,
     parameters=(friction(step=0.002),),
     act=_friction,
+    quantity=quantities.SLIDING_FRICTION,
     places=("car",),
-    beside="backlash",
+    beside=BACKLASH,
     twins=DRAG,
     confused_with="less play",
     separated_by=MEASURE_FRICTION,
@@ -112,7 +97,7 @@ SLIDING_FRICTION = Effect(
 TRACK_EFFECTS = (
     Effect(
         name="steering zero",
-        stage="steering",
+        stage=RUNNING,
         parameters=(
             Parameter(
                 name="steering_zero_deg",
@@ -131,7 +116,7 @@ TRACK_EFFECTS = (
     ),
     Effect(
         name="lever gain",
-        stage="lever",
+        stage=RUNNING,
         parameters=(
             Parameter(
                 name="gain_percent",
@@ -150,7 +135,7 @@ TRACK_EFFECTS = (
     ),
     Effect(
         name="wheel radius",
-        stage="drive",
+        stage=RUNNING,
         parameters=(
             Parameter(
                 name="wheel_radius_percent",
@@ -169,7 +154,7 @@ TRACK_EFFECTS = (
     ),
     Effect(
         name="driven wheel's offset",
-        stage="drive",
+        stage=RUNNING,
         parameters=(
             Parameter(
                 name="drive_wheel_offset_mm",
@@ -187,7 +172,7 @@ TRACK_EFFECTS = (
     ),
     Effect(
         name="slip with curvature",
-        stage="drive",
+        stage=RUNNING,
         parameters=(
             Parameter(
                 name="slip_percent",
@@ -205,7 +190,7 @@ TRACK_EFFECTS = (
     ),
     Effect(
         name="cam phase",
-        stage="cam",
+        stage=RUNNING,
         parameters=(
             Parameter(
                 name="phase_deg",
@@ -217,6 +202,7 @@ TRACK_EFFECTS = (
             ),
         ),
         act=_phase,
+        quantity=quantities.CAM_PHASE,
         places=("car",),
         confused_with="backlash",
         separated_by="mark the keyway and the rod's place at the start",
@@ -235,7 +221,7 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
 
     return Effect(
         name=f"steering off near {centre_deg:.0f} deg over {width_deg:.0f} deg",
-        stage="steering",
+        stage=STEERING,
         parameters=(Parameter(name="steering_bump_percent", unit="%", lower=-20.0, upper=20.0, step=0.02),),
         act=act,
         shape=True,
@@ -244,7 +230,7 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
     )
 
 
-def track_effects() -> tuple[Effect, ...]:
-    """The catalogue for tracks, with play at several frictions to begin from, and the local forms that compete."""
+def track_forms() -> tuple[Effect, ...]:
+    """Play at several frictions for a search to begin from, and the local forms that compete."""
     bumps = [steering_bump(c, w) for w in (5.0, 15.0) for c in np.arange(w / 2, 360.0, w)]
-    return (*TRACK_EFFECTS, *(rubbing(BACKLASH, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS), *bumps)
+    return (*(rubbing(BACKLASH, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS), *bumps)

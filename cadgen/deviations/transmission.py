@@ -1,6 +1,6 @@
 """Effects of the train between motor and camshaft, and of the encoders at its ends.
 
-Stages: `ratio` and `mesh` (angle that the gears ask of the camshaft), `play` (what the camshaft makes of it). `at` are
+Stages: `RATIO` and `MESH` (angle that the gears ask of the camshaft), `PLAY` (what the camshaft makes of it). `at` are
 the `Turns`.
 """
 
@@ -10,7 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations import quantities
+from cadgen.deviations.effect import Effect, Parameter, Stage
 from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
 from cadgen.deviations.rows import Rows
 
@@ -39,6 +40,11 @@ class Play:
 
     width: float = 0.0
     friction: float | None = None
+
+
+RATIO = Stage[Array]("ratio")
+MESH = Stage[Array]("mesh")
+PLAY = Stage[Play]("play")
 
 
 def _deg(name: str, meaning: str, limit: float, lower: float | None = None) -> Parameter:
@@ -75,9 +81,10 @@ def _periodic(order: float) -> Callable[[Array, Array, Turns], Array]:
 
 RETURN_ERROR = Effect(
     name="return error",
-    stage="play",
+    stage=PLAY,
     parameters=(_deg("return_error_deg", "whole play at the camshaft, between two stops", 5.0, 0.0),),
     act=_play,
+    quantity=quantities.RETURN_ERROR,
     places=("car",),
     family="play",
     twins=("wind-up under friction", "lag at one speed"),
@@ -86,18 +93,19 @@ RETURN_ERROR = Effect(
 )
 SLIDING_FRICTION = Effect(
     name="sliding friction",
-    stage="play",
+    stage=PLAY,
     parameters=(replace(friction(step=0.02), stepwise=True),),
     act=_friction,
+    quantity=quantities.SLIDING_FRICTION,
     places=("car",),
-    beside="return error",
+    beside=RETURN_ERROR,
     twins=DRAG,
     confused_with="a lifted rod, where it is large",
     separated_by=MEASURE_FRICTION,
 )
 RATE = Effect(
     name="rate",
-    stage="ratio",
+    stage=RATIO,
     parameters=(
         Parameter(
             name="rate_percent",
@@ -115,7 +123,7 @@ RATE = Effect(
 )
 WIND_UP = Effect(
     name="wind-up",
-    stage="mesh",
+    stage=MESH,
     parameters=(_deg("wind_up_deg", "+: the camshaft lags where the cam is steepest up", 5.0),),
     act=_wind_up,
     confused_with="runout of the camshaft",
@@ -127,7 +135,7 @@ def runout(shaft: str, order: float) -> Effect:
     """A gear (or encoder disc) off centre on a shaft that turns `order` times for one turn of the cam."""
     return Effect(
         name=f"runout of {shaft}",
-        stage="mesh",
+        stage=MESH,
         parameters=(
             _deg("runout_cos_deg", "+: the camshaft is ahead where that shaft has turned by 0°", 5.0),
             _deg("runout_sin_deg", "+: where it has turned by 90°", 5.0),
@@ -143,7 +151,7 @@ def tooth_mesh(stage: int, order: float) -> Effect:
     """Once for each tooth of a stage: pitch and profile errors that all teeth share."""
     return Effect(
         name=f"tooth mesh of stage {stage}",
-        stage="mesh",
+        stage=MESH,
         parameters=(
             _deg("mesh_cos_deg", "+: the camshaft is ahead at the start of each tooth", 2.0),
             _deg("mesh_sin_deg", "+: a quarter of a tooth later", 2.0),
@@ -154,8 +162,11 @@ def tooth_mesh(stage: int, order: float) -> Effect:
     )
 
 
-def transmission_effects(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int) -> tuple[Effect, ...]:
-    """The catalogue for a train.
+TRAIN_EFFECTS = (RETURN_ERROR, SLIDING_FRICTION, RATE, WIND_UP)
+
+
+def train_orders(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int) -> tuple[Effect, ...]:
+    """Effects of a train that repeat with its shafts and teeth, and play at several frictions to begin from.
 
     Args:
         ratios: of each stage, from the motor to the camshaft.
@@ -164,8 +175,7 @@ def transmission_effects(ratios: tuple[float, ...], teeth: tuple[int, ...], high
     """
     orders = [float(np.prod(ratios[k:])) for k in range(len(ratios) + 1)]
     names = ["the motor shaft", *(f"shaft {k}" for k in range(1, len(ratios))), "the camshaft"]
-    effects = [RETURN_ERROR, SLIDING_FRICTION, RATE, WIND_UP]
-    effects += [rubbing(RETURN_ERROR, SLIDING_FRICTION, _rubbing, start) for start in (0.0, *FRICTIONS)]
+    effects = [rubbing(RETURN_ERROR, SLIDING_FRICTION, _rubbing, start) for start in (0.0, *FRICTIONS)]
     effects += [runout(n, o) for n, o in zip(names, orders, strict=True) if o <= highest]
     meshes = [(k + 1, z * orders[k + 1]) for k, z in enumerate(teeth)]
     return tuple(effects + [tooth_mesh(stage, order) for stage, order in meshes if order <= highest])

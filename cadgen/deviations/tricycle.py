@@ -1,7 +1,7 @@
 """Effects of a car whose steered and driven front wheel is logged: zero, gain, wheelbase, odometer, lag, markers.
 
-Stages: `steering` (angle of the front wheel, rad), `delay` (s), `travel` (mm of the front wheel for each step),
-`wheelbase` (mm), `marker` (place of the markers from the rear axle's centre, as x + iy, mm). `at` are the `Log`.
+Stages: `STEERING` (angle of the front wheel, rad), `DELAY` (s), `TRAVEL` (mm of the front wheel for each step),
+`WHEELBASE` (mm), `MARKER` (place of the markers from the rear axle's centre, as x + iy, mm). `at` are the `Log`.
 """
 
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.effect import Effect, Parameter, Stage
 from cadgen.deviations.rows import Rows
 
 
@@ -19,6 +19,13 @@ class Log(Rows):
 
     time: Array
     steering: Array
+
+
+STEERING = Stage[Array]("steering")
+DELAY = Stage[float]("delay")
+TRAVEL = Stage[Array]("travel")
+WHEELBASE = Stage[float]("wheelbase")
+MARKER = Stage[complex]("marker")
 
 
 def _add(value: Array, p: Array, at: Log) -> Array:
@@ -50,7 +57,7 @@ ON_THE_SPOT = "turn on the spot with the wheel at 90 degrees: there the rate of 
 TRICYCLE_EFFECTS = (
     Effect(
         name="steering zero",
-        stage="steering",
+        stage=STEERING,
         parameters=(
             Parameter(
                 name="steering_zero_deg",
@@ -67,7 +74,7 @@ TRICYCLE_EFFECTS = (
     ),
     Effect(
         name="steering gain",
-        stage="steering",
+        stage=STEERING,
         parameters=(_percent("gain_percent", "+: the wheel turns more than was logged", 30.0),),
         act=_times,
         confused_with="wheelbase, as long as the wheel turns little",
@@ -75,7 +82,7 @@ TRICYCLE_EFFECTS = (
     ),
     Effect(
         name="wheelbase",
-        stage="wheelbase",
+        stage=WHEELBASE,
         parameters=(_percent("wheelbase_percent", "+: longer than said", 30.0),),
         act=_times,
         confused_with="steering gain, as long as the wheel turns little",
@@ -83,7 +90,7 @@ TRICYCLE_EFFECTS = (
     ),
     Effect(
         name="wheel radius",
-        stage="travel",
+        stage=TRAVEL,
         parameters=(_percent("wheel_radius_percent", "+: the car goes further than was logged", 10.0),),
         act=_times,
         twins=("scale of the odometer",),
@@ -91,7 +98,7 @@ TRICYCLE_EFFECTS = (
     ),
     Effect(
         name="lag of the steering",
-        stage="delay",
+        stage=DELAY,
         parameters=(
             Parameter(
                 name="lag_s",
@@ -108,7 +115,7 @@ TRICYCLE_EFFECTS = (
     ),
     Effect(
         name="offset of the markers",
-        stage="marker",
+        stage=MARKER,
         parameters=(
             _mm("marker_ahead_mm", "+: ahead of the rear axle"),
             _mm("marker_left_mm", "+: left of its middle"),
@@ -119,7 +126,7 @@ TRICYCLE_EFFECTS = (
     ),
     Effect(
         name="slip with steering",
-        stage="travel",
+        stage=TRAVEL,
         parameters=(_percent("slip_percent", "+: travel lost, for each unit of |sin(steering)|", 30.0),),
         act=_slip,
         confused_with="wheel radius, wheelbase",

@@ -6,15 +6,15 @@ import numpy as np
 from scipy.stats import f as f_distribution
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import DEG, UNITS, causes
+from cadgen.deviations.effect import UNITS, causes
 from cadgen.deviations.friction import NO_FRICTION
 from cadgen.errors import FileError
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import Hypothesis
-from cadgen.measurement.load import instrument
 from cadgen.measurement.models.base import Model, highest_order
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
+from cadgen.measurement.remarks import instrument
 from cadgen.measurement.search import LARGEST_SUBSET
 from cadgen.measurement.verdict import SIGMAS, Judgement, unclaimed, within_error, within_words
 
@@ -33,13 +33,6 @@ UNFIT = 0.01
 TYPICAL = Spectrum(1.0, 6.0, 1.0)
 LEAST_TURN_DEG = 300.0
 LEAST_OVER = 1.1  # rows for each column that one run must tell apart
-# What the instrument reads, by kind.
-READINGS = {
-    "lift": ("lift_mm",),
-    "profile": ("x_mm", "y_mm"),
-    "transmission": ("cam_angle_deg",),
-    "track": ("x_mm", "y_mm"),
-}
 LEAST_ORDERS = 30  # below this, waviness and narrow bumps stand between the readings
 
 
@@ -57,14 +50,14 @@ def refuse_too_few(record: Record, model: Model) -> None:
         )
 
 
-def resolved(record: Record, model: Model, noise: Noise) -> Noise:
+def resolved(record: Record, noise: Noise) -> Noise:
     """Noise no smaller than the steps of the instrument make: readings may repeat to the last digit."""
     steps = []
-    for column in READINGS[model.kind]:
+    for column in record.kind.readings:
         apart = np.diff(np.unique(record[column]))
         # Rounding of decimal numbers leaves steps of 1e-13 that are none.
         steps.append(float(np.min(apart[apart > 1e-9], initial=1.0)))
-    least = min(steps) / np.sqrt(12) * (DEG if READINGS[model.kind][0].endswith("deg") else 1.0)
+    least = min(steps) / np.sqrt(12) * UNITS[record.kind.reading_unit]
     return replace(noise, sigma=np.maximum(noise.sigma, least))
 
 
@@ -143,7 +136,7 @@ def _no_noise(record: Record, model: Model, noise: Noise) -> str:
             "the rows in the order in which they were measured."
         )
     stated = instrument(record)
-    if noise.runs > 1 and noise.rms > BEYOND_INSTRUMENT * stated.noise * UNITS.get(stated.unit, 1.0):
+    if stated and noise.runs > 1 and noise.rms > BEYOND_INSTRUMENT * stated.noise * UNITS[stated.unit]:
         return (
             f"The runs differ by {noise.rms / UNITS[model.unit]:.3g} {model.unit}, but the file says that the "
             f"instrument's noise is {stated.noise:g} {stated.unit}: write the rows in the order in which they were "
@@ -157,7 +150,7 @@ def _too_little(record: Record, model: Model) -> list[str]:
     rows, limits = model.rows, []
     if "direction" in record.columns and len(set(record.columns["direction"].tolist())) == 1:
         limits.append("measured in one direction only: backlash and friction cannot be told from an offset or a phase")
-    if record.kind not in ("lift", "profile"):
+    if not record.kind.around:
         return limits
     orders = highest_order(rows.place, rows.run)
     if orders < LEAST_ORDERS:

@@ -82,4 +82,4 @@ def _pair(best: Hypothesis) -> tuple[Effect, Effect] | None:
     friction = next((e for e in best.effects if e.beside), None)
     if friction is None:
         return None
-    return next(e for e in best.effects if e.name == friction.beside), friction
+    return next(e for e in best.effects if e == friction.beside), friction

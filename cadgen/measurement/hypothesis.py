@@ -20,8 +20,8 @@ _MOST_STEPS = 12
 LEAST_PRICE = 2 * log(10)
 # Steps of the trials for a value that what is expected answers in steps, so many to either side, moved so often.
 _COARSE, _FINE, _REACH, _MOST_MOVES = 0.015, 0.0025, 6, 3
-# A fitted value this close to a bound, relative to the range, stands on it.
-_AT_BOUND = 1e-6
+# A fit begins this far inside the bounds, relative to the range, and a value this close to one at its end stands on it.
+_AT_BOUND, _NEAR_BOUND = 1e-6, 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +36,7 @@ class Hypothesis:
         penalty: for the number of parameters and the size of the catalogue searched.
         within, beyond: spectrum of least misfit that keeps the stated floor, and that exceeds it.
         at_bound: names of parameters that stand on a physical bound.
-        spectrum: of the form error that is told with it.
+        spectrum: of the form error that is reported with it.
     """
 
     effects: tuple[Effect, ...]
@@ -72,7 +72,7 @@ class Hypothesis:
     @property
     def reach(self) -> frozenset[str]:
         """Its key and that of every effect it becomes for some values: subsets within it are nested in it."""
-        return self.key | {effect.includes for effect in self.effects if effect.includes}
+        return self.key | {effect.includes.key for effect in self.effects if effect.includes}
 
     @property
     def claims(self) -> frozenset[str]:
@@ -82,7 +82,7 @@ class Hypothesis:
     @property
     def holds(self) -> frozenset[str]:
         """The claims, and the names of what they become for some values."""
-        return self.claims | {effect.includes for effect in self.effects if effect.includes}
+        return self.claims | {effect.includes.name for effect in self.effects if effect.includes}
 
     def at(self, evidence: Evidence, *, loose: bool) -> "Hypothesis":
         """The same with the spectrum that keeps the floor, or with the one that exceeds it."""
@@ -154,7 +154,6 @@ def fit(
     chosen = (*model.datum, *effects)
     begin = {effect.key: values for effect, values in start}
     bounds = np.concatenate([e.bounds for e in chosen], axis=1) if chosen else np.empty((2, 0))
-    lower, upper = bounds
     x = np.concatenate([begin.get(e.key, e.start) for e in chosen]) if chosen else np.empty(0)
     steps = np.concatenate([e.steps for e in chosen]) if chosen else np.empty(0)
     cuts = np.cumsum([len(e.parameters) for e in chosen])[:-1]
@@ -178,26 +177,12 @@ def fit(
     if stepwise.any():
         x, _ = _tried(misfit_at, x, stepwise, bounds, _COARSE)
     misfit = misfit_at(x)
-    spectrum = _least(misfit, evidence.within)
-    covariance = np.empty((0, 0))
+    spectrum, covariance = _least(misfit, evidence.within), np.empty((0, 0))
     if len(x):
         # The best spectrum may change as the fit improves: once more if it does.
         for _ in range(3):
-            inside = np.clip(x, lower + _AT_BOUND * (upper - lower), upper - _AT_BOUND * (upper - lower))
-            solution = least_squares(
-                white,
-                inside,
-                jac=tangents,
-                args=(spectrum,),
-                bounds=(lower, upper),
-                x_scale=steps,
-                ftol=1e-7,
-                max_nfev=_MOST_STEPS,
-            )
-            x = solution.x
+            x, covariance = _settled(white, tangents, x, spectrum, bounds, steps)
             misfit = misfit_at(x)
-            jacobian = np.asarray(solution.jac)
-            covariance = np.linalg.pinv(jacobian.T @ jacobian)
             before, spectrum = spectrum, _least(misfit, evidence.within)
             if spectrum == before:
                 break
@@ -205,8 +190,6 @@ def fit(
             x, variance = _tried(misfit_at, x, stepwise, bounds, _FINE)
             covariance[np.diag_indices(len(x))] += np.where(stepwise, variance, 0.0)
             misfit = misfit_at(x)
-    near = 1e-3 * (upper - lower)
-    names = [p.name for e in chosen for p in e.parameters]
     parameters = sum(len(e.parameters) for e in effects)
     return Hypothesis(
         effects=effects,
@@ -217,8 +200,39 @@ def fit(
         within=spectrum,
         beyond=_least(misfit, ~evidence.within),
         spectrum=evidence.grid[spectrum],
-        at_bound=tuple(n for n, v, a, b, w in zip(names, x, lower, upper, near, strict=True) if v < a + w or v > b - w),
+        at_bound=_on_bounds(chosen, x, bounds),
     )
+
+
+def _settled(
+    white: Callable[[Array, int], Array],
+    tangents: Callable[[Array, int], Array],
+    x: Array,
+    spectrum: int,
+    bounds: Array,
+    steps: Array,
+) -> tuple[Array, Array]:
+    """Values of least squares for one spectrum, and their covariance."""
+    margin = _AT_BOUND * (bounds[1] - bounds[0])
+    solution = least_squares(
+        white,
+        np.clip(x, bounds[0] + margin, bounds[1] - margin),
+        jac=tangents,
+        args=(spectrum,),
+        bounds=tuple(bounds),
+        x_scale=steps,
+        ftol=1e-7,
+        max_nfev=_MOST_STEPS,
+    )
+    jacobian = np.asarray(solution.jac)
+    return solution.x, np.linalg.pinv(jacobian.T @ jacobian)
+
+
+def _on_bounds(effects: tuple[Effect, ...], values: Array, bounds: Array) -> tuple[str, ...]:
+    """Names of the parameters whose values stand on a bound of what can be."""
+    near = _NEAR_BOUND * (bounds[1] - bounds[0])
+    on = (values < bounds[0] + near) | (values > bounds[1] - near)
+    return tuple(p.name for p, stuck in zip((p for e in effects for p in e.parameters), on, strict=True) if stuck)
 
 
 def _tried(

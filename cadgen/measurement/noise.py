@@ -28,7 +28,7 @@ class Noise:
         correlation: between neighbours in a run.
         slip: standard deviation of the abscissa's error that a run shares, internal units of the abscissa.
         runs: how many there were; with one, sigma also holds what repeats.
-        freedom: degrees of freedom from which it was told; 0 if that is not known.
+        freedom: degrees of freedom from which it was estimated; 0 if that is not known.
     """
 
     sigma: Array

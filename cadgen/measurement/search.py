@@ -201,8 +201,7 @@ def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
             chosen = [effects[i] for i in subset]
             if not _compatible(chosen):
                 continue
-            names = {e.name for e in chosen}
-            companions = [i for i, e in enumerate(effects) if e.beside in names]
+            companions = [i for i, e in enumerate(effects) if e.beside in chosen]
             for more in range(len(companions) + 1):
                 yield from (tuple(sorted(subset + some)) for some in combinations(companions, more))
 

@@ -1,6 +1,6 @@
 """Forms without a name that compete with the catalogue, so that an unknown effect is not forced into a known name.
 
-All act at the stage `reading` on what the instrument shows, and know a row only by its place, time and run.
+All act at the stage `READING` on what the instrument shows, and know a row only by its place, time and run.
 """
 
 from collections.abc import Callable
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.deviations.effect import UNITS, Effect, Parameter
+from cadgen.deviations.effect import READING, UNITS, Effect, Parameter
 from cadgen.deviations.rows import Rows
 
 BUMP_WIDTHS_DEG = (2.0, 4.0, 8.0, 16.0)
@@ -75,16 +75,21 @@ def step(run: int, when: float, unit: str) -> Effect:
         return np.asarray(reading + p[0] * ((at.run == run) & (at.elapsed >= when)))
 
     name = f"step in run {run + 1} at {100 * (when + 0.5):.0f} % of it"
-    return _shape(name, (_size("step", unit),), act)
+    return _shape(name, (_size("step", unit),), act, one_run=True)
 
 
 def _shape(
-    name: str, parameters: tuple[Parameter, ...], act: Callable[[Array, Array, Rows], Array], variant: str = ""
+    name: str,
+    parameters: tuple[Parameter, ...],
+    act: Callable[[Array, Array, Rows], Array],
+    variant: str = "",
+    one_run: bool = False,
 ) -> Effect:
     return Effect(
         name=name,
         variant=variant,
-        stage="reading",
+        one_run=one_run,
+        stage=READING,
         parameters=parameters,
         act=act,
         shape=True,

@@ -6,7 +6,8 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active
-from cadgen.measurement.diagnose import Candidate, Diagnosis, Finding, PerRun, Residual, Step, Value
+from cadgen.measurement.diagnose import Step
+from cadgen.measurement.findings import Finding, PathCandidate, PathDiagnosis, PathError, PathErrors, Value
 from cadgen.measurement.leave_out import LEAST_RUNS, LeftOut, Trial, leave_runs_out
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.record import Record
@@ -16,7 +17,7 @@ from cadgen.measurement.verdict import Judgement, Verdict, unclaimed, within_wor
 LEAST_GAIN = 0.1
 
 
-def diagnose_steered(record: Record, build: Callable[[Record], Model], step: Step = lambda text: None) -> Diagnosis:
+def diagnose_steered(record: Record, build: Callable[[Record], Model], step: Step = lambda text: None) -> PathDiagnosis:
     """Trace the path error of logged runs to effects; of fewer than `LEAST_RUNS` runs nothing is claimed."""
     step(f"{record.source}: leaving runs out")
     model = build(record)
@@ -25,31 +26,23 @@ def diagnose_steered(record: Record, build: Callable[[Record], Model], step: Ste
     findings = _findings(chosen)
     active = _active(chosen)
     as_logged = model.residual([])
-    return Diagnosis(
+    return PathDiagnosis(
         source=record.source,
         kind=record.kind,
         unit=model.unit,
         judgement=_judgement(left_out),
         findings=findings,
-        datum=(),
         candidates=tuple(
-            Candidate(tuple(e.name for e in t.effects), t.error, t.error, _findings(t), tuple(t.held_out.tolist()))
+            PathCandidate(tuple(e.name for e in t.effects), t.error, _findings(t), tuple(t.held_out.tolist()))
             for t in left_out.trials
         ),
-        residual=Residual(
-            before=float(left_out.before.mean()),
-            after=float(chosen.fitted.mean()),
-            held_out=chosen.error,
-            held_out_repeating=float("nan"),
-            noise=float("nan"),
-        ),
-        per_run=PerRun(
+        residual=PathError(float(left_out.before.mean()), float(chosen.fitted.mean()), chosen.error),
+        per_run=PathErrors(
             left_out.before,
             chosen.fitted,
             chosen.held_out,
             np.array([np.sqrt(2 * np.mean(as_logged[model.rows.run == run] ** 2)) for run in range(record.runs)]),
         ),
-        correlation=float("nan"),
         place=model.rows.place,
         run=model.rows.run.astype(float),
         before=_registered(model, []),
@@ -98,27 +91,27 @@ def _judgement(left_out: LeftOut) -> Judgement:
         verdict, common, sentence = "none", set(), "No effect lowers the path error on runs left out."
     elif runs < LEAST_RUNS:
         verdict, common = "ambiguous", set()
-        sentence = f"Consistent with {_told(chosen)}, but too few runs to tell it from chance."
+        sentence = f"Consistent with {_names(chosen)}, but too few runs to tell it from chance."
     elif rivals:
         verdict = "ambiguous"
-        sentence = f"Consistent with {_told(chosen)}; or {'; or '.join(_told(t) for t in rivals)}."
+        sentence = f"Consistent with {_names(chosen)}; or {'; or '.join(_names(t) for t in rivals)}."
     else:
         verdict = "traced" if len(names) == 1 else "combination"
         sentence = (
-            f"Traced to {_told(chosen)}: the path error on runs left out falls from "
+            f"Traced to {_names(chosen)}: the path error on runs left out falls from "
             f"{before:.0f} to {chosen.error:.0f} mm."
         )
-    told = [chosen, *rivals] if verdict != "none" else []
+    likely = [chosen, *rivals] if verdict != "none" else []
     limits: tuple[str, ...] = ()
     if runs < LEAST_RUNS:
         given = "one run" if runs == 1 else f"{runs} runs"
         limits = (f"{given} only: give at least {LEAST_RUNS}, to judge on runs left out",)
-    separate = {e.name: e.separated_by for t in told for e in t.effects}
+    separate = {e.name: e.separated_by for t in likely for e in t.effects}
     judgement = Judgement(
         verdict=verdict,
         sentence=sentence,
         claimed=tuple(sorted(common)),
-        reported=tuple(sorted({e.name for t in told for e in t.effects})),
+        reported=tuple(sorted({e.name for t in likely for e in t.effects})),
         rivals=tuple(tuple(e.name for e in t.effects) for t in rivals),
         separate=tuple(f"{name}: {how}" for name, how in separate.items()),
         limits=limits,
@@ -133,5 +126,5 @@ def _judgement(left_out: LeftOut) -> Judgement:
     return unclaimed(judgement, unsure, f"{within_words(chosen.sigmas)}, which {runs} runs cannot tell from chance")
 
 
-def _told(trial: Trial) -> str:
+def _names(trial: Trial) -> str:
     return " and ".join(e.name for e in trial.effects)

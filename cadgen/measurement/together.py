@@ -1,9 +1,9 @@
 """Several kinds of data of one car: what one record claims is known to the others.
 
 An effect has a name of its own in each kind of data (play is *backlash* in a track, a *return error* in a train); what
-they mean is one physical thing. Where two records claim it, their values must agree; where one is ambiguous, the claim
-of another leaves only those of its likely subsets that hold it. What a lift shows beside a disc whose bore is known
-from its profile is the shaft's: a thing of its own, and nothing to compare with the whole.
+they mean is one physical quantity. Where two records claim it, their values must agree; where one is ambiguous, the
+claim of another leaves only those of its likely subsets that hold it. What a lift shows beside a disc whose bore is
+known from its profile is the shaft's: a quantity of its own, and nothing to compare with the whole.
 """
 
 from collections.abc import Sequence
@@ -14,8 +14,9 @@ import numpy as np
 from scipy.stats import chi2
 
 from cadgen.deviations.friction import NO_FRICTION
-from cadgen.deviations.names import Kind
-from cadgen.measurement.diagnose import Diagnosis, Finding, Value
+from cadgen.deviations.quantities import ECCENTRIC_BORE, RETURN_ERROR, Quantity
+from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Value
+from cadgen.measurement.record import Kind
 
 # Less likely than this, and the values are not those of one effect.
 AGREE = 1e-3
@@ -23,22 +24,8 @@ AGREE = 1e-3
 # Play beyond this share of the tabled return error would have been seen: what is certainly less is none.
 NO_PLAY = 0.1
 
-# Physical things -> their names by kind of data, the kind first that shows best what the car does.
-THINGS: dict[str, tuple[tuple[str, str], ...]] = {
-    "return error": (
-        ("track", "backlash"),
-        ("zones", "return error"),
-        ("transmission", "return error"),
-        ("lift", "backlash"),
-        ("lift", "backlash, held by the spring"),
-    ),
-    "sliding friction": (("track", "sliding friction"), ("transmission", "sliding friction")),
-    "cam phase": (("track", "cam phase"), ("lift", "phase")),
-    "eccentric bore": (("profile", "eccentric bore"), ("lift", "eccentric bore")),
-    "worn nose": (("profile", "worn nose"), ("lift", "worn nose")),
-}
 # What an effect is that shows beside the same one of a known profile.
-BESIDE_PROFILE = {"eccentric bore": "run-out of the shaft"}
+BESIDE_PROFILE = {ECCENTRIC_BORE: Quantity("run-out of the shaft")}
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,38 +46,32 @@ class Claim:
     informed: bool = False
 
     @property
-    def thing(self) -> str:
+    def quantity(self) -> Quantity:
         """What it is physically."""
-        name = self.finding.effect
+        quantity = self.kind.quantity(self.finding.effect)
         if self.remainder:
-            return BESIDE_PROFILE.get(name, f"{name} beside the profile's ({self.kind})")
-        return _thing(self.kind, name)
+            beside = Quantity(f"{self.finding.effect} beside the profile's ({self.kind.code})")
+            return BESIDE_PROFILE.get(quantity, beside)
+        return quantity
 
     @property
     def absent(self) -> bool:
         """True if what is claimed is that there is none of it."""
         return all(value.value == 0 for value in self.finding.values)
 
-    @property
-    def rank(self) -> int:
-        """Place among the kinds that show this thing, the best first."""
-        places = THINGS.get(self.thing, ())
-        name = (self.kind, self.finding.effect)
-        return places.index(name) if name in places else len(places)
-
 
 @dataclass(frozen=True, slots=True)
 class Shared:
-    """A physical thing found in several records.
+    """A physical quantity found in several records.
 
     Attributes:
-        thing: its name.
+        quantity: which.
         values: means weighted by their variances.
         sources: of the records.
         chance: of values so far apart if they were one effect's.
     """
 
-    thing: str
+    quantity: Quantity
     values: tuple[Value, ...]
     sources: tuple[str, ...]
     chance: float
@@ -116,9 +97,9 @@ class Settled:
     left: tuple[tuple[str, ...], ...]
 
 
-def claims(told: Diagnosis) -> tuple[Claim, ...]:
+def claims(diagnosis: Diagnosis) -> tuple[Claim, ...]:
     """What a diagnosis claims."""
-    return tuple(_claim(told, f) for f in told.findings if f.effect in told.judgement.claimed)
+    return tuple(_claim(diagnosis, f) for f in diagnosis.findings if f.effect in diagnosis.judgement.claimed)
 
 
 def no_play(source: str, kind: Kind, fitted: Finding, tabled_deg: float) -> Claim | None:
@@ -146,7 +127,7 @@ def _absent(source: str, kind: Kind, fitted: Finding, most: float) -> Claim | No
 
 
 def at_work(found: Sequence[Claim]) -> tuple[Claim, Claim]:
-    """Of the claims of one thing that which stands for all, as it was found and as it is taken.
+    """Of the claims of one quantity that which stands for all, as it was found and as it is taken.
 
     Where they agree it is the most accurate one, with the mean of all; where they do not, the one whose kind of data
     is nearest to what the car drives with, as it was found.
@@ -155,68 +136,64 @@ def at_work(found: Sequence[Claim]) -> tuple[Claim, Claim]:
         return informed, informed
     common = shared(found)
     if not (common and common[0].agrees):
-        best = min(found, key=lambda claim: claim.rank)
+        best = min(found, key=lambda claim: claim.kind.nearness)
         return best, best
     best = min(found, key=lambda claim: float(np.prod([value.sigma for value in claim.finding.values])))
     return best, replace(best, finding=replace(best.finding, values=common[0].values))
 
 
 def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
-    """Things claimed in two records or more, with their common values."""
+    """Quantities claimed in two records or more, with their common values."""
     out = []
-    for thing in dict.fromkeys(claim.thing for claim in found):
-        several = [claim for claim in found if claim.thing == thing and not claim.informed]
+    for quantity in dict.fromkeys(claim.quantity for claim in found):
+        several = [claim for claim in found if claim.quantity == quantity and not claim.informed]
         if len({claim.source for claim in several}) > 1:
             values, chance = _mean([claim.finding for claim in several])
-            out.append(Shared(thing, values, tuple(claim.source for claim in several), chance))
+            out.append(Shared(quantity, values, tuple(claim.source for claim in several), chance))
     return tuple(out)
 
 
-def settled(told: Diagnosis, others: Sequence[Claim]) -> Settled | None:
+def settled(diagnosis: Diagnosis, others: Sequence[Claim]) -> Settled | None:
     """What the claims of other records decide in an ambiguous one, or None.
 
-    Of its likely subsets those remain that hold every thing that another record claims and that at least one of them
+    Of its likely subsets those remain that hold every quantity that another record claims and that at least one of them
     holds, with a value that agrees; claimed is what all of them have in common.
     """
     likely = {
-        tuple(sorted(f.effect for f in told.findings)),
-        *(tuple(sorted(names)) for names in told.judgement.rivals),
+        tuple(sorted(f.effect for f in diagnosis.findings)),
+        *(tuple(sorted(names)) for names in diagnosis.judgement.rivals),
     }
-    subsets = [c for c in told.candidates if tuple(sorted(c.effects)) in likely]
-    if told.verdict != "ambiguous" or told.runs < 2 or len(subsets) < 2:
+    subsets = [c for c in diagnosis.candidates if tuple(sorted(c.effects)) in likely]
+    if diagnosis.verdict != "ambiguous" or diagnosis.runs < 2 or len(subsets) < 2:
         return None
     left, by = subsets, []
     for claim in others:
-        holding = [c for c in left if any(_same(claim, _claim(told, f)) for f in c.findings)]
+        holding = [c for c in left if any(_same(claim, _claim(diagnosis, f)) for f in c.findings)]
         if holding and len(holding) < len(left):
             left = holding
             by.append(claim)
-    common = set(left[0].effects).intersection(*(c.effects for c in left)) - set(told.judgement.claimed)
+    common = set(left[0].effects).intersection(*(c.effects for c in left)) - set(diagnosis.judgement.claimed)
     if not by or not common:
         return None
-    new = tuple(_claim(told, f) for f in left[0].findings if f.effect in common and not f.within_error)
+    new = tuple(_claim(diagnosis, f) for f in left[0].findings if f.effect in common and not f.within_error)
     if not new:
         return None
     return Settled(new, tuple(by), tuple(c.effects for c in left))
 
 
-def _claim(told: Diagnosis, finding: Finding) -> Claim:
-    informed = told.play_known and _thing(told.kind, finding.effect) == "return error"
-    return Claim(told.source, told.kind, finding, finding.effect in told.known, informed)
+def _claim(diagnosis: Diagnosis, finding: Finding) -> Claim:
+    if not isinstance(diagnosis, EvidenceDiagnosis):
+        return Claim(diagnosis.source, diagnosis.kind, finding)
+    informed = diagnosis.play_known and diagnosis.kind.quantity(finding.effect) == RETURN_ERROR
+    return Claim(diagnosis.source, diagnosis.kind, finding, finding.effect in diagnosis.known, informed)
 
 
-def _thing(kind: str, effect: str) -> str:
-    return next((thing for thing, names in THINGS.items() if (kind, effect) in names), f"{effect} ({kind})")
-
-
-def _same(one: Claim, other: Claim) -> bool:
-    if one.thing != other.thing:
-        return False
-    return _mean([one.finding, other.finding])[1] > AGREE
+def _same(claim: Claim, other: Claim) -> bool:
+    return claim.quantity == other.quantity and _mean([claim.finding, other.finding])[1] > AGREE
 
 
 def _mean(found: Sequence[Finding]) -> tuple[tuple[Value, ...], float]:
-    """Values of one thing, each weighted by its variance, and the chance that they are so far apart."""
+    """Values of one quantity, each weighted by its variance, and the chance that they are so far apart."""
     values = np.array([[v.value for v in f.values] for f in found])
     weight = 1 / np.array([[v.sigma for v in f.values] for f in found]) ** 2
     mean = np.sum(weight * values, axis=0) / np.sum(weight, axis=0)

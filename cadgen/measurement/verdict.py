@@ -34,7 +34,7 @@ Verdict = Literal[
 SURE = 0.85
 # The same as a difference of the criterion between two subsets: 2 ln(odds).
 MARGIN = 2 * log(SURE / (1 - SURE))
-# Subsets within this much of the best one (odds of 12 to 1) are its rivals, and told beside it.
+# Subsets within this much of the best one (odds of 12 to 1) are its rivals, and reported beside it.
 RIVAL = 5.0
 # A form error beyond the floor has two numbers more (size and knee) that nothing in the catalogue explains.
 LOOSE = 16.0
@@ -81,11 +81,11 @@ class Judgement:
 def sigmas_of(freedom: float, choices: int = 1) -> float:
     """Standard deviations beyond which a number is as seldom chance as beyond `SIGMAS` of one that is known exactly.
 
-    By Student's t where the standard deviation was told from few runs, and by Bonferroni's bound where the number is
-    one of several that the same runs were searched for.
+    By Student's t where the standard deviation was estimated from few runs, and by Bonferroni's bound where the number
+    is one of several that the same runs were searched for.
 
     Args:
-        freedom: degrees of freedom from which the standard deviation was told; with none no number is sure.
+        freedom: degrees of freedom from which the standard deviation was estimated; with none no number is sure.
         choices: how many numbers were looked at.
     """
     return float(student.isf(norm.sf(SIGMAS) / choices, freedom)) if freedom > 0 else float("inf")
@@ -133,7 +133,7 @@ def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement
 
 
 def judge(model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
-    """Weigh the fitted subsets against each other and against what they leave; and the subset that is told."""
+    """Weigh the fitted subsets against each other and against what they leave; and the subset that is reported."""
     found = [h for h in found if not _below_floor(model, noise, h)]
     tight = found[0]
     loose = min(found, key=lambda h: h.loose_score)
@@ -153,9 +153,9 @@ def judge(model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis
         return replace(judgement, verdict="runs disagree", sentence=sentence, claimed=()), best
     if noise.runs == 1:
         limit = "one run only: noise cannot be told from what repeats, so no name is certain; repeat the measurement"
-        told = f"One run only: consistent with {_names(best)}, but noise cannot be told from what repeats."
+        words = f"One run only: consistent with {_names(best)}, but noise cannot be told from what repeats."
         if judgement.verdict != "none":
-            judgement = replace(judgement, verdict="ambiguous", sentence=told)
+            judgement = replace(judgement, verdict="ambiguous", sentence=words)
         return replace(judgement, claimed=(), limits=(limit,)), best
     return judgement, best
 
@@ -251,8 +251,8 @@ def _beyond_floor(
     if best.claims and _explained(model, noise, found, best) < MOST:
         best = alone
     verdict: Verdict = "partial" if best.claims else "untraced shape"
-    told = best.at(evidence, loose=True)
-    place, size = _largest(model, evidence, told)
+    beyond = best.at(evidence, loose=True)
+    place, size = _largest(model, evidence, beyond)
     words = (
         f"what remains is no effect of the catalogue: a smooth shape beyond the stated form error, largest "
         f"({size / UNITS[model.unit]:+.3g} {model.unit}) at {np.degrees(place):.0f} deg"
@@ -267,7 +267,7 @@ def _beyond_floor(
         rivals=(),
         separate=_separate([best]),
     )
-    return judgement, told
+    return judgement, beyond
 
 
 def _left_over(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> float:
@@ -315,14 +315,14 @@ def _sentence(model: Model, verdict: Verdict, best: Hypothesis, rivals: list[Hyp
         return "No effect beyond noise and the stated form error."
     if verdict == "runs disagree":
         return "The runs differ from each other by more than the noise within them: nothing is claimed."
-    told = _names(best)
+    names = _names(best)
     if verdict in ("traced", "combination"):
-        told = f"Traced to {told}{' together' if verdict == 'combination' else ''}"
+        names = f"Traced to {names}{' together' if verdict == 'combination' else ''}"
         twins = [f"{e.name} from {' or '.join(e.twins)}" for e in best.effects if e.twins]
-        told += f"; this data cannot tell {' nor '.join(twins)}" if twins else ""
-        return f"{told}; less likely but not ruled out: {', '.join(possible)}." if possible else f"{told}."
+        names += f"; this data cannot tell {' nor '.join(twins)}" if twins else ""
+        return f"{names}; less likely but not ruled out: {', '.join(possible)}." if possible else f"{names}."
     if verdict == "untraced shape":
-        return f"A shape that no effect of the catalogue makes: {told} ({_numbers(best)})."
+        return f"A shape that no effect of the catalogue makes: {names} ({_numbers(best)})."
     if verdict == "partial":
         named = [e for e in best.effects if not e.shape]
         rest = [e for e in best.effects if e.shape]
@@ -330,7 +330,7 @@ def _sentence(model: Model, verdict: Verdict, best: Hypothesis, rivals: list[Hyp
             f"Partly traced to {' and '.join(e.name for e in named)}; beside it, {' and '.join(e.name for e in rest)}."
         )
     others = "; or ".join(_names(h) for h in rivals)
-    return f"Consistent with {told}; or {others}: this data cannot tell."
+    return f"Consistent with {names}; or {others}: this data cannot tell."
 
 
 def _names(h: Hypothesis) -> str:

@@ -12,7 +12,7 @@ from scipy.stats import t as student
 
 from cadgen.deviations.transmission import RETURN_ERROR
 from cadgen.errors import FileError
-from cadgen.measurement.diagnose import Finding, Value
+from cadgen.measurement.findings import Finding, Value
 from cadgen.measurement.record import Record
 from cadgen.measurement.verdict import Judgement, Verdict, sigmas_of
 
@@ -40,7 +40,7 @@ class Zones:
         return_error_deg, sigma_deg: B and its standard error.
         interval_deg: at `CONFIDENCE`.
         smooth_deg: the turn without an event.
-        freedom: degrees of freedom from which sigma was told (Welch and Satterthwaite).
+        freedom: degrees of freedom from which sigma was estimated (Welch and Satterthwaite).
         misfit: of what is left over, in standard errors, positive if the smooth zone turned too far.
         compared: tabled values against B.
     """
@@ -113,7 +113,7 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
 def judged(record: Record, zones: Zones) -> tuple[Judgement, Finding]:
     """The verdict on zones, and the return error as a finding."""
     low, high = zones.interval_deg
-    told = f"{zones.return_error_deg:.3f}°, {100 * CONFIDENCE:g} % from {low:.3f} to {high:.3f}°"
+    size = f"{zones.return_error_deg:.3f}°, {100 * CONFIDENCE:g} % from {low:.3f} to {high:.3f}°"
     value = Value("return_error_deg", zones.return_error_deg, zones.sigma_deg, "deg")
     finding = Finding(RETURN_ERROR.name, (value,), (), (), sigmas=sigmas_of(zones.freedom))
     verdict: Verdict
@@ -124,9 +124,9 @@ def judged(record: Record, zones: Zones) -> tuple[Judgement, Finding]:
             "check that all runs were started and stopped alike."
         )
     elif low <= 0.0 or finding.within_error:
-        verdict, sentence = "none", f"No return error beyond chance: {told}."
+        verdict, sentence = "none", f"No return error beyond chance: {size}."
     else:
-        verdict, sentence = "traced", f"Traced to return error: {told}."
+        verdict, sentence = "traced", f"Traced to return error: {size}."
     names = (finding.effect,) if verdict == "traced" else ()
     judgement = Judgement(verdict=verdict, sentence=sentence, claimed=names, reported=names, rivals=(), separate=())
     return judgement, finding

@@ -3,7 +3,8 @@
 | module    | what it does                                                                            |
 |-----------|-----------------------------------------------------------------------------------------|
 | `play`    | where the cam stands at each motor position: it jumps at peaks and waits in valleys      |
-| `drive`   | cam angle -> steering -> heading and the tracks of the three wheels (eq. 20-24)          |
+| `drive`   | cam angle -> steering -> heading and the tracks of the three wheels (eq. 20-24): the one |
+|           | integration of a run, for simulation, profiles and measured tracks alike                 |
 | `errors`  | deflection errors of the events (eq. 28, 30); heading and position errors along the run  |
 | `sampled` | steering known at sampled cam angles, such as a rolled outline's -> a lift curve         |
 """

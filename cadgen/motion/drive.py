@@ -12,6 +12,7 @@ wheels sideways by (cos, sin), which is not square to that direction. Here the w
 them: the fork axis L ahead and A1 to the right of the drive wheel, the idle wheel A1 + A2 to its right.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,14 +23,33 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.play import LEAST_SWING, Following, follow
 from cadgen.path.track import Track
-from cadgen.steering.car import Car, pace, track_curvature
+from cadgen.steering.car import Car, wheel_curvature, wheel_pace, wheel_tangent
 
 STEPS = 3600  # of a run: the position errs by less than 1e-5 mm on the paper's path
 
-# Two-stage Gauss collocation (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, table II.7.3):
-# nodes and the matrix that gives the heading at them; fourth order, and no value is needed at a jump itself.
-_NODES = 0.5 + np.array([-1.0, 1.0]) * np.sqrt(3) / 6
-_MATRIX = np.array([[0.25, 0.25 - np.sqrt(3) / 6], [0.25 + np.sqrt(3) / 6, 0.25]])
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A Gauss collocation rule (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, sec. II.7).
+
+    It needs no value at the ends of a step, so none at a jump itself. Of s nodes its order is 2 s.
+
+    Attributes:
+        nodes: places within a step, 0 to 1, shape (s,).
+        matrix: weights that give the heading at the nodes, shape (s, s).
+    """
+
+    nodes: Array
+    matrix: Array
+
+
+MIDPOINT = Rule(np.array([0.5]), np.array([[0.5]]))
+TWO_STAGE = Rule(
+    0.5 + np.array([-1.0, 1.0]) * np.sqrt(3) / 6,
+    np.array([[0.25, 0.25 - np.sqrt(3) / 6], [0.25 + np.sqrt(3) / 6, 0.25]]),
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,6 +84,25 @@ class Run:
     idle_wheel: Array
 
 
+@dataclass(frozen=True, kw_only=True)
+class Running:
+    """A car as it runs: what the effects of a track change.
+
+    Attributes:
+        car: its dimensions, lever and slip.
+        length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
+        phase: by which the cam stands ahead on its shaft, rad.
+        play: return error B at the camshaft, rad.
+        friction: sliding, between rod and disc.
+    """
+
+    car: Car
+    length: float
+    phase: float = 0.0
+    play: float = 0.0
+    friction: float = 0.0
+
+
 def start_pose(track: Track) -> Pose:
     """Where the drive wheel's track begins."""
     x, y = track.position(0.0)
@@ -78,6 +117,42 @@ def wheel_radius(length: float, ratio: float) -> float:
         ratio: i, turns of the drive wheel per turn of the cam.
     """
     return length / (TURN * ratio)
+
+
+def driven(
+    nodes: Array, wheel: Callable[[Array], Array], car: Car, length: float, start: Pose, rule: Rule
+) -> tuple[Array, Complex]:
+    """Heading and position of the drive wheel at motor positions, by integration of eq. 21 and 23.
+
+    Simulation, comparison of profiles and the forward model of measured tracks all run the car by this.
+
+    Args:
+        nodes: motor positions between which the steering is smooth, shape (n,), increasing, rad.
+        wheel: tangent of the front wheel's angle at motor positions, shape (n - 1, s) -> the same.
+        car: its dimensions and slip; its steering zero and gain are in `wheel`.
+        length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
+        start: pose at the first node.
+        rule: of integration on each step, with s nodes.
+
+    Returns:
+        Heading, rad, not wrapped, and position x + iy, mm, each of shape (n,).
+    """
+    widths = np.diff(nodes)[:, None]
+    tangent = wheel(nodes[:-1, None] + widths * rule.nodes)
+    going = length / TURN * wheel_pace(tangent, car)
+    turning = going * wheel_curvature(tangent, car) * widths
+    heading = _summed(start.heading, turning)
+    inside = heading[:-1, None] + turning @ rule.matrix.T
+    travel = going * widths
+    position = np.empty(len(nodes), dtype=complex)
+    position.real, position.imag = _summed(start.x, travel * np.cos(inside)), _summed(start.y, travel * np.sin(inside))
+    return heading, position
+
+
+def _summed(start: float, parts: Array) -> Array:
+    """A value at the nodes from what it gains at the places within each step, shape (n - 1, s), weighted alike."""
+    gains = parts[:, 0] if parts.shape[1] == 1 else parts.mean(axis=1)
+    return start + np.concatenate([[0.0], np.cumsum(gains)])
 
 
 def drive(
@@ -117,16 +192,9 @@ def drive(
     following = following or follow(lift, play, least=least)
     motor = np.linspace(0.0, stop, steps + 1)
     nodes = np.union1d(motor, following.joints(0.0, stop))
-    widths = np.diff(nodes)[:, None]
-    inside = nodes[:-1, None] + widths * _NODES
-    rate = length / TURN
-    tan_beta = following.tan_beta(inside)
-    going = rate * pace(tan_beta, car)
-    turning = going * track_curvature(tan_beta, car) * widths
-    heading = start.heading + np.append(0.0, np.cumsum(turning.mean(axis=1)))
-    travel = going * widths * np.exp(1j * (heading[:-1, None] + turning @ _MATRIX.T))
-    position = start.x + 1j * start.y + np.append(0.0, np.cumsum(travel.mean(axis=1)))
-
+    heading, position = driven(
+        nodes, lambda at: wheel_tangent(following.tan_beta(at), car), car, length, start, TWO_STAGE
+    )
     shown = np.searchsorted(nodes, motor)
     heading, position = heading[shown], position[shown]
     ahead = np.exp(1j * heading)
@@ -142,5 +210,5 @@ def drive(
     )
 
 
-def _plane(z: NDArray[np.complex128]) -> Array:
+def _plane(z: Complex) -> Array:
     return np.stack([z.real, z.imag], axis=-1)

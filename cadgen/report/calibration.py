@@ -7,7 +7,8 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.effect import UNITS
-from cadgen.measurement.diagnose import Diagnosis
+from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, PathDiagnosis
+from cadgen.measurement.record import Abscissa
 from cadgen.report.style import (
     AFTER,
     BEFORE,
@@ -34,78 +35,88 @@ _NAME = 64  # characters of a candidate that fit its bar's line
 _MAGNIFIED = 10.0  # a scale this many times finer is said in the title
 
 
-def draw_record(told: Diagnosis, length: float | None, folder: Path, name: str) -> list[str]:
+def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: str) -> list[str]:
     """Draw what a verdict rests on; return the files' names.
 
     Args:
-        told: the verdict with residuals; of tracks, with what was measured.
+        diagnosis: the verdict with residuals; of tracks, with what was measured.
         length: of the track, mm, along which a track's residual is drawn.
         folder: where to.
         name: of the files, without ending.
     """
     with figure(11.5, 7.0) as picture:
-        picture.suptitle(f"{told.kind}: {told.source}. {_short(told)}", x=0.01, ha="left", fontsize=10)
+        picture.suptitle(
+            f"{diagnosis.kind.code}: {diagnosis.source}. {_short(diagnosis)}", x=0.01, ha="left", fontsize=10
+        )
         grid = picture.add_gridspec(2, 2, width_ratios=(1.5, 1.0))
         before = picture.add_subplot(grid[0, 0])
         after = picture.add_subplot(grid[1, 0], sharex=before)
         upper, lower = picture.add_subplot(grid[0, 1]), picture.add_subplot(grid[1, 1])
-        track = told.measured is not None
-        _residual(before, told, told.before, length)
-        _residual(after, told, told.after, length)
-        r, unit = told.residual, SIGNS[told.unit]
-        several = f", {told.runs} runs" if told.runs > len(_RUNS) else ""
-        unit = " mm per coordinate" if length is not None and track else unit if unit == "°" else f" {unit}"
-        before.set_title(f"before: rms {r.before:.3g}{unit}{', start pose fitted' if track else ''}{several}")
-        finer = r.before / r.after if r.after > 0 else 1.0
+        _residual(before, diagnosis, diagnosis.before, length)
+        _residual(after, diagnosis, diagnosis.after, length)
+        plan, unit = diagnosis.kind.plan_view, SIGNS[diagnosis.unit]
+        rms = _rms(diagnosis)
+        several = f", {diagnosis.runs} runs" if diagnosis.runs > len(_RUNS) else ""
+        space = "" if unit == "°" else " "
+        unit = f"{space}{unit}{' per coordinate' if plan and isinstance(diagnosis, EvidenceDiagnosis) else ''}"
+        before.set_title(f"before: rms {rms[0]:.3g}{unit}{', start pose fitted' if plan else ''}{several}")
+        finer = rms[0] / rms[1] if rms[1] > 0 else 1.0
         scale = f"; scale {finer:.0f} times finer" if finer > _MAGNIFIED else ""
-        after.set_title(f"after: rms {r.after:.3g}{unit}{scale}")
-        after.set_xlabel(_abscissa(told, length))
-        if 1 < told.runs <= len(_RUNS):
+        after.set_title(f"after: rms {rms[1]:.3g}{unit}{scale}")
+        after.set_xlabel(diagnosis.kind.abscissa.value)
+        if 1 < diagnosis.runs <= len(_RUNS):
             _headroom(before)
-            before.legend(loc="upper right", ncols=told.runs, fontsize=8, frameon=True, edgecolor="none")
-        if track:
-            _plan(upper, told)
+            before.legend(loc="upper right", ncols=diagnosis.runs, fontsize=8, frameon=True, edgecolor="none")
+        if plan:
+            _plan(upper, diagnosis)
         else:
-            _spectrum(upper, told)
-        _candidates(lower, told)
+            _spectrum(upper, diagnosis)
+        _candidates(lower, diagnosis)
         return save(picture, folder, name)
 
 
-def _short(told: Diagnosis) -> str:
+def _short(diagnosis: Diagnosis) -> str:
     """The verdict, and the effects claimed."""
-    names = ", ".join(told.judgement.claimed)
-    return f"{told.verdict}: {names}" if names else told.verdict
+    names = ", ".join(diagnosis.judgement.claimed)
+    return f"{diagnosis.verdict}: {names}" if names else diagnosis.verdict
 
 
-def _abscissa(told: Diagnosis, length: float | None) -> str:
-    if told.measured is None:
-        return "cam angle (°)"
-    return "travel of the drive wheel (m)" if length is not None else "part of the run (%)"
+def _rms(diagnosis: Diagnosis) -> tuple[float, float]:
+    """Before and after."""
+    assert isinstance(diagnosis, EvidenceDiagnosis | PathDiagnosis)
+    return diagnosis.residual.before, diagnosis.residual.after
 
 
-def _place(told: Diagnosis, length: float | None) -> Array:
-    if told.measured is None:
-        return np.degrees(told.place)
-    return told.place / TURN * (length / 1000 if length is not None else 100.0)
+def _place(diagnosis: Diagnosis, length: float | None) -> Array:
+    """Of each row, in the unit of the abscissa."""
+    match diagnosis.kind.abscissa:
+        case Abscissa.CAM_ANGLE:
+            return np.degrees(diagnosis.place)
+        case Abscissa.TRAVEL:
+            assert length is not None
+            return diagnosis.place / TURN * (length / 1000)
+        case Abscissa.SHARE:
+            return diagnosis.place / TURN * 100.0
 
 
-def _residual(axes: "Axes", told: Diagnosis, residual: Array, length: float | None) -> None:
+def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float | None) -> None:
     """Of each run: its readings as points, or of a track the distance as a line."""
-    place, unit = _place(told, length), SIGNS[told.unit]
-    values = residual / UNITS[told.unit]
-    for run in range(told.runs):
-        mine = told.run == run
+    place, unit = _place(diagnosis, length), SIGNS[diagnosis.unit]
+    values = residual / UNITS[diagnosis.unit]
+    for run in range(diagnosis.runs):
+        mine = diagnosis.run == run
         color, name = _RUNS[run % len(_RUNS)], f"run {run + 1}"
-        if told.measured is None:
+        if not diagnosis.kind.plan_view:
             axes.plot(
                 place[mine], values[mine], ".", color=color, markersize=2.0, alpha=0.6, rasterized=True, label=name
             )
         else:
             x, y = np.split(values[mine], 2)
             axes.plot(place[mine][: len(x)], np.hypot(x, y), color=color, linewidth=0.9, label=name)
-    if told.measured is None:
-        if np.isfinite(told.residual.noise):
-            axes.axhspan(-2 * told.residual.noise, 2 * told.residual.noise, color=GREY, alpha=0.2, linewidth=0)
+    if not diagnosis.kind.plan_view:
+        if isinstance(diagnosis, EvidenceDiagnosis):
+            noise = diagnosis.residual.noise
+            axes.axhspan(-2 * noise, 2 * noise, color=GREY, alpha=0.2, linewidth=0)
         zero_line(axes)
         axes.set_ylabel(f"measured less expected ({unit})")
     else:
@@ -119,28 +130,32 @@ def _headroom(axes: "Axes") -> None:
     axes.set_ylim(low, high + 0.12 * (high - low))
 
 
-def _spectrum(axes: "Axes", told: Diagnosis) -> None:
+def _spectrum(axes: "Axes", diagnosis: Diagnosis) -> None:
     """Amplitude by order, runs together, beside what noise alone would make."""
     orders = np.arange(1, _ORDERS + 1)
-    waves = np.exp(-1j * told.place[:, None] * orders)
-    for residual, color, label, mark in ((told.before, BEFORE, "before", "o"), (told.after, AFTER, "after", "s")):
-        amplitude = 2 * np.abs(np.mean(waves * residual[:, None], axis=0)) / UNITS[told.unit]
+    waves = np.exp(-1j * diagnosis.place[:, None] * orders)
+    for residual, color, label, mark in (
+        (diagnosis.before, BEFORE, "before", "o"),
+        (diagnosis.after, AFTER, "after", "s"),
+    ):
+        amplitude = 2 * np.abs(np.mean(waves * residual[:, None], axis=0)) / UNITS[diagnosis.unit]
         axes.semilogy(orders, amplitude, color=color, marker=mark, markersize=2.5, linewidth=0.8, label=label)
-    noise = told.residual.noise * np.sqrt(np.pi / len(told.place))
-    axes.axhline(noise, color=GREY, linestyle="--", linewidth=1, label="noise alone")
-    axes.set(title="amplitude by order", xlabel="waves round the cam", ylabel=SIGNS[told.unit])
+    if isinstance(diagnosis, EvidenceDiagnosis):
+        noise = diagnosis.residual.noise * np.sqrt(np.pi / len(diagnosis.place))
+        axes.axhline(noise, color=GREY, linestyle="--", linewidth=1, label="noise alone")
+    axes.set(title="amplitude by order", xlabel="waves round the cam", ylabel=SIGNS[diagnosis.unit])
     axes.legend(loc="upper right", fontsize=8, ncols=3, frameon=True, edgecolor="none")
     axes.margins(y=0.15)
 
 
-def _plan(axes: "Axes", told: Diagnosis) -> None:
+def _plan(axes: "Axes", diagnosis: Diagnosis) -> None:
     """Measured and expected path, the start registered; the first run of many."""
-    assert told.measured is not None
-    mine = told.run == 0
-    measured = np.stack(np.split(told.measured[mine], 2)) / 1000
+    assert diagnosis.measured is not None
+    mine = diagnosis.run == 0
+    measured = np.stack(np.split(diagnosis.measured[mine], 2)) / 1000
     lines: tuple[tuple[Array, str, object, float, str], ...] = (
-        (told.measured - told.before, BEFORE, (0, (5, 2)), 1.2, "expected before"),
-        (told.measured - told.after, AFTER, "-", 1.2, "expected after"),
+        (diagnosis.measured - diagnosis.before, BEFORE, (0, (5, 2)), 1.2, "expected before"),
+        (diagnosis.measured - diagnosis.after, AFTER, "-", 1.2, "expected after"),
     )
     axes.plot(*measured, ".", color=WANTED, markersize=3.5, label="measured")
     for path, color, style, width, label in lines:
@@ -152,25 +167,27 @@ def _plan(axes: "Axes", told: Diagnosis) -> None:
     axes.legend(loc="best", fontsize=8, frameon=True, edgecolor="none")
 
 
-def _candidates(axes: "Axes", told: Diagnosis) -> None:
+def _candidates(axes: "Axes", diagnosis: Diagnosis) -> None:
     """The best subsets and the bare design, by how much worse than the best they are."""
-    steered = told.unit == "mm" and not np.isfinite(told.residual.noise)
-    best = [c for c in told.candidates if c.effects][: _CANDIDATES - 1]
-    shown = sorted([*best, *(c for c in told.candidates if not c.effects)], key=lambda c: c.score)
+    by_paths = isinstance(diagnosis, PathDiagnosis)
+    best = [c for c in diagnosis.candidates if c.effects][: _CANDIDATES - 1]
+    shown = sorted([*best, *(c for c in diagnosis.candidates if not c.effects)], key=lambda c: c.score)
     rows = np.arange(len(shown))
     bars = axes.barh(rows + 0.22, [c.score for c in shown], height=0.34, color=SKY)
     axes.bar_label(bars, labels=[_score(c.score) for c in shown], padding=3, fontsize=8)
     for row, candidate in zip(rows, shown, strict=True):
         names = ", ".join(candidate.effects) or "no effect"
-        told_name = names if len(names) <= _NAME else f"{names[: _NAME - 1]}…"
-        axes.text(0.01, float(row), told_name, transform=axes.get_yaxis_transform(), fontsize=7.5, va="bottom")
+        shown_name = names if len(names) <= _NAME else f"{names[: _NAME - 1]}…"
+        axes.text(0.01, float(row), shown_name, transform=axes.get_yaxis_transform(), fontsize=7.5, va="bottom")
     axes.set_xscale("symlog", linthresh=10)
     axes.set_ylim(len(shown) - 0.4, -0.5)
     axes.set_xlim(0, max(c.score for c in shown) * 4 + 10)
     axes.set_yticks([])
     axes.grid(axis="y", visible=False)
     axes.set_title("candidates")
-    axes.set_xlabel("path error on runs left out (mm)" if steered else "worse than the best by (information criterion)")
+    axes.set_xlabel(
+        "path error on runs left out (mm)" if by_paths else "worse than the best by (information criterion)"
+    )
 
 
 def _score(value: float) -> str:

@@ -49,7 +49,12 @@ def wheel_tangent(tan_beta: Array, car: Car) -> Array:
 
 def pace(tan_beta: Array, car: Car) -> Array:
     """How far the drive wheel goes for one mm of its rim: 1 - slip |tan(beta_w)|, for the rod's tan(beta)."""
-    return 1.0 - car.slip * np.abs(wheel_tangent(tan_beta, car))
+    return wheel_pace(wheel_tangent(tan_beta, car), car)
+
+
+def wheel_pace(wheel: Array, car: Car) -> Array:
+    """The same for the tangent of the front wheel's angle, tan(beta_w)."""
+    return 1.0 - car.slip * np.abs(wheel)
 
 
 def tan_steering(curvature: Array, car: Car) -> Array:
@@ -62,7 +67,11 @@ def tan_steering(curvature: Array, car: Car) -> Array:
 
 def track_curvature(tan_beta: Array, car: Car) -> Array:
     """Signed curvature of the drive wheel's track for the rod's steering angle, the inverse of `tan_steering`."""
-    wheel = wheel_tangent(tan_beta, car)
+    return wheel_curvature(wheel_tangent(tan_beta, car), car)
+
+
+def wheel_curvature(wheel: Array, car: Car) -> Array:
+    """The same for the tangent of the front wheel's angle, tan(beta_w) (eq. 21 with signs)."""
     return -wheel / (car.wheelbase + car.drive_wheel_offset * wheel)
 
 

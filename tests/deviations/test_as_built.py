@@ -6,8 +6,8 @@ import pytest
 from cadgen.cam.contact import roll
 from cadgen.curves.closed import Outline
 from cadgen.deviations.as_built import AsBuilt, Placed
-from cadgen.deviations.catalogue import named
 from cadgen.errors import DesignError
+from cadgen.measurement.kinds import kind_of
 
 THETA = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
 STEP = 0.03  # mm; rolling on it errs by under 0.01 um
@@ -16,7 +16,7 @@ SHIFT, OFFSET, SCALE, REVERSAL = (0.08, -0.05), 0.1, (-0.0019, -0.0005), (0.02, 
 
 def as_built(*effects):
     """From (kind, name, values, place)."""
-    return AsBuilt(tuple(Placed(named(kind, name), values, place) for kind, name, values, place in effects))
+    return AsBuilt(tuple(Placed(kind_of(kind).named(name), values, place) for kind, name, values, place in effects))
 
 
 def made(outline, *, shift=(0.0, 0.0), offset=0.0, scale=(0.0, 0.0)):
@@ -197,13 +197,13 @@ def test_the_rods_and_the_cars_numbers(carbon_free_car):
     assert (car.travel(1000.0), car.play, AsBuilt().play) == (pytest.approx(1011.0), 0.015, None)
     thin = as_built(("lift", "rod radius", (-1.5,), "car"), ("lift", "axial offset", (-4.0,), "car"))
     assert thin.follower(carbon_free_car.follower).radius == 1.0
-    none = AsBuilt((Placed(named("lift", "rod radius"), (-2.5,), "car"),))
+    none = AsBuilt((Placed(kind_of("lift").named("rod radius"), (-2.5,), "car"),))
     with pytest.raises(DesignError, match="nothing is left of the rod"):
         none.follower(carbon_free_car.follower)
 
 
 def test_a_nose_that_is_not_there_is_refused(carbon_free_car):
-    effect = named("profile", "worn nose", {"nose_number": 9})
+    effect = kind_of("profile").named("worn nose", {"nose_number": 9})
     car = AsBuilt((Placed(effect, (0.02, 0.07), "part"),))
     with pytest.raises(DesignError, match="worn nose number 9"):
         car.roll_measured(carbon_free_car.actual.curve, carbon_free_car.follower, THETA, 0.1)
@@ -219,8 +219,8 @@ def test_a_nose_that_is_not_there_is_refused(carbon_free_car):
 )
 def test_an_unknown_name_names_the_nearest(kind, name, near):
     with pytest.raises(DesignError, match=f'no effect "{name}" in data of kind {kind}.*{near}'):
-        named(kind, name)
-    assert named("profile", "waviness, order 30").name == "waviness, order 30"
-    assert named("transmission", "runout of shaft 2").name == "runout of shaft 2"
-    assert named("transmission", "tooth mesh of stage 3").name == "tooth mesh of stage 3"
-    assert named("lift", "worn nose", {"nose_number": 3}).given == (("nose_number", 3),)
+        kind_of(kind).named(name)
+    assert kind_of("profile").named("waviness, order 30").name == "waviness, order 30"
+    assert kind_of("transmission").named("runout of shaft 2").name == "runout of shaft 2"
+    assert kind_of("transmission").named("tooth mesh of stage 3").name == "tooth mesh of stage 3"
+    assert kind_of("lift").named("worn nose", {"nose_number": 3}).given == (("nose_number", 3),)

@@ -9,9 +9,10 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from cadgen.measurement.diagnose import Diagnosis
-from cadgen.measurement.load import load
-from cadgen.measurement.nominal import Nominal, calibrate
+from cadgen.measurement.calibrate import calibrate
+from cadgen.measurement.findings import Diagnosis
+from cadgen.measurement.nominal import Nominal
+from cadgen.records.load import load
 from tests.measurement import study
 from tests.measurement.synthetic import Car
 

@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 
 from cadgen.errors import CadgenError
-from cadgen.measurement.diagnose import Diagnosis, diagnose
+from cadgen.measurement.diagnose import diagnose
+from cadgen.measurement.findings import EvidenceDiagnosis
 from cadgen.measurement.nominal import Nominal
 from cadgen.measurement.record import Record
 from tests.measurement import synthetic as syn
@@ -174,7 +175,7 @@ PRINTED: dict[str, Callable[[dict[str, Any]], tuple[float, ...]]] = {
 }
 
 
-def parameter_errors(case: Case, result: Diagnosis) -> list[float]:
+def parameter_errors(case: Case, result: EvidenceDiagnosis) -> list[float]:
     """Relative error of the values of each effect that was found."""
     errors = []
     for name, values in zip(case.truth, case.values, strict=True):
@@ -196,7 +197,7 @@ def same(name: str, claim: str) -> bool:
     return claim == name or claim.startswith(name + ",")
 
 
-def run(car: syn.Car, case: Case) -> Diagnosis:
+def run(car: syn.Car, case: Case) -> EvidenceDiagnosis:
     """Diagnose one case without knowing it."""
     return diagnose(case.record, nominal(car).model)
 
@@ -229,7 +230,7 @@ class Tally:
     ratios: list[float] = field(default_factory=list)
     errors: list[float] = field(default_factory=list)
 
-    def add(self, case: Case, result: Diagnosis) -> bool:
+    def add(self, case: Case, result: EvidenceDiagnosis) -> bool:
         """Count a case; True if its verdict is right."""
         claimed, reported = result.judgement.claimed, result.judgement.reported
         wrong = any(not any(same(t, c) for t in case.truth) for c in claimed)
@@ -246,7 +247,7 @@ class Tally:
             marks = {f"{case.sort}: named": named, f"{case.sort}: in the set": inside, f"{case.sort}: wrong": wrong}
             right = named and not wrong
             self.errors += parameter_errors(case, result)
-            self.ratios.append(result.residual.held_out_repeating / result.residual.noise)
+            self.ratios.append(result.residual.left_out.repeating / result.residual.noise)
         self.count(marks)
         return right
 
@@ -276,7 +277,7 @@ class Tally:
             print(f"{kind:12} relative error of the parameters: median {median:.2%}, 90 % below {tail:.1%}")
 
 
-def _line(case: Case, result: Diagnosis) -> str:
+def _line(case: Case, result: EvidenceDiagnosis) -> str:
     """A case in one line of JSON."""
     told = {
         "kind": case.kind,
@@ -288,7 +289,7 @@ def _line(case: Case, result: Diagnosis) -> str:
         "noise": result.residual.noise,
         "claimed": result.judgement.claimed,
         "reported": result.judgement.reported,
-        "candidates": [(c.effects, c.score, c.loose_score) for c in result.candidates],
+        "candidates": [(c.effects, c.score) for c in result.candidates],
     }
     return json.dumps(told) + "\n"
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from cadgen.measurement.kinds import LIFT, PROFILE
 from cadgen.measurement.record import Record
 
 TURN = 2 * np.pi
@@ -163,7 +164,7 @@ def lift_record(
         reading = reading + rng.normal(0, noise_um / 1e3, len(degrees))
         rows.append(np.round(reading, 3))
     return Record(
-        kind="lift",
+        kind=LIFT,
         columns={
             "cam_angle_deg": np.tile(degrees, runs),
             "direction": np.tile(np.where(direction > 0, "forward", "reverse"), runs),
@@ -210,7 +211,7 @@ def profile_record(
         points.append(np.round(xy + rng.normal(0, noise_um / 1e3, xy.shape), 4))
     xy = np.concatenate(points)
     return Record(
-        kind="profile",
+        kind=PROFILE,
         columns={"x_mm": xy[:, 0], "y_mm": xy[:, 1]},
         run=np.repeat(np.arange(runs), count),
         remarks=(),

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from cadgen.measurement.kinds import TRACK, TRANSMISSION
 from cadgen.measurement.record import Record
 from tests.measurement.synthetic import DEG, TURN
 
@@ -52,7 +53,7 @@ def transmission_record(car: Any, train: Train, rng: np.random.Generator, *, noi
     clean = train.camshaft(motor * DEG, slope / np.abs(slope).max()) / DEG
     readings = [np.round(clean + rng.normal(0, 0.05) + rng.normal(0, noise_deg, len(motor)), 2) for _ in range(runs)]
     return Record(
-        kind="transmission",
+        kind=TRANSMISSION,
         columns={"motor_angle_deg": np.tile(motor, runs), "cam_angle_deg": np.concatenate(readings)},
         run=np.repeat(np.arange(runs), len(motor)),
         remarks=(),
@@ -119,7 +120,7 @@ def track_record(car: Any, wheels: Wheels, rng: np.random.Generator, *, noise_mm
         rows.append(turned + rng.normal(0, noise_mm, len(degrees)) + 1j * rng.normal(0, noise_mm, len(degrees)))
     place = np.concatenate(rows)
     return Record(
-        kind="track",
+        kind=TRACK,
         columns={
             "cam_angle_deg": np.tile(degrees, runs),
             "x_mm": np.round(place.real, 1),

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from cadgen.measurement.kinds import TRANSMISSION
 from cadgen.measurement.record import Record
 from tests.measurement.synthetic_drive import RATIOS
 from tests.studies.friction_truth import CELLS, STEP_DEG, World
@@ -36,7 +37,7 @@ def rod_record(
         np.round(np.array(seen) + rng.normal(0, 0.05) + rng.normal(0, noise_deg, len(seen)), 2) for _ in range(runs)
     ]
     return Record(
-        kind="transmission",
+        kind=TRANSMISSION,
         columns={"motor_angle_deg": np.tile(motor, runs), "cam_angle_deg": np.concatenate(readings)},
         run=np.repeat(np.arange(runs), len(motor)),
         remarks=(),

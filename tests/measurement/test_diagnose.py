@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from cadgen.errors import DesignError
-from cadgen.measurement.nominal import Nominal, calibrate
+from cadgen.measurement.calibrate import calibrate
+from cadgen.measurement.kinds import LIFT
+from cadgen.measurement.nominal import Nominal
 from cadgen.measurement.record import Record
 from tests.measurement import synthetic as syn
 from tests.measurement import synthetic_drive as drive
@@ -38,8 +40,8 @@ def test_one_effect_is_traced_with_its_size(synthetic_car, nominal):
     for value, truth in zip(finding.values, (20.0, -30.0), strict=True):
         assert value.value == pytest.approx(truth, abs=4 * value.sigma)
         assert value.sigma < 1.5
-    assert told.residual.before > 4 * told.residual.held_out
-    assert told.residual.held_out_repeating < 1.15 * told.residual.noise
+    assert told.residual.before > 4 * told.residual.left_out.rms
+    assert told.residual.left_out.repeating < 1.15 * told.residual.noise
 
 
 @pytest.mark.slow
@@ -91,7 +93,7 @@ def test_runs_that_disagree_claim_nothing(synthetic_car, nominal):
     angle = np.radians(record["cam_angle_deg"])
     odd = record["lift_mm"] + (record.run == 1) * 0.03 * np.sin(2 * angle) * np.cos(angle)
     record = Record(
-        kind="lift", columns={**record.columns, "lift_mm": odd}, run=record.run, remarks=(), source="one odd run"
+        kind=LIFT, columns={**record.columns, "lift_mm": odd}, run=record.run, remarks=(), source="one odd run"
     )
     (told,) = calibrate([record], nominal)
     assert told.verdict == "runs disagree"
@@ -129,7 +131,7 @@ def test_an_error_of_size_shows_all_round_however_each_run_was_clamped(name, cha
     assert told.judgement.claimed == (name,)
     assert told.findings[0].values[0].value == pytest.approx(size, rel=0.02)
     assert told.residual.noise == pytest.approx(2.0, rel=0.06)
-    assert told.residual.held_out_repeating < 1.05 * told.residual.noise
+    assert told.residual.left_out.repeating < 1.05 * told.residual.noise
     # Each run is told as it was clamped: noise is taken off, the clocking is the generator's draw.
     assert np.ptp([f.values[0].value for f in told.datum]) > 0.1
 
@@ -140,7 +142,7 @@ def test_a_dial_that_lags_by_direction_is_its_hysteresis(synthetic_car, nominal)
     back = record.columns["direction"] == "reverse"
     lagging = np.round(record["lift_mm"] + 0.02 * back, 3)
     record = Record(
-        kind="lift", columns={**record.columns, "lift_mm": lagging}, run=record.run, remarks=(), source="lagging dial"
+        kind=LIFT, columns={**record.columns, "lift_mm": lagging}, run=record.run, remarks=(), source="lagging dial"
     )
     (told,) = calibrate([record], nominal)
     assert told.judgement.claimed == ("hysteresis of the dial",)

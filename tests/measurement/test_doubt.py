@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 
 from cadgen.errors import FileError
+from cadgen.measurement.calibrate import calibrate
 from cadgen.measurement.diagnose import diagnose
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved
-from cadgen.measurement.load import load
 from cadgen.measurement.noise import Noise
-from cadgen.measurement.nominal import Nominal, calibrate
+from cadgen.measurement.nominal import Nominal
 from cadgen.measurement.verdict import Judgement
+from cadgen.records.load import load
 
 CLEAR = Judgement(verdict="traced", sentence="", claimed=("x",), reported=("x",), rivals=(), separate=())
 
@@ -147,7 +148,7 @@ def test_runs_at_angles_of_their_own_still_tell_their_noise(lift, nominal):
 def test_readings_that_repeat_to_the_last_digit_have_the_noise_of_that_digit(lift, nominal):
     model = nominal.model(lift)
     still = Noise(np.zeros(len(model.rows.run)), 0.0, 0.0, 3)
-    assert resolved(lift, model, still).rms == pytest.approx(1e-3 / np.sqrt(12))
+    assert resolved(lift, still).rms == pytest.approx(1e-3 / np.sqrt(12))
 
 
 def test_a_short_single_run_is_refused(lift, nominal):

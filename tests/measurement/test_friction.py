@@ -11,10 +11,11 @@ from cadgen.build import cam_model, variation
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.load import load_design
+from cadgen.measurement.calibrate import calibrate
 from cadgen.measurement.friction import with_friction_judged, with_known_play
+from cadgen.measurement.kinds import kind_of
 from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.models.transmission import follow
-from cadgen.measurement.nominal import calibrate
 from cadgen.measurement.together import no_friction
 from cadgen.measurement.verdict import Judgement
 from cadgen.motion.mechanics import Mechanics, holding_friction
@@ -145,7 +146,7 @@ def test_a_play_of_another_car_is_not_used(nominal, world):
 
 
 def test_friction_of_nothing_is_claimed_where_data_would_have_shown_it():
-    from cadgen.measurement.diagnose import Finding, Value
+    from cadgen.measurement.findings import Finding, Value
 
     fitted = Finding("sliding friction", (Value("friction", 0.002, 0.008, ""),), (), ())
     claim = no_friction("a track", "track", fitted)
@@ -196,11 +197,13 @@ def test_a_true_play_goes_by_the_friction_of_the_design():
 
 
 def test_a_play_that_has_the_others_in_it_is_taken_as_it_is():
-    from cadgen.measurement.diagnose import Finding, Value
+    from cadgen.measurement.findings import Finding, Value
     from cadgen.measurement.together import Claim, at_work, shared
 
     def claim(kind, effect, value, **more):
-        return Claim(kind, kind, Finding(effect, (Value("return_error_deg", value, 0.01, "deg"),), (), ()), **more)
+        return Claim(
+            kind, kind_of(kind), Finding(effect, (Value("return_error_deg", value, 0.01, "deg"),), (), ()), **more
+        )
 
     train, track = claim("transmission", "return error", 0.80), claim("track", "backlash", 0.81, informed=True)
     assert at_work([train, track]) == (track, track)

@@ -8,8 +8,8 @@ real.
 import numpy as np
 import pytest
 
-from cadgen.measurement.load import load
-from cadgen.measurement.nominal import calibrate_tricycle
+from cadgen.measurement.calibrate import calibrate_tricycle
+from cadgen.records.load import load
 
 PINNED = {
     "lift_a": ("traced", ("eccentric bore",)),
@@ -39,7 +39,7 @@ def test_blind_files(name, blind):
     assert (told.verdict, told.judgement.claimed) == PINNED[name]
     noise = NOISE[name.split("_")[0]]
     assert told.residual.noise == pytest.approx(noise, rel=0.06)
-    assert told.residual.held_out_repeating < 1.06 * noise
+    assert told.residual.left_out.repeating < 1.06 * noise
 
 
 @pytest.mark.slow

@@ -1,11 +1,16 @@
 """Every effect's place in the forward models against the independent generator, without noise and form error."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
 from cadgen.deviations.effect import Effect
+from cadgen.measurement.kinds import TRACK
 from cadgen.measurement.models.base import Model, slopes
+from cadgen.motion.drive import drive as drive_car
+from cadgen.motion.drive import start_pose
 from tests.measurement import synthetic as syn
 from tests.measurement import synthetic_drive as drive
 from tests.measurement.study import PRINTED, _wave, same
@@ -109,6 +114,30 @@ def test_track(name, synthetic_car, nominal):
     active = [_effect(model, name, np.array(PRINTED[name](change)))]
     assert _left(model, []) > 3 * TRACK_MM
     assert _left(model, active) < TRACK_MM
+
+
+def test_a_track_is_the_run_that_simulate_drives(synthetic_car, nominal):
+    """One physics: the forward model's place with five effects is that of `drive` on a car with their numbers."""
+    record = drive.track_record(synthetic_car, drive.Wheels(), np.random.default_rng(1), noise_mm=0.0, runs=1)
+    model = nominal.model(record)
+    values = {
+        "backlash": 0.015,
+        "steering zero": 0.01,
+        "lever gain": 0.03,
+        "slip with curvature": 0.02,
+        "wheel radius": 0.01,
+    }
+    active = [(TRACK.named(name), np.array([value])) for name, value in values.items()]
+    car = replace(nominal.car, steering_zero=0.01, steering_gain=1.03, slip=0.02)
+    run = drive_car(
+        nominal.lift, car, 1.01 * nominal.track.length, play=0.015, start=start_pose(nominal.track), steps=20_000
+    )
+    predicted = model.measured - model.residual(active)
+    for axis, shown in enumerate(np.split(predicted, 2)):
+        motor = model.rows.place[: len(shown)]
+        off = np.abs(shown - np.interp(motor, run.motor, run.drive_wheel[:, axis])).max()
+        print(f"off by {off:.4f} mm")
+        assert off < 0.05  # of the midpoint rule, as its steps are chosen
 
 
 def test_every_effect_tells_how_to_separate_it(synthetic_car, nominal):

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.deviations.effect import Effect, Parameter
+from cadgen.deviations.effect import READING, Effect, Parameter
 from cadgen.deviations.rows import Rows
 from cadgen.measurement.doubt import unfit
 from cadgen.measurement.evidence import Evidence, Spectrum
@@ -132,12 +132,16 @@ def test_orders_stop_short_of_nyquist():
 
 def _effect(name: str, parameters: int = 1, **more: object) -> Effect:
     sizes = tuple(Parameter(name=f"p{k}_um", unit="um", lower=-9.0, upper=9.0, step=1.0) for k in range(parameters))
-    return Effect(name=name, stage="reading", parameters=sizes, act=lambda thing, p, at: thing, **more)
+    return Effect(name=name, stage=READING, parameters=sizes, act=lambda thing, p, at: thing, **more)
 
 
 def test_a_cause_with_many_orders_is_one_cause():
     search = Search(1000, {"scale": 1, "phase": 1, "waviness": 100}, 50)
-    scale, wave, bump = _effect("scale"), _effect("waviness, order 9", 2), _effect("bump", 3, shape=True)
+    scale, wave, bump = (
+        _effect("scale"),
+        _effect("waviness, order 9", 2, cause="waviness"),
+        _effect("bump", 3, shape=True),
+    )
     # Three causes alike likely; a hundred orders of one of them; fifty shapes.
     assert search.penalty((scale,), 1) == pytest.approx(np.log(1000) + 2 * np.log(3))
     assert search.penalty((wave,), 2) == pytest.approx(2 * np.log(1000) + 2 * np.log(3 * 100))

@@ -5,11 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cadgen.measurement.calibrate import calibrate_tricycle
+from cadgen.measurement.kinds import STEERED_TRACK
 from cadgen.measurement.leave_out import LEAST_RUNS
-from cadgen.measurement.load import load
-from cadgen.measurement.nominal import calibrate_tricycle
 from cadgen.measurement.record import Record
 from cadgen.measurement.verdict import SIGMAS, Judgement, sigmas_of, unclaimed, within_error
+from cadgen.records.load import load
 
 WHEELBASE = 150.0
 
@@ -22,7 +23,7 @@ def log(*, logged: float, true: float, seed: int, runs: int = 4, rows: int = 40,
     place = np.concatenate([[0.0], np.cumsum(travel * np.cos(angle) * np.exp(1j * heading))[:-1]])
     several = np.tile(place, runs) + rng.normal(0, noise, runs * rows) + 1j * rng.normal(0, noise, runs * rows)
     return Record(
-        kind="steered track",
+        kind=STEERED_TRACK,
         columns={
             "t_s": np.tile(0.05 * np.arange(rows), runs),
             "distance_mm": np.tile(travel * np.arange(rows), runs),

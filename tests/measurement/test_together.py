@@ -5,8 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.measurement.diagnose import Candidate, Finding, Value, diagnose
-from cadgen.measurement.nominal import calibrate
+from cadgen.deviations.quantities import RETURN_ERROR
+from cadgen.measurement.calibrate import calibrate
+from cadgen.measurement.diagnose import diagnose
+from cadgen.measurement.findings import Candidate, Finding, Value
+from cadgen.measurement.kinds import TRACK, TRANSMISSION, ZONES
 from cadgen.measurement.together import Claim, at_work, claims, no_play, settled, shared
 from tests.measurement import synthetic as syn
 from tests.measurement.synthetic_drive import Train, transmission_record
@@ -51,7 +54,7 @@ def test_what_a_profile_explains_is_not_blamed_on_the_lift_again(together, apart
 def test_an_eccentric_bore_is_one_in_lift_and_profile(apart):
     found = [claim for told in apart for claim in claims(told)]
     (bore,) = shared(found)
-    assert bore.thing == "eccentric bore"
+    assert bore.quantity.name == "eccentric bore"
     assert bore.agrees
     alone = [v.sigma for claim in found for v in claim.finding.values]
     for value, truth in zip(bore.values, (30.0, 20.0), strict=True):
@@ -64,9 +67,9 @@ def _play(effect, value, sigma=0.01):
 
 
 def test_play_is_one_thing_under_its_names():
-    found = [Claim("a", "track", _play("backlash", 0.80)), Claim("b", "transmission", _play("return error", 0.82))]
+    found = [Claim("a", TRACK, _play("backlash", 0.80)), Claim("b", TRANSMISSION, _play("return error", 0.82))]
     (play,) = shared(found)
-    assert (play.thing, play.agrees) == ("return error", True)
+    assert (play.quantity.name, play.agrees) == ("return error", True)
     assert play.values[0].value == pytest.approx(0.81)
     assert play.values[0].sigma == pytest.approx(0.01 / np.sqrt(2))
     (play,) = shared([found[0], replace(found[1], finding=_play("return error", 0.9))])
@@ -87,16 +90,16 @@ def rivals(apart):
         rivals=(("backlash",),),
     )
     candidates = (
-        Candidate(("lost motion by friction",), 0.0, 0.0, (friction,)),
-        Candidate(("backlash",), 1.0, 1.0, (backlash,)),
-        Candidate((), 90.0, 90.0),
+        Candidate(("lost motion by friction",), 0.0, (friction,)),
+        Candidate(("backlash",), 1.0, (backlash,)),
+        Candidate((), 90.0),
     )
     return replace(apart[0], judgement=judgement, findings=(friction,), candidates=candidates)
 
 
 @pytest.mark.slow
 def test_the_claim_of_another_record_decides_between_rivals(rivals):
-    train = Claim("train", "transmission", _play("return error", 0.30))
+    train = Claim("train", TRANSMISSION, _play("return error", 0.30))
     decided = settled(rivals, [train])
     assert decided is not None
     assert decided.by == (train,)
@@ -107,9 +110,9 @@ def test_the_claim_of_another_record_decides_between_rivals(rivals):
 
 @pytest.mark.slow
 def test_a_value_that_does_not_agree_decides_nothing(rivals, apart):
-    assert settled(rivals, [Claim("train", "transmission", _play("return error", 1.2))]) is None
+    assert settled(rivals, [Claim("train", TRANSMISSION, _play("return error", 1.2))]) is None
     assert settled(rivals, []) is None
-    assert settled(apart[1], [Claim("train", "transmission", _play("return error", 0.3))]) is None
+    assert settled(apart[1], [Claim("train", TRANSMISSION, _play("return error", 0.3))]) is None
 
 
 @pytest.mark.slow
@@ -129,7 +132,7 @@ def test_what_a_lift_shows_beside_a_known_profile_is_the_shafts(synthetic_car, n
         )
         for claim in claims(told)
     ]
-    assert [claim.thing for claim in found] == ["run-out of the shaft", "eccentric bore"]
+    assert [claim.quantity.name for claim in found] == ["run-out of the shaft", "eccentric bore"]
     assert shared(found) == ()
     for value, truth in zip(found[0].finding.values, (40.0, 20.0), strict=True):
         assert value.value == pytest.approx(truth, abs=4 * value.sigma)
@@ -137,13 +140,13 @@ def test_what_a_lift_shows_beside_a_known_profile_is_the_shafts(synthetic_car, n
 
 def test_kinds_that_agree_have_their_mean_and_those_that_do_not_the_tracks_value():
     train, zones = (
-        Claim("a", "transmission", _play("return error", 0.80)),
-        Claim("b", "zones", _play("return error", 0.9, 0.1)),
+        Claim("a", TRANSMISSION, _play("return error", 0.80)),
+        Claim("b", ZONES, _play("return error", 0.9, 0.1)),
     )
     best, taken = at_work([zones, train])
     assert best is train
     assert taken.finding.values[0].value == pytest.approx((0.80 / 0.01**2 + 0.9 / 0.1**2) / (1 / 0.01**2 + 1 / 0.1**2))
-    track = Claim("c", "track", _play("backlash", 1.2, 0.02))
+    track = Claim("c", TRACK, _play("backlash", 1.2, 0.02))
     assert at_work([train, zones, track]) == (track, track)
 
 
@@ -154,12 +157,12 @@ def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_w
     forward = np.tile(np.arange(721) < 361, record.runs)
     both, one_way = (diagnose(part, nominal.model) for part in (record, record.where(forward)))
     assert (both.verdict, one_way.verdict) == ("none", "none")
-    claim = no_play(both.source, both.kind, both.unnamed_play, 0.96)
+    claim = no_play(both.source, both.kind, both.unnamed[RETURN_ERROR], 0.96)
     assert claim.absent
-    assert (claim.thing, claim.finding.values[0].value) == ("return error", 0.0)
+    assert (claim.quantity.name, claim.finding.values[0].value) == ("return error", 0.0)
     assert 0 < claim.finding.values[0].sigma < 0.02
-    assert no_play(one_way.source, one_way.kind, one_way.unnamed_play, 0.96) is None
+    assert no_play(one_way.source, one_way.kind, one_way.unnamed[RETURN_ERROR], 0.96) is None
     # Against a return error that the scatter hides nothing can be said.
-    assert no_play(both.source, both.kind, both.unnamed_play, 0.02) is None
+    assert no_play(both.source, both.kind, both.unnamed[RETURN_ERROR], 0.02) is None
     # Where play is named, or a single run names nothing, there is no such claim.
-    assert diagnose(record.only(np.array([0])), nominal.model).unnamed_play is None
+    assert diagnose(record.only(np.array([0])), nominal.model).unnamed == {}

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from cadgen.errors import FileError
-from cadgen.measurement.load import load
-from cadgen.measurement.units import refuse_wrong_log, refuse_wrong_units
+from cadgen.measurement.nominal import LoggedCar
+from cadgen.measurement.units import refuse_wrong_units
+from cadgen.records.load import load
 
-WHEELBASE = 150.0
+LOGGED = LoggedCar(150.0)
 
 
 def _scaled(record, columns, factor):
@@ -42,6 +43,6 @@ def test_a_slip_of_unit_is_named(nominal, measured, file, columns, factor, unit)
 )
 def test_a_log_contradicts_itself(measured, file, columns, factor, unit):
     record = load(measured / f"{file}.csv").only(np.arange(2))
-    refuse_wrong_log(record, WHEELBASE)
+    refuse_wrong_units(record, LOGGED)
     with pytest.raises(FileError, match=f"so it seems to be in {unit}: give"):
-        refuse_wrong_log(_scaled(record, columns, factor), WHEELBASE)
+        refuse_wrong_units(_scaled(record, columns, factor), LOGGED)

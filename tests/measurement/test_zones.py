@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from cadgen.errors import FileError
-from cadgen.measurement.load import load
 from cadgen.measurement.zones import judged, return_error, shortfall
+from cadgen.records.load import load
 
 
 def test_return_error_of_the_papers_three_means(measured):

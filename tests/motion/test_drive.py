@@ -9,7 +9,8 @@ from scipy.interpolate import PPoly
 from cadgen.arrays import TURN
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.drive import Pose, drive, start_pose, wheel_radius
+from cadgen.motion.drive import MIDPOINT, TWO_STAGE, Pose, drive, driven, start_pose, wheel_radius
+from cadgen.motion.play import follow
 
 
 def steady(tan_beta: float) -> LiftCurve:
@@ -44,6 +45,23 @@ def test_order_of_convergence(name, play_deg, request):
     order = np.log2(errors[0] / errors[2]) / 2
     print(f"{name}, play {play_deg} degrees: errors {errors} mm at 50, 100, 200 steps, order {order:.2f}")
     assert order > 3.0
+
+
+@pytest.mark.parametrize(("rule", "least", "most"), [(MIDPOINT, 1.8, 2.3), (TWO_STAGE, 3.0, 5.5)])
+def test_each_rule_has_its_order_across_jumps_and_waits(carbon_free_car, rule, least, most):
+    built = carbon_free_car
+    following = follow(built.lift, np.radians(0.962))
+    joints, stop = following.joints(0.0, built.lift.blend_start), built.lift.blend_start
+
+    def end(steps, rule):
+        nodes = np.union1d(np.linspace(0.0, stop, steps + 1), joints)
+        return driven(nodes, following.tan_beta, built.car, built.track.length, Pose(), rule)[1][-1]
+
+    exact = end(7200, TWO_STAGE)
+    errors = [abs(end(steps, rule) - exact) for steps in (100, 400)]
+    order = np.log2(errors[0] / errors[1]) / 2
+    print(f"errors {errors} mm at 100 and 400 steps, order {order:.2f}")
+    assert least < order < most
 
 
 @pytest.mark.parametrize("tan_beta", [0.3, -0.3, 0.0])

@@ -100,7 +100,7 @@ def case(seed: int, number: int, cases: int) -> Case:
 
 def judged(seed: int, number: int, cases: int) -> Outcome:
     """Drive a car and calibrate it."""
-    from cadgen.measurement.nominal import calibrate
+    from cadgen.measurement.calibrate import calibrate
 
     made = case(seed, number, cases)
     world, nominal = _bench()

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from cadgen.measurement.kinds import TRACK
 from cadgen.measurement.record import Record
 
 DEG, TURN = np.pi / 180, 2 * np.pi
@@ -97,7 +98,7 @@ class World:
             "y_mm": np.round(place.imag, 1),
         }
         run = np.repeat(np.arange(runs), len(degrees))
-        return Record(kind="track", columns=columns, run=run, remarks=(), source="car that rubs")
+        return Record(kind=TRACK, columns=columns, run=run, remarks=(), source="car that rubs")
 
 
 def _ratio(rod: Any, T: np.ndarray, slope: np.ndarray) -> np.ndarray:

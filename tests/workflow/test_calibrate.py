@@ -1,6 +1,7 @@
 """The as-built design file, and one car from several kinds of data."""
 
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -8,7 +9,8 @@ import pytest
 from cadgen.build import variation
 from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import FileError
-from cadgen.measurement.diagnose import Finding, Value
+from cadgen.measurement import kinds
+from cadgen.measurement.findings import Finding, Value
 from cadgen.report.text import Heading, Table, plain
 from cadgen.workflow.calibration import plan
 from cadgen.workflow.calibration.as_built_file import as_built_text
@@ -36,7 +38,7 @@ def car():
 
 @pytest.mark.slow
 def test_one_thing_is_at_work_once_and_by_the_data_that_show_it_best(car):
-    places = [(one.claim.kind, one.claim.finding.effect, one.place) for one in car.built]
+    places = [(one.claim.kind.code, one.claim.finding.effect, one.place) for one in car.built]
     assert places == [
         ("transmission", "return error", "noted"),
         ("track", "backlash", "car"),
@@ -54,7 +56,7 @@ def test_where_they_agree_the_most_accurate_has_the_mean():
         load_design(), "actual", read([MEASURED / f"{n}.csv" for n in ("paper_section5", "transmission_a")])
     )
     train, _, zones = told.built
-    assert [(one.claim.kind, one.place) for one in (train, zones)] == [("transmission", "car"), ("zones", "noted")]
+    assert [(one.claim.kind.code, one.place) for one in (train, zones)] == [("transmission", "car"), ("zones", "noted")]
     own, alone = told.claims[0].finding.values[0], told.claims[-1].finding.values[0]
     weights = own.sigma**-2, alone.sigma**-2
     mean = (own.value * weights[0] + alone.value * weights[1]) / sum(weights)
@@ -169,7 +171,7 @@ def test_text_is_folded_but_numbers_are_not():
 
 def test_files_are_refused_before_more_are_read_than_can_be_judged(monkeypatch):
     names = [MEASURED / f"{name}.csv" for name in ("track_a", "track_b", "there_is_none")]
-    monkeypatch.setattr(plan, "most_rows", lambda kind: 1000)
+    monkeypatch.setitem(kinds._kinds, "track", replace(kinds.TRACK, most_rows=1000))
     with pytest.raises(
         FileError, match=r"the 2 files up to track_b.csv have \d+ rows of track data, more than the 1000"
     ):

@@ -14,12 +14,8 @@ class Model(Protocol):
     """A forward model with its data."""
 
     @property
-    def kind(self) -> str:
-        """Of data."""
-
-    @property
     def unit(self) -> str:
-        """Key of `UNITS` in which residuals are told."""
+        """Key of `UNITS` of residuals as they are reported."""
 
     @property
     def rows(self) -> Rows:

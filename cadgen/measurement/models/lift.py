@@ -11,9 +11,10 @@ from cadgen.cam.contact import roll
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import Outline
-from cadgen.deviations.disc import Disc
-from cadgen.deviations.effect import Active, Effect, through
-from cadgen.deviations.lift import Readings, Setting, lift_effects
+from cadgen.deviations.catalogue import LIFT
+from cadgen.deviations.disc import DISC, NOSE_WIDTHS_DEG, Disc, worn_nose
+from cadgen.deviations.effect import READING, Active, Effect, through
+from cadgen.deviations.lift import ANGLE, FOLLOWER, Readings, Setting
 from cadgen.errors import DesignError
 from cadgen.measurement.models.base import elapsed, fourier, per_run
 from cadgen.measurement.record import Record
@@ -27,7 +28,6 @@ SHAPE_ORDERS = range(1, 61)
 class LiftModel:
     """Lift by cam angle, run and direction: reading = w_in tan(beta), the dial at the inner face's nominal place."""
 
-    kind = "lift"
     unit = "um"
     measured = None
 
@@ -48,7 +48,8 @@ class LiftModel:
             slope=np.sign(slope),
             steering=np.asarray(lift.tan_beta(angle)),
         )
-        self.catalogue = lift_effects(len(self._disc.noses))
+        noses = range(len(self._disc.noses))
+        self.catalogue = (*LIFT.effects, *(worn_nose(k, width) for k in noses for width in NOSE_WIDTHS_DEG))
         self.datum: tuple[Effect, ...] = ()
         self.offsets = per_run(record.run)
         self.form, self.order = fourier(angle, FORM_ORDERS)
@@ -65,20 +66,20 @@ class LiftModel:
 
     def residual(self, active: Active) -> Array:
         """Measured less expected reading, mm."""
-        angle = through("angle", self.rows.place, active, self.rows)
+        angle = through(ANGLE, self.rows.place, active, self.rows)
         steering = self._lift.tan_beta(angle)
-        moved = [(e, v) for e, v in active if e.stage in ("disc", "follower")]
+        moved = [(e, v) for e, v in active if e.stage in (DISC, FOLLOWER)]
         if moved:
             steering = steering + self._change(moved)(angle)
-        reading = through("reading", self._follower.inner * steering, active, self.rows)
+        reading = through(READING, self._follower.inner * steering, active, self.rows)
         return self._reading - reading
 
     def _change(self, active: Sequence[tuple[Effect, Array]]) -> CubicSpline:
         """Change of tan(beta) by cam angle; remembered, since most differences leave disc and rod alone."""
         key = b"".join(effect.key.encode() + np.asarray(values).tobytes() for effect, values in active)
         if key not in self._known:
-            disc = through("disc", self._disc, active, self.rows)
-            setting = through("follower", Setting(self._follower), active, self.rows)
+            disc = through(DISC, self._disc, active, self.rows)
+            setting = through(FOLLOWER, Setting(self._follower), active, self.rows)
             change = self._roll(Outline(disc.points, disc.piece), setting) - self._rolled
             if not np.isfinite(change).all():
                 raise DesignError("no rod can follow a disc that is so far from its design")

@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from cadgen.arrays import TURN, Array
-from cadgen.deviations.disc import NOSE_WIDTHS_DEG, PROFILE_EFFECTS, Disc, undulation, worn_nose
-from cadgen.deviations.effect import Active, Effect, Parameter, through
+from cadgen.deviations.catalogue import PROFILE
+from cadgen.deviations.disc import DISC, NOSE_WIDTHS_DEG, Disc, undulation, worn_nose
+from cadgen.deviations.effect import READING, Active, Effect, Parameter, Stage, through
 from cadgen.deviations.rows import Rows
 from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run, slopes
 from cadgen.measurement.record import Record
@@ -18,13 +19,16 @@ FORM_ORDERS = 90
 UNDULATIONS = 120
 
 
+CLOCK = Stage[Array]("clock")
+
+
 def _clock(angle: Array, p: Array, at: Rows) -> Array:
     return np.asarray(angle - p[0])
 
 
 CLOCKING = Effect(
     name="clocking",
-    stage="clock",
+    stage=CLOCK,
     parameters=(Parameter(name="clocking_deg", unit="deg", lower=-10.0, upper=10.0, step=0.02),),
     act=_clock,
 )
@@ -42,7 +46,6 @@ class ProfileModel:
         own: clocking of each run against the bare design, shape (runs,), rad.
     """
 
-    kind = "profile"
     unit = "um"
     measured = None
 
@@ -62,7 +65,7 @@ class ProfileModel:
         )
         last = highest_order(place, record.run)
         self.catalogue = (
-            *PROFILE_EFFECTS,
+            *PROFILE.effects,
             *(worn_nose(k, width) for k in range(len(self._disc.noses)) for width in NOSE_WIDTHS_DEG),
             *(undulation(order) for order in range(2, min(UNDULATIONS, last) + 1)),
         )
@@ -81,9 +84,9 @@ class ProfileModel:
 
     def residual(self, active: Active) -> Array:
         """Distance outside the expected outline, mm."""
-        disc = through("disc", self._disc, active, self.rows)
-        angle = through("clock", self.rows.place, active, self.rows)
-        offset = through("reading", np.zeros(len(angle)), active, self.rows)
+        disc = through(DISC, self._disc, active, self.rows)
+        angle = through(CLOCK, self.rows.place, active, self.rows)
+        offset = through(READING, np.zeros(len(angle)), active, self.rows)
         return self._distance(disc, angle, self._radius) - offset
 
     def _clocked(self, seen: Array, mine: NDArray[np.bool_]) -> float:

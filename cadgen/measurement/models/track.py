@@ -4,14 +4,16 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
+from cadgen.deviations.catalogue import TRACK
 from cadgen.deviations.effect import Active, Effect, through
 from cadgen.deviations.rows import Rows
-from cadgen.deviations.track import Drive, track_effects
+from cadgen.deviations.track import RUNNING, STEERING, track_forms
 from cadgen.measurement.models.base import elapsed, fourier
 from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.record import Record
+from cadgen.motion.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.path.track import Track
-from cadgen.steering.car import Car
+from cadgen.steering.car import Car, wheel_tangent
 
 # Even steps of the turn. The midpoint rule errs by under 0.05 mm at the end of the paper's path.
 STEPS = 2880
@@ -26,17 +28,15 @@ class TrackModel:
     shows in the track as a twice integrated steering error.
     """
 
-    kind = "track"
     unit = "mm"
 
     def __init__(
         self, record: Record, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
     ) -> None:
-        self._lift, self._car, self._length, self._forces = lift, car, track.length, forces
+        self._lift, self._car, self._forces = lift, car, forces
+        self._nominal = Running(car=car, length=track.length)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
-        x, y = track.position(0.0)
-        self._start = complex(x, y)
-        self._heading = float(track.heading(np.array([0.0]))[0])
+        self._start = start_pose(track)
         # The closing blend steers no path and is made as each maker likes: it is not judged.
         record = record.where(np.radians(record["cam_angle_deg"]) < lift.blend_start - BLEND_MARGIN)
         motor = np.radians(record["cam_angle_deg"])
@@ -55,7 +55,7 @@ class TrackModel:
             elapsed=elapsed(run),
             cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
         )
-        self.catalogue = track_effects()
+        self.catalogue = (*TRACK.effects, *track_forms())
         self.shapes: tuple[Effect, ...] = ()
         self.datum: tuple[Effect, ...] = ()
         self.floor = floor / forces.mechanics.follower.inner
@@ -70,24 +70,19 @@ class TrackModel:
         return np.asarray(self.measured - part)
 
     def _run(self, active: Active) -> Array:
-        nominal = Drive(self._car.wheelbase, self._car.drive_wheel_offset, self._length)
-        drive = through("drive", nominal, active, self.rows)
+        run = through(RUNNING, self._nominal, active, self._grid)
         nodes, following = self._grid, None
-        if drive.play > 0:
+        if run.play > 0:
             # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
-            following = self._forces.leads(drive.friction).follow(self._lift, drive.play)
-            phase = float(through("cam", np.zeros(1), active, self.rows)[0])
-            nodes = np.union1d(nodes, following.joints(phase, TURN + phase) - phase)
-        middle = (nodes[1:] + nodes[:-1]) / 2
-        angle = through("cam", middle, active, self.rows)
-        steering = self._lift.tan_beta(angle if following is None else following.cam_angle(angle))
-        steering = through("lever", steering, active, middle)
-        steering = through("steering", steering, active, middle)
-        curvature = -steering / (drive.wheelbase + drive.drive_wheel_offset * steering)
-        travel = drive.length * np.diff(nodes) / TURN * (1 - drive.slip * np.abs(steering))
-        turn = curvature * travel
-        heading = self._heading + np.cumsum(turn) - turn / 2
-        place = self._start + np.concatenate([[0], np.cumsum(travel * np.exp(1j * heading))])
+            following = self._forces.leads(run.friction).follow(self._lift, run.play)
+            nodes = np.union1d(nodes, following.joints(run.phase, TURN + run.phase) - run.phase)
+
+        def wheel(motor: Array) -> Array:
+            angle = motor + run.phase
+            rod = self._lift.tan_beta(angle if following is None else following.cam_angle(angle))
+            return through(STEERING, wheel_tangent(rod, run.car), active, motor)
+
+        _, place = driven(nodes, wheel, run.car, run.length, self._start, MIDPOINT)
         at = np.interp(self._motor, nodes, np.arange(len(nodes)))
         low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))

@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
-from cadgen.deviations.effect import Active, Effect, through
-from cadgen.deviations.transmission import Play, Turns, transmission_effects
+from cadgen.deviations.catalogue import TRANSMISSION
+from cadgen.deviations.effect import READING, Active, Effect, through
+from cadgen.deviations.transmission import MESH, PLAY, RATIO, Play, Turns, train_orders
 from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run
 from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.record import Record
@@ -24,7 +25,6 @@ TAKE_UP_DEG = 5.0
 class TransmissionModel:
     """Cam angle by motor angle, forward and back, the inclinometer's zero free in each run."""
 
-    kind = "transmission"
     unit = "deg"
     measured = None
 
@@ -63,7 +63,7 @@ class TransmissionModel:
             torque=slope / np.abs(slope).max(),
         )
         highest = highest_order(turned[~back], run[~back])
-        self.catalogue = transmission_effects(ratios, teeth, highest)
+        self.catalogue = (*TRANSMISSION.effects, *train_orders(ratios, teeth, highest))
         self._shape_orders = range(1, min(SHAPE_ORDERS, highest) + 1)
         self.datum: tuple[Effect, ...] = ()
         self.offsets = per_run(run)
@@ -78,14 +78,14 @@ class TransmissionModel:
 
     def residual(self, active: Active) -> Array:
         """Measured less expected cam angle, rad."""
-        asked = through("ratio", self._all, active, self.rows)
-        asked = through("mesh", asked, active, self.rows)
-        play = through("play", Play(), active, self.rows)
+        asked = through(RATIO, self._all, active, self.rows)
+        asked = through(MESH, asked, active, self.rows)
+        play = through(PLAY, Play(), active, self.rows)
         angle = asked
         if play.width > 0:
             drawn = None if play.friction is None else self._forces.drawn(play.friction)
             angle = follow(asked, self._run_all, play.width, drawn)
-        return np.asarray(self._reading - through("reading", angle[self._used], active, self.rows))
+        return np.asarray(self._reading - through(READING, angle[self._used], active, self.rows))
 
 
 def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array, Array] | None = None) -> Array:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
+from cadgen.deviations.catalogue import STEERED_TRACK
 from cadgen.deviations.effect import Active, Effect, through
-from cadgen.deviations.tricycle import TRICYCLE_EFFECTS, Log
+from cadgen.deviations.tricycle import DELAY, MARKER, STEERING, TRAVEL, WHEELBASE, Log
 from cadgen.measurement.models.base import elapsed
 from cadgen.measurement.record import Record
 
@@ -23,7 +24,6 @@ class TricycleModel:
     Rows hold first the x and then the y of a run.
     """
 
-    kind = "steered track"
     unit = "mm"
 
     def __init__(self, record: Record, wheelbase: float) -> None:
@@ -58,7 +58,7 @@ class TricycleModel:
             time=time[self._rows],
             steering=steering[self._rows],
         )
-        self.catalogue: tuple[Effect, ...] = TRICYCLE_EFFECTS
+        self.catalogue: tuple[Effect, ...] = STEERED_TRACK.effects
         self.shapes: tuple[Effect, ...] = ()
         self.datum: tuple[Effect, ...] = ()
         self.floor = 0.0
@@ -74,20 +74,20 @@ class TricycleModel:
     def path(self, active: Active) -> Array:
         """Expected place at every logged row as x + iy, mm."""
         log = self._log
-        delay = through("delay", 0.0, active, log)
+        delay = through(DELAY, 0.0, active, log)
         angle = log.steering
         if delay != 0:
             parts = [np.interp(log.time[s] - delay, log.time[s], angle[s]) for s in self._spans]
             angle = np.concatenate(parts)
-        angle = through("steering", angle, active, log)
+        angle = through(STEERING, angle, active, log)
         travel = np.append(0.0, np.diff(self._distance))
         travel[self._first] = 0.0
-        travel = through("travel", travel, active, log)
+        travel = through(TRAVEL, travel, active, log)
         middle = (angle + np.append(angle[0], angle[:-1])) / 2
-        turn = np.sin(middle) * travel / through("wheelbase", self._wheelbase, active, log)
+        turn = np.sin(middle) * travel / through(WHEELBASE, self._wheelbase, active, log)
         heading = self._summed(turn, self._start[1])
         place = self._summed(np.cos(middle) * travel * _towards(heading - turn / 2), self._start[0])
-        marker = through("marker", 0j, active, log)
+        marker = through(MARKER, 0j, active, log)
         if marker == 0:
             return place
         towards = _towards(heading)

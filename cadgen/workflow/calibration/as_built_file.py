@@ -4,7 +4,7 @@ from math import isfinite
 from typing import Any
 
 from cadgen.design.override import override
-from cadgen.measurement.diagnose import Value
+from cadgen.measurement.findings import Value
 from cadgen.workflow.calibration.plan import Calibration
 from cadgen.workflow.calibration.words import sentence, shown
 
@@ -45,7 +45,7 @@ def _table(calibration: Calibration) -> str:
             "",
             f"[[{_TABLE}.sources]]",
             f"file = {_text(source.path.name)}",
-            f'kind = "{source.kind}"',
+            f'kind = "{source.kind.code}"',
             f'sha256 = "{source.sha256}"',
             f'verdict = "{calibration.verdict(source.kind)}"',
         ]
@@ -54,10 +54,10 @@ def _table(calibration: Calibration) -> str:
         if known.place in ("car", "process"):
             values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
             lines += _effect("cut_for", known.effect, known.kind, known.place, values)
-    for one in calibration.built:
-        finding = one.claim.finding
+    for built in calibration.built:
+        finding = built.claim.finding
         values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.given)]
-        lines += _effect("effects", finding.effect, one.claim.kind, one.place, values, sentence(one))
+        lines += _effect("effects", finding.effect, built.claim.kind.code, built.place, values, sentence(built))
     return "\n".join(lines) + "\n"
 
 
@@ -74,17 +74,17 @@ def _effect(table: str, effect: str, kind: str, place: str, values: list[str], w
 
 
 def _value(value: Value) -> str:
-    told, sigma = shown(value)
-    return _inline(value.name, _float(told), _float(sigma) if isfinite(value.sigma) and sigma else None)
+    number, sigma = shown(value)
+    return _inline(value.name, _float(number), _float(sigma) if isfinite(value.sigma) and sigma else None)
 
 
 def _inline(name: str, value: str, sigma: str | float | None = None) -> str:
     return f'{{ name = "{name}", value = {value}{f", sigma = {sigma}" if sigma else ""} }}'
 
 
-def _float(told: str) -> str:
+def _float(number: str) -> str:
     """A TOML float has a point or an exponent."""
-    return told if any(mark in told for mark in ".e") else f"{told}.0"
+    return number if any(mark in number for mark in ".e") else f"{number}.0"
 
 
 def _text(words: str) -> str:

@@ -8,15 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.design.load import load_design
+from cadgen.deviations import quantities
 from cadgen.errors import FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
-from cadgen.measurement.diagnose import Diagnosis, Finding
+from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
+from cadgen.measurement.together import Shared
 from cadgen.report.calibration import draw_record
 from cadgen.report.text import plain
 from cadgen.workflow.calibration.as_built_file import as_built_text
-from cadgen.workflow.calibration.plan import STEERED, Built, Calibration, ZoneMeans
+from cadgen.workflow.calibration.plan import Built, Calibration, Source
 from cadgen.workflow.calibration.words import report, summary
+from cadgen.workflow.calibration.zone_means import ZoneMeans
 from cadgen.workflow.cam.plan import Step
 
 FORMAT = 1
@@ -38,23 +41,30 @@ def document(calibration: Calibration) -> dict[str, Any]:
         "form_error_from": c.form_error_from,
         "wheelbase_mm": c.wheelbase and c.wheelbase[0],
         "warnings": list(c.warnings),
-        "files": [
-            {"file": s.path.name, "kind": s.kind, "runs": s.record.runs, "rows": len(s.record.run), "sha256": s.sha256}
-            for s in c.sources
-        ],
-        "records": [_record(told) for told in c.told],
+        "files": [_file(source) for source in c.sources],
+        "records": [_record(diagnosis) for diagnosis in c.diagnoses],
         "zones": c.zones and _zones(c.zones),
-        "shared": [{**asdict(one), "chance": _plain(one.chance), "agrees": one.agrees} for one in c.shared],
+        "shared": [_shared(quantity) for quantity in c.shared],
         "settled": [
             {
                 "source": source,
-                "claims": [claim.finding.effect for claim in one.claims],
-                "by": [{"source": claim.source, "effect": claim.finding.effect} for claim in one.by],
+                "claims": [claim.finding.effect for claim in decided.claims],
+                "by": [{"source": claim.source, "effect": claim.finding.effect} for claim in decided.by],
             }
-            for source, one in c.settled.items()
+            for source, decided in c.settled.items()
         ],
-        "as_built": [_built(one) for one in c.built],
+        "as_built": [_built(built) for built in c.built],
         "versions": versions(),
+    }
+
+
+def _file(source: Source) -> dict[str, Any]:
+    return {
+        "file": source.path.name,
+        "kind": source.kind.code,
+        "runs": source.record.runs,
+        "rows": len(source.record.run),
+        "sha256": source.sha256,
     }
 
 
@@ -80,9 +90,8 @@ def write_calibration(calibration: Calibration, design_text: str, out: Path, ste
     with publishing(out) as staging:
         names = _documents(staging, stem, document(c), plain(report(c), _TEXT_WIDTH))
         step("drawing")
-        for told in c.told:
-            length = None if told.kind == STEERED else c.track_length
-            names += draw_record(told, length, staging, f"{stem}_{told.kind.replace(' ', '_')}")
+        for diagnosis in c.diagnoses:
+            names += draw_record(diagnosis, c.track_length, staging, f"{stem}_{diagnosis.kind.stem}")
         if c.built:
             names.append(f"{c.design.name}_as_built.toml")
             (staging / names[-1]).write_text(as_built_text(c, design_text), encoding="utf-8", newline="")
@@ -120,63 +129,116 @@ def _published(staging: Path, out: Path, stem: str, facts: dict[str, Any], names
 def _read_back(c: Calibration, file: Path) -> None:
     """The as-built design must be the design with its overrides and nothing else but [as_built]."""
     again = load_design(file)
-    meant = [(one.claim.finding.effect, one.claim.kind, one.place) for one in c.built]
-    built = again.as_built
+    meant = [(built.claim.finding.effect, built.claim.kind.code, built.place) for built in c.built]
+    as_built = again.as_built
     same = again.as_designed().values() == c.design.as_designed().values()
-    if built is None or not same or [(e.effect, e.kind, e.place) for e in built.effects] != meant:
+    if as_built is None or not same or [(e.effect, e.kind, e.place) for e in as_built.effects] != meant:
         raise FileError(f"{file.name}, read back, is not the design with what was measured: report this design")
-    for one, effect in zip(c.built, built.effects, strict=True):
-        for value in one.claim.finding.values:
+    for built, effect in zip(c.built, as_built.effects, strict=True):
+        for value in built.claim.finding.values:
             sigma = value.sigma if isfinite(value.sigma) and value.sigma > 0 else abs(value.value) * 1e-4
             # Rounding to two digits of the uncertainty moves a value by no more than a twentieth of it.
             if abs(effect.numbers[value.name] - value.value) > 0.06 * sigma:
                 raise FileError(f"{file.name}, read back, has another {value.name}: report this design")
 
 
-def _record(told: Diagnosis) -> dict[str, Any]:
-    r, j = told.residual, told.judgement
+def _record(diagnosis: Diagnosis) -> dict[str, Any]:
+    j = diagnosis.judgement
     facts: dict[str, Any] = {
-        "kind": told.kind,
-        "source": told.source,
-        "verdict": told.verdict,
+        "kind": diagnosis.kind.code,
+        "source": diagnosis.source,
+        "verdict": diagnosis.verdict,
         "sentence": j.sentence,
         "claimed": list(j.claimed),
         "reported": list(j.reported),
         "rivals": [list(names) for names in j.rivals],
         "to_decide": list(j.separate),
         "limits": list(j.limits),
-        "known_from_profile": list(told.known),
-        "effects": [_finding(f, f.effect in j.claimed) for f in told.findings],
-        "unnamed_play": told.unnamed_play and _finding(told.unnamed_play),
-        "unnamed_friction": told.unnamed_friction and _finding(told.unnamed_friction),
-        "datum": [_finding(f) for f in told.datum],
-        "unit": told.unit,
+    }
+    effects = [_finding(f, f.effect in j.claimed) for f in diagnosis.findings]
+    by_method = _by_paths if isinstance(diagnosis, PathDiagnosis) else _by_evidence
+    return {**facts, **by_method(diagnosis, effects)}
+
+
+def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, Any]:
+    assert isinstance(diagnosis, EvidenceDiagnosis)
+    r, p, left = diagnosis.residual, diagnosis.per_run, diagnosis.residual.left_out
+    play, friction = (diagnosis.unnamed.get(q) for q in (quantities.RETURN_ERROR, quantities.SLIDING_FRICTION))
+    held_out = [None] * diagnosis.runs if p.held_out is None else p.held_out.tolist()
+    return {
+        "known_from_profile": list(diagnosis.known),
+        "effects": effects,
+        "unnamed_play": play and _finding(play),
+        "unnamed_friction": friction and _finding(friction),
+        "datum": [_finding(f) for f in diagnosis.datum],
+        "unit": diagnosis.unit,
         "residual": {
             "before": _plain(r.before),
             "after": _plain(r.after),
-            "left_out": _plain(r.held_out),
-            "left_out_less_form_error": _plain(r.held_out_repeating),
+            "left_out": left and _plain(left.rms),
+            "left_out_less_form_error": left and _plain(left.repeating),
             "noise": _plain(r.noise),
-            "noise_correlation": _plain(told.correlation),
+            "noise_correlation": _plain(diagnosis.correlation),
         },
         "runs": [
-            {"before": _plain(b), "after": _plain(a), "left_out": _plain(h)}
-            for b, a, h in zip(told.per_run.before, told.per_run.after, told.per_run.held_out, strict=True)
+            {"before": _plain(b), "after": _plain(a), "left_out": h}
+            for b, a, h in zip(p.before, p.after, held_out, strict=True)
         ],
         "candidates": [
             {
                 "effects": list(c.effects),
-                "left_out_mm" if c.held_out else "worse_by": _plain(c.score),
+                "worse_by": _plain(c.score),
                 "values": [_finding(f) for f in c.findings],
-                **({"left_out_of_each_run_mm": list(c.held_out)} if c.held_out else {}),
             }
-            for c in told.candidates
+            for c in diagnosis.candidates
         ],
     }
-    if told.per_run.as_logged is not None:
-        for run, value in zip(facts["runs"], told.per_run.as_logged, strict=True):
-            run["before_start_as_logged"] = _plain(value)
-    return facts
+
+
+def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, Any]:
+    """The same keys; what path errors do not have is null."""
+    assert isinstance(diagnosis, PathDiagnosis)
+    r, p = diagnosis.residual, diagnosis.per_run
+    return {
+        "known_from_profile": [],
+        "effects": effects,
+        "unnamed_play": None,
+        "unnamed_friction": None,
+        "datum": [],
+        "unit": diagnosis.unit,
+        "residual": {
+            "before": _plain(r.before),
+            "after": _plain(r.after),
+            "left_out": _plain(r.held_out),
+            "left_out_less_form_error": None,
+            "noise": None,
+            "noise_correlation": None,
+        },
+        "runs": [
+            {"before": _plain(b), "after": _plain(a), "left_out": _plain(h), "before_start_as_logged": _plain(s)}
+            for b, a, h, s in zip(p.before, p.after, p.held_out, p.as_logged, strict=True)
+        ],
+        "candidates": [_path_candidate(c) for c in diagnosis.candidates],
+    }
+
+
+def _path_candidate(candidate: PathCandidate) -> dict[str, Any]:
+    return {
+        "effects": list(candidate.effects),
+        "left_out_mm": _plain(candidate.score),
+        "values": [_finding(f) for f in candidate.findings],
+        "left_out_of_each_run_mm": list(candidate.held_out),
+    }
+
+
+def _shared(shared: Shared) -> dict[str, Any]:
+    return {
+        "thing": shared.quantity.name,
+        "values": [asdict(value) for value in shared.values],
+        "sources": shared.sources,
+        "chance": _plain(shared.chance),
+        "agrees": shared.agrees,
+    }
 
 
 def _zones(means: ZoneMeans) -> dict[str, Any]:
@@ -191,20 +253,20 @@ def _zones(means: ZoneMeans) -> dict[str, Any]:
         "smooth_deg": z.smooth_deg,
         "misfit": z.misfit,
         "tabled": [
-            {"order": order, "return_error_deg": value, "standard_errors": one.apart, "inside": one.inside}
-            for (order, value), one in zip(means.tabled.items(), z.compared, strict=True)
+            {"order": order, "return_error_deg": value, "standard_errors": c.apart, "inside": c.inside}
+            for (order, value), c in zip(means.tabled.items(), z.compared, strict=True)
         ],
         "shortfall": means.shortfall and asdict(means.shortfall),
     }
 
 
-def _built(one: Built) -> dict[str, Any]:
+def _built(built: Built) -> dict[str, Any]:
     return {
-        "source": one.claim.source,
-        "kind": one.claim.kind,
-        "place": one.place,
-        "mean_of": list(one.mean_of),
-        **_finding(one.claim.finding),
+        "source": built.claim.source,
+        "kind": built.claim.kind.code,
+        "place": built.place,
+        "mean_of": list(built.mean_of),
+        **_finding(built.claim.finding),
     }
 
 

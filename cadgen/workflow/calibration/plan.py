@@ -13,24 +13,24 @@ from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.schema import Design
-from cadgen.deviations.catalogue import named
-from cadgen.deviations.names import Kind, Place
+from cadgen.deviations import quantities
+from cadgen.deviations.names import Place
 from cadgen.errors import FileError, brief
 from cadgen.gears.search import arrange
-from cadgen.measurement.diagnose import SOUND, Diagnosis, Finding
-from cadgen.measurement.load import digest, join, load, most_rows, printed, said
-from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal, calibrate_tricycle
-from cadgen.measurement.nominal import calibrate as judge
-from cadgen.measurement.record import Record
+from cadgen.measurement.calibrate import calibrate as judge
+from cadgen.measurement.calibrate import calibrate_tricycle
+from cadgen.measurement.diagnose import SOUND
+from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
+from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
+from cadgen.measurement.record import Kind, Method, Record, join
+from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
-from cadgen.measurement.verdict import Judgement
-from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
+from cadgen.records.load import digest, load
+from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
 from cadgen.workflow.cam.plan import Step, plan_cam
 
-STEERED: Kind = "steered track"
-ZONES: Kind = "zones"
 _STATIONS = 3600  # at which any other is rolled
 # Rows that are read for one command which judges every file alone: their records have some 200 MB.
 MOST_READ = 2_000_000
@@ -46,29 +46,9 @@ class Source:
     sha256: str
 
     @property
-    def kind(self) -> str:
+    def kind(self) -> Kind:
         """Of data."""
         return self.record.kind
-
-
-@dataclass(frozen=True, kw_only=True)
-class ZoneMeans:
-    """What the mean turns over zones say.
-
-    Attributes:
-        source: of the record.
-        judgement, finding: the verdict, and the return error.
-        zones: the numbers.
-        tabled: greatest return errors of the design's train by the order of its stages, deg; empty if it has none.
-        shortfall: what would explain the smooth zone's turn; None if speed and time were not said or there is no train.
-    """
-
-    source: str
-    judgement: Judgement
-    finding: Finding
-    zones: Zones
-    tabled: dict[str, float]
-    shortfall: Shortfall | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +78,7 @@ class Calibration:
         wheelbase: of logged tracks, mm, and whether a file said it; None without such a track.
         track_length: of the design's track, mm; None if only logged tracks and zones were given.
         sources: the files.
-        told: the verdict on each kind with a forward model.
+        diagnoses: what each kind with a forward model shows.
         zones: on means over zones.
         claims: what the verdicts claim, with what is settled, and that there is no play where that was seen.
         settled: source of an ambiguous record -> what others decide in it.
@@ -114,7 +94,7 @@ class Calibration:
     wheelbase: tuple[float, bool] | None
     track_length: float | None
     sources: tuple[Source, ...]
-    told: tuple[Diagnosis, ...]
+    diagnoses: tuple[Diagnosis, ...]
     zones: ZoneMeans | None
     claims: tuple[Claim, ...]
     settled: dict[str, Settled]
@@ -123,10 +103,10 @@ class Calibration:
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
-        """Everything claimed, each physical thing at work once."""
+        """Everything claimed, each physical quantity at work once."""
         built = []
         for claim in self.claims:
-            alike = [other for other in self.claims if other.thing == claim.thing]
+            alike = [other for other in self.claims if other.quantity == claim.quantity]
             best, taken = at_work(alike)
             if best is not claim:
                 built.append(Built(claim, "noted", best))
@@ -136,18 +116,18 @@ class Calibration:
 
     @cached_property
     def shared(self) -> tuple[Shared, ...]:
-        """Things that several kinds of data show."""
+        """Quantities that several kinds of data show."""
         return shared(self.claims)
 
-    def files(self, kind: str) -> tuple[Source, ...]:
+    def files(self, kind: Kind) -> tuple[Source, ...]:
         """The files of a kind, in the order given."""
-        return tuple(source for source in self.sources if source.kind == kind)
+        return tuple(source for source in self.sources if source.kind is kind)
 
-    def verdict(self, kind: str) -> str:
+    def verdict(self, kind: Kind) -> str:
         """On the files of a kind."""
-        if self.zones is not None and kind == ZONES:
+        if self.zones is not None and kind is self.zones.kind:
             return self.zones.judgement.verdict
-        return next(told.verdict for told in self.told if told.kind == kind)
+        return next(diagnosis.verdict for diagnosis in self.diagnoses if diagnosis.kind is kind)
 
 
 def read(paths: Sequence[Path], step: Step = lambda text: None, *, each: bool = False) -> tuple[Source, ...]:
@@ -174,8 +154,8 @@ def read(paths: Sequence[Path], step: Step = lambda text: None, *, each: bool = 
         kind = None if each else record.kind
         rows[kind] = rows.get(kind, 0) + len(record.run)
         # Before the next is read: a hundred long files take minutes.
-        if rows[kind] > (most := MOST_READ if kind is None else most_rows(kind)):
-            data, at_once = (f" of {kind} data", "together") if kind else ("", "in one command")
+        if rows[kind] > (most := MOST_READ if kind is None else kind.most_rows):
+            data, at_once = (f" of {kind.code} data", "together") if kind else ("", "in one command")
             raise FileError(
                 f"the {len(sources)} files up to {record.source} have {rows[kind]} rows{data}, more than the {most} "
                 f"that can be judged {at_once}: give fewer files, or keep fewer rows of each"
@@ -208,27 +188,29 @@ def calibrate(
     """
     _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
-    told: dict[str, Diagnosis] = {}
+    diagnoses: dict[Kind, Diagnosis] = {}
     track_length, holds = None, None
-    means = [s.record for s in sources if s.kind == ZONES]
-    zones = _zone_means(design, join(means)) if means else None
-    modelled = [s.record for s in sources if s.kind not in (STEERED, ZONES)]
-    if modelled:
+    records = {method: [s.record for s in sources if s.kind.method is method] for method in Method}
+    zones = (
+        zone_means(design, join(records[Method.ZONE_MEANS]), _train(design)[0]) if records[Method.ZONE_MEANS] else None
+    )
+    if records[Method.EVIDENCE]:
         known = replace(nominal or nominal_of(design, profile, step), form_error=floor * 1e-3)
         if zones is not None and zones.judgement.claimed:
             known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
         track_length = known.track.length
-        told.update((one.kind, one) for one in judge(modelled, known, step))
+        diagnoses |= {diagnosis.kind: diagnosis for diagnosis in judge(records[Method.EVIDENCE], known, step)}
         holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
-    if logged := [s.record for s in sources if s.kind == STEERED]:
+    if logged := records[Method.RUNS_LEFT_OUT]:
         wheelbase = _wheelbase(design, logged)
-        told[STEERED] = calibrate_tricycle(logged, wheelbase[0], step)
-    found = _claims(design, told.values(), zones)
-    if not any(c.absent and c.thing == "return error" and c.kind == "track" for c in found):
+        diagnosis = calibrate_tricycle(logged, wheelbase[0], step)
+        diagnoses[diagnosis.kind] = diagnosis
+    found = _claims(design, diagnoses.values(), zones)
+    if not any(c.absent and c.quantity == quantities.RETURN_ERROR and c.kind.rod_on for c in found):
         holds = None
-    others = {d.source: [c for c in found if c.source != d.source] for d in told.values()}
-    decided = {d.source: one for d in told.values() if (one := settled(d, others[d.source]))}
+    others = {d.source: [c for c in found if c.source != d.source] for d in diagnoses.values()}
+    decided = {d.source: rivals for d in diagnoses.values() if (rivals := settled(d, others[d.source]))}
     return Calibration(
         design=design,
         profile=profile,
@@ -237,9 +219,9 @@ def calibrate(
         wheelbase=wheelbase,
         track_length=track_length,
         sources=tuple(sources),
-        told=tuple(told[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in told),
+        diagnoses=tuple(diagnoses[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in diagnoses),
         zones=zones,
-        claims=(*found, *(claim for one in decided.values() for claim in one.claims)),
+        claims=(*found, *(claim for rivals in decided.values() for claim in rivals.claims)),
         settled=decided,
         warnings=tuple(_warnings(design, profile, sources)),
         holds=holds,
@@ -308,25 +290,26 @@ def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
     return tuple(float(pair.ratio) for pair in pairs), tuple(pair.driven.form.teeth for pair in pairs)
 
 
-def _claims(design: Design, told: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
+def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
     """What the verdicts name, and that there is no play where they would have named play of the tabled size."""
     tabled = variation.tabled_play(design)
     found: list[Claim | None] = []
-    for one in told:
-        found += claims(one)
-        if tabled is not None and one.unnamed_play is not None:
-            found.append(no_play(one.source, one.kind, one.unnamed_play, degrees(tabled)))
-        if one.unnamed_friction is not None:
-            found.append(no_friction(one.source, one.kind, one.unnamed_friction))
+    for diagnosis in diagnoses:
+        found += claims(diagnosis)
+        unnamed = diagnosis.unnamed if isinstance(diagnosis, EvidenceDiagnosis) else {}
+        if tabled is not None and (play := unnamed.get(quantities.RETURN_ERROR)):
+            found.append(no_play(diagnosis.source, diagnosis.kind, play, degrees(tabled)))
+        if friction := unnamed.get(quantities.SLIDING_FRICTION):
+            found.append(no_friction(diagnosis.source, diagnosis.kind, friction))
     if zones is not None and zones.judgement.claimed:
-        found.append(Claim(zones.source, ZONES, zones.finding))
+        found.append(Claim(zones.source, zones.kind, zones.finding))
     elif zones is not None and tabled is not None and zones.judgement.verdict in SOUND:
-        found.append(no_play(zones.source, ZONES, zones.finding, degrees(tabled)))
+        found.append(no_play(zones.source, zones.kind, zones.finding, degrees(tabled)))
     return [claim for claim in found if claim is not None]
 
 
 def _place(claim: Claim) -> Place:
-    return named(claim.kind, claim.finding.effect, dict(claim.finding.given)).places[0]
+    return claim.kind.named(claim.finding.effect, dict(claim.finding.given)).places[0]
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
@@ -340,31 +323,17 @@ def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[f
 
 def _wheelbase(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
     """Of the logged car, mm, and whether a file says so."""
-    told = {float(found[0]) for record in records if (found := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
-    if len(told) > 1:
+    stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
+    if len(stated) > 1:
         raise FileError(
-            f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(told)} mm: judge them apart"
+            f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(stated)} mm: judge them apart"
         )
-    return (told.pop(), True) if told else (design.car.wheelbase_mm, False)
-
-
-def _zone_means(design: Design, record: Record) -> ZoneMeans:
-    tabled = {order: degrees(play.return_error_max) for order, play in variation.train_plays(design).items()}
-    zones = return_error(record, tuple(tabled.values()))
-    judgement, finding = judged(record, zones)
-    speed, time = said(record, r"([0-9.]*[0-9]) rpm"), said(record, r"([0-9.]*[0-9]) s a trial")
-    ratio = float(np.prod(_train(design)[0]))
-    why = None
-    if speed and time and design.train is not None:
-        why = shortfall(zones, rpm=float(speed[0]), seconds=float(time[0]), ratio=ratio)
-    return ZoneMeans(
-        source=record.source, judgement=judgement, finding=finding, zones=zones, tabled=tabled, shortfall=why
-    )
+    return (stated.pop(), True) if stated else (design.car.wheelbase_mm, False)
 
 
 def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
     """The effects of a file that a design was calibrated with are in it, and would be found a second time."""
-    known = {} if design.as_built is None else {one.sha256: one.file for one in design.as_built.sources}
+    known = {} if design.as_built is None else {source.sha256: source.file for source in design.as_built.sources}
     for source in sources:
         if source.sha256 in known:
             raise FileError(
@@ -383,7 +352,7 @@ def _warnings(design: Design, profile: str, sources: Sequence[Source]) -> list[s
         )
     for source in sources:
         name = said(source.record, r"^design: *([A-Za-z0-9._-]+)")
-        if source.kind != STEERED and name and name[0] != design.name:
+        if source.kind.of_design and name and name[0] != design.name:
             found.append(f"{source.record.source} says design {name[0]}, but it was judged against {design.name}")
         made = said(source.record, r"\b(actual|theoretical|published|optimized|compensated|smoothed) profile\b")
         if made and made[0] != profile:

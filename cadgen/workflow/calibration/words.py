@@ -8,21 +8,24 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.design.section import listed
-from cadgen.deviations.catalogue import named
 from cadgen.deviations.friction import MEASURE_FRICTION
-from cadgen.measurement.diagnose import Diagnosis, Finding, Value
+from cadgen.measurement.findings import (
+    Candidate,
+    Diagnosis,
+    EvidenceDiagnosis,
+    Finding,
+    PathCandidate,
+    PathDiagnosis,
+    PathErrors,
+    PerRun,
+    Value,
+)
 from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
-from cadgen.workflow.calibration.plan import STEERED, Built, Calibration, Source, ZoneMeans
+from cadgen.workflow.calibration.plan import Built, Calibration, Source
+from cadgen.workflow.calibration.zone_means import ZoneMeans
 
 SIGNS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
-DATUM = {
-    "lift": "the zero of the dial in each run",
-    "profile": "the clocking on the machine",
-    "transmission": "the zero of the inclinometer in each run",
-    "track": "the start pose of each run",
-    STEERED: "the start pose of each run",
-}
 PLACES = {
     "car": "stays with the car: simulate predicts with it, and a new cam is made for it",
     "process": "every disc made this way has it: simulate predicts with it, and a new cam is cut to come right",
@@ -43,12 +46,11 @@ def report(calibration: Calibration) -> list[Block]:
             f"Wheelbase of the logged car {c.wheelbase[0]:g} mm ({by}); the design's cam plays no part in it."
         )
     blocks += [f"Warning: {text}." for text in c.warnings]
-    for told in c.told:
-        blocks += _record(told, c.files(told.kind))
-        if told.source in c.settled:
-            one = c.settled[told.source]
-            names = " and ".join(claim.finding.effect for claim in one.claims)
-            by_claims = "; ".join(f"{claim.finding.effect} from {claim.source}" for claim in one.by)
+    for diagnosis in c.diagnoses:
+        blocks += _record(diagnosis, c.files(diagnosis.kind))
+        if decided := c.settled.get(diagnosis.source):
+            names = " and ".join(claim.finding.effect for claim in decided.claims)
+            by_claims = "; ".join(f"{claim.finding.effect} from {claim.source}" for claim in decided.by)
             blocks.append(f"Decided by the other data ({by_claims}): {names}, which counts as claimed.")
     if c.zones is not None:
         blocks += _zones(c.zones)
@@ -62,11 +64,9 @@ def summary(each: Sequence[Calibration]) -> list[Block]:
     rows, effects = [], []
     for c in each:
         name = c.sources[0].path.stem
-        for told in c.told:
-            r = told.residual
-            numbers = (r.before, r.after, r.held_out, r.held_out_repeating, r.noise)
-            rows.append((name, told.verdict, SIGNS[told.unit], *(_number(x) for x in numbers)))
-            effects.append((name, sizes(told.findings) or "-"))
+        for diagnosis in c.diagnoses:
+            rows.append((name, diagnosis.verdict, SIGNS[diagnosis.unit], *map(_number, _figures(diagnosis))))
+            effects.append((name, sizes(diagnosis.findings) or "-"))
         if c.zones is not None:
             rows.append((name, c.zones.judgement.verdict, SIGNS["deg"], *["-"] * 5))
             effects.append((name, sizes((c.zones.finding,))))
@@ -80,6 +80,16 @@ def summary(each: Sequence[Calibration]) -> list[Block]:
         "error taken away too.",
         *(f"Warning: {text}." for c in each for text in c.warnings),
     ]
+
+
+def _figures(diagnosis: Diagnosis) -> tuple[float | None, ...]:
+    """Before, after, on runs left out, the same less form error, and noise."""
+    if isinstance(diagnosis, PathDiagnosis):
+        return diagnosis.residual.before, diagnosis.residual.after, diagnosis.residual.held_out, None, None
+    assert isinstance(diagnosis, EvidenceDiagnosis)
+    r = diagnosis.residual
+    left = (None, None) if r.left_out is None else (r.left_out.rms, r.left_out.repeating)
+    return r.before, r.after, *left, r.noise
 
 
 def shown(value: Value) -> tuple[str, str]:
@@ -96,64 +106,76 @@ def sizes(findings: Sequence[Finding]) -> str:
 
 
 def _sizes(finding: Finding) -> str:
-    told = [f"{v.name} {' ± '.join(text for text in shown(v) if text)}" for v in finding.values]
-    return ", ".join([*told, *(f"{name} {number:g}" for name, number in finding.given)])
+    numbers = [f"{v.name} {' ± '.join(text for text in shown(v) if text)}" for v in finding.values]
+    return ", ".join([*numbers, *(f"{name} {number:g}" for name, number in finding.given)])
 
 
-def _record(told: Diagnosis, files: Sequence[Source]) -> list[Block]:
-    j, unit = told.judgement, SIGNS[told.unit]
+def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
+    j = diagnosis.judgement
     rows = sum(len(source.record.run) for source in files)
+    counts = f"{_plural(diagnosis.runs, 'run')}, {_plural(rows, 'row')}"
     blocks: list[Block] = [
-        Heading(f"{told.kind}: {told.source} ({_plural(told.runs, 'run')}, {_plural(rows, 'row')})"),
-        f"Verdict: {told.verdict}. {j.sentence}",
+        Heading(f"{diagnosis.kind.code}: {diagnosis.source} ({counts})"),
+        f"Verdict: {diagnosis.verdict}. {j.sentence}",
     ]
-    if told.known:
-        blocks.append(f"Taken as known from the profile: {' and '.join(told.known)}.")
-    for finding in told.findings:
+    if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.known:
+        blocks.append(f"Taken as known from the profile: {' and '.join(diagnosis.known)}.")
+    for finding in diagnosis.findings:
         claimed = "" if finding.effect in j.claimed else " (not claimed)"
         blocks.append(f"  {finding.effect}{claimed}: {_sizes(finding)}")
-    blocks += ["", _residuals(told, files), ""]
-    if told.kind != STEERED:
-        space = "" if unit == "°" else " "
-        blocks.append(f"Noise between runs {_number(told.residual.noise)}{space}{unit}{_correlated(told)}.")
-    blocks.append(f"Fitted and never claimed: {_datum(told)}.")
-    verb = "decide" if told.verdict == "ambiguous" else "make sure"
-    if told.verdict not in ("unexplained", "runs disagree"):
+    if isinstance(diagnosis, EvidenceDiagnosis):
+        blocks += ["", _residuals(diagnosis, files), "", _noise(diagnosis)]
+    elif isinstance(diagnosis, PathDiagnosis):
+        blocks += ["", _path_errors(diagnosis, files), ""]
+    blocks.append(f"Fitted and never claimed: {_datum(diagnosis)}.")
+    verb = "decide" if diagnosis.verdict == "ambiguous" else "make sure"
+    if diagnosis.verdict not in ("unexplained", "runs disagree"):
         blocks += [f"To {verb}, {text}." for text in j.separate]
     blocks += [f"Limit: {text}." for text in j.limits]
-    blocks += ["", _candidates(told, files)]
+    blocks += ["", _candidates(diagnosis, files)]
     return blocks
 
 
-def _residuals(told: Diagnosis, files: Sequence[Source]) -> Table:
-    """Before, after and on runs left out."""
-    r, p, steered = told.residual, told.per_run, told.kind == STEERED
-    head = [f"{'path error' if steered else 'residual'}, rms in {SIGNS[told.unit]}", "before", "after", "left out"]
-    parts = _parts(files)
-    columns = [p.before, p.after, p.held_out]
-    if p.as_logged is not None:
-        head.append("before, start as logged")
-        columns.append(p.as_logged)
-    rows = [[name, *(_number(_mean(x[part], steered)) for x in columns)] for name, part in parts.items()]
-    if isfinite(r.held_out_repeating):
+def _noise(diagnosis: EvidenceDiagnosis) -> str:
+    unit = SIGNS[diagnosis.unit]
+    space = "" if unit == "°" else " "
+    alike = f", correlated by {diagnosis.correlation:.2f} between neighbours" if diagnosis.correlation else ""
+    return f"Noise between runs {_number(diagnosis.residual.noise)}{space}{unit}{alike}."
+
+
+def _residuals(diagnosis: EvidenceDiagnosis, files: Sequence[Source]) -> Table:
+    """Residual before, after and on runs left out: root mean squares over runs."""
+    p, left = diagnosis.per_run, diagnosis.residual.left_out
+    head = [f"residual, rms in {SIGNS[diagnosis.unit]}", "before", "after", "left out"]
+    rows = [
+        [name, *(_number(None if x is None else float(np.sqrt(np.mean(x[part] ** 2)))) for x in _columns(p))]
+        for name, part in _parts(files).items()
+    ]
+    if left is not None:
         head.append("less form error")
-        rows = [[*row, _number(r.held_out_repeating) if k == 0 else ""] for k, row in enumerate(rows)]
+        rows = [[*row, _number(left.repeating) if k == 0 else ""] for k, row in enumerate(rows)]
     return Table(tuple(head), tuple(tuple(row) for row in rows))
 
 
-def _mean(values: Array, steered: bool) -> float:
-    """Of path errors the mean over runs, of residuals the root mean square."""
-    return float(np.mean(values) if steered else np.sqrt(np.mean(values**2)))
+def _columns(p: PerRun | PathErrors) -> tuple[Array | None, ...]:
+    return p.before, p.after, p.held_out
 
 
-def _correlated(told: Diagnosis) -> str:
-    return f", correlated by {told.correlation:.2f} between neighbours" if told.correlation else ""
+def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Table:
+    """Path error before, after and on runs left out: means over runs."""
+    p = diagnosis.per_run
+    head = (f"path error, rms in {SIGNS[diagnosis.unit]}", "before", "after", "left out", "before, start as logged")
+    rows = [
+        (name, *(_number(float(np.mean(x[part]))) for x in (p.before, p.after, p.held_out, p.as_logged)))
+        for name, part in _parts(files).items()
+    ]
+    return Table(head, tuple(rows))
 
 
-def _datum(told: Diagnosis) -> str:
+def _datum(diagnosis: Diagnosis) -> str:
     """What it is, and how far its values go."""
     spans: dict[str, list[Value]] = {}
-    for finding in told.datum:
+    for finding in diagnosis.datum if isinstance(diagnosis, EvidenceDiagnosis) else ():
         for value in finding.values:
             spans.setdefault(value.name, []).append(value)
     numbers = []
@@ -161,22 +183,22 @@ def _datum(told: Diagnosis) -> str:
         low, high = (end(values, key=lambda v: v.value) for end in (min, max))
         several = f"{shown(low)[0]} to {shown(high)[0]}" if len(values) > 1 else " ± ".join(shown(low))
         numbers.append(f"{name} {several}")
-    return DATUM[told.kind] + (f" ({'; '.join(numbers)})" if numbers else "")
+    return diagnosis.kind.datum.words + (f" ({'; '.join(numbers)})" if numbers else "")
 
 
-def _candidates(told: Diagnosis, files: Sequence[Source]) -> Table:
-    best = told.candidates[:_SHOWN_CANDIDATES]
-    shown_ones = [*best, *(c for c in told.candidates if not c.effects and c not in best)]
-    names = [", ".join(c.effects) or "no effect" for c in shown_ones]
-    if told.kind != STEERED:
-        rows = [(name, f"{c.score:.1f}") for name, c in zip(names, shown_ones, strict=True)]
-        return Table(("candidates", "worse by"), tuple(rows))
+def _candidates(diagnosis: Diagnosis, files: Sequence[Source]) -> Table:
+    best = diagnosis.candidates[:_SHOWN_CANDIDATES]
+    rows = [*best, *(c for c in diagnosis.candidates if not c.effects and c not in best)]
+    if not isinstance(diagnosis, PathDiagnosis):
+        return Table(("candidates", "worse by"), tuple((_subset(c), f"{c.score:.1f}") for c in rows))
     parts = _parts(files)
-    steered = [
-        (name, *(_number(float(np.mean(c.held_out[part]))) for part in parts.values()))
-        for name, c in zip(names, shown_ones, strict=True)
-    ]
-    return Table(("candidates, mm on runs left out", *parts), tuple(steered))
+    by_path = [c for c in rows if isinstance(c, PathCandidate)]
+    cells = [(_subset(c), *(_number(float(np.mean(c.held_out[p]))) for p in parts.values())) for c in by_path]
+    return Table(("candidates, mm on runs left out", *parts), tuple(cells))
+
+
+def _subset(candidate: Candidate) -> str:
+    return ", ".join(candidate.effects) or "no effect"
 
 
 def _parts(files: Sequence[Source]) -> dict[str, slice]:
@@ -191,7 +213,7 @@ def _parts(files: Sequence[Source]) -> dict[str, slice]:
 def _zones(means: ZoneMeans) -> list[Block]:
     z = means.zones
     blocks: list[Block] = [
-        Heading(f"zones: {means.source}"),
+        Heading(f"{means.kind.code}: {means.source}"),
         f"Verdict: {means.judgement.verdict}. {means.judgement.sentence}",
         "A run over a smooth zone turns the cam by m, over a jump by m + B, over a wait by m - B. "
         f"B = {z.return_error_deg:.3f} ± {z.sigma_deg:.3f}°; left over {z.misfit:+.2f} standard errors.",
@@ -229,17 +251,17 @@ def _together(c: Calibration) -> list[Block]:
     if not c.shared:
         return []
     blocks: list[Block] = [Heading("together")]
-    for one in c.shared:
-        sources = listed(one.sources, "and")
-        if one.agrees:
-            values = ", ".join(f"{v.name} {' ± '.join(shown(v))}" for v in one.values)
-            blocks.append(f"{one.thing} shows in {sources}, and they agree: {values} together.")
+    for common in c.shared:
+        sources = listed(common.sources, "and")
+        if common.agrees:
+            values = ", ".join(f"{v.name} {' ± '.join(shown(v))}" for v in common.values)
+            blocks.append(f"{common.quantity.name} shows in {sources}, and they agree: {values} together.")
         else:
-            best = at_work([claim for claim in c.claims if claim.thing == one.thing])[0]
+            best = at_work([claim for claim in c.claims if claim.quantity == common.quantity])[0]
             blocks.append(
-                f"{one.thing} shows in {sources}, but not with one size (chance {one.chance:.0e}): it is not one "
-                f"effect, or something else hides in one of them. That of the {best.kind} is taken, which is nearest "
-                "to what the car drives with."
+                f"{common.quantity.name} shows in {sources}, but not with one size (chance {common.chance:.0e}): it is "
+                f"not one effect, or something else hides in one of them. That of the {best.kind.code} is taken, which "
+                "is nearest to what the car drives with."
             )
     return blocks
 
@@ -247,7 +269,7 @@ def _together(c: Calibration) -> list[Block]:
 def _built(c: Calibration) -> list[Block]:
     if not c.built:
         return [Heading("as built"), "Nothing is claimed, so there is no as-built design."]
-    return [Heading("as built"), *(sentence(one) for one in c.built), *_held(c)]
+    return [Heading("as built"), *map(sentence, c.built), *_held(c)]
 
 
 def _held(c: Calibration) -> list[Block]:
@@ -264,21 +286,21 @@ def _held(c: Calibration) -> list[Block]:
     ]
 
 
-def sentence(one: Built) -> str:
+def sentence(built: Built) -> str:
     """A claimed effect, the sense of its numbers, and what becomes of it."""
-    finding, place = one.claim.finding, PLACES[one.place]
-    if one.instead is not None:
-        place = f"recorded only: the {one.instead.finding.effect} from {one.instead.kind} stands for it"
-    name = f"no {finding.effect}" if one.claim.absent else finding.effect
-    if one.claim.remainder:
-        name += f" beside the profile's ({one.claim.thing})"
-    signs = "; ".join(p.meaning for p in named(one.claim.kind, finding.effect, dict(finding.given)).parameters)
-    of = f", the mean of {listed(one.mean_of, 'and')}" if one.mean_of else ""
-    return f"{name}, from {one.claim.kind}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
+    finding, place = built.claim.finding, PLACES[built.place]
+    if built.instead is not None:
+        place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
+    name = f"no {finding.effect}" if built.claim.absent else finding.effect
+    if built.claim.remainder:
+        name += f" beside the profile's ({built.claim.quantity.name})"
+    signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.given)).parameters)
+    of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
+    return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
 
 
-def _number(value: float) -> str:
-    return f"{value:.4g}" if isfinite(value) else "-"
+def _number(value: float | None) -> str:
+    return "-" if value is None or not isfinite(value) else f"{value:.4g}"
 
 
 def _plural(count: int, name: str) -> str:

@@ -1,10 +1,10 @@
-"""The catalogue of effects as a page: `python -m cadgen.deviations.reference > docs/effects.md`."""
+"""The catalogue of effects as a page: `python -m cadgen.measurement.reference > docs/effects.md`."""
 
 import re
 
-from cadgen.deviations.catalogue import entries
 from cadgen.deviations.effect import Effect, Parameter
-from cadgen.deviations.names import KINDS
+from cadgen.measurement.kinds import kinds
+from cadgen.measurement.record import Kind
 
 _HEAD = """\
 # The effects that measured data are traced to
@@ -25,14 +25,14 @@ _MANY = ((re.compile(r", order \d+$"), ", order n"), (re.compile(r" of (the cams
 
 def page() -> str:
     """The reference page in Markdown, written from the catalogue."""
-    return _HEAD + "".join(_kind(kind, entries(kind)) for kind in KINDS)
+    return _HEAD + "".join(map(_kind, kinds()))
 
 
-def _kind(kind: str, effects: tuple[Effect, ...]) -> str:
+def _kind(kind: Kind) -> str:
     head = (
         "| effect | numbers | places | cannot be told from | looks like | told apart by |\n|---|---|---|---|---|---|\n"
     )
-    return f"\n## {kind[0].upper()}{kind[1:]}\n\n{head}{''.join(map(_row, effects))}"
+    return f"\n## {kind.title}\n\n{head}{''.join(map(_row, kind.catalogue.entries))}"
 
 
 def _row(effect: Effect) -> str:

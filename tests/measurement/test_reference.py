@@ -5,21 +5,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cadgen.deviations.catalogue import entries, named
 from cadgen.deviations.disc import Disc
-from cadgen.deviations.names import KINDS
-from cadgen.deviations.reference import page
+from cadgen.measurement.kinds import PROFILE, TRACK, kinds
+from cadgen.measurement.reference import page
+from cadgen.motion.drive import Running
 from tests.measurement.synthetic_drive import Wheels
 
 PAGE = Path(__file__).parents[2] / "docs" / "effects.md"
 
 
 def test_the_page_is_up_to_date():
-    assert PAGE.read_text(encoding="utf-8") == page(), "run: python -m cadgen.deviations.reference > docs/effects.md"
+    assert PAGE.read_text(encoding="utf-8") == page(), "run: python -m cadgen.measurement.reference > docs/effects.md"
 
 
 def test_every_number_has_a_meaning_and_a_signed_one_says_its_sense():
-    for parameter in (p for kind in KINDS for effect in entries(kind) for p in effect.parameters):
+    for parameter in (p for kind in kinds() for effect in kind.catalogue.entries for p in effect.parameters):
         assert parameter.meaning
         assert (parameter.lower < 0) == parameter.meaning.startswith("+: "), parameter.name
 
@@ -34,7 +34,7 @@ def circle():
 
 def test_signs_on_the_disc(circle):
     def changed(name, *values):
-        return named("profile", name).act(circle, np.array(values), None).points
+        return PROFILE.named(name).act(circle, np.array(values), None).points
 
     # Seen from the middle of the outline the bore, which is the origin, lies at (+0.3, +0.1).
     np.testing.assert_allclose(-changed("eccentric bore", 0.3, 0.1).mean(axis=0), (0.3, 0.1), atol=1e-12)
@@ -51,6 +51,5 @@ def test_a_positive_steering_zero_turns_right(carbon_free_car):
     straight, off = (Wheels(zero=zero).track(carbon_free_car, motor) for zero in (0.0, 0.01))
     ahead = straight[1] - straight[0]
     assert ((off[1] - straight[1]) / ahead).imag < 0
-    rods = np.zeros(1)
-    zero = named("track", "steering zero")
-    assert zero.act(rods, np.array([0.01]), None)[0] == pytest.approx(np.tan(0.01))
+    run = TRACK.named("steering zero").act(Running(car=carbon_free_car.car, length=1.0), np.array([0.01]), None)
+    assert run.car.steering_zero == 0.01

@@ -1,0 +1,58 @@
+"""Track: where the drive wheel is, by the cam angle that the motor has turned since the start."""
+
+from collections.abc import Iterable
+from math import pi
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.deviations import catalogue, quantities
+from cadgen.measurement.admission import refuse_twice
+from cadgen.measurement.models.track import TrackModel
+from cadgen.measurement.nominal import Nominal
+from cadgen.measurement.record import Abscissa, Column, Datum, Kind, Knowledge, Record, Span
+
+
+def _check(record: Record) -> None:
+    refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg")
+
+
+def _extent(x: Array, y: Array) -> float:
+    return float(np.hypot(np.ptp(x), np.ptp(y)))
+
+
+def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
+    share = np.radians(record["cam_angle_deg"]) / (2 * pi)
+    path = nominal.track.position(np.clip(share, 0.0, 1.0) * nominal.track.length)
+    yield Span("x_mm, y_mm", _extent(record["x_mm"], record["y_mm"]), _extent(*path.T), "mm")
+
+
+def _model(record: Record, nominal: Nominal) -> TrackModel:
+    return TrackModel(record, nominal.lift, nominal.car, nominal.track, nominal.forces, floor=nominal.form_error)
+
+
+KIND = Kind(
+    code="track",
+    title="Track",
+    columns=(
+        Column(name="cam_angle_deg", lower=-1.0, upper=361.0, least_span=10.0),
+        Column(name="x_mm", lower=-1e6, upper=1e6),
+        Column(name="y_mm", lower=-1e6, upper=1e6),
+    ),
+    readings=("x_mm", "y_mm"),
+    catalogue=catalogue.TRACK,
+    datum=Datum(
+        words="the start pose of each run",
+        name="start pose",
+        numbers=(("start_x_mm", "mm"), ("start_y_mm", "mm"), ("start_heading_deg", "deg")),
+    ),
+    model=_model,
+    check=_check,
+    spans=_spans,
+    takes=(Knowledge.DISC, Knowledge.PLAY),
+    absences=(quantities.RETURN_ERROR, quantities.SLIDING_FRICTION),
+    nearness=1,
+    rod_on=True,
+    abscissa=Abscissa.TRAVEL,
+    plan_view=True,
+)

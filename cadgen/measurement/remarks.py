@@ -1,0 +1,34 @@
+"""What the comment lines of measured files say of design, instrument and part."""
+
+import re
+from dataclasses import dataclass
+
+from cadgen.measurement.record import Record
+
+
+@dataclass(frozen=True)
+class Instrument:
+    """Noise that a file states of the instrument, in the file's unit."""
+
+    noise: float
+    unit: str
+
+
+def instrument(record: Record) -> Instrument | None:
+    """Noise that the comment lines state; None if they do not."""
+    if stated := said(record, r"noise\s+([0-9.]+)\s*(um|mm|deg)\b"):
+        return Instrument(float(stated[0]), stated[1])
+    return None
+
+
+def printed(record: Record) -> bool:
+    """True if a comment line says that the part was printed, not machined."""
+    return any(re.search(r"\bprinted\b", remark) for remark in record.remarks)
+
+
+def said(record: Record, pattern: str) -> tuple[str, ...]:
+    """What the comment lines say in so many words: the groups of a pattern's first match, or nothing."""
+    for remark in record.remarks:
+        if match := re.search(pattern, remark):
+            return match.groups()
+    return ()

@@ -1,0 +1,6 @@
+"""Measured data from files: the only room beside those of the design and of the exports that reads what users write.
+
+| module | what it does                                                                      |
+|--------|-----------------------------------------------------------------------------------|
+| `load` | CSV files -> records of the kind that their columns say; what cannot be is refused |
+"""

@@ -1,0 +1,65 @@
+"""The verdict on mean turns over zones, beside what the design's train lets expect."""
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+
+from cadgen.build import variation
+from cadgen.design.schema import Design
+from cadgen.measurement.findings import Finding
+from cadgen.measurement.record import Kind, Record
+from cadgen.measurement.remarks import said
+from cadgen.measurement.verdict import Judgement
+from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, shortfall
+
+
+@dataclass(frozen=True, kw_only=True)
+class ZoneMeans:
+    """What the mean turns over zones say.
+
+    Attributes:
+        source, kind: of the record.
+        judgement, finding: the verdict, and the return error.
+        zones: the numbers.
+        tabled: greatest return errors of the design's train by the order of its stages, deg; empty if it has none.
+        shortfall: what would explain the smooth zone's turn; None if speed and time were not said or there is no train.
+    """
+
+    source: str
+    kind: Kind
+    judgement: Judgement
+    finding: Finding
+    zones: Zones
+    tabled: dict[str, float]
+    shortfall: Shortfall | None
+
+
+def zone_means(design: Design, record: Record, ratios: tuple[float, ...]) -> ZoneMeans:
+    """Judge mean turns over zones.
+
+    Args:
+        design: for the return errors of its train.
+        record: of zones.
+        ratios: of the train's stages; empty if there is none.
+
+    Raises:
+        FileError: a zone that is unknown or missing.
+    """
+    tabled = {order: degrees(play.return_error_max) for order, play in variation.train_plays(design).items()}
+    zones = return_error(record, tuple(tabled.values()))
+    judgement, finding = judged(record, zones)
+    speed, time = said(record, r"([0-9.]*[0-9]) rpm"), said(record, r"([0-9.]*[0-9]) s a trial")
+    ratio = float(np.prod(ratios))
+    why = None
+    if speed and time and design.train is not None:
+        why = shortfall(zones, rpm=float(speed[0]), seconds=float(time[0]), ratio=ratio)
+    return ZoneMeans(
+        source=record.source,
+        kind=record.kind,
+        judgement=judgement,
+        finding=finding,
+        zones=zones,
+        tabled=tabled,
+        shortfall=why,
+    )
