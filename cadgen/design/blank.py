@@ -11,7 +11,7 @@ from pydantic import Field, model_validator
 from cadgen.design.joint import Held
 from cadgen.design.section import Section
 from cadgen.errors import DesignError
-from cadgen.gears.fits import clearance
+from cadgen.gears.fit_table import zones_of
 from cadgen.motion.friction import DiscMaterial
 
 _WIDEST_SCREW = 0.998  # of the bore
@@ -116,7 +116,7 @@ class Blank(Held):
     def _bore_fit_is_known(self) -> "Blank":
         if self.bore_fit is not None:
             try:
-                clearance(self.bore_fit, self.bore_diameter_mm)
+                zones_of(self.bore_fit, self.bore_diameter_mm)
             except DesignError as error:
                 raise ValueError(
                     f"blank.bore_fit: {error}; or remove it, and give tolerances.eccentricity_mm"

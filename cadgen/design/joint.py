@@ -6,7 +6,7 @@ from pydantic import Field, model_validator
 
 from cadgen.design.section import HERE, Section
 from cadgen.errors import DesignError
-from cadgen.gears.fits import zones_of
+from cadgen.gears.fit_table import zones_of
 
 Joint = Literal["clamped", "pinned", "glued", "keyed", "d_flat"]
 TIGHT: tuple[Joint, ...] = ("clamped", "pinned", "glued")

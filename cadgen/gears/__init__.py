@@ -8,6 +8,7 @@
 | `names`        | laws within a zone, orders of the stages, limits of thinning, by name           |
 | `distribution` | sum of contributions free in their zones: bounds, moments, quantiles, samples   |
 | `backlash`     | tolerances -> play of a stage (eq. 1-13) -> return error of a train (eq. 25-26) |
+| `fit_table`    | fits by name (ISO 286), light enough for every design file                      |
 | `fits`         | free angle of keys and D-flats, clearance of fits (ISO 286)                     |
 | `joints`       | joints and bearings as play beside the teeth's                                  |
 | `chains`       | branch and bound: the cheapest chains of pairs that give a ratio                |
