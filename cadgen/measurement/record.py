@@ -20,6 +20,7 @@ from cadgen.measurement.models.base import Model
 # Of one kind: the catalogue has some 2000 columns of them, and must fit into memory.
 MOST_ROWS = 20_000
 MOST_RUNS = 100  # each brings columns of its own, such as its start pose; real cars are driven ten times
+MOST_ENTRIES = 500_000  # rows times runs, in columns of runs and their products: 0.9 GB
 
 
 class Method(Enum):
@@ -250,7 +251,7 @@ def join(records: Sequence[Record]) -> Record:
     if len(records) == 1:
         return records[0]
     if records[0].kind.method is not Method.ZONE_MEANS:
-        refuse_many_runs(sum(record.runs for record in records), name)
+        refuse_many_runs(records[0].kind, rows, sum(record.runs for record in records), name)
     before = np.cumsum([0, *(record.runs for record in records)])
     return Record(
         kind=records[0].kind,
@@ -275,8 +276,8 @@ def refuse_many(kind: Kind, rows: int, name: str) -> None:
         )
 
 
-def refuse_many_runs(runs: int, name: str) -> None:
-    """Refuse more runs than can be judged together.
+def refuse_many_runs(kind: Kind, rows: int, runs: int, name: str) -> None:
+    """Refuse more runs than can be judged together, in all or with so many rows; logs are thinned before.
 
     Raises:
         FileError: there are more; says how many to keep.
@@ -285,4 +286,10 @@ def refuse_many_runs(runs: int, name: str) -> None:
         raise FileError(
             f"{name}: {runs} runs, more than the {MOST_RUNS} that can be judged together; keep one run in "
             f"{-(-runs // MOST_RUNS)}, or give fewer files"
+        )
+    most = MOST_ENTRIES // max(rows, 1)
+    if kind.most_rows <= MOST_ROWS and runs > most:
+        raise FileError(
+            f"{name}: {runs} runs of {rows} rows in all, more than the {most} runs that can be judged together with so "
+            f"many rows; keep one row in {-(-rows * runs // MOST_ENTRIES)}, or give fewer runs"
         )

@@ -60,7 +60,7 @@ def load(path: Path) -> Record:
         columns[kind.key] = np.array(table[kind.key])
         return Record(kind=kind, columns=columns, run=np.zeros(len(rows), dtype=np.intp), remarks=remarks, source=name)
     run = np.unique(np.array(table[kind.key]), return_inverse=True)
-    refuse_many_runs(len(run[0]), name)
+    refuse_many_runs(kind, len(rows), len(run[0]), name)
     first = np.unique(run[1], return_index=True)[1]
     order = np.argsort(np.argsort(first))
     number = order[run[1]].astype(np.intp)

@@ -169,6 +169,14 @@ def test_too_many_runs_are_refused(tmp_path):
         join([half, half])
 
 
+def test_too_many_rows_for_so_many_runs_are_refused(tmp_path):
+    """Twenty thousand rows in a hundred runs would take more than two gigabytes."""
+    rows = "".join(f"{run},forward,{k / 2},{run / 100 + k / 1000}\n" for run in range(60) for k in range(200))
+    (tmp_path / "runs.csv").write_text("run,direction,cam_angle_deg,lift_mm\n" + rows)
+    with pytest.raises(FileError, match=r"60 runs of 12000 rows in all, more than the 41 .* keep one row in 2"):
+        load(tmp_path / "runs.csv")
+
+
 @pytest.mark.skipif(os.name != "posix", reason="no such files there")
 def test_only_regular_files_of_a_sensible_size_are_read(tmp_path):
     os.mkfifo(tmp_path / "pipe.csv")
