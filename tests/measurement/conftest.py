@@ -10,7 +10,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from cadgen.measurement.calibrate import calibrate
-from cadgen.measurement.findings import Diagnosis
+from cadgen.measurement.findings import EvidenceDiagnosis
 from cadgen.measurement.nominal import Nominal
 from cadgen.records.load import load
 from tests.measurement import study
@@ -36,11 +36,11 @@ def measured() -> Path:
 
 
 @pytest.fixture(scope="session")
-def blind(nominal: Nominal, measured: Path) -> Callable[[str], Diagnosis]:
+def blind(nominal: Nominal, measured: Path) -> Callable[[str], EvidenceDiagnosis]:
     """What is said of a measured file by itself, once."""
 
     @cache
-    def told(name: str) -> Diagnosis:
+    def told(name: str) -> EvidenceDiagnosis:
         (one,) = calibrate([load(measured / f"{name}.csv")], nominal)
         return one
 
