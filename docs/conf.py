@@ -1,4 +1,4 @@
-"""The site: `sphinx-build -W -b html docs build/site` (see docs/decisions/0008-the-site.md)."""
+"""The site: `sphinx-build -W -b html docs build/site` (see docs/decisions/0010-the-site.md)."""
 
 import sys
 from pathlib import Path
