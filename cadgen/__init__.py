@@ -1,5 +1,9 @@
 """Steering cams and the gear trains that drive them: from a planned path to verified files.
 
+    >>> from cadgen import Design
+    >>> cam = Design.load("carbon_free_car").cam(profile="actual")
+    >>> files = cam.write("exports", formats=["step", "dxf"])  # doctest: +SKIP
+
 The rooms, in walking order; each imports only those before it.
 
 | room          | what happens there                                                        |
@@ -27,9 +31,84 @@ The rooms, in walking order; each imports only those before it.
 | `export`      | one file per format, each with its read-back; manifest; publishing        |
 | `report`      | pictures, as PNG and SVG                                                  |
 | `workflow`    | one job from design to verified files                                     |
+| `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
 | `cli`         | the commands                                                              |
 
 Inside, lengths are mm and angles rad; other units occur only at the rim and then stand in the name.
 """
 
 __version__ = "0.1.0"
+
+# Where each public name lives. It is imported when it is first asked for: `import cadgen` alone costs next to nothing.
+_HOMES = {
+    "Calibration": "api.design",
+    "Cam": "api.cam",
+    "Comparison": "api.runs",
+    "Design": "api.design",
+    "Gear": "api.gear",
+    "GearPair": "api.gears",
+    "GearTrain": "api.gears",
+    "Hub": "parts.features",
+    "Keyway": "parts.features",
+    "Lightening": "parts.features",
+    "Measured": "api.measured",
+    "SetScrew": "parts.features",
+    "Simulation": "api.runs",
+    "ToleranceRun": "api.runs",
+    "Train": "api.gears",
+    "Web": "parts.features",
+    "Written": "api.files",
+    "WrittenFile": "api.files",
+    "verify": "api.files",
+}
+
+# As `typing.TYPE_CHECKING`, without the time that importing it takes.
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from cadgen.api.cam import Cam
+    from cadgen.api.design import Calibration, Design
+    from cadgen.api.files import Written, WrittenFile, verify
+    from cadgen.api.gear import Gear
+    from cadgen.api.gears import GearPair, GearTrain, Train
+    from cadgen.api.measured import Measured
+    from cadgen.api.runs import Comparison, Simulation, ToleranceRun
+    from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
+
+__all__ = [
+    "Calibration",
+    "Cam",
+    "Comparison",
+    "Design",
+    "Gear",
+    "GearPair",
+    "GearTrain",
+    "Hub",
+    "Keyway",
+    "Lightening",
+    "Measured",
+    "SetScrew",
+    "Simulation",
+    "ToleranceRun",
+    "Train",
+    "Web",
+    "Written",
+    "WrittenFile",
+    "__version__",
+    "verify",
+]
+
+
+def __getattr__(name: str) -> object:
+    """Import a public name when it is first asked for (PEP 562)."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    value: object = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Everything, the names not yet imported among it."""
+    return sorted({*globals(), *__all__})

@@ -20,7 +20,8 @@ MAIN = "from cadgen.cli import main; main()"
 _ROOT = Path(__file__).parents[1]
 _LONGEST = 300  # s; then a script is ended
 _LOADED = (
-    "cadgen.cli.show_calibrate",
+    "cadgen.api.gears",
+    "cadgen.api.runs",
     "cadgen.cli.show_play",
     "cadgen.report.calibration",
     "cadgen.report.errors",

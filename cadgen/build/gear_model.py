@@ -198,8 +198,11 @@ def limits_left_out(design: TrainDesign) -> str:
 def mesh_chord(design: TrainDesign, gears: Sequence[GearForm]) -> float:
     """Greatest chord error of a part's mesh in mm: the design's, or in proportion to the least module of its gears."""
     given = design.export.mesh_chord_um
-    if given is not None:
-        return given * _UM
+    return given * _UM if given is not None else usual_chord(gears)
+
+
+def usual_chord(gears: Sequence[GearForm]) -> float:
+    """Greatest chord error of a part's mesh in mm where none is given, in proportion to the least module."""
     return min(CHORD_PER_MODULE * min(gear.normal_module for gear in gears), COARSEST_CHORD)
 
 

@@ -56,10 +56,10 @@ def calibrate(
     """
     # Threads that wait for each other over small matrices cost more than they bring.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    from cadgen.cli import show, show_calibrate
-    from cadgen.design.load import design_file, load_design, packaged_designs
-    from cadgen.workflow.calibration import files as write
-    from cadgen.workflow.calibration import plan as work
+    from cadgen.api.design import Calibration, Calibrations, Design
+    from cadgen.cli import show
+    from cadgen.design.load import packaged_designs
+    from cadgen.report.text import write
 
     designs = [text for text in arguments if text in packaged_designs() or text.endswith(".toml")]
     if designs and (len(designs) > 1 or arguments[0] != designs[0]):
@@ -67,22 +67,15 @@ def calibrate(
     design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
     if not files:
         raise click.UsageError("no measured file was given: name at least one CSV file")
-    loaded = load_design(design, overrides)
-    written = None
-    with show.progress(not as_json) as step:
-        sources = work.read([Path(file) for file in files], step, each=each)
-        if each:
-            alone = work.calibrate_each(loaded, profile, sources, form_error_um, step)
-            facts = write.documents(alone)
-            written = None if out is None else write.write_each(alone, out)
-        else:
-            together = work.calibrate(loaded, profile, sources, form_error_um, step)
-            facts = write.document(together)
-            text = design_file(design).read_bytes().decode("utf-8-sig")
-            written = None if out is None else write.write_calibration(together, text, out, step)
+    loaded = Design.load(design, overrides)
+    result: Calibration | Calibrations
+    with show.progress(not as_json) as progress:
+        judge = loaded.calibrate_each if each else loaded.calibrate
+        result = judge(files, profile=profile, form_error_um=form_error_um, progress=progress)
+        written = None if out is None else result.write(out, progress=progress)
     if as_json:
-        show.document(facts)
+        show.document(result.facts())
         return
-    show_calibrate.summary(alone) if each else show_calibrate.report(together)
+    write(result.report, show.Output())
     if written is not None and out is not None:
         show.files(written, out)

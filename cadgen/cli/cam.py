@@ -5,40 +5,45 @@ from pathlib import Path
 
 import click
 
-from cadgen.cli.options import design_options, out_option, profile_option
+from cadgen.cli.options import design_options, formats_option, out_option, profile_option
 
 
 @click.command()
 @design_options
 @profile_option
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
+@formats_option("step,stl,3mf,dxf,nc,xyz,csv")
 @click.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
 def cam(
-    design: str | None, overrides: tuple[str, ...], profile: str | None, as_json: bool, out: Path, force: bool
+    design: str | None,
+    overrides: tuple[str, ...],
+    profile: str | None,
+    as_json: bool,
+    out: Path,
+    formats: str | None,
+    force: bool,
 ) -> None:
     """Make a cam: STEP, STL, 3MF, DXF, G-code and points, each read back and rolled against the rod.
 
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
     """
+    from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.design.load import load_design
-    from cadgen.workflow.cam.cures import find_cures
-    from cadgen.workflow.cam.files import write_cam
-    from cadgen.workflow.cam.manifest import cam_facts
-    from cadgen.workflow.cam.plan import plan_cam
+    from cadgen.export.formats import CAM_FORMATS, chosen
 
-    loaded = load_design(design, overrides)
-    with show.progress(not as_json) as step:
-        plan = plan_cam(loaded, profile, step)
-        cures = find_cures(plan, step)
-        written = write_cam(plan, out, step, cures=cures) if plan.passed or force else None
+    loaded = Design.load(design, overrides)
+    chosen(formats, CAM_FORMATS)  # before anything that takes time
+    with show.progress(not as_json) as progress:
+        made = loaded.cam(profile, progress=progress)
+        cures = made.find_cures(progress)
+        written = made.write(out, formats, force=force, progress=progress) if made.passed or force else None
     if as_json:
-        show.document(cam_facts(plan, cures) if written is None else written.entry)
+        show.document(made.facts() if written is None else written.entry)
     else:
-        show.checks(plan, cures)
-        show_play.against(plan)
-        if written:
+        show.checks(made, cures)
+        show_play.against(made)
+        if written is not None:
             show.files(written, out)
         else:
             click.echo("cadgen: a check failed, so nothing was exported (--force exports all the same)", err=True)
-    sys.exit(0 if plan.passed or force else 1)
+    sys.exit(0 if made.passed or force else 1)

@@ -15,19 +15,16 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
 
     Exit code 1 if a check fails.
     """
+    from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.design.load import load_design
-    from cadgen.workflow.cam.cures import find_cures
-    from cadgen.workflow.cam.manifest import cam_facts
-    from cadgen.workflow.cam.plan import plan_cam
 
-    loaded = load_design(design, overrides)
-    with show.progress(not as_json) as step:
-        plan = plan_cam(loaded, profile, step)
-        cures = find_cures(plan, step)
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        cam = loaded.cam(profile, progress=progress)
+        cures = cam.find_cures(progress)
     if as_json:
-        show.document(cam_facts(plan, cures))
+        show.document(cam.facts())
     else:
-        show.checks(plan, cures)
-        show_play.against(plan)
-    sys.exit(0 if plan.passed else 1)
+        show.checks(cam, cures)
+        show_play.against(cam)
+    sys.exit(0 if cam.passed else 1)

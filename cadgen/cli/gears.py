@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from cadgen.cli.options import design_options, out_option
+from cadgen.cli.options import design_options, formats_option, out_option
 from cadgen.gears.names import ORDERS
 
 if TYPE_CHECKING:
-    from cadgen.export.manifest import Written
+    from cadgen.api.files import Written
+    from cadgen.api.gears import GearsPlan
     from cadgen.gears.backlash import TrainPlay
     from cadgen.gears.joints import WholePlay
-    from cadgen.workflow.gears.plan import GearsPlan
 
 RANKED_SHOWN = 8
 REASONS_SHOWN = 3
@@ -32,39 +32,48 @@ REASONS_SHOWN = 3
     "[train.search].",
 )
 @out_option(default=Path("exports"), show_default=True, help="Folder for the files; it is made if need be.")
+@formats_option("step,stl,csv")
 @click.option("--force", is_flag=True, help="Export even if a check fails, and say so in the manifest.")
-def gears(design: str | None, overrides: tuple[str, ...], order: str, as_json: bool, out: Path, force: bool) -> None:
+def gears(
+    design: str | None,
+    overrides: tuple[str, ...],
+    order: str,
+    as_json: bool,
+    out: Path,
+    formats: str | None,
+    force: bool,
+) -> None:
     """Make the gear train: play and return error, an assembly and every part as STEP, STL, and a table of parts.
 
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
     """
+    from cadgen.api.design import Design
+    from cadgen.api.gears import NotMadeError
     from cadgen.cli import show
-    from cadgen.design.load import load_train
-    from cadgen.workflow.gears.facts import plan_facts
-    from cadgen.workflow.gears.files import write_gears
-    from cadgen.workflow.gears.plan import NotMadeError, plan_gears
+    from cadgen.export.formats import TRAIN_FORMATS, chosen
 
-    loaded = load_train(design, overrides)
+    loaded = Design.load(design, overrides, train_only=True)
+    chosen(formats, TRAIN_FORMATS)  # before anything that takes time
     try:
-        with show.progress(not as_json) as step:
-            plan = plan_gears(loaded, order, step)  # type: ignore[arg-type]
-            written = write_gears(plan, out, step) if plan.passed or force else None
+        with show.progress(not as_json) as progress:
+            train = loaded.gears(order, progress=progress)
+            written = train.write(out, formats, force=force, progress=progress) if train.passed or force else None
     except NotMadeError as error:
         if not as_json:
             _ranking(error.ranked, error.baseline)
         raise
     if as_json:
-        show.document(plan_facts(plan) if written is None else written.entry)
+        show.document(train.facts() if written is None else written.entry)
     else:
-        _return_errors(plan)
-        _ranking(plan.ranked, plan.baseline)
-        _choice(plan)
-        show.figures("\nteeth in mesh, measured", plan.checks)
-        if written:
-            _files(written, out, chord_is_given=loaded.export.mesh_chord_um is not None)
+        _return_errors(train.plan)
+        _ranking(train.ranked, train.baseline)
+        _choice(train.plan)
+        show.figures("\nteeth in mesh, measured", train.checks)
+        if written is not None:
+            _files(written, out, chord_is_given=loaded.values.export.mesh_chord_um is not None)
         else:
             click.echo("cadgen: a check failed, so nothing was exported (--force exports all the same)", err=True)
-    sys.exit(0 if plan.passed or force else 1)
+    sys.exit(0 if train.passed or force else 1)
 
 
 def _return_errors(plan: "GearsPlan") -> None:
@@ -187,8 +196,8 @@ def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
         table.add_row(name, f"{facts['bytes'] / 1000:.0f} kB", said)
     console = Output()
     console.print(table)
-    if not chord_is_given:
-        chords = sorted({facts["chord_um"] for facts in written.entry["files"].values() if "chord_um" in facts})
+    chords = sorted({facts["chord_um"] for facts in written.entry["files"].values() if "chord_um" in facts})
+    if chords and not chord_is_given:
         console.print(
             f"Chords of the STL files stay within {' to '.join(f'{c:g}' for c in {chords[0]: 0, chords[-1]: 0})} µm of "
             "the teeth: 2 µm per mm of module, 5 at most, as export.mesh_chord_um is not given."

@@ -17,35 +17,25 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
     Each profile is judged as it would be cut: rolled on its outline, with play, over the band of return errors. The
     exit code is 1 if even the best fails a check.
     """
+    from cadgen.api.design import Design
+    from cadgen.api.runs import remedy_facts
     from cadgen.cli import show, show_play
-    from cadgen.design.load import load_design
-    from cadgen.optimize.profiles.optimized import OPTIMIZED
-    from cadgen.workflow.cam.cures import find_cures
-    from cadgen.workflow.cam.manifest import cam_facts, remedy_facts
-    from cadgen.workflow.cam.plan import against_of, plan_cam
-    from cadgen.workflow.cam.remedies import remedies
 
-    loaded = load_design(design, overrides)
-    written = None
-    with show.progress(not as_json) as step:
-        plan = plan_cam(loaded, OPTIMIZED.code, step, all_trains=True)
-        cures = find_cures(plan, step)
-        against = against_of(plan)
-        sheet = remedies(loaded, against, step) if against.task.mechanics else ()
-        if out is not None:
-            from cadgen.workflow.runs.files import write_comparison
-
-            written = write_comparison(plan, out, step, cures=cures)
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        comparison = loaded.optimize(progress=progress)
+        written = None if out is None else comparison.write(out, progress=progress)
+    cam, remedies = comparison.cam, comparison.remedies
     if as_json:
-        facts = cam_facts(plan, cures) if written is None else written.entry
-        show.document({**facts, "remedies": [remedy_facts(remedy) for remedy in sheet]} if sheet else facts)
+        facts = cam.facts() if written is None else written.entry
+        show.document({**facts, "remedies": [remedy_facts(remedy) for remedy in remedies]} if remedies else facts)
     else:
-        show.friction(plan)
-        show_play.methods(plan)
-        show_play.remedies(sheet)
-        show.failed(plan)
+        show.friction(cam)
+        show_play.methods(cam)
+        show_play.remedies(remedies)
+        show.failed(cam)
         if written is not None and out is not None:
             show.files(written, out)
-        if not plan.passed:
+        if not cam.passed:
             click.echo("cadgen: even the best profile fails a check, so cadgen cam would not export it", err=True)
-    sys.exit(0 if plan.passed else 1)
+    sys.exit(0 if cam.passed else 1)

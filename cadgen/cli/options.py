@@ -60,6 +60,13 @@ def out_option(**settings: Any) -> Callable[[Command], Command]:
     return click.option("--out", type=_Folder(file_okay=False, path_type=Path), **settings)
 
 
+def formats_option(endings: str) -> Callable[[Command], Command]:
+    """--formats, some of these endings."""
+    return click.option(
+        "--formats", metavar="LIST", help=f"Files to write, by their endings, such as step,stl.  [default: {endings}]"
+    )
+
+
 class Number(click.FloatRange):
     """A number of a range; NaN is in none, though no comparison finds it outside."""
 

@@ -3,7 +3,7 @@
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from math import isinf
 from pathlib import Path
@@ -18,10 +18,9 @@ from cadgen.cli.output import hush
 from cadgen.report.table import FittedTable
 
 if TYPE_CHECKING:
+    from cadgen.api.cam import Cam, Cures
+    from cadgen.api.files import Written
     from cadgen.check import Check
-    from cadgen.export.manifest import Written
-    from cadgen.workflow.cam.cures import Cures
-    from cadgen.workflow.cam.plan import CamPlan
 
 
 # Columns of a terminal below which a check's place stands under its name and not beside its figures.
@@ -52,32 +51,32 @@ def progress(enabled: bool) -> Iterator[Callable[[str], None]]:
         yield status.update
 
 
-def document(facts: dict[str, Any]) -> None:
+def document(facts: Mapping[str, Any]) -> None:
     """Print one JSON document."""
     try:
-        click.echo(json.dumps(facts, indent=2, allow_nan=False))
+        click.echo(json.dumps(dict(facts), indent=2, allow_nan=False))
     except BrokenPipeError:
         hush()
 
 
-def checks(plan: "CamPlan", cures: "Cures") -> None:
+def checks(cam: "Cam", cures: "Cures") -> None:
     """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
-    friction(plan)
-    figures(f"{plan.design.name}, {plan.profile} profile", (*plan.checks, plan.edges))
+    friction(cam)
+    figures(f"{cam.design.name}, {cam.profile} profile", (*cam.checks, cam.edges))
     for line in cures.sentences():
         Output().print(line)
 
 
-def friction(plan: "CamPlan") -> None:
+def friction(cam: "Cam") -> None:
     """Print what a rod that rubs would make of the result, if it was reckoned without friction."""
-    if plan.against is not None and plan.against.rubbing:
-        Output().print(Text(plan.against.rubbing, "yellow"))
+    if cam.against is not None and cam.against.rubbing:
+        Output().print(Text(cam.against.rubbing, "yellow"))
 
 
-def failed(plan: "CamPlan") -> None:
+def failed(cam: "Cam") -> None:
     """Print the checks that fail, with what to change; nothing if none does."""
-    if plan.failed:
-        figures(f"\n{plan.design.name}: the {plan.profile} profile fails its checks", plan.failed)
+    if cam.failed:
+        figures(f"\n{cam.design.name}: the {cam.profile} profile fails its checks", cam.failed)
 
 
 def figures(title: str, found: "Sequence[Check]") -> None:

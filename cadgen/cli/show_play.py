@@ -7,31 +7,25 @@ from typing import TYPE_CHECKING
 from cadgen.cli.show import Output, friction, plain_table
 
 if TYPE_CHECKING:
-    from cadgen.workflow.cam.plan import CamPlan
-    from cadgen.workflow.cam.remedies import Remedy
-    from cadgen.workflow.runs.budget import BudgetSheet
-    from cadgen.workflow.runs.simulation import Simulation
-    from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
+    from cadgen.api.cam import Cam
+    from cadgen.api.runs import BudgetSheet, Remedy, Simulation, Spread, ToleranceRun
 
 
-def against(plan: "CamPlan") -> None:
+def against(cam: "Cam") -> None:
     """Print what the profile does about play, beside the one before, and why it was chosen."""
-    from cadgen.workflow.cam.as_built import as_built_sentences
-
-    if plan.against is not None:
-        methods(plan)
+    if cam.against is not None:
+        methods(cam)
         return
-    for text in as_built_sentences(plan.design, plan.lift.blend_start):
+    for text in cam.notes:
         Output().print(text)
 
 
-def methods(plan: "CamPlan") -> None:
+def methods(cam: "Cam") -> None:
     """Print every method compared, the bound, and the reasons."""
-    from cadgen.workflow.cam.against import PAPER_PERCENT
-    from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
-    from cadgen.workflow.cam.plan import against_of
+    from cadgen.api.cam import PAPER_PERCENT
 
-    against = against_of(plan)
+    against = cam.against
+    assert against is not None
     console = Output()
     low, high = against.band.ends
     measured = "" if against.band.measured is None else f", measured {degrees(against.band.measured):.3f}°"
@@ -96,8 +90,7 @@ def methods(plan: "CamPlan") -> None:
     console.print(errors)
     console.print(costs)
     for text in (
-        *assumed_play(plan.design),
-        *as_built_sentences(plan.design, against.task.lift.blend_start),
+        *cam.notes,
         *against.reasons,
         *(["The bound: no profile with the same peaks and valleys betters it, to first order."] if bounded else []),
         f"The paper's two methods together take {PAPER_PERCENT} % off its sum of deflection errors.",
@@ -131,20 +124,12 @@ def remedies(sheet: "Sequence[Remedy]") -> None:
 
 def runs(simulation: "Simulation") -> None:
     """Print the events and where the runs end."""
-    from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
-    from cadgen.workflow.cam.mechanics import joint_sentences
-
     console = Output()
-    friction(simulation.plan)
-    before, chosen = simulation.against.before, simulation.against.chosen
-    design = simulation.plan.design
-    for text in (
-        *assumed_play(design),
-        *joint_sentences(design),
-        *as_built_sentences(design, float(simulation.planned.motor[-1])),
-    ):
+    friction(simulation.cam)
+    before, chosen = simulation.computed.against.before, simulation.computed.against.chosen
+    for text in simulation.notes:
         console.print(text)
-    known = simulation.against.task.mechanics
+    known = simulation.computed.against.task.mechanics
     forces = ""
     if known is not None:
         forces = f", friction {known.nominal.friction:.3g}, drag {known.nominal.drag:.3g} N·mm"
@@ -152,7 +137,7 @@ def runs(simulation: "Simulation") -> None:
             "The run is that of the car in the middle of its bands of friction and drag; the choice goes by all."
         )
     table = plain_table(
-        f"{simulation.plan.design.name}, return error {degrees(simulation.play):.3f}°{forces}: events of the "
+        f"{simulation.cam.design.name}, return error {degrees(simulation.play):.3f}°{forces}: events of the "
         f"{before.title}"
     )
     for column in ("event", "cam angle", "lift", "deflection"):
@@ -184,39 +169,35 @@ def runs(simulation: "Simulation") -> None:
 
 def fleet(run: "ToleranceRun") -> None:
     """Print where the cars end, how many pass, and what matters most."""
-    from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
-    from cadgen.workflow.cam.mechanics import joint_sentences
-    from cadgen.workflow.runs.budget import shown
+    from cadgen.api.runs import shown
 
     console = Output()
-    friction(run.plan)
-    design = run.plan.design
-    for text in (
-        *assumed_play(design),
-        *joint_sentences(design),
-        *as_built_sentences(design, run.plan.lift.blend_start),
-    ):
+    found = run.computed
+    friction(run.cam)
+    design = found.plan.design
+    for text in run.notes:
         console.print(text)
     console.print(
-        f"{design.name}, {run.plan.profile} profile: {run.samples} cars, seed {run.seed}, {design.tolerances.law} law",
+        f"{design.name}, {found.plan.profile} profile: {found.samples} cars, seed {found.seed}, "
+        f"{design.tolerances.law} law",
         style="bold",
     )
-    position, heading = run.end_position, run.end_heading_deg
+    position, heading = found.end_position, found.end_heading_deg
     for label, values, unit in (
         ("position", {"mean": position.mean, **_parts(position), "greatest": position.greatest}, " mm"),
         ("heading", {"mean of size": heading.mean, **_parts(heading)}, "°"),
     ):
         texts = ", ".join(f"{name} {value:.3g}{unit}" for name, value in values.items())
         console.print(f"{label} error at the end: {texts}")
-    console.print(f"{100 * run.passed:.2f} % pass all {run.gates} gates of {design.tolerances.gate_width_mm:g} mm")
+    console.print(f"{100 * found.passed:.2f} % pass all {found.gates} gates of {design.tolerances.gate_width_mm:g} mm")
     table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
     for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
         table.add_column(column, justify="left" if column == "tolerance" else "right")
-    for sensitivity in run.sensitivities:
+    for sensitivity in found.sensitivities:
         name = sensitivity.name
         table.add_row(
             name.replace("_", " "),
-            shown(name, run.half_width(name)),
+            shown(name, found.half_width(name)),
             shown(name, sensitivity.step),
             f"{sensitivity.distance:.3f} mm",
             f"{degrees(sensitivity.heading):.4f}°",
@@ -231,7 +212,7 @@ def _parts(spread: "Spread") -> dict[str, float]:
 
 def budget(sheet: "BudgetSheet") -> None:
     """Print what everything that may be off costs, before and after a trim, and what to hold tighter."""
-    from cadgen.workflow.runs.budget import shown_half_width
+    from cadgen.api.runs import shown_half_width
 
     console = Output()
     table = plain_table("\nerror budget: how far the end of the run is moved, before and after a trim")

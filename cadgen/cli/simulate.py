@@ -24,18 +24,16 @@ def simulate(
     Writes the tracks of the three wheels as CSV, and pictures of lift, tracks and errors as PNG and SVG. A profile
     that fails a check is run all the same, and the check is named.
     """
+    from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.design.load import load_design
-    from cadgen.workflow.runs.files import write_simulation
-    from cadgen.workflow.runs.simulation import simulate as run
 
-    loaded = load_design(design, overrides)
-    with show.progress(not as_json) as step:
-        simulation = run(loaded, profile, play_deg, step)
-        written = write_simulation(simulation, out, step)
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        simulation = loaded.simulate(profile, play_deg, progress=progress)
+        written = simulation.write(out, progress=progress)
     if as_json:
         show.document(written.entry)
     else:
         show_play.runs(simulation)
-        show.failed(simulation.plan)
+        show.failed(simulation.cam)
         show.files(written, out)

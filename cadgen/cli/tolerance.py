@@ -44,22 +44,21 @@ def tolerance(
     Reports where they end, how many pass all gates, and which tolerance matters most. A seed gives the same numbers
     on any number of processes. A profile that fails a check is run all the same, and the check is named.
     """
+    from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.design.load import load_design
-    from cadgen.workflow.runs.files import write_tolerance
-    from cadgen.workflow.runs.manifest import tolerance_facts
-    from cadgen.workflow.runs.tolerance import run_tolerance
 
-    loaded = load_design(design, overrides)
-    with show.progress(not as_json) as step:
-        run = run_tolerance(loaded, profile, samples, seed, processes, step, with_budget=budget)
-        written = None if out is None else write_tolerance(run, out, step)
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        run = loaded.tolerance(
+            samples, seed=seed, profile=profile, budget=budget, processes=processes, progress=progress
+        )
+        written = None if out is None else run.write(out, progress=progress)
     if as_json:
-        show.document(tolerance_facts(run) if written is None else written.entry)
+        show.document(run.facts() if written is None else written.entry)
         return
     show_play.fleet(run)
     if run.budget is not None:
         show_play.budget(run.budget)
-    show.failed(run.plan)
+    show.failed(run.cam)
     if written is not None and out is not None:
         show.files(written, out)

@@ -1,16 +1,15 @@
 """`cadgen verify`: a folder's files against its manifest."""
 
-import errno
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from cadgen.errors import FileError, brief, escaped
+from cadgen.errors import escaped
 
 if TYPE_CHECKING:
-    from cadgen.export.verify import FolderState
+    from cadgen.api.files import FolderState
 
 UNLISTED_SHOWN = 20
 
@@ -26,29 +25,18 @@ def verify(folder: Path, restore: bool, as_json: bool) -> None:
     not as listed, or if a run was killed while it moved its files into DIR; the next command that writes there, or
     --restore, undoes that.
     """
+    from cadgen.api.files import verify as verified
     from cadgen.cli import show
-    from cadgen.export import verify as work
-    from cadgen.export.folder import undo_killed
-    from cadgen.export.lock import locked
 
-    restored: list[str] = []
-    try:
-        with locked(folder):
-            if restore:
-                restored = undo_killed(folder, sure=True)
-            state = work.verify(folder)
-    except OSError as error:
-        if restore or error.errno not in (errno.EACCES, errno.EPERM, errno.EROFS):
-            raise FileError(f"{brief(str(folder))} cannot be written to ({error.strerror}): make it writable") from None
-        state = work.verify(folder)  # this user cannot lock it
+    state = verified(folder, restore=restore)
     if as_json:
-        show.document({**state.facts(folder), "restored": restored})
+        show.document(state.facts(folder))
     else:
-        _report(folder, state, restored)
+        _report(folder, state)
     sys.exit(0 if state.is_true else 1)
 
 
-def _report(folder: Path, state: "FolderState", restored: list[str]) -> None:
+def _report(folder: Path, state: "FolderState") -> None:
     from cadgen.cli.show import Output, plain_table
 
     console = Output()
@@ -61,8 +49,8 @@ def _report(folder: Path, state: "FolderState", restored: list[str]) -> None:
     console.print(table)
     if len(unlisted) > UNLISTED_SHOWN:
         console.print(f"And {len(unlisted) - UNLISTED_SHOWN} more that are not listed.")
-    if restored:
-        console.print(f"Put back as before a run that was killed: {', '.join(map(escaped, restored))}.")
+    if state.restored:
+        console.print(f"Put back as before a run that was killed: {', '.join(map(escaped, state.restored))}.")
     for name in state.half_moved:
         console.print(
             f"A run was killed while it moved its files into this folder ({name}): the next command that writes here, "

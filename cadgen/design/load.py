@@ -42,14 +42,31 @@ def load_design(source: str | Path | None = None, overrides: Sequence[str] = ())
         DesignError: no such design, a file that cannot be read or is not TOML in UTF-8, or values that cannot
             be; one sentence for each of up to five errors, on a line of its own.
     """
-    values, name = _read(design_file(source))
-    return Design(**_checked(DesignFile, values, name, overrides), overrides=tuple(overrides))
+    return design_of(*read_design(source), overrides)
 
 
 def load_train(source: str | Path | None = None, overrides: Sequence[str] = ()) -> TrainDesign:
     """The same for a gear train, for which [train] alone is enough."""
-    values, name = _read(design_file(source))
-    return TrainDesign(**_checked(TrainFile, values, name, overrides), overrides=tuple(overrides))
+    return train_of(*read_design(source), overrides)
+
+
+def design_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design:
+    """A design from its text.
+
+    Args:
+        text: TOML.
+        file: that it stands in or could stand in, for messages.
+        overrides: as for `load_design`.
+
+    Raises:
+        DesignError: as `load_design`.
+    """
+    return Design(**_checked(DesignFile, _parsed(text, file), file.name, overrides), overrides=tuple(overrides))
+
+
+def train_of(text: str, file: Path, overrides: Sequence[str] = ()) -> TrainDesign:
+    """The same for a gear train, for which [train] alone is enough."""
+    return TrainDesign(**_checked(TrainFile, _parsed(text, file), file.name, overrides), overrides=tuple(overrides))
 
 
 def with_overrides(design: Design, overrides: Sequence[str]) -> Design:
@@ -91,11 +108,19 @@ def design_file(source: str | Path | None = None) -> Path:
     raise DesignError(f'there is no packaged design "{brief(source)}": the packaged ones are {names}; {hint}')
 
 
-def _read(file: Path) -> tuple[dict[str, Any], str]:
-    """The values in a file, and its name."""
+def read_design(source: str | Path | None = None) -> tuple[str, Path]:
+    """Text of a design, and its file.
+
+    Args:
+        source: as for `load_design`.
+
+    Raises:
+        DesignError: no such design, or a file that cannot be read.
+    """
+    file = design_file(source)
     name = brief(str(file))
     try:
-        text = read_given(file, MOST_BYTES).decode("utf-8-sig")
+        return read_given(file, MOST_BYTES).decode("utf-8-sig"), file
     except FileNotFoundError:
         raise DesignError(
             f"there is no design file {name}: correct the path, or name a packaged design "
@@ -109,8 +134,13 @@ def _read(file: Path) -> tuple[dict[str, Any], str]:
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         raise DesignError(f"{name} cannot be read ({reason}): give a design file that can") from None
+
+
+def _parsed(text: str, file: Path) -> dict[str, Any]:
+    """The values in a file's text."""
+    name = brief(str(file))
     try:
-        return parse(text), file.name
+        return parse(text)
     except DeepError:
         raise DesignError(f"{name}: keys or brackets are nested too deeply for a design: correct the file") from None
     except ValueError as error:

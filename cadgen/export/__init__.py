@@ -7,6 +7,8 @@
 | `gcode`        | the milling program; `gcode_reader` interprets it and finds what is left over |
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
 | `tracks`       | the three wheels' tracks as a table                                         |
+| `formats`  | which of a job's files are wanted, by their endings             |
+| `formats`      | which of a job's files are wanted, by their endings                         |
 | `folder`       | files appear all together and complete, or not at all                         |
 | `lock`         | one run at a time moves files into a folder                                  |
 | `verify`       | whether a folder still is what its manifest says                             |

@@ -30,11 +30,13 @@ class FolderState:
         files: the listed ones, part by part, then those that no part lists.
         half_moved: staging folders of runs that were killed while they moved their files into place.
         left: staging folders of runs that were killed before that.
+        restored: files that were put back first.
     """
 
     files: tuple[FileState, ...]
     half_moved: tuple[str, ...]
     left: tuple[str, ...]
+    restored: tuple[str, ...] = ()
 
     @property
     def is_true(self) -> bool:
@@ -49,6 +51,7 @@ class FolderState:
             "half_moved": list(self.half_moved),
             "left": list(self.left),
             "files": [{"name": file.name, "part": file.part, "state": file.state} for file in self.files],
+            "restored": list(self.restored),
         }
 
 

@@ -49,6 +49,10 @@ class Blanks:
     intermediate: Blank
     output: Blank
 
+    def by_shaft(self, shafts: int) -> tuple[Blank, ...]:
+        """One for each of so many shafts, from the drive to the output."""
+        return (self.drive, *(self.intermediate,) * (shafts - 2), self.output)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TrainPart:
@@ -141,16 +145,21 @@ def meshing_angle(pair: GearPair, driver_angle: float, direction: float) -> floa
 
 
 def lay_out(
-    train: Train, blanks: Blanks, directions: Sequence[float | None] | None = None, clearance: float = 0.3
+    train: Train,
+    blanks: Blanks | Sequence[Blank],
+    directions: Sequence[float | None] | None = None,
+    clearance: float = 0.3,
 ) -> TrainLayout:
     """Parts of a train at their places, the drive's axis at the origin.
 
-    `directions` in rad hold one entry per stage, None for any; `clearance` in mm. Raises `DesignError` for a
-    gear or blank that cannot be made, for bearings nearer together than the stack is high, and where bodies on
-    different shafts collide however they are laid out.
+    `blanks` are those of the places, or one for each shaft from the drive to the output. `directions` in rad hold
+    one entry per stage, None for any; `clearance` in mm. Raises `DesignError` for a gear or blank that cannot be
+    made, for bearings nearer together than the stack is high, and where bodies on different shafts collide however
+    they are laid out.
     """
     wanted = tuple(directions or (None,) * len(train.stages))
-    parts = _stacked(train, blanks, clearance)
+    on_shafts = blanks.by_shaft(len(train.stages) + 1) if isinstance(blanks, Blanks) else tuple(blanks)
+    parts = _stacked(train, on_shafts, clearance)
     discs = _discs(parts, train)
     for pair, one, two in zip(train.stages, discs, discs[1:], strict=False):
         # Neighbours are as far apart in every direction: what collides there needs no search.
@@ -184,7 +193,7 @@ def _collar_length(before: GearPair, after: GearPair, clearance: float) -> float
     return collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
 
 
-def _stacked(train: Train, blanks: Blanks, clearance: float) -> list[TrainPart]:
+def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[TrainPart]:
     """The parts, all on one axis, at their heights."""
     stages = train.stages
     first, last = stages[0].driver.form, stages[-1].driven.form
@@ -205,19 +214,19 @@ def _stacked(train: Train, blanks: Blanks, clearance: float) -> list[TrainPart]:
             flipped=shaft == 1,
         )
 
-    drive = _made(1, "drive", gear_body, first, blanks.drive)
-    parts = [part("1_pinion", 1, (first,), blanks.drive, drive, plane + first.width / 2)]
+    drive = _made(1, "drive", gear_body, first, blanks[0])
+    parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.driven.form, after.driver.form
         length = _collar_length(before, after, clearance)
-        blank = _made(shaft, "intermediate", with_collar, blanks.intermediate, lower, upper, length, clearance)
+        blank = _made(shaft, "intermediate", with_collar, blanks[shaft - 1], lower, upper, length, clearance)
         body = _made(shaft, "intermediate", cluster_body, lower, upper, blank)
         start = plane - lower.width / 2
         parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blank, body, start))
         plane = start + body.slabs[-1].end - upper.width / 2
     shaft = len(stages) + 1
-    output = _made(shaft, "output", gear_body, last, blanks.output)
-    parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks.output, output, plane - last.width / 2))
+    output = _made(shaft, "output", gear_body, last, blanks[-1])
+    parts.append(part(f"{shaft}_wheel", shaft, (last,), blanks[-1], output, plane - last.width / 2))
     return parts
 
 

@@ -92,7 +92,7 @@ class GearPair:
             )
 
     def __str__(self) -> str:
-        return f"the pair of {self.driver.form.teeth} and {self.driven.form.teeth} teeth"
+        return _pair(self.driver.form, self.driven.form)
 
     @property
     def ratio(self) -> Fraction:
@@ -112,22 +112,8 @@ class GearPair:
 
     @property
     def zero_backlash_centre_distance(self) -> float:
-        """Centre distance in mm at which teeth of nominal thickness mesh without play.
-
-        inv α_w = inv α + 2 tan α (x_1 + x_2)/(z_1 + z_2). Raises `DesignError` if the profile shifts allow
-        none.
-        """
-        form, teeth = self.driver.form, self.driver.form.teeth + self.driven.form.teeth
-        reference = form.transverse_module * teeth / 2
-        shift = form.profile_shift + self.driven.form.profile_shift
-        if shift == 0:
-            return reference
-        alpha = form.transverse_pressure_angle
-        wanted = involute(alpha) + 2 * tan(alpha) * shift / teeth
-        if not 0 < wanted < involute(STEEPEST_MESH):
-            raise DesignError(f"{self} has profile shifts of {shift:g} together; bring their sum nearer to 0")
-        mesh: float = brentq(lambda angle: involute(angle) - wanted, 0.0, STEEPEST_MESH, xtol=1e-15)
-        return reference * cos(alpha) / cos(mesh)
+        """Centre distance in mm at which teeth of nominal thickness mesh without play; see `closest`."""
+        return closest(self.driver.form, self.driven.form)
 
     def normal_backlash(self, centre_distance: float, thickness_deviation: float = 0.0) -> float:
         """Play along the line of action in mm, by the exact geometry of involutes, without tolerances.
@@ -142,6 +128,11 @@ class GearPair:
         shift = 2 * (form.profile_shift + other.profile_shift) * tan(alpha)
         nominal = form.transverse_module * ((form.teeth + other.teeth) * opened - shift)
         return cos(alpha) * (nominal - thickness_deviation)
+
+    def thinned_to(self, driver: Thinning | float, driven: Thinning | float) -> Self:
+        """The same pair with other thicknesses that its teeth are to be cut to; see `Gear.thinning`."""
+        one, two = replace(self.driver, thinning=driver), replace(self.driven, thinning=driven)
+        return replace(self, driver=one, driven=two)
 
     def by_the_standard(self) -> Self:
         """The same pair without overrides."""
@@ -162,6 +153,30 @@ class GearPair:
                 f" give at least {base:.4f} mm"
             )
         return acos(base / centre_distance)
+
+
+def closest(driver: GearForm, driven: GearForm) -> float:
+    """Centre distance in mm at which teeth of nominal thickness mesh without play.
+
+    inv α_w = inv α + 2 tan α (x_1 + x_2)/(z_1 + z_2). Raises `DesignError` if the profile shifts allow none.
+    """
+    teeth = driver.teeth + driven.teeth
+    reference = driver.transverse_module * teeth / 2
+    shift = driver.profile_shift + driven.profile_shift
+    if shift == 0:
+        return reference
+    alpha = driver.transverse_pressure_angle
+    wanted = involute(alpha) + 2 * tan(alpha) * shift / teeth
+    if not 0 < wanted < involute(STEEPEST_MESH):
+        raise DesignError(
+            f"{_pair(driver, driven)} has profile shifts of {shift:g} together; bring their sum nearer to 0"
+        )
+    mesh: float = brentq(lambda angle: involute(angle) - wanted, 0.0, STEEPEST_MESH, xtol=1e-15)
+    return reference * cos(alpha) / cos(mesh)
+
+
+def _pair(driver: GearForm, driven: GearForm) -> str:
+    return f"the pair of {driver.teeth} and {driven.teeth} teeth"
 
 
 @dataclass(frozen=True, slots=True)

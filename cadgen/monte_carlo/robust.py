@@ -15,11 +15,14 @@ from cadgen.gears.names import Law
 from cadgen.monte_carlo.derivatives import STEERING
 from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, run_fleet
 
+# As the built-in `map`, or a pool's: it may run the calls anywhere, but gives their results in order.
+Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
 Sampler = Callable[[np.random.Generator, int], Array]
 
 # Cars run together: their arrays of one value per step stay near the processor's cache, and a run of many uses
 # little memory. It fixes the numbers that a seed gives, with any number of processes.
 CHUNK = 100
+_BLOCK = 8  # chunks that a foreign pool is given at once
 _SPREAD_SAMPLES = 20_000  # they give a standard deviation to half a percent
 # A tolerance may turn the front wheel by so much, rad. First order then misses at most 2 % of what it does to the end
 # of the run on the paper's cars, and in proportion less of smaller ones.
@@ -190,6 +193,7 @@ def tolerance_run(
     *,
     seed: int,
     processes: int = 1,
+    map_with: Map | None = None,
     done: Callable[[int], None] = lambda cars: None,
 ) -> FleetEnds:
     """Run random cars within the tolerances.
@@ -203,6 +207,7 @@ def tolerance_run(
         samples: number of cars.
         seed: of the random numbers.
         processes: how many run at once.
+        map_with: runs the blocks of cars instead, such as the `map` of a pool; the numbers do not depend on it.
         done: told how many cars have run.
 
     Raises:
@@ -213,12 +218,20 @@ def tolerance_run(
     _refuse_wide(fleet, tolerances)
     run = partial(_chunk, fleet, tolerances, seed, samples)
     chunks = range(-(-samples // CHUNK))
-    if processes > 1:
+    if map_with is not None:
+        blocks = range(-(-len(chunks) // _BLOCK))
+        found = _gathered(map_with(partial(_block, run, len(chunks)), blocks), samples, done)
+    elif processes > 1:
         with ProcessPoolExecutor(processes) as pool:
             found = _gathered(pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes))), samples, done)
     else:
         found = _gathered(map(run, chunks), samples, done)
     return FleetEnds(heading=found[0], along=found[1], across=found[2], widest=found[3])
+
+
+def _block(run: Callable[[int], Array], chunks: int, number: int) -> Array:
+    """The rows of several chunks, so that the fleet is not sent to another process for each."""
+    return np.concatenate([run(chunk) for chunk in range(number * _BLOCK, min((number + 1) * _BLOCK, chunks))], axis=1)
 
 
 def _chunk(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number: int) -> Array:

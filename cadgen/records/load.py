@@ -27,8 +27,12 @@ def load(path: Path) -> Record:
         FileError: no such file, no or a mixed header, columns that are missing, a value that is not a number or
             cannot be in its unit, angles that go round twice, or too few rows.
     """
-    name = escaped(path.name)
-    lines = _text(path).splitlines()
+    return load_text(_text(path), escaped(path.name))
+
+
+def load_text(text: str, name: str) -> Record:
+    """Read a file's text; arguments as its content and its name, errors as `load`."""
+    lines = text.splitlines()
     _refuse_long(lines, name)
     remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
     body = ((n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#"))

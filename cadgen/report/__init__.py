@@ -3,6 +3,7 @@
 | module   | what it does                                                                   |
 |----------|--------------------------------------------------------------------------------|
 | `style`  | colours, sizes, and files whose bytes depend on their content alone             |
+| `cam`    | a cam on one picture: outline and lift                                          |
 | `lift`   | lift before and after, and what becomes of it with play                         |
 | `tracks` | the wheels on the field; heading and position error along the run               |
 | `text`   | reports in words                                                                |

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Figure
 
 # Okabe & Ito's palette, told apart by people with any kind of colour vision; lines differ in style as well.
 BLACK, GREY = "#000000", "#8c8c8c"

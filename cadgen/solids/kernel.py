@@ -29,7 +29,7 @@ from cadgen.errors import FileError
 from cadgen.parts.body import RadialHole
 
 if TYPE_CHECKING:
-    from build123d import Solid
+    from build123d import Solid as Solid
 
 # The kernel's own smallest distance between two points (Precision::Confusion), mm.
 TOLERANCE = 1e-7

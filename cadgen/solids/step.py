@@ -9,7 +9,7 @@ finds them itself.
 import io
 import os
 import re
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from functools import partial
 from itertools import pairwise
@@ -60,13 +60,11 @@ _COLOURED = re.compile(rb"STYLED_ITEM\('color',\(#\d+\),#(\d+)\)")
 _REFERENCE = re.compile(rb"#(\d+)")
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class StepContent:
-    """What a STEP file holds, read again.
+@dataclass(frozen=True, kw_only=True)
+class PartContent:
+    """What the kernel reads in a STEP file of one part.
 
     Attributes:
-        rim: outline of the disc at its carrying planes, from the file's text alone: at z = 0, or where the edges are
-            broken at either edge of the land between the chamfers, which are found to be alike.
         valid: whether the kernel finds no fault in what it reads, nor an edge beside its surfaces.
         bodies: number of solids.
         volume: of all solids, mm^3.
@@ -75,13 +73,24 @@ class StepContent:
         colour: red, green, blue in sRGB; None if the file gives none.
     """
 
-    rim: Outline
     valid: bool
     bodies: int
     volume: float
     name: str
     description: str
     colour: tuple[float, float, float] | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class StepContent(PartContent):
+    """What the STEP file of a cam holds, read again.
+
+    Attributes:
+        rim: outline of the disc at its carrying planes, from the file's text alone: at z = 0, or where the edges are
+            broken at either edge of the land between the chamfers, which are found to be alike.
+    """
+
+    rim: Outline
 
 
 def step_bytes(part: Part) -> bytes:
@@ -197,6 +206,15 @@ def read_step(path: Path, step: float, land: tuple[float, float] | None = None) 
     for other in others:
         if not _are_alike(rim, other):
             raise FileError(f"the land between the broken edges in {path.name} is not upright: export it again")
+    return StepContent(rim=rim, **asdict(read_part(path)))
+
+
+def read_part(path: Path) -> PartContent:
+    """Read a file of one part again through the kernel's reader.
+
+    Raises:
+        FileError: the file cannot be read, or is not of one part.
+    """
     document, products = read_document(path)
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     labels = Sequence_TDF_Label()
@@ -205,8 +223,7 @@ def read_step(path: Path, step: float, land: tuple[float, float] | None = None) 
         raise FileError(f"{path.name} holds {labels.Length()} shapes and {len(products)} products, not one of each")
     shape = shapes.GetShape_s(labels.First())
     bodies = solids(shape)
-    return StepContent(
-        rim=rim,
+    return PartContent(
         valid=is_valid(shape) and edges_on_surfaces(shape),
         bodies=len(bodies),
         volume=volume(shape),

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from colorsys import hsv_to_rgb
 from dataclasses import dataclass
-from math import sqrt
+from math import degrees, sqrt
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +24,9 @@ from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.solids.gear import body_solid
 from cadgen.solids.kernel import Part, is_valid, solids, volume
 from cadgen.solids.step import add_part, colour_of, document_bytes, new_document, read_document
+
+if TYPE_CHECKING:
+    from build123d import Compound as Compound
 
 # Hue of the first part, in turns; the next ones follow by the golden section, so that no two parts are alike.
 FIRST_HUE, HUE_STEP = 0.58, (sqrt(5) - 1) / 2
@@ -74,6 +78,35 @@ def assembly_bytes(parts: Sequence[Part], layout: TrainLayout, name: str, descri
         _name(tool.AddComponent(assembly, add_part(document, part), TopLoc_Location(move)), part.name)
     tool.UpdateAssemblies()
     return document_bytes(document, name, description)
+
+
+def train_compound(parts: Sequence[Part], layout: TrainLayout, name: str) -> Compound:
+    """Return the parts at their places as one build123d compound, a labelled and coloured solid for each."""
+    import build123d
+
+    placed = []
+    for part, at in zip(parts, layout.parts, strict=True):
+        move = gp_Trsf()
+        move.SetValues(*at.transform.ravel().tolist())
+        placed.append(part.build123d().located(build123d.Location(TopLoc_Location(move))))
+    return build123d.Compound(label=name, children=placed)
+
+
+def mesh_compound(parts: Sequence[Part], places: Sequence[tuple[float, float, float]], name: str) -> Compound:
+    """Return gears as one build123d compound.
+
+    Args:
+        parts: each with its axis on z.
+        places: of each: x of its axis and height of its lower face, mm, and its angle about the axis, rad.
+        name: of the compound.
+    """
+    import build123d
+
+    placed = [
+        part.build123d().located(build123d.Location((x, 0.0, height), (0.0, 0.0, degrees(angle))))
+        for part, (x, height, angle) in zip(parts, places, strict=True)
+    ]
+    return build123d.Compound(label=name, children=placed)
 
 
 def read_assembly(path: Path) -> tuple[AssembledPart, ...]:

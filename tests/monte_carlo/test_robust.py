@@ -48,8 +48,10 @@ def test_a_seed_gives_the_same_numbers_on_any_number_of_processes(fleet, play):
     tolerances = Tolerances(half_widths=HALF_WIDTHS, play=play)
     alone = tolerance_run(fleet, tolerances, 3 * CHUNK + 17, seed=11)
     shared = tolerance_run(fleet, tolerances, 3 * CHUNK + 17, seed=11, processes=3)
+    mapped = tolerance_run(fleet, tolerances, 3 * CHUNK + 17, seed=11, map_with=map)
     for name in ("heading", "along", "across", "widest"):
         np.testing.assert_array_equal(getattr(alone, name), getattr(shared, name))
+        np.testing.assert_array_equal(getattr(alone, name), getattr(mapped, name))
     other = tolerance_run(fleet, tolerances, CHUNK, seed=12)
     assert not np.isclose(other.distance, alone.distance[:CHUNK]).any()
 

@@ -4,6 +4,7 @@
 |-----------------|---------------------------------------------------------------------------------|
 | `plan`          | measured files -> one verdict for each kind of data, and what they say together |
 | `zone_means`    | mean turns over zones, beside what the design's train lets expect               |
+| `tables`        | arrays in memory, read as files are                                             |
 | `words`         | a calibration in words and tables                                               |
 | `as_built_file` | the design file with what was measured at its end                               |
 | `files`         | report, pictures, JSON and the as-built design, published together              |

@@ -1,6 +1,6 @@
 """From measured files to what the design lacks: one verdict for each kind of data, and what they say together."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees, pi, radians
@@ -142,25 +142,34 @@ def read(paths: Sequence[Path], step: Step = lambda text: None, *, each: bool = 
     Raises:
         FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
     """
-    sources: dict[str, Source] = {}
-    rows: dict[Kind | None, int] = {}
+    return gathered(_loaded(paths, step), each=each)
+
+
+def _loaded(paths: Iterable[Path], step: Step) -> Iterator[Source]:
     for path in paths:
         step(f"reading {brief(path.name)}")
-        record = load(path)
-        source = Source(path, record, digest(path))
-        if twin := sources.get(source.sha256):
-            raise FileError(f"{path} holds the same data as {twin.path}: give each file once")
-        sources[source.sha256] = source
+        yield Source(path, load(path), digest(path))
+
+
+def gathered(sources: Iterable[Source], *, each: bool = False) -> tuple[Source, ...]:
+    """Measured data as they come; arguments and errors as of `read`."""
+    known: dict[str, Source] = {}
+    rows: dict[Kind | None, int] = {}
+    for source in sources:
+        record = source.record
+        if twin := known.get(source.sha256):
+            raise FileError(f"{source.path} holds the same data as {twin.path}: give each file once")
+        known[source.sha256] = source
         kind = None if each else record.kind
         rows[kind] = rows.get(kind, 0) + len(record.run)
         # Before the next is read: a hundred long files take minutes.
         if rows[kind] > (most := MOST_READ if kind is None else kind.most_rows):
             data, at_once = (f" of {kind.code} data", "together") if kind else ("", "in one command")
             raise FileError(
-                f"the {len(sources)} files up to {record.source} have {rows[kind]} rows{data}, more than the {most} "
+                f"the {len(known)} files up to {record.source} have {rows[kind]} rows{data}, more than the {most} "
                 f"that can be judged {at_once}: give fewer files, or keep fewer rows of each"
             )
-    return tuple(sources.values())
+    return tuple(known.values())
 
 
 def calibrate(

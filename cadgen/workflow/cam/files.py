@@ -1,6 +1,6 @@
 """From a checked cam to files on disk, each read back and rolled against the rod before it is published."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees
@@ -20,6 +20,7 @@ from cadgen.curves.inset import chamfered_off
 from cadgen.curves.spline import splines
 from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
+from cadgen.export.formats import CAM_FORMATS, chosen, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.motion.sampled import rolled_lift
 from cadgen.workflow.cam.cures import Cures, find_cures
@@ -59,6 +60,7 @@ class _Job:
 
     plan: CamPlan
     staging: Path
+    formats: tuple[str, ...]
 
     @property
     def stem(self) -> str:
@@ -153,24 +155,37 @@ class _Job:
         return {"end_heading_deg": degrees(heading), "end_position_mm": distance}
 
 
-def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None, *, cures: Cures | None = None) -> Written:
-    """Write, read back, judge and publish every file of a cam.
+def write_cam(
+    plan: CamPlan,
+    out: Path,
+    step: Step = lambda text: None,
+    formats: str | Iterable[str] | None = None,
+    *,
+    cures: Cures | None = None,
+) -> Written:
+    """Write, read back, judge and publish the files of a cam.
 
     Args:
         plan: a computed cam, normally one whose checks passed.
         out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
         step: told what is being done.
         cures: of lost lift, if they were sought already.
+        formats: some of `CAM_FORMATS`; all of them if left out.
 
     Raises:
+        DesignError: there is no such format.
+        CheckError: none of the formats can be made of this cam.
         FileError: a file cannot be written, or what was read back is not what was meant.
     """
+    wanted = chosen(formats, CAM_FORMATS)
     with publishing(out) as staging:
-        job = _Job(plan, staging)
+        job = _Job(plan, staging, wanted)
         files: dict[str, Any] = {}
         omitted: dict[str, str] = {}
         warnings: list[str] = []
         for label, make in _FORMATS.items():
+            if not any(_LABELS[ending] == label for ending in wanted):
+                continue
             step(f"writing and reading back {label}")
             try:
                 results = list(make(job))
@@ -181,16 +196,25 @@ def write_cam(plan: CamPlan, out: Path, step: Step = lambda text: None, *, cures
             for result in results:
                 files[result.name] = _measured(job, result)
                 warnings += _loss(job, result, _REFINE[label])
+        if not files:
+            raise CheckError(f"nothing can be written: {'; '.join(omitted.values())}")
         entry = {
             **cam_facts(plan, find_cures(plan, step) if cures is None else cures),
+            **entry_formats(wanted, CAM_FORMATS),
             "frame": _FRAME,
             "versions": versions(),
             "omitted": omitted,
             "warnings": warnings,
             "files": files,
         }
-        write_manifest(staging, job.stem, entry)
-    return Written(job.stem, entry)
+        part = entry_name(job.stem, wanted, CAM_FORMATS)
+        write_manifest(staging, part, entry)
+    return Written(part, entry)
+
+
+def cam_solid(plan: CamPlan) -> "Part":
+    """The cam as the solid that its STEP file holds."""
+    return _Job(plan, Path(), CAM_FORMATS).part
 
 
 _FRAME = (
@@ -270,9 +294,12 @@ def _meshes(job: _Job) -> Iterator[_Result]:
         }
         return job.result(name, content.rim, chord * 1e3, facts)
 
-    name = f"{job.stem}.stl"
-    (job.staging / name).write_bytes(stl_bytes(mesh, job.stem))
-    yield read(name, read_stl(job.staging / name))
+    if "stl" in job.formats:
+        name = f"{job.stem}.stl"
+        (job.staging / name).write_bytes(stl_bytes(mesh, job.stem))
+        yield read(name, read_stl(job.staging / name))
+    if "3mf" not in job.formats:
+        return
     name = f"{job.stem}.3mf"
     (job.staging / name).write_bytes(threemf_bytes(mesh, job.stem, job.description))
     again, title = read_3mf(job.staging / name)
@@ -326,11 +353,13 @@ def _points(job: _Job) -> Iterator[_Result]:
 
     plan = job.plan
     count = plan.design.export.point_count
-    name = f"{job.stem}.xyz"
-    write_xyz(job.staging / name, plan.curve, count)
-    cloud = read_xyz(job.staging / name, job.step)
-    yield job.result(name, cloud, POINTS_LIMIT_UM, {"points": count})
-
+    if "xyz" in job.formats:
+        name = f"{job.stem}.xyz"
+        write_xyz(job.staging / name, plan.curve, count)
+        cloud = read_xyz(job.staging / name, job.step)
+        yield job.result(name, cloud, POINTS_LIMIT_UM, {"points": count})
+    if "csv" not in job.formats:
+        return
     name = f"{job.stem}.csv"
     contact = contact_rows(plan.curve, plan.follower, count, job.rim_share * POINTS_LIMIT_UM * 1e-3)
     write_csv(job.staging / name, plan.curve, plan.follower, contact)
@@ -346,6 +375,16 @@ _FORMATS: dict[str, Callable[[_Job], Iterator[_Result]]] = {
     "DXF": _dxf,
     "G-code": _gcode,
     "points": _points,
+}
+# The endings of the files -> what makes them.
+_LABELS = {
+    "step": "STEP",
+    "stl": "STL and 3MF",
+    "3mf": "STL and 3MF",
+    "dxf": "DXF",
+    "nc": "G-code",
+    "xyz": "points",
+    "csv": "points",
 }
 # What makes the files of a format finer.
 _REFINE = {

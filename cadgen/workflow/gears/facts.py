@@ -1,16 +1,18 @@
 """A planned gear train as plain values for the manifest, the table of parts and machines: µm, mm and degrees."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict
 from math import degrees
 from typing import Any
 
+from cadgen.check import Check
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay, play_distribution, teeth_of
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.inspection import Inspection, Limits
 from cadgen.gears.joints import WholePlay
+from cadgen.gears.layout import TrainLayout
 from cadgen.gears.tolerances import (
     span_pitch_deviation,
     tooth_radial_composite_deviation,
@@ -21,6 +23,7 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Gear, GearPair
 from cadgen.gears.undercut import missing_shift
 from cadgen.meshes.train_checks import exact_play, limit_states
+from cadgen.workflow.gears.made import role_of
 from cadgen.workflow.gears.plan import GearsPlan
 
 # Of trains made with every contribution free in its zone: this part has less play.
@@ -49,9 +52,7 @@ def plan_facts(plan: GearsPlan) -> dict[str, Any]:
         "return_error_as_given_by_the_standard_deg": _maybe(plan.given_standard),
         "return_error_by_the_standard_deg": _maybe(plan.standard),
         "notes": list(plan.notes),
-        "stages": [
-            _stage_facts(pair, play) for pair, play in zip(plan.layout.train.stages, plan.play.stages, strict=True)
-        ],
+        "stages": stages_facts(plan.layout, plan.play),
         "ranked": [
             {
                 "teeth": teeth_of(play),
@@ -74,25 +75,42 @@ def plan_facts(plan: GearsPlan) -> dict[str, Any]:
             }
             for found in plan.departures
         ],
-        "checks": [{**asdict(check), "passed": check.passed} for check in plan.checks],
-        "parts": [
-            {
-                "name": part.name,
-                "shaft": part.shaft,
-                "axis_mm": [part.axis.real, part.axis.imag],
-                "height_mm": part.height,
-                "angle_deg": degrees(part.angle),
-                "turned_over": part.flipped,
-                "bore_mm": part.blank.bore_diameter,
-                "volume_mm3": part.volume,
-                "gears": [
-                    _gear_facts(form, stage, plan.role(part.shaft, stage), found)
-                    for form, stage, found in zip(part.gears, part.stages, inspection, strict=True)
-                ],
-            }
-            for part, inspection in zip(plan.layout.parts, plan.inspection, strict=True)
-        ],
+        "checks": checks_facts(plan.checks),
+        "parts": parts_facts(plan.layout, plan.play, plan.inspection),
     }
+
+
+def stages_facts(layout: TrainLayout, play: TrainPlay) -> list[dict[str, Any]]:
+    """Every stage as it is cut, with its play."""
+    return [_stage_facts(pair, found) for pair, found in zip(layout.train.stages, play.stages, strict=True)]
+
+
+def checks_facts(checks: Iterable[Check]) -> list[dict[str, Any]]:
+    """Every check with its verdict."""
+    return [{**asdict(check), "passed": check.passed} for check in checks]
+
+
+def parts_facts(
+    layout: TrainLayout, play: TrainPlay, inspection: Sequence[Sequence[Inspection]]
+) -> list[dict[str, Any]]:
+    """Every part at its place, with what the shop is told of its gears."""
+    return [
+        {
+            "name": part.name,
+            "shaft": part.shaft,
+            "axis_mm": [part.axis.real, part.axis.imag],
+            "height_mm": part.height,
+            "angle_deg": degrees(part.angle),
+            "turned_over": part.flipped,
+            "bore_mm": part.blank.bore_diameter,
+            "volume_mm3": part.volume,
+            "gears": [
+                _gear_facts(form, stage, role_of(play, part.shaft, stage), found)
+                for form, stage, found in zip(part.gears, part.stages, of_part, strict=True)
+            ],
+        }
+        for part, of_part in zip(layout.parts, inspection, strict=True)
+    ]
 
 
 def _joint_facts(plan: GearsPlan) -> dict[str, Any]:

@@ -4,23 +4,27 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from cadgen.build.gear_model import mesh_chord
 from cadgen.errors import FileError
 from cadgen.export.folder import publishing
+from cadgen.export.formats import TRAIN_FORMATS, chosen, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
-from cadgen.gears.layout import TrainPart
+from cadgen.gears.backlash import TrainPlay
+from cadgen.gears.inspection import Inspection
+from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.tooth import GearForm
 from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.prisms import body_mesh
 from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM, cycle, exact_play, meshes, play_error_um, return_error_um
-from cadgen.workflow.gears.facts import plan_facts
-from cadgen.workflow.gears.plan import GearsPlan, Step
+from cadgen.workflow.cam.plan import Step
+from cadgen.workflow.gears.facts import parts_facts, plan_facts
+from cadgen.workflow.gears.plan import GearsPlan
 
 if TYPE_CHECKING:
     from cadgen.solids.gear_text import GearContent
@@ -46,40 +50,95 @@ FRAME = (
 )
 
 
-def write_gears(plan: GearsPlan, out: Path, step: Step = lambda text: None) -> Written:
-    """Write, read back, judge and publish every file of a train.
+class PlannedTrain(Protocol):
+    """A gear train that has been computed and checked, from a design or from numbers."""
+
+    @property
+    def stem(self) -> str:
+        """What the names of its files begin with."""
+
+    @property
+    def description(self) -> str:
+        """One line for STEP files."""
+
+    @property
+    def layout(self) -> TrainLayout:
+        """Its parts at their places."""
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+
+    def chord(self, gears: Sequence[GearForm]) -> float:
+        """Greatest chord error of a part's mesh, mm."""
+
+    @property
+    def play(self) -> TrainPlay:
+        """Its play."""
+
+    @property
+    def inspection(self) -> tuple[tuple[Inspection, ...], ...]:
+        """Of every part's gears, in the order of the parts."""
+
+
+def write_gears(
+    plan: GearsPlan, out: Path, step: Step = lambda text: None, formats: str | Iterable[str] | None = None
+) -> Written:
+    """Write the files of a design's train; arguments and errors as of `write_train`."""
+    return write_train(plan, plan_facts(plan), out, step, formats)
+
+
+def write_train(
+    plan: PlannedTrain,
+    facts: dict[str, Any],
+    out: Path,
+    step: Step = lambda text: None,
+    formats: str | Iterable[str] | None = None,
+) -> Written:
+    """Write, read back, judge and publish the files of a train.
 
     Args:
         plan: a computed train, normally one whose checks passed.
+        facts: everything that is known of it, as plain values.
         out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
         step: told what is being done.
+        formats: some of `TRAIN_FORMATS`; all of them if left out.
 
     Raises:
+        DesignError: there is no such format.
         FileError: a file cannot be written, or what was read back is not what was meant.
     """
-    stem = f"{plan.design.name}_{plan.order}"
+    wanted = chosen(formats, TRAIN_FORMATS)
     with publishing(out) as staging:
         files: dict[str, dict[str, Any]] = {}
-        for label, make in (("STEP", _step_files), ("STL", _stl_files), ("tables", _tables)):
+        for ending in wanted:
+            label, make = _MAKERS[ending]
             step(f"writing and reading back {label}")
-            for name, facts in make(plan, staging, stem):
-                files[name] = {**file_facts(staging / name), **facts}
-        entry = {**plan_facts(plan), "frame": FRAME, "versions": versions(), "omitted": {}, "files": files}
-        write_manifest(staging, f"{stem}_train", entry)
-    return Written(f"{stem}_train", entry)
+            for name, of_file in make(plan, staging, plan.stem):
+                files[name] = {**file_facts(staging / name), **of_file}
+        entry = {
+            **facts,
+            **entry_formats(wanted, TRAIN_FORMATS),
+            "frame": FRAME,
+            "versions": versions(),
+            "omitted": {},
+            "files": files,
+        }
+        part = entry_name(f"{plan.stem}_train", wanted, TRAIN_FORMATS)
+        write_manifest(staging, part, entry)
+    return Written(part, entry)
 
 
 Result = tuple[str, dict[str, Any]]
 
 
-def _step_files(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
+def _step_files(plan: PlannedTrain, staging: Path, stem: str) -> Iterator[Result]:
     """The assembly through the kernel, each part through its own text, which must be that of the assembly's solid."""
     from cadgen.solids.train import assembly_bytes, read_assembly, train_parts
 
     name = f"{stem}_train.step"
-    description = f"gear train, {plan.order}, design {plan.design.content_hash[:12]}"
-    parts = train_parts(plan.layout, stem, description)
-    (staging / name).write_bytes(assembly_bytes(parts, plan.layout, f"{stem}_train", description))
+    parts = train_parts(plan.layout, stem, plan.description)
+    (staging / name).write_bytes(assembly_bytes(parts, plan.layout, f"{stem}_train", plan.description))
     whole = _assembly(plan, name, read_assembly(staging / name), parts)
     contents, results = _part_files(plan, staging, parts, name)
     yield name, {**whole, **_in_mesh(plan, name, [content.sections for content in contents])}
@@ -87,7 +146,7 @@ def _step_files(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
 
 
 def _part_files(
-    plan: GearsPlan, staging: Path, parts: Sequence[Part], assembly: str
+    plan: PlannedTrain, staging: Path, parts: Sequence[Part], assembly: str
 ) -> tuple[list[GearContent], list[Result]]:
     from cadgen.solids.gear_text import read_gear, solids_in
     from cadgen.solids.step import step_bytes
@@ -101,15 +160,24 @@ def _part_files(
         content = read_gear(file, placed.gears, placed.starts)
         if content.solid != solid:
             raise FileError(f"{file.name}, read back, is not the solid of the assembly: report this design")
-        flank, root = content.flank_error * 1e3, content.root_error * 1e3
-        _require(flank <= FLANK_LIMIT_UM, file.name, f"has flanks {flank:.2g} µm off")
-        _require(root <= ROOT_LIMIT_UM, file.name, f"has roots {root:.2g} µm off")
         contents.append(content)
-        results.append((file.name, {"flank_error_um": flank, "root_error_um": root}))
+        results.append((file.name, tooth_errors(file.name, content)))
     return contents, results
 
 
-def _assembly(plan: GearsPlan, file: str, found: Sequence[AssembledPart], parts: Sequence[Part]) -> dict[str, Any]:
+def tooth_errors(name: str, content: GearContent) -> dict[str, Any]:
+    """How far the flanks and roots in a file are off the exact ones, µm.
+
+    Raises:
+        FileError: further than they may.
+    """
+    flank, root = content.flank_error * 1e3, content.root_error * 1e3
+    _require(flank <= FLANK_LIMIT_UM, name, f"has flanks {flank:.2g} µm off")
+    _require(root <= ROOT_LIMIT_UM, name, f"has roots {root:.2g} µm off")
+    return {"flank_error_um": flank, "root_error_um": root}
+
+
+def _assembly(plan: PlannedTrain, file: str, found: Sequence[AssembledPart], parts: Sequence[Part]) -> dict[str, Any]:
     """Every part valid, with its name and colour, at its place, of the exact volume."""
     _require(len(found) == len(parts), file, "has lost a part")
     worst = 0.0
@@ -126,7 +194,7 @@ def _assembly(plan: GearsPlan, file: str, found: Sequence[AssembledPart], parts:
     return {"bodies": len(found), "volume_error_relative": worst}
 
 
-def _in_mesh(plan: GearsPlan, name: str, sections: list[tuple[Section, ...]]) -> dict[str, Any]:
+def _in_mesh(plan: PlannedTrain, name: str, sections: list[tuple[Section, ...]]) -> dict[str, Any]:
     """Play of every stage, and return error of the train, measured on the sections in the files.
 
     Over a pitch the sections do not overlap just within the computed play, and do just past it. Teeth that jam, do
@@ -156,14 +224,22 @@ def _in_mesh(plan: GearsPlan, name: str, sections: list[tuple[Section, ...]]) ->
     }
 
 
-def _stl_files(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
+def _stl_files(plan: PlannedTrain, staging: Path, stem: str) -> Iterator[Result]:
+    for part in plan.layout.parts:
+        yield write_stl(part, staging, f"{stem}_{part.name}", plan.chord(part.gears))
+
+
+def write_stl(part: TrainPart, staging: Path, stem: str, chord: float) -> Result:
+    """Write and read back the mesh of a part in its own frame; `chord` is its greatest chord error, mm.
+
+    Raises:
+        FileError: what was read back is not what was meant.
+    """
     from cadgen.export.mesh import read_stl, stl_bytes
 
-    for part in plan.layout.parts:
-        chord = mesh_chord(plan.design, part.gears)
-        name = f"{stem}_{part.name}.stl"
-        (staging / name).write_bytes(stl_bytes(body_mesh(part.body, chord), f"{stem}_{part.name}"))
-        yield name, _stl_facts(name, read_stl(staging / name), part, chord)
+    name = f"{stem}.stl"
+    (staging / name).write_bytes(stl_bytes(body_mesh(part.body, chord), stem))
+    return name, _stl_facts(name, read_stl(staging / name), part, chord)
 
 
 def _stl_facts(name: str, again: Mesh, part: TrainPart, chord: float) -> dict[str, Any]:
@@ -184,7 +260,7 @@ def _stl_facts(name: str, again: Mesh, part: TrainPart, chord: float) -> dict[st
     }
 
 
-def _tables(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
+def _tables(plan: PlannedTrain, staging: Path, stem: str) -> Iterator[Result]:
     rows = table_of(plan)
     name = f"{stem}_parts.csv"
     text = io.StringIO(newline="")
@@ -200,10 +276,10 @@ def _tables(plan: GearsPlan, staging: Path, stem: str) -> Iterator[Result]:
     yield name, {"rows": len(rows)}
 
 
-def table_of(plan: GearsPlan) -> list[dict[str, Any]]:
+def table_of(plan: PlannedTrain) -> list[dict[str, Any]]:
     """The table of parts with what the shop measures, one row per gear; volume and mass are the whole part's."""
     rows = []
-    for part in plan_facts(plan)["parts"]:
+    for part in parts_facts(plan.layout, plan.play, plan.inspection):
         whole = {"part": part["name"], "shaft": part["shaft"]}
         body = {
             "bore_mm": part["bore_mm"],
@@ -223,3 +299,11 @@ def _cell(value: Any) -> str:
 def _require(holds: bool, name: str, what: str) -> None:
     if not holds:
         raise FileError(f"{name}, read back, {what}: report this design")
+
+
+# The endings of the files -> what is said while they are written, and what makes them.
+_MAKERS: dict[str, tuple[str, Callable[[PlannedTrain, Path, str], Iterator[Result]]]] = {
+    "step": ("STEP", _step_files),
+    "stl": ("STL", _stl_files),
+    "csv": ("tables", _tables),
+}

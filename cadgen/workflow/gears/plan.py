@@ -9,17 +9,19 @@ from cadgen.build import gear_model
 from cadgen.check import Check
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import Departure, GearPlay, TrainPlay, departures, teeth_of, train_play
+from cadgen.gears.backlash import Departure, TrainPlay, departures, teeth_of, train_play
 from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.joints import WholePlay
-from cadgen.gears.layout import TrainLayout, lay_out
+from cadgen.gears.layout import TrainLayout
 from cadgen.gears.limits import SearchLimits
 from cadgen.gears.names import Order
 from cadgen.gears.search import TrainSearch, arrange
 from cadgen.gears.thinning import thinned
+from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import GearPair, Train
 from cadgen.gears.undercut import missing_shift
-from cadgen.meshes.train_checks import failing_stages, gear_checks
+from cadgen.meshes.train_checks import failing_stages
+from cadgen.workflow.gears.made import Made, make
 
 Step = Callable[[str], None]
 
@@ -95,17 +97,19 @@ class GearsPlan:
         """What the ranked trains are compared with: like with like, so for a search by the standard alone."""
         return _baseline(self.order, self.given, self.given_standard)
 
-    def role(self, shaft: int, stage: int) -> GearPlay[float]:
-        """Play of the gear of a stage that sits on a shaft, both counted from 1."""
-        return _role(self.play, shaft, stage)
+    @property
+    def stem(self) -> str:
+        """What the names of its files begin with."""
+        return f"{self.design.name}_{self.order}"
 
+    @property
+    def description(self) -> str:
+        """One line for STEP files."""
+        return f"gear train, {self.order}, design {self.design.content_hash[:12]}"
 
-@dataclass(frozen=True)
-class _Made:
-    play: TrainPlay
-    layout: TrainLayout
-    inspection: tuple[tuple[Inspection, ...], ...]
-    checks: tuple[Check, ...]
+    def chord(self, gears: Sequence[GearForm]) -> float:
+        """Greatest chord error of a part's mesh, mm."""
+        return gear_model.mesh_chord(self.design, gears)
 
 
 def plan_gears(design: TrainDesign, order: Order = "as-given", step: Step = lambda text: None) -> GearsPlan:
@@ -211,10 +215,10 @@ class _Candidates:
 
 def _first_made(
     design: TrainDesign, given: Train, trains: _Candidates, baseline: TrainPlay, step: Step
-) -> tuple[_Made, tuple[Skipped, ...]]:
+) -> tuple[Made, tuple[Skipped, ...]]:
     """The first train that can be made and passes its checks, else the first that can be made; and those before it."""
     skipped: list[Skipped] = []
-    failed: list[tuple[int, _Made]] = []
+    failed: list[tuple[int, Made]] = []
     for play in trains:
         step(f"laying out and measuring {teeth_of(play)}")
         try:
@@ -261,14 +265,16 @@ def _can_be_cut(design: TrainDesign, pair: GearPair) -> bool:
     return True
 
 
-def _make(design: TrainDesign, given: Train, play: TrainPlay) -> _Made:
+def _make(design: TrainDesign, given: Train, play: TrainPlay) -> Made:
     keys = gear_model.train_keys(design)
-    cut = thinned(play)
-    directions = _directions(given, play.train, gear_model.directions(design))
-    layout = lay_out(cut, gear_model.blanks(design), directions, keys.clearance_mm)
-    inspection = _inspections(layout, play, keys.pin_diameter_mm)
-    checks = gear_checks(layout, play.stages, [gear_model.mesh_chord(design, part.gears) for part in layout.parts])
-    return _Made(play, layout, inspection, checks)
+    return make(
+        play,
+        gear_model.blanks(design),
+        _directions(given, play.train, gear_model.directions(design)),
+        keys.clearance_mm,
+        lambda gears: gear_model.mesh_chord(design, gears),
+        keys.pin_diameter_mm,
+    )
 
 
 def _directions(given: Train, made: Train, wanted: Sequence[float | None]) -> list[float | None]:
@@ -281,7 +287,7 @@ def _directions(given: Train, made: Train, wanted: Sequence[float | None]) -> li
     return found
 
 
-def _thinning_notes(design: TrainDesign, made: _Made) -> tuple[str, ...]:
+def _thinning_notes(design: TrainDesign, made: Made) -> tuple[str, ...]:
     """What a thickness of the design's own means for the return error."""
     keys = gear_model.train_keys(design)
     zone = "and play, return error and the limits in the table of parts are those of such teeth"
@@ -336,24 +342,3 @@ def _notes(design: TrainDesign, given: Train, limits: SearchLimits) -> tuple[str
     if any(direction is not None for direction in gear_model.directions(design)):
         notes.append("searched stages are laid out afresh, without the directions of those given")
     return tuple(notes)
-
-
-def _inspections(layout: TrainLayout, play: TrainPlay, pin: float | None) -> tuple[tuple[Inspection, ...], ...]:
-    """Of every part's gears between E_sns and E_sni."""
-    found = []
-    for part in layout.parts:
-        of_part = []
-        for form, stage in zip(part.gears, part.stages, strict=True):
-            role = _role(play, part.shaft, stage)
-            try:
-                of_part.append(inspection_of(form, role.E_sns, role.E_sni, pin))
-            except DesignError as error:
-                raise DesignError(f"in stage {stage}, {error}") from error
-        found.append(tuple(of_part))
-    return tuple(found)
-
-
-def _role(play: TrainPlay, shaft: int, stage: int) -> GearPlay[float]:
-    """A stage's driver sits on the shaft of its number, the driven gear on the next."""
-    found = play.stages[stage - 1]
-    return found.driven if shaft > stage else found.driver

@@ -11,7 +11,7 @@ from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError, FileError
 from cadgen.monte_carlo.fleet import Fleet, make_fleet
-from cadgen.monte_carlo.robust import FleetEnds, Sensitivity, sensitivities, tolerance_run
+from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.motion.drive import STEPS
 from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet
@@ -98,6 +98,7 @@ def run_tolerance(
     step: Step = lambda text: None,
     *,
     with_budget: bool = False,
+    map_with: Map | None = None,
 ) -> ToleranceRun:
     """Run random cars of a design.
 
@@ -109,6 +110,7 @@ def run_tolerance(
         processes: how many run at once; the numbers do not depend on it.
         step: told what is being done.
         with_budget: rank everything that may be off, too.
+        map_with: runs the cars instead of `processes`, such as the `map` of a pool.
 
     Raises:
         DesignError: as `plan_cam`, or nothing varies.
@@ -127,7 +129,7 @@ def run_tolerance(
         step(f"run {min(cars, samples)} of {samples} cars")
 
     try:
-        ends = tolerance_run(fleet, tolerances, samples, seed=seed, processes=processes, done=done)
+        ends = tolerance_run(fleet, tolerances, samples, seed=seed, processes=processes, map_with=map_with, done=done)
     except MemoryError as error:
         raise FileError(
             f"out of memory for {samples} cars in {processes} processes: lower --samples or --processes, or close "

@@ -1,0 +1,283 @@
+"""A cam that has been computed and checked: its figures, its solid, its files."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cadgen.api.files import Progress, Written, folder_of, refusal, silent
+from cadgen.api.values import whole
+from cadgen.arrays import TURN, Array
+from cadgen.check import Check
+from cadgen.design.schema import Design as DesignValues
+from cadgen.errors import CheckError
+from cadgen.workflow.cam.against import PAPER_PERCENT as PAPER_PERCENT
+from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
+from cadgen.workflow.cam.cures import Cures as Cures
+from cadgen.workflow.cam.cures import find_cures
+from cadgen.workflow.cam.manifest import cam_facts
+from cadgen.workflow.cam.plan import CamPlan
+
+if TYPE_CHECKING:
+    from cadgen.report.style import Figure
+    from cadgen.solids.kernel import Solid
+
+_POINTS = 3600
+_CHORD = 0.01  # mm, of bore and holes on a picture
+
+
+@dataclass(frozen=True)
+class Lift:
+    """Lift of the follower over one turn of the cam. Call it with cam angles to get the lift there.
+
+    Attributes:
+        computed: the cam.
+
+    Example:
+        >>> from math import radians
+        >>> from cadgen import Design
+        >>> lift = Design.load("carbon_free_car").cam(profile="actual").lift
+        >>> round(float(lift(radians(90))), 3)
+        4.566
+    """
+
+    computed: CamPlan
+
+    def __call__(self, cam_angle: ArrayLike) -> Array:
+        """Lift at cam angles.
+
+        Args:
+            cam_angle: rad, of any shape; beyond one turn the lift repeats.
+
+        Returns:
+            Lift, mm, of the same shape: positive where the follower stands further out than at steering angle 0.
+        """
+        angle = np.asarray(cam_angle, dtype=float) % TURN
+        return np.asarray(self.computed.rod.lift(self.computed.lift.tan_beta(angle)))
+
+    @cached_property
+    def _extrema(self) -> tuple[Array, Array]:
+        return self.computed.lift.extrema()
+
+    @property
+    def peaks(self) -> Array:
+        """Cam angles of the peaks, rad, shape (p,), in order."""
+        return self._extrema[0]
+
+    @property
+    def valleys(self) -> Array:
+        """Cam angles of the valleys, rad, shape (q,), in order."""
+        return self._extrema[1]
+
+    @property
+    def blend_start(self) -> float:
+        """Cam angle from which the closing blend, and not the path, steers, rad."""
+        return self.computed.lift.blend_start
+
+
+@dataclass(frozen=True)
+class Profile:
+    """The closed curve that is cut, in the frame of the files: the camshaft at the origin.
+
+    Attributes:
+        computed: the cam.
+    """
+
+    computed: CamPlan
+
+    @property
+    def name(self) -> str:
+        """What was asked for, such as `optimized`."""
+        return self.computed.profile.code
+
+    @property
+    def area(self) -> float:
+        """Area inside the curve, mm²."""
+        return self.computed.area
+
+    @property
+    def length(self) -> float:
+        """Length of the curve, mm."""
+        return self.computed.curve.length()
+
+    def points(self, count: int = _POINTS) -> Array:
+        """Points on the curve.
+
+        Args:
+            count: about how many, 12 to 1 000 000.
+
+        Returns:
+            x and y, mm, shape (n, 2), counterclockwise from the outer face, the first one not repeated.
+
+        Raises:
+            DesignError: no such count.
+        """
+        points = self.computed.curve.outline(self.length / whole("count", count, 12, 1_000_000)).points
+        return points[:-1] if np.array_equal(points[0], points[-1]) else points
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True)
+class Cam:
+    """A cam that has been computed and checked, but not yet made: what `Design.cam` gives.
+
+    Attributes:
+        computed: the numeric plan, for figures that are not named here; mm and rad.
+
+    Example:
+        >>> from cadgen import Design
+        >>> cam = Design.load("carbon_free_car").cam(profile="actual")
+        >>> cam.passed
+        True
+        >>> cam.checks[0].name
+        'pressure angle, rise'
+        >>> files = cam.write("exports", formats=["step", "dxf"])  # doctest: +SKIP
+    """
+
+    computed: CamPlan
+
+    @property
+    def design(self) -> DesignValues:
+        """What the design that it was planned from says."""
+        return self.computed.design
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Every figure that is judged, with unit, limit, place, verdict and advice."""
+        return self.computed.checks
+
+    @property
+    def edges(self) -> Check:
+        """What edges broken more than designed cost at the finish, mm: a figure without a limit."""
+        return self.computed.edges
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return self.computed.passed
+
+    @property
+    def failed(self) -> tuple[Check, ...]:
+        """The checks that do not keep their limit."""
+        return self.computed.failed
+
+    @cached_property
+    def lift(self) -> Lift:
+        """Lift over the turn: a function of the cam angle (rad) in mm."""
+        return Lift(self.computed)
+
+    @cached_property
+    def profile(self) -> Profile:
+        """The curve that is cut: its name, its points (mm)."""
+        return Profile(self.computed)
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of the disc, mm."""
+        inner, outer = self.design.cam.faces_mm
+        return outer - inner
+
+    @property
+    def against(self) -> Against | None:
+        """What the profile does about play, beside the others that were compared; None if it is not for that."""
+        return self.computed.against
+
+    @cached_property
+    def cures(self) -> Cures:
+        """Changes of one key that bring lost lift within its limit, each proved by planning the cam again."""
+        return find_cures(self.computed)
+
+    def find_cures(self, progress: Progress = silent) -> Cures:
+        """Look for `cures` now, if lift is lost; it takes many plans.
+
+        Args:
+            progress: told what is being done.
+        """
+        if "cures" not in self.__dict__:
+            self.__dict__["cures"] = find_cures(self.computed, progress)
+        return self.cures
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What of the car was assumed or was measured, a sentence each."""
+        design, against = self.computed.design, self.computed.against
+        if against is None:
+            return tuple(as_built_sentences(design, self.computed.lift.blend_start))
+        return (*assumed_play(design), *as_built_sentences(design, against.task.lift.blend_start))
+
+    def facts(self) -> dict[str, Any]:
+        """Everything above as plain values, as in the manifest and with `--json`."""
+        return cam_facts(self.computed, self.cures)
+
+    def plot(self) -> "Figure":
+        """Draw outline and lift.
+
+        Returns:
+            A matplotlib figure, to be shown in a notebook or saved with `savefig`.
+        """
+        from cadgen.report.cam import CamPicture, cam_figure
+
+        angle = np.linspace(0.0, TURN, _POINTS + 1)
+        extrema = np.concatenate([self.lift.peaks, self.lift.valleys])
+        return cam_figure(
+            CamPicture(
+                title=f"{self.design.name}, {self.profile} profile",
+                outline=self.profile.points(),
+                openings=[contour.polygon(_CHORD) for contour in self.computed.blank.inner_contours()],
+                cam_angle=angle,
+                lift=self.lift(angle),
+                extrema=(extrema, self.lift(extrema)),
+                blend_start=self.lift.blend_start,
+            )
+        )
+
+    def build123d(self) -> "Solid":
+        """The cam as a build123d solid with label and colour, mm; z = 0 is the inner face.
+
+        Raises:
+            DesignError: a hole cuts into another one, into the hub or through the profile.
+            CheckError: the chamfers of broken edges meet, or run out at a ridge.
+            FileError: the CAD kernel makes no valid solid of it.
+        """
+        from cadgen.workflow.cam.files import cam_solid
+
+        return cam_solid(self.computed).build123d()
+
+    def write(
+        self,
+        folder: str | PathLike[str],
+        formats: str | Iterable[str] | None = None,
+        *,
+        force: bool = False,
+        progress: Progress = silent,
+    ) -> Written:
+        """Write files, read each back, roll the follower on it, and publish all together or none.
+
+        Args:
+            folder: where to; it is made if need be.
+            formats: some of step, stl, 3mf, dxf, nc, xyz and csv; all of them if left out.
+            force: write even if a check fails; the manifest says so.
+            progress: told what is being done.
+
+        Returns:
+            The files, each with its error at the follower's lift, µm.
+
+        Raises:
+            CheckError: a check fails.
+            DesignError: there is no such format.
+            FileError: a file cannot be written, or what was read back is not what was meant.
+        """
+        from cadgen.workflow.cam.files import write_cam
+
+        place = folder_of(folder)
+        if not (self.passed or force):
+            raise CheckError(refusal(self.failed))
+        written = write_cam(self.computed, place, progress, formats, cures=self.find_cures(progress))
+        return Written.of(place, written.part, written.entry)

@@ -1,0 +1,178 @@
+"""What a job has written, and whether a folder still is what was written to it."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, overload
+
+from cadgen.errors import DesignError, brief
+
+if TYPE_CHECKING:
+    from cadgen.check import Check
+    from cadgen.export.verify import FolderState as FolderState
+
+Progress = Callable[[str], None]
+
+
+def silent(text: str) -> None:
+    """Tell nobody what is being done."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrittenFile:
+    """A file that was written, read back and found to hold what was meant.
+
+    Attributes:
+        path: where it stands.
+        bytes: its size.
+        sha256: of its bytes, hexadecimal.
+        lift_error_um: how far the follower's lift on what was read back is off, µm; None for what no follower rolls on.
+        lift_limit_um: how far it may be off, µm.
+        facts: everything that the manifest says of it.
+    """
+
+    path: Path
+    bytes: int
+    sha256: str
+    lift_error_um: float | None
+    lift_limit_um: float | None
+    facts: Mapping[str, Any]
+
+    @property
+    def name(self) -> str:
+        """Its name without the folder."""
+        return self.path.name
+
+
+@dataclass(frozen=True)
+class Written(Sequence[WrittenFile]):
+    """The files that one job has written: a sequence of `WrittenFile`.
+
+    Attributes:
+        folder: where they stand, with `manifest.json` beside them.
+        part: name of their entry in the manifest.
+        entry: that entry, as plain values.
+        files: in the order written.
+    """
+
+    folder: Path
+    part: str
+    entry: Mapping[str, Any]
+    files: tuple[WrittenFile, ...]
+
+    @classmethod
+    def of(cls, folder: Path, part: str, entry: dict[str, Any]) -> "Written":
+        """The files of a manifest's entry.
+
+        Args:
+            folder: that they were written to.
+            part: name of the entry.
+            entry: its content.
+        """
+        files = tuple(
+            WrittenFile(
+                path=folder / name,
+                bytes=facts["bytes"],
+                sha256=facts["sha256"],
+                lift_error_um=facts.get("lift_error_um"),
+                lift_limit_um=facts.get("lift_limit_um"),
+                facts=MappingProxyType(facts),
+            )
+            for name, facts in entry["files"].items()
+        )
+        return cls(folder, part, MappingProxyType(entry), files)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What the files give away, a sentence each."""
+        return tuple(self.entry.get("warnings", ()))
+
+    @property
+    def omitted(self) -> Mapping[str, str]:
+        """Formats that could not be made of a part that was written although a check failed -> why."""
+        return MappingProxyType(self.entry.get("omitted", {}))
+
+    def __len__(self) -> int:
+        return len(self.files)
+
+    def __iter__(self) -> Iterator[WrittenFile]:
+        return iter(self.files)
+
+    @overload
+    def __getitem__(self, index: int) -> WrittenFile: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[WrittenFile, ...]: ...
+    def __getitem__(self, index: int | slice) -> WrittenFile | tuple[WrittenFile, ...]:
+        return self.files[index]
+
+
+def folder_of(folder: str | PathLike[str]) -> Path:
+    """The folder that files go to.
+
+    Raises:
+        DesignError: it is no path, or an empty one.
+    """
+    try:
+        text = str(Path(folder)) if str(folder) else ""
+    except TypeError:
+        text = ""
+    if not text:
+        raise DesignError(f"folder is {brief(repr(folder), 80)}; it must be a path, such as exports")
+    return Path(folder)
+
+
+def refusal(checks: "Sequence[Check]") -> str:
+    """Why nothing is written: each check that fails, with its limit and what to change."""
+    parts = []
+    for check in checks:
+        if not check.passed:
+            bound = "at most" if check.bound == "max" else "at least"
+            figures = f"{check.name} is {check.value:.4g} {check.unit}".rstrip()
+            limit = f"{figures}; it must be {bound} {check.limit:.4g} {check.unit}".rstrip()
+            parts.append(f"{limit}: {check.advice}" if check.advice else limit)
+    return f"a check failed, so nothing was written ({'; '.join(parts)}); force=True writes all the same"
+
+
+def verify(folder: str | PathLike[str], *, restore: bool = False) -> "FolderState":
+    """Compare the files of a folder with its manifest.
+
+    Args:
+        folder: that a job has written to.
+        restore: first put back what killed runs have left half moved into it.
+
+    Returns:
+        State of every file; `is_true` if all that the manifest lists are as listed, and `restored`, the names of the
+        files put back.
+
+    Raises:
+        FileError: the folder or its manifest cannot be read.
+
+    Example:
+        >>> from cadgen import verify
+        >>> verify("exports").is_true  # doctest: +SKIP
+        True
+    """
+    import errno
+    from dataclasses import replace
+
+    from cadgen.errors import FileError
+    from cadgen.export.folder import undo_killed
+    from cadgen.export.lock import locked
+    from cadgen.export.verify import verify as verified
+
+    place = folder_of(folder)
+    if not place.is_dir():
+        raise FileError(f"there is no folder {brief(str(place))}: name one that cadgen has written to")
+    restored: list[str] = []
+    try:
+        with locked(place):
+            if restore:
+                restored = undo_killed(place, sure=True)
+            state = verified(place)
+    except OSError as error:
+        if restore or error.errno not in (errno.EACCES, errno.EPERM, errno.EROFS):
+            raise FileError(f"{brief(str(place))} cannot be written to ({error.strerror}): make it writable") from None
+        state = verified(place)  # this user cannot lock it
+    return replace(state, restored=tuple(restored))

@@ -1,0 +1,213 @@
+"""One gear by its numbers, without a design file. Lengths are mm and angles rad."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+from math import radians
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+from cadgen.api.files import Progress, Written, folder_of, silent
+from cadgen.api.values import real, whole, word
+from cadgen.errors import DesignError, brief
+from cadgen.gears.tolerances import ToleranceOverrides
+from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import Hub, Keyway, Lightening, Web
+
+if TYPE_CHECKING:
+    from cadgen.solids.kernel import Solid
+
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Gear:
+    """A spur gear, its axis on z and a tooth on x.
+
+    Attributes:
+        teeth: number of teeth, 4 to 1000.
+        module: mm.
+        width: of the face, mm.
+        pressure_angle: rad.
+        profile_shift: x, in modules.
+        bore: diameter, mm; 0 for none.
+        keyway, hub, web, lightening: what else it has besides its teeth, mm; see their classes.
+        grade: tolerance grade of ISO 1328, 3 to 12.
+        tolerances: symbol (f_pt, F_beta, F_r, b_r, F_i_radial) -> mm, in place of the standard's.
+        thickness_deviation: E_sn that the teeth are cut to, mm, negative for thinner teeth; None to leave it to the
+            pair, and nominal teeth for the gear alone.
+        addendum, dedendum, rack_tip_radius: of the basic rack, in modules.
+        tip_chamfer: leg of the chamfer at the tips, mm.
+        name: of the gear and its files.
+
+    Raises:
+        DesignError: a number out of its range, a tooth that cannot be cut, or features that leave too thin a wall.
+
+    Example:
+        >>> from cadgen import Gear
+        >>> gear = Gear(teeth=24, module=1.5, width=8, bore=6)
+        >>> gear.tip_diameter
+        39.0
+        >>> gear.write("exports")  # doctest: +SKIP
+    """
+
+    teeth: int
+    module: float
+    width: float
+    pressure_angle: float = radians(20.0)
+    profile_shift: float = 0.0
+    bore: float = 0.0
+    keyway: Keyway | None = None
+    hub: Hub | None = None
+    web: Web | None = None
+    lightening: Lightening | None = None
+    grade: int = 7
+    tolerances: Mapping[str, float] | None = None
+    thickness_deviation: float | None = None
+    addendum: float = 1.0
+    dedendum: float = 1.25
+    rack_tip_radius: float = 0.38
+    tip_chamfer: float = 0.0
+    name: str = "gear"
+
+    def __post_init__(self) -> None:
+        whole("teeth", self.teeth, 4, 1000)
+        whole("grade", self.grade, 3, 12)
+        for name in ("module", "width", "pressure_angle", "profile_shift", "bore", "tip_chamfer"):
+            real(name, getattr(self, name))
+        for name in ("addendum", "dedendum", "rack_tip_radius"):
+            real(name, getattr(self, name), 0, 3, "modules")
+        if self.thickness_deviation is not None:
+            real("thickness_deviation", self.thickness_deviation, -10, 10, "mm")
+        for name, kind in (("keyway", Keyway), ("hub", Hub), ("web", Web), ("lightening", Lightening)):
+            if not isinstance(value := getattr(self, name), kind | None):
+                raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be a {kind.__name__}")
+        require_name(self.name)
+        self.overrides  # noqa: B018
+        self.part  # noqa: B018
+
+    @cached_property
+    def form(self) -> GearForm:
+        """The numbers of its teeth as they are cut."""
+        return GearForm(
+            teeth=int(self.teeth),
+            normal_module=float(self.module),
+            width=float(self.width),
+            normal_pressure_angle=float(self.pressure_angle),
+            profile_shift=float(self.profile_shift),
+            addendum_factor=float(self.addendum),
+            dedendum_factor=float(self.dedendum),
+            rack_tip_radius_factor=float(self.rack_tip_radius),
+            tip_chamfer=float(self.tip_chamfer),
+            tooth_thickness_deviation=self.thickness_deviation or 0.0,
+        )
+
+    @cached_property
+    def blank(self) -> Blank:
+        """What it has besides its teeth."""
+        return Blank(bore_diameter=self.bore, key=self.keyway, hub=self.hub, web=self.web, lightening=self.lightening)
+
+    @cached_property
+    def part(self) -> Any:
+        """The gear as a part by itself, with its exact body."""
+        from cadgen.workflow.gears.numbers import part_of
+
+        return part_of(self.form, self.blank)
+
+    @cached_property
+    def overrides(self) -> ToleranceOverrides:
+        """Its `tolerances`, checked."""
+        known = [field.name for field in fields(ToleranceOverrides)]
+        given = dict(self.tolerances or {})
+        for symbol, value in given.items():
+            word("a symbol of tolerances", symbol, known)
+            real(f"tolerances[{symbol!r}]", value, 0, 10, "mm")
+        return ToleranceOverrides(**{symbol: float(value) for symbol, value in given.items()})
+
+    @property
+    def reference_diameter(self) -> float:
+        """d, mm."""
+        return self.form.reference_diameter
+
+    @property
+    def base_diameter(self) -> float:
+        """d_b, mm."""
+        return self.form.base_diameter
+
+    @property
+    def tip_diameter(self) -> float:
+        """d_a, mm."""
+        return self.form.tip_diameter
+
+    @property
+    def root_diameter(self) -> float:
+        """d_f as cut, mm."""
+        return self.form.root_diameter
+
+    @property
+    def volume(self) -> float:
+        """Exact volume, mm³."""
+        return float(self.part.volume)
+
+    @property
+    def undercut(self) -> bool:
+        """Whether the root cuts into the flanks."""
+        return tooth_of(self.form).undercut
+
+    def facts(self) -> dict[str, Any]:
+        """The gear as plain values, with span over teeth and size over pins, mm, as it is cut."""
+        from cadgen.workflow.gears.numbers import gear_facts
+
+        return gear_facts(self.part, self.name)
+
+    def build123d(self) -> "Solid":
+        """The gear as a build123d solid with label and colour, mm; its lower face lies at z = 0.
+
+        Raises:
+            FileError: the CAD kernel cannot drill the set screw.
+        """
+        from cadgen.workflow.gears.numbers import solid_of
+
+        return solid_of(self.part, self.name).build123d()
+
+    def write(
+        self,
+        folder: str | PathLike[str],
+        formats: str | Iterable[str] | None = None,
+        *,
+        progress: Progress = silent,
+    ) -> Written:
+        """Write files and compare every tooth read back with the exact one; all are published together or none.
+
+        Args:
+            folder: where to; it is made if need be.
+            formats: some of step and stl; both if left out.
+            progress: told what is being done.
+
+        Raises:
+            DesignError: there is no such format.
+            FileError: a file cannot be written, or what was read back is not what was meant.
+        """
+        from cadgen.workflow.gears.numbers import write_gear
+
+        place = folder_of(folder)
+        written = write_gear(self.part, self.name, place, progress, formats)
+        return Written.of(place, written.part, written.entry)
+
+
+def require_name(name: object) -> None:
+    """Refuse a name that files cannot have on every system.
+
+    Args:
+        name: as given.
+
+    Raises:
+        DesignError: it is none.
+    """
+    if not (isinstance(name, str) and _NAME.fullmatch(name)):
+        raise DesignError(
+            f"name is {brief(repr(name), 60)}; it must be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and "
+            "underscores, and begin with a letter or digit"
+        )

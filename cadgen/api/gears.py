@@ -1,0 +1,392 @@
+"""Pairs and trains of gears by their numbers, without a design file; and the gear train of a design.
+
+Lengths are mm and angles rad. The teeth are those of `cadgen gears`: exact involutes and trochoids, which every file
+is compared with when it is read back.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import KW_ONLY, dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+from math import cos, pi
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Literal
+
+from cadgen.api.files import Progress, Written, folder_of, refusal, silent
+from cadgen.api.gear import Gear, require_name
+from cadgen.api.values import real, word
+from cadgen.check import Check
+from cadgen.errors import CheckError, DesignError, brief
+from cadgen.gears import train as numeric
+from cadgen.gears.backlash import TrainPlay, train_play
+from cadgen.gears.contact import contact_ratio
+from cadgen.gears.layout import meshing_angle
+from cadgen.gears.thinning import thinned, with_deviation, with_deviations
+from cadgen.gears.tooth import tooth_of
+from cadgen.meshes.train_checks import exact_play
+from cadgen.parts.blank import Blank
+from cadgen.workflow.gears.facts import plan_facts
+from cadgen.workflow.gears.plan import GearsPlan as GearsPlan
+from cadgen.workflow.gears.plan import NotMadeError as NotMadeError
+
+if TYPE_CHECKING:
+    from cadgen.solids.train import Compound
+    from cadgen.workflow.gears.numbers import TrainPlan
+
+Thinning = Literal["least", "middle", "greatest"]
+# mm; of shafts whose bearings nobody has placed. Where the backlash is given no figure depends on it.
+_ANY_SPAN = 1000.0
+
+
+@dataclass(frozen=True)
+class ReturnError:
+    """Free angle of the output while the drive stands still.
+
+    Attributes:
+        least: with every tolerance used against it, rad; below 0 the teeth may jam.
+        as_cut: with every size in the middle, as drawn and as built in CAD, rad.
+        greatest: with every tolerance used for it, rad.
+    """
+
+    least: float
+    as_cut: float
+    greatest: float
+
+
+class Assembly:
+    """What a planned train gives, whether it comes from a design or from numbers."""
+
+    @property
+    def computed(self) -> "GearsPlan | TrainPlan":
+        """The numeric plan."""
+        raise NotImplementedError
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """The teeth in mesh, measured on their sections, and the parts: every figure with its verdict."""
+        return self.computed.checks
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return self.computed.passed
+
+    @property
+    def failed(self) -> tuple[Check, ...]:
+        """The checks that do not keep their limit."""
+        return tuple(check for check in self.checks if not check.passed)
+
+    @property
+    def ratio(self) -> Fraction:
+        """Turns of the drive per turn of the output."""
+        return self.computed.play.train.ratio
+
+    @cached_property
+    def return_error(self) -> ReturnError:
+        """Free angle of the output while the drive stands still, rad: of the teeth alone."""
+        play, cut = self.computed.play, self.computed.layout.train
+        free = [exact_play(pair) / float(ratio) for pair, ratio in zip(cut.stages, cut.output_ratios, strict=True)]
+        return ReturnError(float(play.return_error_min), sum(free), float(play.return_error_max))
+
+    def facts(self) -> dict[str, Any]:
+        """Everything as plain values, as in the manifest: every tolerance, play, part and inspection size."""
+        plan = self.computed
+        return plan_facts(plan) if isinstance(plan, GearsPlan) else plan.facts()
+
+    def build123d(self) -> "Compound":
+        """The parts in mesh as one build123d compound, a labelled and coloured solid for each, mm.
+
+        Raises:
+            FileError: the CAD kernel cannot drill a set screw.
+        """
+        from cadgen.solids.train import train_compound, train_parts
+
+        plan = self.computed
+        return train_compound(train_parts(plan.layout, plan.stem, plan.description), plan.layout, f"{plan.stem}_train")
+
+    def write(
+        self,
+        folder: str | PathLike[str],
+        formats: str | Iterable[str] | None = None,
+        *,
+        force: bool = False,
+        progress: Progress = silent,
+    ) -> Written:
+        """Write files, measure the play on the teeth read back, and publish all together or none.
+
+        Args:
+            folder: where to; it is made if need be.
+            formats: some of step (the assembly and each part), stl and csv (the table of parts); all if left out.
+            force: write even if a check fails; the manifest says so.
+            progress: told what is being done.
+
+        Raises:
+            CheckError: a check fails.
+            DesignError: there is no such format.
+            FileError: a file cannot be written, or what was read back is not what was meant.
+        """
+        from cadgen.workflow.gears.files import write_train
+
+        place = folder_of(folder)
+        if not (self.passed or force):
+            raise CheckError(refusal(self.failed))
+        written = write_train(self.computed, self.facts(), place, progress, formats)
+        return Written.of(place, written.part, written.entry)
+
+
+@dataclass(frozen=True)
+class GearPair(Assembly):
+    """Two gears in mesh, by default at the centre distance at which nominal teeth have no play.
+
+    The teeth are thinned, each gear's by the same amount, until the pair has the backlash asked for. Without one they
+    are thinned for their tolerance grade, as `cadgen gears` does, for which the bearings must be placed.
+
+    Attributes:
+        pinion, wheel: the gears; a thickness deviation of their own is kept.
+        backlash: circumferential, mm: how far the wheel's working pitch circle can move while the pinion stands still.
+        centre_distance: of the axes, mm; None for that of nominal teeth without play.
+        bearing_span: between the bearings of a shaft, mm; needed without a backlash.
+        thinning: without a backlash, what the teeth are cut to in the zone of their grade.
+        centre_distance_deviation: ± of the axes, mm; None for the standard's.
+        name: of the pair and its files.
+
+    Raises:
+        DesignError: gears that do not mesh, a number out of its range, or a tooth that cannot be cut so thin.
+
+    Example:
+        >>> from cadgen import Gear, GearPair
+        >>> pair = GearPair(Gear(teeth=18, module=1, width=8), Gear(teeth=45, module=1, width=8), backlash=0.1)
+        >>> pair.axes_apart
+        31.5
+        >>> assembly = pair.build123d()  # doctest: +SKIP
+    """
+
+    pinion: Gear
+    wheel: Gear
+    _: KW_ONLY
+    backlash: float | None = None
+    centre_distance: float | None = None
+    bearing_span: float | None = None
+    thinning: Thinning = "middle"
+    centre_distance_deviation: float | None = None
+    name: str = "pair"
+
+    def __post_init__(self) -> None:
+        for name in ("pinion", "wheel"):
+            if not isinstance(value := getattr(self, name), Gear):
+                raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be a Gear")
+        for name, most in (("backlash", 100), ("centre_distance", 5000), ("bearing_span", 5000)):
+            if getattr(self, name) is not None:
+                real(name, getattr(self, name), 0, most, "mm")
+        if self.centre_distance_deviation is not None:
+            real("centre_distance_deviation", self.centre_distance_deviation, 0, 10, "mm")
+        word("thinning", self.thinning, ("least", "middle", "greatest"))
+        require_name(self.name)
+        given = [gear.thickness_deviation is not None for gear in (self.pinion, self.wheel)]
+        if self.backlash is not None and all(given):
+            raise DesignError(
+                f"backlash is {self.backlash:g} mm and both gears have a thickness_deviation; leave one of the three "
+                "out, for two of them decide the third"
+            )
+        if self.backlash is None and self.bearing_span is None and not all(given):
+            raise DesignError(
+                "backlash is not given; give it in mm, or bearing_span in mm, for which the teeth are then thinned by "
+                "their tolerance grade"
+            )
+        for gear in (self.cut.driver, self.cut.driven):
+            tooth_of(gear.form)
+
+    @cached_property
+    def nominal(self) -> numeric.GearPair:
+        """The pair with the thickness that its teeth are to be cut to."""
+        gears = [
+            numeric.Gear(form=with_deviation(gear.form, 0.0), grade=gear.grade, overrides=gear.overrides)
+            for gear in (self.pinion, self.wheel)
+        ]
+        apart = self.centre_distance
+        pair = numeric.GearPair(
+            driver=gears[0],
+            driven=gears[1],
+            centre_distance=numeric.closest(gears[0].form, gears[1].form) if apart is None else float(apart),
+            bearing_span=_ANY_SPAN if self.bearing_span is None else float(self.bearing_span),
+            centre_distance_deviation=self.centre_distance_deviation,
+        )
+        return pair.thinned_to(*self._thinning(pair))
+
+    def _thinning(self, pair: numeric.GearPair) -> tuple[float | Thinning, float | Thinning]:
+        """Thickness of the pinion's and of the wheel's teeth: E_sn, mm, or a place in the zone of their grade."""
+        own = self.pinion.thickness_deviation, self.wheel.thickness_deviation
+        if self.backlash is None:
+            pinion, wheel = (self.thinning if deviation is None else deviation for deviation in own)
+            return pinion, wheel
+        angle = self.backlash / pair.driven_pitch_radius
+        along = angle * pair.driven.form.base_diameter / 2
+        both = (pair.normal_backlash(pair.centre_distance) - along) / cos(pair.driver.form.transverse_pressure_angle)
+        known = [deviation for deviation in own if deviation is not None]
+        share = (both - sum(known)) / (2 - len(known))
+        return own[0] if own[0] is not None else share, own[1] if own[1] is not None else share
+
+    @cached_property
+    def cut(self) -> numeric.GearPair:
+        """The pair with its teeth as they are cut."""
+        pair = self.nominal
+        driver, driven = pair.driver.thinning, pair.driven.thinning
+        if isinstance(driver, str) or isinstance(driven, str):
+            return thinned(train_play(numeric.Train((pair,)))).stages[0]
+        return with_deviations(pair, driver, driven)
+
+    @property
+    def axes_apart(self) -> float:
+        """Centre distance, mm."""
+        return self.nominal.centre_distance
+
+    @property
+    def play(self) -> float:
+        """Circumferential backlash of the teeth as they are cut, mm of arc of the wheel's working pitch circle."""
+        return exact_play(self.cut) * self.cut.driven_pitch_radius
+
+    @property
+    def ratio(self) -> Fraction:
+        """Turns of the pinion per turn of the wheel."""
+        return self.nominal.ratio
+
+    @property
+    def contact_ratio(self) -> float:
+        """Pairs of teeth in mesh on average, as cut."""
+        return contact_ratio(self.cut)
+
+    @property
+    def working_pressure_angle(self) -> float:
+        """α_w, rad."""
+        return self.nominal.working_pressure_angle
+
+    @property
+    def wheel_angle(self) -> float:
+        """Angle of a tooth of the wheel, its teeth midway between those of a pinion with a tooth on x, rad."""
+        return meshing_angle(self.cut, 0.0, 0.0)
+
+    @cached_property
+    def computed(self) -> "TrainPlan":
+        """The pair as a train of one stage, laid out and measured in mesh."""
+        return Train([self], name=self.name).computed
+
+    def build123d(self) -> "Compound":
+        """Both gears in mesh as one build123d compound, mm: the pinion's axis on z, that of the wheel along x.
+
+        The teeth of the pinion begin at z = 0, and those of the wheel lie midway along them; hubs stand upwards.
+
+        Raises:
+            FileError: the CAD kernel cannot drill the set screw.
+        """
+        from cadgen.solids.train import mesh_compound
+        from cadgen.workflow.gears.numbers import part_of, solid_of
+
+        pinion = solid_of(part_of(self.cut.driver.form, self.pinion.blank), f"{self.name}_pinion", 1)
+        wheel = solid_of(part_of(self.cut.driven.form, self.wheel.blank), f"{self.name}_wheel", 2)
+        height = (self.pinion.width - self.wheel.width) / 2
+        return mesh_compound((pinion, wheel), ((0.0, 0.0, 0.0), (self.axes_apart, height, self.wheel_angle)), self.name)
+
+
+@dataclass(frozen=True)
+class Train(Assembly):
+    """A gear train: pairs in a row, the wheel of each and the pinion of the next one part on one shaft.
+
+    Attributes:
+        stages: from the drive to the output. What a part between two of them has besides its teeth is given with
+            the wheel; its hub is the collar.
+        directions: of every stage's line of centres, rad, None for any; left out, the train is folded tightly.
+        clearance: least gap between bodies on different shafts, mm.
+        name: of the train and its files.
+
+    Raises:
+        DesignError: no stage, or a pinion on a shaft with a wheel that has a bore of its own.
+
+    Example:
+        >>> from cadgen import Gear, GearPair, Train
+        >>> stage = GearPair(Gear(teeth=20, module=1, width=6), Gear(teeth=60, module=1, width=6), backlash=0.05)
+        >>> Train([stage, stage]).ratio
+        Fraction(9, 1)
+    """
+
+    stages: Sequence[GearPair]
+    _: KW_ONLY
+    directions: Sequence[float | None] | None = None
+    clearance: float = 0.3
+    name: str = "train"
+
+    def __post_init__(self) -> None:
+        stages = self.stages
+        if not isinstance(stages, Sequence) or not all(isinstance(pair, GearPair) for pair in stages) or not stages:
+            raise DesignError(f"stages is {brief(repr(stages), 60)}; it must hold at least one GearPair")
+        for number, (before, after) in enumerate(pairwise(stages), 2):
+            if after.pinion.blank not in (Blank(), before.wheel.blank):
+                raise DesignError(
+                    f"the pinion of stage {number} is one part with the wheel of stage {number - 1}; give bore, "
+                    "keyway, hub, web and lightening to that wheel alone"
+                )
+        for angle in self.directions or ():
+            if angle is not None:
+                real("directions", angle, -2 * pi, 2 * pi, "rad")
+        if self.directions is not None and len(self.directions) != len(stages):
+            raise DesignError(f"directions has {len(self.directions)} angles; it must have {len(stages)}, one a stage")
+        real("clearance", self.clearance, 1e-3, 100, "mm")
+        require_name(self.name)
+
+    @property
+    def ratio(self) -> Fraction:
+        """Turns of the drive per turn of the output."""
+        return self._train.ratio
+
+    @cached_property
+    def _train(self) -> numeric.Train:
+        return numeric.Train(tuple(pair.nominal for pair in self.stages))
+
+    @cached_property
+    def computed(self) -> "TrainPlan":
+        """The train laid out and measured in mesh; it takes a second or so when it is first asked for."""
+        from cadgen.workflow.gears.numbers import plan_train
+
+        blanks = [self.stages[0].pinion.blank, *(pair.wheel.blank for pair in self.stages)]
+        return plan_train(self._train, blanks, self.name, self.directions, self.clearance)
+
+
+@dataclass(frozen=True)
+class GearTrain(Assembly):
+    """The gear train of a design: what `Design.gears` gives.
+
+    Attributes:
+        plan: the numeric plan, for figures that are not named here; mm and rad.
+    """
+
+    plan: GearsPlan
+
+    @property
+    def computed(self) -> GearsPlan:
+        """The numeric plan; it names the trains that were passed over, too, and why."""
+        return self.plan
+
+    @property
+    def name(self) -> str:
+        """Name of the design."""
+        return self.plan.design.name
+
+    @property
+    def order(self) -> str:
+        """What was asked for: `as-given`, `reordered` or `search`."""
+        return self.plan.order
+
+    @property
+    def ranked(self) -> tuple[TrainPlay, ...]:
+        """The trains that the order calls for, least return error first; mm and rad."""
+        return self.plan.ranked
+
+    @property
+    def baseline(self) -> TrainPlay:
+        """What the ranked trains are compared with."""
+        return self.plan.baseline
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What to know of the train that is made, a sentence each."""
+        return self.plan.notes

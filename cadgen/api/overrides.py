@@ -1,0 +1,49 @@
+"""Values of Python as the overrides that the command line takes: `key=value`, the value in TOML."""
+
+import json
+from collections.abc import Iterable, Mapping
+from datetime import date, time
+from numbers import Integral, Real
+from typing import Any
+
+from cadgen.errors import DesignError, brief
+
+
+def overrides_of(changes: Mapping[str, Any] | Iterable[str]) -> tuple[str, ...]:
+    """Overrides as `--set` takes them.
+
+    Args:
+        changes: key -> value, where None removes the key; or texts `key=value`, taken as they are.
+
+    Raises:
+        DesignError: it is neither, or a value has no form in TOML.
+    """
+    if isinstance(changes, Mapping):
+        return tuple(f"{key}={'' if value is None else _toml(str(key), value)}" for key, value in changes.items())
+    if isinstance(changes, str) or not all(isinstance(text, str) for text in changes):
+        raise DesignError(
+            f"the changes are {brief(repr(changes), 60)}; give keys with their values, such as "
+            '{"cam.thickness_mm": 3.2}'
+        )
+    return tuple(changes)
+
+
+def _toml(key: str, value: Any) -> str:
+    value = value.tolist() if hasattr(value, "tolist") else value  # numpy's
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, Integral):
+        return str(int(value))
+    if isinstance(value, Real):
+        return repr(float(value))
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, Mapping):
+        inside = ", ".join(f"{json.dumps(str(name))} = {_toml(key, part)}" for name, part in value.items())
+        return f"{{{inside}}}"
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(_toml(key, part) for part in value)}]"
+    what = "a date" if isinstance(value, (date, time)) else f"a {type(value).__name__}"
+    raise DesignError(
+        f"{brief(key)} is given {what}; a value must be a number, a text, True or False, a list or a table of these"
+    )

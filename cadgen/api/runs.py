@@ -1,0 +1,216 @@
+"""Runs of the car with play: one by one, compared by profile, and by the thousand."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike
+from typing import Any, Protocol
+
+from cadgen.api.cam import Cam
+from cadgen.api.files import Progress, Written, folder_of, silent
+from cadgen.arrays import Array
+from cadgen.errors import DesignError, brief
+from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity
+from cadgen.motion.drive import Run
+from cadgen.motion.errors import Event, RunError
+from cadgen.optimize.evaluate import Evaluation
+from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
+from cadgen.workflow.cam.manifest import remedy_facts as remedy_facts
+from cadgen.workflow.cam.mechanics import joint_sentences
+from cadgen.workflow.cam.remedies import Remedy as Remedy
+from cadgen.workflow.runs import files
+from cadgen.workflow.runs import simulation as simulations
+from cadgen.workflow.runs import tolerance as tolerances
+from cadgen.workflow.runs.budget import BudgetSheet as BudgetSheet
+from cadgen.workflow.runs.budget import shown as shown
+from cadgen.workflow.runs.budget import shown_half_width as shown_half_width
+from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
+from cadgen.workflow.runs.tolerance import Spread as Spread
+
+
+class Pool(Protocol):
+    """Anything with a `map`: `concurrent.futures`, `multiprocessing`, mpi4py, dask."""
+
+    def map(self, function: Callable[[int], Array], numbers: Iterable[int], /) -> Iterable[Array]:
+        """The function's results in order, computed anywhere."""
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """Runs of the car with play in its gears: what `Design.simulate` gives.
+
+    Attributes:
+        computed: the numeric result, for figures that are not named here; mm and rad.
+    """
+
+    computed: simulations.Simulation
+
+    @cached_property
+    def cam(self) -> Cam:
+        """The cam of the run after."""
+        return Cam(self.computed.plan)
+
+    @property
+    def play(self) -> float:
+        """Return error of the runs at the camshaft, rad."""
+        return self.computed.play
+
+    @property
+    def planned(self) -> Run:
+        """The run that is wanted."""
+        return self.computed.planned
+
+    @property
+    def before(self) -> Run:
+        """The run on the actual profile; of a car as built, on the cam that it was measured with."""
+        return self.computed.before
+
+    @property
+    def after(self) -> Run:
+        """The run on the cam's profile."""
+        return self.computed.after
+
+    @property
+    def before_error(self) -> RunError:
+        """How far the run before is off the planned one, mm and rad."""
+        return self.computed.before_error
+
+    @property
+    def after_error(self) -> RunError:
+        """How far the run after is off the planned one, mm and rad."""
+        return self.computed.after_error
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """Jumps and reverses of the run before, with the heading that each adds, rad."""
+        return self.computed.events
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What of the car was assumed or was measured, a sentence each."""
+        return _notes(self.computed.plan.design, float(self.planned.motor[-1]))
+
+    def facts(self) -> dict[str, Any]:
+        """The runs as plain values, as in the manifest and with `--json`."""
+        return simulation_facts(self.computed)
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write tracks as CSV and pictures as PNG and SVG, all together or none.
+
+        Args:
+            folder: where to; it is made if need be.
+            progress: told what is being done.
+
+        Raises:
+            FileError: a file cannot be written, or what was read back is not what was meant.
+        """
+        place = folder_of(folder)
+        written = files.write_simulation(self.computed, place, progress)
+        return Written.of(place, written.part, written.entry)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """The methods against play, alone and combined: what `Design.optimize` gives.
+
+    Attributes:
+        cam: the best profile that keeps every limit.
+        remedies: what else helps, and what to build for it; empty if the design says nothing of friction.
+    """
+
+    cam: Cam
+    remedies: tuple[Remedy, ...]
+
+    @property
+    def compared(self) -> tuple[Evaluation, ...]:
+        """Every method on every train, with its errors, mm and rad."""
+        return () if self.cam.against is None else self.cam.against.evaluations
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write pictures of events and tracks, all together or none.
+
+        Args:
+            folder: where to; it is made if need be.
+            progress: told what is being done.
+
+        Raises:
+            FileError: a file cannot be written.
+        """
+        place = folder_of(folder)
+        written = files.write_comparison(self.cam.computed, place, progress, cures=self.cam.find_cures(progress))
+        return Written.of(place, written.part, written.entry)
+
+
+@dataclass(frozen=True)
+class ToleranceRun:
+    """Many cars within the tolerances of a design: what `Design.tolerance` gives.
+
+    Attributes:
+        computed: the numeric result, for figures that are not named here; mm and rad.
+    """
+
+    computed: tolerances.ToleranceRun
+
+    @cached_property
+    def cam(self) -> Cam:
+        """The cam that all cars have."""
+        return Cam(self.computed.plan)
+
+    @property
+    def passed(self) -> float:
+        """Share of the cars that pass every gate, 0 to 1."""
+        return self.computed.passed
+
+    @property
+    def ends(self) -> FleetEnds:
+        """Errors of every car at the end of its run, shape (samples,), mm and rad."""
+        return self.computed.ends
+
+    @property
+    def sensitivities(self) -> tuple[Sensitivity, ...]:
+        """What each tolerance does to the end of the run, greatest share first; mm and rad."""
+        return self.computed.sensitivities
+
+    @property
+    def budget(self) -> BudgetSheet | None:
+        """Everything that may be off, ranked by mm at the finish; None if it was not asked for."""
+        return self.computed.budget
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What of the car was assumed or was measured, a sentence each."""
+        return _notes(self.computed.plan.design, self.computed.plan.lift.blend_start)
+
+    def facts(self) -> dict[str, Any]:
+        """The run as plain values, as in the manifest and with `--json`."""
+        return tolerance_facts(self.computed)
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write pictures of the distribution and the sensitivities, all together or none.
+
+        Args:
+            folder: where to; it is made if need be.
+            progress: told what is being done.
+
+        Raises:
+            FileError: a file cannot be written.
+        """
+        place = folder_of(folder)
+        written = files.write_tolerance(self.computed, place, progress)
+        return Written.of(place, written.part, written.entry)
+
+
+def map_of(pool: Pool | Map | None) -> Map | None:
+    """The map function of a pool, or the function itself.
+
+    Raises:
+        DesignError: it is neither.
+    """
+    found = getattr(pool, "map", pool)
+    if found is None or callable(found):
+        return found
+    raise DesignError(f"map is {brief(repr(pool), 60)}; it must be a function such as map, or have a method map")
+
+
+def _notes(design: Any, stop: float) -> tuple[str, ...]:
+    return (*assumed_play(design), *joint_sentences(design), *as_built_sentences(design, stop))

@@ -1,0 +1,42 @@
+"""Which of the files that a job can write are wanted. A format is named by the ending of its files."""
+
+from collections.abc import Iterable, Sequence
+
+from cadgen.design.section import listed
+from cadgen.errors import DesignError, brief
+
+CAM_FORMATS = ("step", "stl", "3mf", "dxf", "nc", "xyz", "csv")
+TRAIN_FORMATS = ("step", "stl", "csv")
+GEAR_FORMATS = ("step", "stl")
+
+
+def chosen(wanted: str | Iterable[str] | None, offered: Sequence[str]) -> tuple[str, ...]:
+    """The formats to be written, in the order in which they are offered.
+
+    Args:
+        wanted: endings such as `step` and `dxf`, or one text with commas between them; None for all.
+        offered: every ending that the job can write.
+
+    Raises:
+        DesignError: an ending that is not offered, or none at all.
+    """
+    if wanted is None:
+        return tuple(offered)
+    parts = wanted.split(",") if isinstance(wanted, str) else [str(part) for part in wanted]
+    endings = [part.strip().lower().removeprefix(".") for part in parts]
+    for ending in endings:
+        if ending not in offered:
+            raise DesignError(f'formats has "{brief(ending, 40)}"; it must name {listed(list(offered), "or")}')
+    if not endings:
+        raise DesignError(f"formats is empty; it must name at least one of {listed(list(offered), 'and')}")
+    return tuple(ending for ending in offered if ending in endings)
+
+
+def entry_name(stem: str, formats: Sequence[str], offered: Sequence[str]) -> str:
+    """Name of a manifest's entry: a part of the files has one of its own, which can stand beside that of others."""
+    return stem if len(formats) == len(offered) else "_".join([stem, *formats])
+
+
+def entry_formats(formats: Sequence[str], offered: Sequence[str]) -> dict[str, list[str]]:
+    """What a manifest's entry says of the choice: nothing if every format is there."""
+    return {} if len(formats) == len(offered) else {"formats": list(formats)}

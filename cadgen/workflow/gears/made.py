@@ -1,0 +1,83 @@
+"""A gear train as it is made: teeth thinned, parts at their places, inspected, and measured in mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from cadgen.check import Check
+from cadgen.errors import DesignError
+from cadgen.gears.backlash import GearPlay, TrainPlay
+from cadgen.gears.inspection import Inspection, inspection_of
+from cadgen.gears.layout import Blanks, TrainLayout, lay_out
+from cadgen.gears.thinning import thinned
+from cadgen.gears.tooth import GearForm
+from cadgen.meshes.train_checks import gear_checks
+from cadgen.parts.blank import Blank
+
+
+@dataclass(frozen=True)
+class Made:
+    """A train that can be made.
+
+    Attributes:
+        play: of its stages.
+        layout: its parts, teeth thinned, at their places.
+        inspection: of every part's gears, in the order of the parts.
+        checks: every figure with its verdict.
+    """
+
+    play: TrainPlay
+    layout: TrainLayout
+    inspection: tuple[tuple[Inspection, ...], ...]
+    checks: tuple[Check, ...]
+
+
+def make(
+    play: TrainPlay,
+    blanks: Blanks | Sequence[Blank],
+    directions: Sequence[float | None] | None,
+    clearance: float,
+    chord: Callable[[Sequence[GearForm]], float],
+    pin: float | None = None,
+) -> Made:
+    """Thin the teeth of a train, lay it out, and measure it in mesh.
+
+    Args:
+        play: of the train.
+        blanks: what its gears have besides their teeth, by place or by shaft.
+        directions: of the stages' lines of centres, rad; None for any.
+        clearance: least gap between bodies on different shafts, mm.
+        chord: gears of a part -> greatest chord error of its mesh, mm.
+        pin: diameter of the pins for inspection, mm; None for one to suit each gear.
+
+    Raises:
+        DesignError: a gear, its blank or the layout cannot be; it names the stage or the shaft.
+    """
+    layout = lay_out(thinned(play), blanks, directions, clearance)
+    chords = [chord(part.gears) for part in layout.parts]
+    return Made(play, layout, _inspections(layout, play, pin), gear_checks(layout, play.stages, chords))
+
+
+def role_of(play: TrainPlay, shaft: int, stage: int) -> GearPlay[float]:
+    """Play of the gear of a stage that sits on a shaft, both counted from 1.
+
+    A stage's driver sits on the shaft of its number, the driven gear on the next.
+    """
+    found = play.stages[stage - 1]
+    return found.driven if shaft > stage else found.driver
+
+
+def _inspections(layout: TrainLayout, play: TrainPlay, pin: float | None) -> tuple[tuple[Inspection, ...], ...]:
+    """Of every part's gears between E_sns and E_sni."""
+    found = []
+    for part in layout.parts:
+        of_part = []
+        for form, stage in zip(part.gears, part.stages, strict=True):
+            role = role_of(play, part.shaft, stage)
+            try:
+                of_part.append(inspection_of(form, role.E_sns, role.E_sni, pin))
+            except DesignError as error:
+                raise DesignError(f"in stage {stage}, {error}") from error
+        found.append(tuple(of_part))
+    return tuple(found)

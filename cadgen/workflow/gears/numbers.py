@@ -1,0 +1,242 @@
+"""Gears and trains given by numbers, without a design file: the same teeth, checks and files as a design's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import degrees
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cadgen.build.gear_model import usual_chord
+from cadgen.check import Check
+from cadgen.errors import FileError
+from cadgen.export.folder import publishing
+from cadgen.export.formats import GEAR_FORMATS, chosen, entry_formats, entry_name
+from cadgen.export.manifest import Written, file_facts, versions, write_manifest
+from cadgen.gears.backlash import TrainPlay, train_play
+from cadgen.gears.blank import gear_body
+from cadgen.gears.inspection import Inspection, inspection_of
+from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import Train
+from cadgen.parts.blank import Blank
+from cadgen.workflow.cam.plan import Step
+from cadgen.workflow.gears.facts import checks_facts, parts_facts, return_error, stages_facts
+from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, tooth_errors, write_stl
+from cadgen.workflow.gears.made import Made, make
+
+if TYPE_CHECKING:
+    from cadgen.solids.kernel import Part
+
+_FRAME = "mm; the gear's axis is z, a tooth stands on x, and its lower face lies at z = 0"
+
+
+@dataclass(frozen=True)
+class TrainPlan:
+    """A train given by numbers, computed and checked.
+
+    Attributes:
+        name: of the train; the names of its files begin with it.
+        made: its play, layout, inspection and checks.
+    """
+
+    name: str
+    made: Made
+
+    @property
+    def play(self) -> TrainPlay:
+        """Play of the train."""
+        return self.made.play
+
+    @property
+    def layout(self) -> TrainLayout:
+        """Its parts at their places."""
+        return self.made.layout
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Every figure with its verdict."""
+        return self.made.checks
+
+    @property
+    def inspection(self) -> tuple[tuple[Inspection, ...], ...]:
+        """Of every part's gears, in the order of the parts."""
+        return self.made.inspection
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return all(check.passed for check in self.checks)
+
+    @property
+    def stem(self) -> str:
+        """What the names of its files begin with."""
+        return self.name
+
+    @property
+    def description(self) -> str:
+        """One line for STEP files."""
+        return f"gear train {self.name}"
+
+    def chord(self, gears: Sequence[GearForm]) -> float:
+        """Greatest chord error of a part's mesh, mm."""
+        return usual_chord(gears)
+
+    def facts(self) -> dict[str, Any]:
+        """The plan as plain values for the manifest and for machines."""
+        return self._facts
+
+    @cached_property
+    def _facts(self) -> dict[str, Any]:
+        return {
+            "train": self.name,
+            "passed": self.passed,
+            "ratio": str(self.play.train.ratio),
+            "return_error_deg": return_error(self.play),
+            "stages": stages_facts(self.layout, self.play),
+            "checks": checks_facts(self.checks),
+            "parts": parts_facts(self.layout, self.play, self.made.inspection),
+        }
+
+
+def plan_train(
+    train: Train,
+    blanks: Sequence[Blank],
+    name: str,
+    directions: Sequence[float | None] | None = None,
+    clearance: float = 0.3,
+) -> TrainPlan:
+    """Compute a train, lay it out, and measure its teeth in mesh.
+
+    Args:
+        train: its stages.
+        blanks: what the gears have besides their teeth, one for each shaft from the drive to the output.
+        name: of the train.
+        directions: of the stages' lines of centres, rad; None for any.
+        clearance: least gap between bodies on different shafts, mm.
+
+    Raises:
+        DesignError: a gear, its blank or the layout cannot be, or no standard covers a size.
+    """
+    return TrainPlan(name, make(train_play(train), blanks, directions, clearance, usual_chord))
+
+
+def part_of(form: GearForm, blank: Blank) -> TrainPart:
+    """One gear as a part by itself, its axis on z and its lower face at z = 0.
+
+    Raises:
+        DesignError: the tooth or the blank cannot be made.
+    """
+    body = gear_body(form, blank)
+    return TrainPart(
+        name="gear",
+        shaft=1,
+        gears=(form,),
+        stages=(1,),
+        blank=blank,
+        body=body,
+        axis=0j,
+        angle=0.0,
+        height=0.0,
+        flipped=False,
+    )
+
+
+def solid_of(part: TrainPart, name: str, shaft: int = 1) -> Part:
+    """The part as a solid; `shaft` decides its colour."""
+    from cadgen.solids.gear import body_solid
+    from cadgen.solids.kernel import Part
+    from cadgen.solids.train import colour_of_shaft
+
+    form = part.gears[0]
+    description = f"spur gear of {form.teeth} teeth, module {form.normal_module:g} mm"
+    return Part(solid=body_solid(part.body), name=name, description=description, colour=colour_of_shaft(shaft))
+
+
+def write_gear(
+    part: TrainPart,
+    name: str,
+    out: Path,
+    step: Step = lambda text: None,
+    formats: str | Iterable[str] | None = None,
+) -> Written:
+    """Write, read back, judge and publish the files of one gear.
+
+    Args:
+        part: from `part_of`.
+        name: of the gear; the names of its files begin with it.
+        out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
+        step: told what is being done.
+        formats: some of `GEAR_FORMATS`; all of them if left out.
+
+    Raises:
+        DesignError: there is no such format.
+        FileError: a file cannot be written, or what was read back is not what was meant.
+    """
+    wanted = chosen(formats, GEAR_FORMATS)
+    with publishing(out) as staging:
+        files = {}
+        for ending in wanted:
+            step(f"writing and reading back {ending.upper()}")
+            written = _step_file(part, name, staging) if ending == "step" else _stl_file(part, name, staging)
+            for file, facts in written:
+                files[file] = {**file_facts(staging / file), **facts}
+        entry = {
+            **gear_facts(part, name),
+            **entry_formats(wanted, GEAR_FORMATS),
+            "frame": _FRAME,
+            "versions": versions(),
+            "omitted": {},
+            "files": files,
+        }
+        entry_of = entry_name(f"{name}_gear", wanted, GEAR_FORMATS)
+        write_manifest(staging, entry_of, entry)
+    return Written(entry_of, entry)
+
+
+def gear_facts(part: TrainPart, name: str) -> dict[str, Any]:
+    """One gear as plain values, with what the shop measures on it as it is cut."""
+    form = part.gears[0]
+    deviation = form.tooth_thickness_deviation
+    found = inspection_of(form, deviation, deviation)
+    return {
+        "gear": name,
+        "teeth": form.teeth,
+        "module_mm": form.normal_module,
+        "pressure_angle_deg": degrees(form.normal_pressure_angle),
+        "profile_shift": form.profile_shift,
+        "width_mm": form.width,
+        "tip_diameter_mm": form.tip_diameter,
+        "root_diameter_mm": form.root_diameter,
+        "bore_mm": part.blank.bore_diameter,
+        "E_sn_um": deviation * 1e3,
+        "teeth_spanned": found.span.teeth_spanned if found.span else None,
+        "span_mm": found.span.span.upper if found.span else None,
+        "pin_diameter_mm": found.pins.pin_diameter if found.pins else None,
+        "over_pins_mm": found.pins.over_pins.upper if found.pins else None,
+        "volume_mm3": part.volume,
+    }
+
+
+def _step_file(part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
+    """Through the kernel: one valid solid with its name and the exact volume; through its text: the tooth curves."""
+    from cadgen.solids.gear_text import read_gear
+    from cadgen.solids.step import read_part, step_bytes
+
+    file = staging / f"{name}.step"
+    solid = solid_of(part, name)
+    file.write_bytes(step_bytes(solid))
+    again = read_part(file)
+    if not again.valid or again.bodies != 1 or again.name != name or again.description != solid.description:
+        raise FileError(f"{file.name}, read back, is not one valid solid with its name: report this gear")
+    error = abs(again.volume / part.volume - 1)
+    if not error <= VOLUME_LIMIT:
+        raise FileError(f"{file.name}, read back, misses the exact volume by {error:.1e}: report this gear")
+    errors = tooth_errors(file.name, read_gear(file, part.gears, part.starts))
+    yield file.name, {**errors, "volume_mm3": again.volume, "volume_error_relative": error}
+
+
+def _stl_file(part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
+    yield write_stl(part, staging, name, usual_chord(part.gears))
