@@ -8,6 +8,7 @@ The rooms, in walking order; each imports only those before it.
 
 | room          | what happens there                                                        |
 |---------------|---------------------------------------------------------------------------|
+| `version`     | the version, in its one place                                             |
 | `errors`      | what can go wrong, with the exit codes                                    |
 | `arrays`      | an array of floats, a turn                                                |
 | `check`       | one figure with its limit and verdict                                     |
@@ -37,7 +38,7 @@ The rooms, in walking order; each imports only those before it.
 Inside, lengths are mm and angles rad; other units occur only at the rim and then stand in the name.
 """
 
-__version__ = "0.1.0"
+from cadgen.version import __version__
 
 # Where each public name lives. It is imported when it is first asked for: `import cadgen` alone costs next to nothing.
 _HOMES = {

@@ -115,3 +115,9 @@ def written(tmp_path: Path) -> Callable[[str | bytes | Tables], Path]:
         return file
 
     return write
+
+
+@pytest.fixture(scope="session")
+def measured() -> Path:
+    """Where the measured files lie."""
+    return Path(__file__).parent / "data" / "measured"

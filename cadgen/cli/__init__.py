@@ -12,7 +12,6 @@ from typing import NoReturn
 
 import click
 
-from cadgen import __version__
 from cadgen.cli import interrupt, output
 from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam
@@ -23,6 +22,7 @@ from cadgen.cli.simulate import simulate
 from cadgen.cli.tolerance import tolerance
 from cadgen.cli.verify import verify
 from cadgen.errors import CadgenError, DesignError, brief
+from cadgen.version import __version__
 
 USAGE, FILE = 2, 3
 _LAST_SECOND = 253402300799  # of the year 9999

@@ -9,9 +9,9 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from cadgen import __version__
 from cadgen.errors import brief
 from cadgen.reading import read_given
+from cadgen.version import __version__
 
 NAME = "manifest.json"
 FORMAT = 1

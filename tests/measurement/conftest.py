@@ -30,12 +30,6 @@ def nominal(synthetic_car: Car) -> Nominal:
 
 
 @pytest.fixture(scope="session")
-def measured() -> Path:
-    """Where the measured files lie."""
-    return Path(__file__).parents[1] / "data" / "measured"
-
-
-@pytest.fixture(scope="session")
 def blind(nominal: Nominal, measured: Path) -> Callable[[str], EvidenceDiagnosis]:
     """What is said of a measured file by itself, once."""
 

@@ -3,9 +3,9 @@
 from math import degrees
 from typing import Any
 
-from cadgen import __version__
 from cadgen.monte_carlo.budget import Budget
 from cadgen.motion.errors import RunError, deflection_sum
+from cadgen.version import __version__
 from cadgen.workflow.cam.manifest import as_built_facts, design_facts, mechanics_facts
 from cadgen.workflow.cam.plan import against_of
 from cadgen.workflow.runs.budget import BudgetSheet, unit_of
