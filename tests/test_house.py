@@ -64,3 +64,91 @@ def test_a_circle_is_seen_wherever_it_hides():
     graph = {name: set(imported(name, source, set(sources))) for name, source in sources.items()}
     assert circle(graph) == ["a", "b", "c.d", "a"]
     assert not circle({**graph, "c.d": set()})
+
+
+MOST_LINES, MOST_LINES_OF_A_FUNCTION, LARGEST_SHARE, SAME_LINES = 400, 80, 0.15, 6
+
+
+def room_of(name: str) -> str:
+    """The folder, or the file on the ground, that a module belongs to."""
+    return name.split(".")[1] if "." in name else ""
+
+
+def test_files_functions_and_rooms_stay_of_a_size():
+    lines = {name: file.read_text("utf-8").count("\n") for name, file in MODULES.items()}
+    rooms: dict[str, int] = {}
+    for name, count in lines.items():
+        rooms[room_of(name)] = rooms.get(room_of(name), 0) + count
+    largest = max(rooms, key=rooms.__getitem__)
+    print(f"{sum(lines.values())} lines; {largest} has {rooms[largest] / sum(lines.values()):.1%}")
+    assert rooms[largest] <= LARGEST_SHARE * sum(lines.values())
+    assert not {name: count for name, count in lines.items() if count > MOST_LINES}
+    functions = {
+        f"{name}.{node.name}": (node.end_lineno or node.lineno) - node.lineno + 1
+        for name, file in MODULES.items()
+        for node in ast.walk(ast.parse(file.read_text("utf-8")))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+    }
+    assert not {name: count for name, count in functions.items() if count > MOST_LINES_OF_A_FUNCTION}
+
+
+def test_no_room_imports_what_another_keeps_to_itself():
+    private = [
+        f"{name}: {node.module}.{alias.name}"
+        for name, file in MODULES.items()
+        for node in ast.walk(ast.parse(file.read_text("utf-8")))
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("cadgen")
+        for alias in node.names
+        if alias.name.startswith("_") and alias.name != "__version__" and room_of(node.module or "") != room_of(name)
+    ]
+    assert not private
+
+
+def statements(source: str) -> list[tuple[int, str]]:
+    """Lines of statements with their numbers: without imports, signatures, decorators, fields, texts and brackets."""
+    left_out: set[int] = set()
+    for node in ast.walk(ast.parse(source)):
+        last = getattr(node, "end_lineno", 0)
+        if isinstance(node, ast.Import | ast.ImportFrom) or (
+            isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+        ):
+            left_out |= set(range(node.lineno, last + 1))
+        elif isinstance(node, ast.FunctionDef | ast.ClassDef):
+            first = min([node.lineno, *(mark.lineno for mark in node.decorator_list)])
+            left_out |= set(range(first, node.body[0].lineno))
+        elif isinstance(node, ast.AnnAssign):
+            left_out |= set(range(node.lineno, last + 1))
+    lines = ((number, line.strip()) for number, line in enumerate(source.splitlines(), 1))
+    return [(n, line) for n, line in lines if n not in left_out and line.strip("()[]{},") and not line.startswith("#")]
+
+
+def test_nothing_is_written_twice():
+    seen: dict[tuple[str, ...], str] = {}
+    twice = []
+    for name, file in MODULES.items():
+        lines = statements(file.read_text("utf-8"))
+        for at in range(len(lines) - SAME_LINES + 1):
+            block = tuple(line for _, line in lines[at : at + SAME_LINES])
+            place = f"{name}:{lines[at][0]}"
+            if seen.setdefault(block, place) != place:
+                twice.append(f"{seen[block]} = {place}: {block[0]}")
+    assert not twice, "\n".join(twice)
+
+
+def listed(docstring: str) -> set[str]:
+    """What the table of a package's docstring names in its first column."""
+    rows = (line.split("|")[1].strip() for line in docstring.splitlines() if line.startswith("| `"))
+    return {name.strip("` ") for row in rows for name in row.split(",")}
+
+
+def test_the_maps_name_every_room_and_every_module():
+    missing = {}
+    for name, file in MODULES.items():
+        if file.name != "__init__.py":
+            continue
+        inside = {other.removeprefix(f"{name}.").split(".")[0] for other in MODULES if other.startswith(f"{name}.")}
+        inside -= {"__main__"}
+        named = listed(ast.get_docstring(ast.parse(file.read_text("utf-8"))) or "")
+        if named != inside:
+            missing[name] = {"missing": sorted(inside - named), "gone": sorted(named - inside)}
+    assert not missing, missing

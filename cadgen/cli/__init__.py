@@ -1,5 +1,21 @@
 """The command line: thin commands, one file per verb.
 
+| module      | what it holds                                                     |
+|-------------|-------------------------------------------------------------------|
+| `check`     | `cadgen check`: every figure of a cam, and nothing written         |
+| `cam`       | `cadgen cam`: a cam as verified files                              |
+| `gears`     | `cadgen gears`: a gear train as verified files                     |
+| `simulate`  | `cadgen simulate`: the car's run with play                         |
+| `optimize`  | `cadgen optimize`: the methods against play                        |
+| `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
+| `calibrate` | `cadgen calibrate`: measured files -> what the design lacks        |
+| `verify`    | `cadgen verify`: whether a folder is what its manifest says        |
+| `options`   | arguments and options that several commands share                  |
+| `show`      | tables of checks and files, progress, JSON                         |
+| `show_play` | tables of profiles, runs, remedies and budgets                     |
+| `output`    | standard output and sentences on standard error                    |
+| `interrupt` | signals                                                            |
+
 Exit codes: 0 done, 1 a check failed, 2 usage or design, 3 file or kernel, 130 interrupted.
 """
 

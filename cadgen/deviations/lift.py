@@ -102,6 +102,17 @@ def _drift(reading: Array, p: Array, at: Readings) -> Array:
     return np.asarray(reading + p[0] * at.elapsed)
 
 
+_HELD_BY_FRICTION = Effect(
+    name="backlash",
+    stage=ANGLE,
+    parameters=(_play("whole play at the camshaft; the cam lags by half of it either way"),),
+    act=_held_by_friction,
+    quantity=quantities.RETURN_ERROR,
+    places=("car",),
+    family="backlash",
+    confused_with="lost motion by friction",
+    separated_by="hold the drive still and turn the camshaft to and fro by hand",
+)
 LIFT_EFFECTS = (
     # The shaft's run-out looks the same, and stays with the car.
     replace(ECCENTRIC_BORE, places=("car", "part", "process")),
@@ -176,28 +187,13 @@ LIFT_EFFECTS = (
         confused_with="backlash",
         separated_by="tap the lever before each reading: friction lets go, backlash stays",
     ),
-    Effect(
-        name="backlash",
-        stage=ANGLE,
-        parameters=(_play("whole play at the camshaft; the cam lags by half of it either way"),),
-        act=_held_by_friction,
-        quantity=quantities.RETURN_ERROR,
-        places=("car",),
-        family="backlash",
-        confused_with="lost motion by friction",
-        separated_by="hold the drive still and turn the camshaft to and fro by hand",
-    ),
-    Effect(
+    _HELD_BY_FRICTION,
+    replace(
+        _HELD_BY_FRICTION,
         name="backlash, held by the spring",
         cause="backlash",
-        stage=ANGLE,
         parameters=(_play("whole play at the camshaft; the spring turns the cam downhill by half of it"),),
         act=_held_by_spring,
-        quantity=quantities.RETURN_ERROR,
-        places=("car",),
-        family="backlash",
-        confused_with="lost motion by friction",
-        separated_by="hold the drive still and turn the camshaft to and fro by hand",
     ),
     Effect(
         name="hysteresis of the dial",

@@ -4,10 +4,10 @@
 |----------------|-----------------------------------------------------------------------------|
 | `mesh`         | STL and 3MF                                                                 |
 | `dxf`          | the outline as arcs or as splines, for laser, wire EDM and CAD                |
-| `gcode`        | the milling program; `gcode_reader` interprets it and finds what is left over |
+| `gcode`        | the milling program                                                          |
+| `gcode_reader` | an interpreter of milling programs, and the outline that the cutter leaves  |
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
 | `tracks`       | the three wheels' tracks as a table                                         |
-| `formats`  | which of a job's files are wanted, by their endings             |
 | `formats`      | which of a job's files are wanted, by their endings                         |
 | `folder`       | files appear all together and complete, or not at all                         |
 | `lock`         | one run at a time moves files into a folder                                  |

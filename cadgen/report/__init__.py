@@ -8,6 +8,7 @@
 | `tracks` | the wheels on the field; heading and position error along the run               |
 | `text`   | reports in words                                                                |
 | `table`  | tables that never cut a number                                                  |
+| `calibration` | a verdict on one record: residual before and after, candidates             |
 | `errors` | deflection errors by event; ends of the runs of many cars; sensitivities        |
 
 Only this room imports matplotlib, inside its functions, since that takes time.

@@ -197,10 +197,9 @@ def _tolerance_facts(gear: Gear, play: GearPlay[float]) -> dict[str, Any]:
     }
 
 
-def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], found: Inspection) -> dict[str, Any]:
-    """What the shop is told of one gear: one row of the table of parts."""
+def form_facts(form: GearForm) -> dict[str, Any]:
+    """Numbers of a gear's teeth: mm and degrees."""
     return {
-        "stage": stage,
         "teeth": form.teeth,
         "module_mm": form.normal_module,
         "pressure_angle_deg": degrees(form.normal_pressure_angle),
@@ -208,6 +207,14 @@ def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], found: Inspec
         "width_mm": form.width,
         "tip_diameter_mm": form.tip_diameter,
         "root_diameter_mm": form.root_diameter,
+    }
+
+
+def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], found: Inspection) -> dict[str, Any]:
+    """What the shop is told of one gear: one row of the table of parts."""
+    return {
+        "stage": stage,
+        **form_facts(form),
         "E_sn_um": form.tooth_thickness_deviation * 1e3,
         "E_sns_um": play.E_sns * 1e3,
         "E_sni_um": play.E_sni * 1e3,

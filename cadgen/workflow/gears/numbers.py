@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +22,7 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.parts.blank import Blank
 from cadgen.workflow.cam.plan import Step
-from cadgen.workflow.gears.facts import checks_facts, parts_facts, return_error, stages_facts
+from cadgen.workflow.gears.facts import checks_facts, form_facts, parts_facts, return_error, stages_facts
 from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, tooth_errors, write_stl
 from cadgen.workflow.gears.made import Made, make
 
@@ -203,13 +202,7 @@ def gear_facts(part: TrainPart, name: str) -> dict[str, Any]:
     found = inspection_of(form, deviation, deviation)
     return {
         "gear": name,
-        "teeth": form.teeth,
-        "module_mm": form.normal_module,
-        "pressure_angle_deg": degrees(form.normal_pressure_angle),
-        "profile_shift": form.profile_shift,
-        "width_mm": form.width,
-        "tip_diameter_mm": form.tip_diameter,
-        "root_diameter_mm": form.root_diameter,
+        **form_facts(form),
         "bore_mm": part.blank.bore_diameter,
         "E_sn_um": deviation * 1e3,
         "teeth_spanned": found.span.teeth_spanned if found.span else None,
