@@ -163,7 +163,7 @@ def test_arrays_are_read_as_the_file_that_holds_them():
     (of_file,) = sources_of(TRACK)
     (of_arrays,) = sources_of(Measured(columns, remarks, "mine"))
     assert of_arrays.record.remarks == of_file.record.remarks
-    assert of_arrays.kind == of_file.kind == "track"
+    assert of_arrays.kind.code == of_file.kind.code == "track"
     assert np.array_equal(of_arrays.record.run, of_file.record.run)
     for name in of_file.record.columns:
         assert np.array_equal(of_arrays.record[name], of_file.record[name])
