@@ -296,7 +296,7 @@ class Calibration:
     @property
     def verdicts(self) -> dict[str, str]:
         """Kind of data -> class of the verdict on it, such as `traced` or `ambiguous`."""
-        return {str(source.kind): self.computed.verdict(source.kind) for source in self.computed.sources}
+        return {source.kind.code: self.computed.verdict(source.kind) for source in self.computed.sources}
 
     @property
     def effects(self) -> "tuple[calibrations.Built, ...]":
