@@ -17,6 +17,7 @@ from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, run_fleet
 
 # As the built-in `map`, or a pool's: it may run the calls anywhere, but gives their results in order.
 Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
+_OF_A_MAP = "it must give every result once, in order, as the built-in map does"
 Sampler = Callable[[np.random.Generator, int], Array]
 
 # Cars run together: their arrays of one value per step stay near the processor's cache, and a run of many uses
@@ -211,7 +212,8 @@ def tolerance_run(
         done: told how many cars have run.
 
     Raises:
-        DesignError: fewer than one sample, or a tolerance beyond what first order is good for.
+        DesignError: fewer than one sample, a tolerance beyond what first order is good for, or a map that does not
+            give every result once.
     """
     if samples < 1:
         raise DesignError(f"a tolerance run of {samples} samples says nothing: ask for at least 1")
@@ -246,9 +248,14 @@ def _chunk(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number
 def _gathered(parts: Iterable[Array], samples: int, done: Callable[[int], None]) -> Array:
     found, filled = np.empty((4, samples)), 0
     for part in parts:
-        found[:, filled : filled + part.shape[1]] = part
-        filled += part.shape[1]
+        rows = np.asarray(part)
+        if rows.ndim != 2 or len(rows) != len(found) or filled + rows.shape[1] > samples:
+            raise DesignError(f"map gave something else than its function, after {filled} cars; {_OF_A_MAP}")
+        found[:, filled : filled + rows.shape[1]] = rows
+        filled += rows.shape[1]
         done(filled)
+    if filled < samples:
+        raise DesignError(f"map gave the results of {filled} of {samples} cars; {_OF_A_MAP}")
     return found
 
 
