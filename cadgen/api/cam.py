@@ -31,7 +31,7 @@ _POINTS = 3600
 _CHORD = 0.01  # mm, of bore and holes on a picture
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Lift:
     """Lift of the follower over one turn of the cam. Call it with cam angles to get the lift there.
 
@@ -47,6 +47,9 @@ class Lift:
     """
 
     computed: CamPlan
+
+    def __repr__(self) -> str:
+        return f"<Lift of {self.computed.design.name}, {len(self.peaks)} peaks and {len(self.valleys)} valleys>"
 
     def __call__(self, cam_angle: ArrayLike) -> Array:
         """Lift at cam angles.
@@ -80,7 +83,7 @@ class Lift:
         return self.computed.lift.blend_start
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Profile:
     """The closed curve that is cut, in the frame of the files: the camshaft at the origin.
 
@@ -123,8 +126,11 @@ class Profile:
     def __str__(self) -> str:
         return self.name
 
+    def __repr__(self) -> str:
+        return f"<Profile {self.name} of {self.computed.design.name}, {self.length:.1f} mm long>"
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Cam:
     """A cam that has been computed and checked, but not yet made: what `Design.cam` gives.
 
@@ -142,6 +148,10 @@ class Cam:
     """
 
     computed: CamPlan
+
+    def __repr__(self) -> str:
+        verdict = "passed" if self.passed else f"failed: {', '.join(check.name for check in self.failed)}"
+        return f"<Cam of {self.design.name}, {self.profile} profile, {verdict}>"
 
     @property
     def design(self) -> DesignValues:

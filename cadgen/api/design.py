@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 from cadgen.api.files import Progress, Written, folder_of, silent
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.overrides import overrides_of
-from cadgen.api.values import real, whole, word
+from cadgen.api.values import name_or_path, optional, plain_text, whole, word
 from cadgen.design import load
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import TrainDesign
+from cadgen.errors import brief
 
 if TYPE_CHECKING:
     from cadgen.api.cam import Cam
@@ -29,7 +30,7 @@ FORM_ERROR_UM = (0.01, 1000.0)
 _REPORT_WIDTH = 110
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Design:
     """A design: path, car, cam, follower, gear train. It is never changed; `with_` gives another one.
 
@@ -70,8 +71,7 @@ class Design:
             DesignError: no such design, a file that is not TOML, or values that cannot be: a sentence for each of up
                 to five errors, with the key and what is allowed.
         """
-        given = source if source is None or isinstance(source, (str, Path)) else Path(source)
-        text, file = load.read_design(given)
+        text, file = load.read_design(name_or_path("source", source))
         return cls._checked(text, file, overrides_of(changes), train_only)
 
     @classmethod
@@ -83,7 +83,7 @@ class Design:
             name: of the design, if the text does not say it.
             train_only: as for `load`.
         """
-        return cls._checked(text, Path(f"{name}.toml"), (), train_only)
+        return cls._checked(plain_text("text", text), Path(f"{name}.toml"), (), train_only)
 
     @classmethod
     def _checked(cls, text: str, file: Path, overrides: tuple[str, ...], train_only: bool) -> "Design":
@@ -101,6 +101,10 @@ class Design:
         """
         overrides = (*self.values.overrides, *overrides_of(changes))
         return self._checked(self.text, self.file, overrides, not isinstance(self.values, DesignValues))
+
+    def __repr__(self) -> str:
+        changed = f", changed by {brief(' '.join(self.values.overrides), 80)}" if self.values.overrides else ""
+        return f"<Design {self.name} of {self.file.name}{changed}>"
 
     @property
     def name(self) -> str:
@@ -165,7 +169,7 @@ class Design:
         from cadgen.api import runs
         from cadgen.workflow.runs import simulation
 
-        play = None if play_deg is None else real("play_deg", play_deg, 0, 180, "degrees")
+        play = optional("play_deg", play_deg, 0, 180, "degrees")
         return runs.Simulation(simulation.simulate(self._whole(), profile, play, progress))
 
     def optimize(self, *, progress: Progress = silent) -> "Comparison":
@@ -254,9 +258,8 @@ class Design:
         """
         from cadgen.workflow.calibration.plan import calibrate
 
-        told = calibrate(
-            self._whole(), profile, sources_of(data, progress=progress), _form_error(form_error_um), progress
-        )
+        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
+        told = calibrate(self._whole(), profile, sources_of(data, progress=progress), error, progress)
         return Calibration(told, self.text)
 
     def calibrate_each(
@@ -270,9 +273,8 @@ class Design:
         """Judge measured data one by one, each as of a car of its own; arguments and errors as in `calibrate`."""
         from cadgen.workflow.calibration.plan import calibrate_each
 
-        told = calibrate_each(
-            self._whole(), profile, sources_of(data, each=True, progress=progress), _form_error(form_error_um), progress
-        )
+        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
+        told = calibrate_each(self._whole(), profile, sources_of(data, each=True, progress=progress), error, progress)
         return Calibrations(tuple(Calibration(one, self.text) for one in told))
 
     def _whole(self) -> DesignValues:
@@ -281,7 +283,7 @@ class Design:
         return known if isinstance(known, DesignValues) else load.design_of(self.text, self.file, known.overrides)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Calibration:
     """What measured data say of a car: what `Design.calibrate` gives.
 
@@ -292,6 +294,9 @@ class Calibration:
 
     computed: "calibrations.Calibration"
     text: str
+
+    def __repr__(self) -> str:
+        return f"<Calibration of {self.computed.design.name}: {self.verdicts}>"
 
     @property
     def verdicts(self) -> dict[str, str]:
@@ -393,7 +398,3 @@ class Calibrations:
         progress("writing")
         written = write_each([one.computed for one in self.each], place)
         return Written.of(place, written.part, written.entry)
-
-
-def _form_error(given: float | None) -> float | None:
-    return None if given is None else real("form_error_um", given, *FORM_ERROR_UM, "µm")

@@ -45,8 +45,14 @@ class WrittenFile:
         """Its name without the folder."""
         return self.path.name
 
+    def __getstate__(self) -> dict[str, Any]:  # for copies and other processes, to which no mapping proxy can go
+        return {**self.__dict__, "facts": dict(self.facts)}
 
-@dataclass(frozen=True)
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, facts=MappingProxyType(state["facts"]))
+
+
+@dataclass(frozen=True, repr=False)
 class Written(Sequence[WrittenFile]):
     """The files that one job has written: a sequence of `WrittenFile`.
 
@@ -94,6 +100,16 @@ class Written(Sequence[WrittenFile]):
         """Formats that could not be made of a part that was written although a check failed -> why."""
         return MappingProxyType(self.entry.get("omitted", {}))
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "entry": dict(self.entry)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, entry=MappingProxyType(state["entry"]))
+
+    def __repr__(self) -> str:
+        names = ", ".join(file.name for file in self.files)
+        return f"<Written to {self.folder}: {names}>"
+
     def __len__(self) -> int:
         return len(self.files)
 
@@ -112,13 +128,13 @@ def folder_of(folder: str | PathLike[str]) -> Path:
     """The folder that files go to.
 
     Raises:
-        DesignError: it is no path, or an empty one.
+        DesignError: it is no path, an empty one, or one that no system has.
     """
     try:
         text = str(Path(folder)) if str(folder) else ""
     except TypeError:
         text = ""
-    if not text:
+    if not text or "\0" in text:
         raise DesignError(f"folder is {brief(repr(folder), 80)}; it must be a path, such as exports")
     return Path(folder)
 

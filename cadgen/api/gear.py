@@ -120,6 +120,8 @@ class Gear:
     def overrides(self) -> ToleranceOverrides:
         """Its `tolerances`, checked."""
         known = [field.name for field in fields(ToleranceOverrides)]
+        if not isinstance(self.tolerances, Mapping | None):
+            raise DesignError(f"tolerances is {brief(repr(self.tolerances), 60)}; it must map symbols to mm")
         given = dict(self.tolerances or {})
         for symbol, value in given.items():
             word("a symbol of tolerances", symbol, known)

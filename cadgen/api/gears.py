@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from cadgen.api.files import Progress, Written, folder_of, refusal, silent
 from cadgen.api.gear import Gear, require_name
-from cadgen.api.values import real, word
+from cadgen.api.values import real, several, word
 from cadgen.check import Check
 from cadgen.errors import CheckError, DesignError, brief
 from cadgen.gears import train as numeric
@@ -325,11 +325,10 @@ class Train(Assembly):
                     f"the pinion of stage {number} is one part with the wheel of stage {number - 1}; give bore, "
                     "keyway, hub, web and lightening to that wheel alone"
                 )
-        for angle in self.directions or ():
+        directions = None if self.directions is None else several("directions", self.directions, len(stages))
+        for angle in directions or ():
             if angle is not None:
                 real("directions", angle, -2 * pi, 2 * pi, "rad")
-        if self.directions is not None and len(self.directions) != len(stages):
-            raise DesignError(f"directions has {len(self.directions)} angles; it must have {len(stages)}, one a stage")
         real("clearance", self.clearance, 1e-3, 100, "mm")
         require_name(self.name)
 
@@ -351,7 +350,7 @@ class Train(Assembly):
         return plan_train(self._train, blanks, self.name, self.directions, self.clearance)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class GearTrain(Assembly):
     """The gear train of a design: what `Design.gears` gives.
 
@@ -360,6 +359,9 @@ class GearTrain(Assembly):
     """
 
     plan: GearsPlan
+
+    def __repr__(self) -> str:
+        return f"<GearTrain of {self.name}, {self.order}, ratio {self.ratio}>"
 
     @property
     def computed(self) -> GearsPlan:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from cadgen.workflow.calibration.plan import Source
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Measured:
     """Measured data in memory: what a CSV file of them would hold.
 
@@ -29,6 +29,9 @@ class Measured:
     columns: "Mapping[str, ArrayLike]"
     remarks: Sequence[str] = ()
     name: str = "data"
+
+    def __repr__(self) -> str:
+        return f"<Measured {self.name}: {', '.join(map(str, self.columns))}>"
 
 
 Data = str | PathLike[str] | Mapping[str, Any] | Measured
@@ -64,9 +67,17 @@ def _several(data: Data | Iterable[Data]) -> list[Data]:
     return several
 
 
+def _measured(data: Measured) -> "Source":
+    from cadgen.workflow.calibration.tables import source_of
+
+    if not isinstance(data.columns, Mapping):
+        raise DesignError(f"columns is {brief(repr(data.columns), 60)}; it must map names with units to values")
+    remarks = (data.remarks,) if isinstance(data.remarks, str) else data.remarks
+    return source_of(data.columns, remarks, str(data.name))
+
+
 def _source(data: Data, number: int, progress: Progress) -> "Source":
     from cadgen.workflow.calibration.plan import read
-    from cadgen.workflow.calibration.tables import source_of
 
     if isinstance(data, (str, PathLike)):
         return read([Path(data)], progress, each=True)[0]
@@ -74,4 +85,4 @@ def _source(data: Data, number: int, progress: Progress) -> "Source":
         data = Measured(data, name=f"data {number}")
     if not isinstance(data, Measured):
         raise DesignError(f"data has {brief(repr(data), 60)}; each must be a path, columns of values, or Measured")
-    return source_of(data.columns, data.remarks, data.name)
+    return _measured(data)

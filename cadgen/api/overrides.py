@@ -19,13 +19,25 @@ def overrides_of(changes: Mapping[str, Any] | Iterable[str]) -> tuple[str, ...]:
         DesignError: it is neither, or a value has no form in TOML.
     """
     if isinstance(changes, Mapping):
-        return tuple(f"{key}={'' if value is None else _toml(str(key), value)}" for key, value in changes.items())
-    if isinstance(changes, str) or not all(isinstance(text, str) for text in changes):
+        return tuple(f"{_key(key)}={'' if value is None else _toml(key, value)}" for key, value in changes.items())
+    changes = tuple(changes) if isinstance(changes, Iterable) and not isinstance(changes, str) else changes
+    if not isinstance(changes, tuple) or not all(isinstance(text, str) for text in changes):
         raise DesignError(
             f"the changes are {brief(repr(changes), 60)}; give keys with their values, such as "
             '{"cam.thickness_mm": 3.2}'
         )
-    return tuple(changes)
+    return changes
+
+
+def _key(key: object) -> str:
+    """A key as it is; one with an equals sign would be read as another key with the start of a value."""
+    if isinstance(key, str) and key.isprintable() and not {"=", " "} & set(key):
+        return key
+    raise DesignError(f'{brief(repr(key), 60)} is no key; write it as in the design file, such as "cam.thickness_mm"')
+
+
+def _writable(text: str) -> bool:
+    return not any("\ud800" <= sign <= "\udfff" for sign in text)
 
 
 def _toml(key: str, value: Any) -> str:
@@ -37,6 +49,8 @@ def _toml(key: str, value: Any) -> str:
     if isinstance(value, Real):
         return repr(float(value))
     if isinstance(value, str):
+        if not _writable(value):
+            raise DesignError(f"{brief(key)} is given {brief(repr(value), 60)}, which is no text in UTF-8; correct it")
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, Mapping):
         inside = ", ".join(f"{json.dumps(str(name))} = {_toml(key, part)}" for name, part in value.items())

@@ -35,7 +35,7 @@ class Pool(Protocol):
         """The function's results in order, computed anywhere."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Simulation:
     """Runs of the car with play in its gears: what `Design.simulate` gives.
 
@@ -44,6 +44,9 @@ class Simulation:
     """
 
     computed: simulations.Simulation
+
+    def __repr__(self) -> str:
+        return f"<Simulation of {self.cam.design.name}, {self.cam.profile} profile>"
 
     @cached_property
     def cam(self) -> Cam:
@@ -109,7 +112,7 @@ class Simulation:
         return Written.of(place, written.part, written.entry)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Comparison:
     """The methods against play, alone and combined: what `Design.optimize` gives.
 
@@ -120,6 +123,9 @@ class Comparison:
 
     cam: Cam
     remedies: tuple[Remedy, ...]
+
+    def __repr__(self) -> str:
+        return f"<Comparison for {self.cam.design.name}, {len(self.compared)} compared, best {self.cam.profile}>"
 
     @property
     def compared(self) -> tuple[Evaluation, ...]:
@@ -141,7 +147,7 @@ class Comparison:
         return Written.of(place, written.part, written.entry)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class ToleranceRun:
     """Many cars within the tolerances of a design: what `Design.tolerance` gives.
 
@@ -150,6 +156,9 @@ class ToleranceRun:
     """
 
     computed: tolerances.ToleranceRun
+
+    def __repr__(self) -> str:
+        return f"<ToleranceRun of {self.cam.design.name}, {len(self.ends.heading)} cars, {self.passed:.1%} pass>"
 
     @cached_property
     def cam(self) -> Cam:

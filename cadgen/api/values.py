@@ -1,8 +1,10 @@
 """Numbers and words that a caller gives, refused in one sentence that names them and says what is allowed."""
 
-from collections.abc import Sequence
-from math import inf, isfinite
+from collections.abc import Iterable, Sequence
+from math import inf, isfinite, nan
 from numbers import Integral, Real
+from os import PathLike
+from pathlib import Path
 
 from cadgen.errors import DesignError, brief
 
@@ -19,7 +21,10 @@ def real(name: str, value: object, least: float = -inf, most: float = inf, unit:
     Raises:
         DesignError: it is none.
     """
-    number = float(value) if isinstance(value, Real) and not isinstance(value, bool) else float("nan")
+    try:
+        number = float(value) if isinstance(value, Real) and not isinstance(value, bool) else nan
+    except OverflowError:  # a whole number beyond floats
+        number = nan
     if isfinite(number) and least <= number <= most:
         return number
     raise DesignError(f"{name} is {_shown(value)}; it must be a number{_range(least, most)} {unit}".rstrip())
@@ -29,7 +34,9 @@ def whole(name: str, value: object, least: int, most: float = inf) -> int:
     """A whole number of a range; arguments and errors as of `real`."""
     if isinstance(value, Integral) and not isinstance(value, bool) and least <= int(value) <= most:
         return int(value)
-    raise DesignError(f"{name} is {_shown(value)}; it must be a whole number{_range(least, most)}")
+    # `1e4` shown as 10000 would look like the whole number that it must be.
+    shown = repr(float(value)) if isinstance(value, float) else _shown(value)
+    raise DesignError(f"{name} is {shown}; it must be a whole number{_range(least, most)}")
 
 
 def word(name: str, value: object, allowed: Sequence[str]) -> str:
@@ -48,13 +55,64 @@ def word(name: str, value: object, allowed: Sequence[str]) -> str:
     raise DesignError(f"{name} is {_shown(value)}; it must be one of {', '.join(allowed)}")
 
 
+def optional(name: str, value: object, least: float = -inf, most: float = inf, unit: str = "") -> float | None:
+    """None, or a number; arguments and errors as of `real`."""
+    return None if value is None else real(name, value, least, most, unit)
+
+
+def several(name: str, value: Iterable[float | None], count: int) -> list[float | None]:
+    """One value a stage.
+
+    Args:
+        name: of the argument.
+        value: as given.
+        count: of stages.
+
+    Raises:
+        DesignError: it cannot be counted up, or is of another length.
+    """
+    try:
+        values = list(value)
+    except TypeError:
+        raise DesignError(f"{name} is {_shown(value)}; it must have {count} angles, one a stage") from None
+    if len(values) != count:
+        raise DesignError(f"{name} has {len(values)} angles; it must have {count}, one a stage")
+    return values
+
+
+def plain_text(name: str, value: object) -> str:
+    """A text.
+
+    Args:
+        name: of the argument.
+        value: as given.
+
+    Raises:
+        DesignError: it is none.
+    """
+    if isinstance(value, str):
+        return value
+    raise DesignError(f"{name} is {_shown(value)}; it must be a text")
+
+
+def name_or_path(name: str, value: str | PathLike[str] | None) -> str | Path | None:
+    """The name of a packaged design, the path of a file, or None; arguments and errors as of `plain_text`."""
+    try:
+        return value if value is None or isinstance(value, str) else Path(value)
+    except TypeError:
+        raise DesignError(f"{name} is {_shown(value)}; it must be the name of a design or the path of a file") from None
+
+
 def _range(least: float, most: float) -> str:
     if least == -inf and most == inf:
         return ""
     if most == inf:
         return f" of at least {least:g}"
-    return f" from {least:g} to {most:g}"
+    return f" from {least:.10g} to {most:.10g}"
 
 
 def _shown(value: object) -> str:
-    return f"{value:g}" if isinstance(value, float) else brief(repr(value), 60)
+    try:
+        return f"{value:g}" if isinstance(value, float) else brief(repr(value), 60)
+    except ValueError:  # more digits than Python writes
+        return "too large"

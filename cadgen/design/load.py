@@ -1,5 +1,6 @@
 """A design by name or file, with overrides, checked."""
 
+import os
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -102,7 +103,9 @@ def design_file(source: str | Path | None = None) -> Path:
     packaged = packaged_designs()
     if source in packaged:
         return packaged[source]
-    here = next((name for name in (source, f"{source}.toml") if Path(name).is_file()), None)
+    here = next(
+        (name for name in (source, f"{source}.toml") if os.path.isfile(name)), None
+    )  # False for what no system has
     hint = f"the file in this folder is ./{here}" if here else "give a file by its path, such as ./my_car.toml"
     names = listed(list(packaged), "and")
     raise DesignError(f'there is no packaged design "{brief(source)}": the packaged ones are {names}; {hint}')

@@ -22,6 +22,8 @@ def chosen(wanted: str | Iterable[str] | None, offered: Sequence[str]) -> tuple[
     """
     if wanted is None:
         return tuple(offered)
+    if isinstance(wanted, bytes) or not isinstance(wanted, Iterable):
+        raise DesignError(f"formats is {brief(repr(wanted), 40)}; it must name {listed(list(offered), 'or')}")
     parts = wanted.split(",") if isinstance(wanted, str) else [str(part) for part in wanted]
     endings = [part.strip().lower().removeprefix(".") for part in parts]
     for ending in endings:

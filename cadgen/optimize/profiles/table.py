@@ -59,7 +59,7 @@ def profile_of(code: str) -> Profile:
     Raises:
         DesignError: there is none.
     """
-    if code not in _PROFILES:
+    if not isinstance(code, str) or code not in _PROFILES:
         raise DesignError(f'there is no profile "{code}": choose one of {", ".join(_PROFILES)}')
     return _PROFILES[code]
 
