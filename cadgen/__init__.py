@@ -42,10 +42,14 @@ from cadgen.version import __version__
 
 # Where each public name lives. It is imported when it is first asked for: `import cadgen` alone costs next to nothing.
 _HOMES = {
+    "CadgenError": "errors",
     "Calibration": "api.design",
     "Cam": "api.cam",
+    "CheckError": "errors",
     "Comparison": "api.runs",
     "Design": "api.design",
+    "DesignError": "errors",
+    "FileError": "errors",
     "Gear": "api.gear",
     "GearPair": "api.gears",
     "GearTrain": "api.gears",
@@ -73,13 +77,18 @@ if TYPE_CHECKING:
     from cadgen.api.gears import GearPair, GearTrain, Train
     from cadgen.api.measured import Measured
     from cadgen.api.runs import Comparison, Simulation, ToleranceRun
+    from cadgen.errors import CadgenError, CheckError, DesignError, FileError
     from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 __all__ = [
+    "CadgenError",
     "Calibration",
     "Cam",
+    "CheckError",
     "Comparison",
     "Design",
+    "DesignError",
+    "FileError",
     "Gear",
     "GearPair",
     "GearTrain",

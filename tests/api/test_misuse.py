@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import cadgen
 from cadgen import Design, Gear, GearPair, Measured, Train, verify
 from cadgen.api.files import Written
 from cadgen.errors import DesignError, FileError
@@ -78,6 +79,15 @@ def test_objects_are_shown_in_a_line_and_can_be_compared(car):
     assert cam == cam
     assert cam != car.cam(profile="actual")
     assert len({cam, cam}) == 1
+
+
+def test_errors_are_caught_by_the_package_s_own_names():
+    """`import cadgen` alone has no `cadgen.errors` yet."""
+    with pytest.raises(cadgen.CadgenError):
+        Design.load("no_such_car")
+    for name in ("CheckError", "DesignError", "FileError"):
+        assert name in cadgen.__all__
+        assert issubclass(getattr(cadgen, name), cadgen.CadgenError)
 
 
 def test_what_was_written_can_be_copied_and_sent_to_another_process(tmp_path):
