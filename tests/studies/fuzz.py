@@ -38,7 +38,7 @@ LONGEST_LINE, MOST_LINES = 900, 7
 PROFILES = codes()
 # Loaded before the first fork.
 MODULES = {
-    "calibrate": ("cadgen.workflow.calibration.plan", "cadgen.workflow.calibration.files", "cadgen.cli.show_calibrate"),
+    "calibrate": ("cadgen.workflow.calibration.plan", "cadgen.workflow.calibration.files"),
     "cam": ("cadgen.workflow.cam.files", "cadgen.solids.kernel"),
     "check": (),
     "gears": ("cadgen.workflow.gears.plan", "cadgen.workflow.gears.files", "cadgen.solids.kernel"),

@@ -14,6 +14,7 @@ from cadgen.errors import DesignError
 from cadgen.gears.backlash import teeth_of
 from cadgen.gears.search import search_trains
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM
+from cadgen.workflow.gears import made
 from cadgen.workflow.gears import plan as workflow
 from cadgen.workflow.gears.facts import plan_facts
 from cadgen.workflow.gears.plan import NotMadeError, plan_gears
@@ -183,7 +184,7 @@ def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(mo
         wrong = layout.train.stages[0].driver.form.teeth in failing
         return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, "max"),)
 
-    monkeypatch.setattr("cadgen.workflow.gears.plan.gear_checks", judge)
+    monkeypatch.setattr("cadgen.workflow.gears.made.gear_checks", judge)
     design = load_design()
     best = plan_gears(design, "reordered")
     assert (best.play, best.skipped, best.passed) == (best.ranked[0], (), True)
@@ -357,7 +358,7 @@ def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
     def failing(layout, plays):
         return [n for n, pair in enumerate(layout.train.stages) if pair.driven.form.teeth > 140]
 
-    monkeypatch.setattr(workflow, "gear_checks", judge)
+    monkeypatch.setattr(made, "gear_checks", judge)
     monkeypatch.setattr(workflow, "failing_stages", failing)
     plan = plan_gears(load_design(None, ["train.search.keep=3"]), "search")
     assert plan.passed

@@ -192,8 +192,8 @@ def test_smoothing_fails_the_lift_check_and_is_made_without_it():
 
 def test_a_design_without_play_has_the_actual_profile_and_says_what_the_others_need():
     bare = load_design("carbon_free_car", ["train="])
-    assert default_profile(bare) == "actual"
-    assert default_profile(load_design("carbon_free_car")) == "optimized"
+    assert default_profile(bare).code == "actual"
+    assert default_profile(load_design("carbon_free_car")).code == "optimized"
     with pytest.raises(DesignError, match=r"says nothing of the gears' play.*add \[train\].*or \[play\]"):
         plan_cam(bare, "optimized")
     assert plan_cam(bare).profile is ACTUAL
