@@ -285,7 +285,7 @@ class Design:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Calibration:
-    """What measured data say of a car: what `Design.calibrate` gives.
+    """Result of `Design.calibrate`: the effects found in measured data of one car, and the design built from them.
 
     Attributes:
         computed: the whole result, for figures that are not named here.
@@ -364,7 +364,7 @@ class Calibration:
 
 @dataclass(frozen=True)
 class Calibrations:
-    """What each of several data says by itself: what `Design.calibrate_each` gives.
+    """Result of `Design.calibrate_each`: a verdict on each measured file, judged alone.
 
     Attributes:
         each: one for each of the data, in their order.

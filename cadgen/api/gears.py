@@ -4,6 +4,7 @@ Lengths are mm and angles rad. The teeth are those of `cadgen gears`: exact invo
 is compared with when it is read back.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import KW_ONLY, dataclass
 from fractions import Fraction
@@ -54,13 +55,13 @@ class ReturnError:
     greatest: float
 
 
-class Assembly:
+class Assembly(ABC):
     """What a planned train gives, whether it comes from a design or from numbers."""
 
     @property
+    @abstractmethod
     def computed(self) -> "GearsPlan | TrainPlan":
         """The numeric plan."""
-        raise NotImplementedError
 
     @property
     def checks(self) -> tuple[Check, ...]:

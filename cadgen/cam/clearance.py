@@ -95,7 +95,7 @@ def thinnest_wall(blank: Blank, outline: Outline, limit: float) -> Check:
 
 
 def cutter_room(curve: ClosedCurve, cutter_radius: float) -> Check:
-    """The largest cutter that reaches every place of the profile, against the one that will cut it, mm."""
+    """Diameter of the largest cutter that can mill the whole profile, mm; the limit is the design's own cutter."""
     cutter = largest_cutter(curve)
     return Check(
         CheckCode.CUTTER_RADIUS,

@@ -32,7 +32,7 @@ class Method(Enum):
 
 
 class Knowledge(Enum):
-    """What one kind of data says that others are judged with."""
+    """Results of one kind of data that are taken as known when the other kinds are judged."""
 
     DISC = "effects on the disc"
     PLAY = "return error"

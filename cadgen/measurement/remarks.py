@@ -1,4 +1,4 @@
-"""What the comment lines of measured files say of design, instrument and part."""
+"""Comment lines of measured files: the design, instrument and part that they name."""
 
 import re
 from dataclasses import dataclass

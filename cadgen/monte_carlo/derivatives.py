@@ -16,8 +16,8 @@ where dx, dy and dw are how far the point itself is displaced:
 - a **taper** of the cut makes one face larger along its normal, and the other smaller, by half of it;
 - **heat** scales the disc about the shaft, and the frame, which holds camshaft and fork apart.
 
-Near zero steering the two edges of the rim lift the rod almost equally. A taper or a wobble can then raise the edge
-that does not carry the nominal rod above the one that does (`OtherEdge`).
+Near zero steering the two edges of the rim lift the rod almost equally. A taper or a wobble can then make
+the other edge carry the rod, instead of the edge that carries it on the nominal disc (`OtherEdge`).
 """
 
 from dataclasses import dataclass, replace

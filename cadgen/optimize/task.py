@@ -105,7 +105,7 @@ class TrainTask:
         return self.window_of(self.task.lift)
 
     def window_of(self, lift: LiftCurve) -> float:
-        """The measured play, or else the one that makes the worst end of the run over the band least, rad.
+        """The measured play or, where none is measured, the window with the least worst end of run over the band, rad.
 
         With friction it is the window of the dilation that does so over plays and frictions, also for a measured play.
 

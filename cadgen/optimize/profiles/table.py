@@ -17,7 +17,7 @@ _PROFILES: dict[str, Profile] = {}
 
 
 def register(profile: Profile) -> None:
-    """Make a profile known by its code.
+    """Add a profile to the table, under its code.
 
     Raises:
         DesignError: the code is taken, or cannot stand in the name of a file.

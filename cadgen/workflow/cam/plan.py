@@ -190,7 +190,7 @@ def _measured_cam(design: Design) -> MeasuredCam | None:
 
 
 def replanned_checks(plan: CamPlan, design: Design) -> tuple[Check, ...]:
-    """The checks of the same profile of another design; against play of the one that was chosen, without a choice.
+    """Checks of the plan's profile for a changed design; against play the method already chosen is kept.
 
     Raises:
         DesignError: as `plan_cam`.

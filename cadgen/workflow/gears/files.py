@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -108,31 +109,57 @@ def write_train(
         DesignError: there is no such format.
         FileError: a file cannot be written, or what was read back is not what was meant.
     """
-    wanted = chosen(formats, TRAIN_FORMATS)
+    makers = {ending: (label, partial(make, plan, plan.stem)) for ending, (label, make) in _MAKERS.items()}
+    return publish(f"{plan.stem}_train", facts, FRAME, makers, chosen(formats, TRAIN_FORMATS), out, step)
+
+
+def publish(
+    part: str,
+    facts: dict[str, Any],
+    frame: str,
+    makers: Mapping[str, tuple[str, Callable[[Path], Iterator[Result]]]],
+    wanted: Sequence[str],
+    out: Path,
+    step: Step,
+) -> Written:
+    """Make the wanted files of a gear or a train, and publish them with their entry in the manifest.
+
+    Args:
+        part: name of the entry of all formats.
+        facts: everything that is known of the part, as plain values.
+        frame: where the part lies in its files, a sentence.
+        makers: for each ending a label, and what writes files into a folder, reads them back and yields their facts.
+        wanted: endings among those.
+        out: the folder; nothing appears in it unless everything succeeded.
+        step: told what is being done.
+
+    Raises:
+        FileError: a file cannot be written, or what was read back is not what was meant.
+    """
     with publishing(out) as staging:
         files: dict[str, dict[str, Any]] = {}
         for ending in wanted:
-            label, make = _MAKERS[ending]
+            label, make = makers[ending]
             step(f"writing and reading back {label}")
-            for name, of_file in make(plan, staging, plan.stem):
+            for name, of_file in make(staging):
                 files[name] = {**file_facts(staging / name), **of_file}
         entry = {
             **facts,
-            **entry_formats(wanted, TRAIN_FORMATS),
-            "frame": FRAME,
+            **entry_formats(tuple(wanted), tuple(makers)),
+            "frame": frame,
             "versions": versions(),
             "omitted": {},
             "files": files,
         }
-        part = entry_name(f"{plan.stem}_train", wanted, TRAIN_FORMATS)
-        write_manifest(staging, part, entry)
-    return Written(part, entry)
+        entry_of = entry_name(part, tuple(wanted), tuple(makers))
+        write_manifest(staging, entry_of, entry)
+    return Written(entry_of, entry)
 
 
 Result = tuple[str, dict[str, Any]]
 
 
-def _step_files(plan: PlannedTrain, staging: Path, stem: str) -> Iterator[Result]:
+def _step_files(plan: PlannedTrain, stem: str, staging: Path) -> Iterator[Result]:
     """The assembly through the kernel, each part through its own text, which must be that of the assembly's solid."""
     from cadgen.solids.train import assembly_bytes, read_assembly, train_parts
 
@@ -224,7 +251,7 @@ def _in_mesh(plan: PlannedTrain, name: str, sections: list[tuple[Section, ...]])
     }
 
 
-def _stl_files(plan: PlannedTrain, staging: Path, stem: str) -> Iterator[Result]:
+def _stl_files(plan: PlannedTrain, stem: str, staging: Path) -> Iterator[Result]:
     for part in plan.layout.parts:
         yield write_stl(part, staging, f"{stem}_{part.name}", plan.chord(part.gears))
 
@@ -260,7 +287,7 @@ def _stl_facts(name: str, again: Mesh, part: TrainPart, chord: float) -> dict[st
     }
 
 
-def _tables(plan: PlannedTrain, staging: Path, stem: str) -> Iterator[Result]:
+def _tables(plan: PlannedTrain, stem: str, staging: Path) -> Iterator[Result]:
     rows = table_of(plan)
     name = f"{stem}_parts.csv"
     text = io.StringIO(newline="")
@@ -302,7 +329,7 @@ def _require(holds: bool, name: str, what: str) -> None:
 
 
 # The endings of the files -> what is said while they are written, and what makes them.
-_MAKERS: dict[str, tuple[str, Callable[[PlannedTrain, Path, str], Iterator[Result]]]] = {
+_MAKERS: dict[str, tuple[str, Callable[[PlannedTrain, str, Path], Iterator[Result]]]] = {
     "step": ("STEP", _step_files),
     "stl": ("STL", _stl_files),
     "csv": ("tables", _tables),

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from cadgen.build.gear_model import usual_chord
 from cadgen.check import Check
 from cadgen.errors import FileError
-from cadgen.export.folder import publishing
-from cadgen.export.formats import GEAR_FORMATS, chosen, entry_formats, entry_name
-from cadgen.export.manifest import Written, file_facts, versions, write_manifest
+from cadgen.export.formats import GEAR_FORMATS, chosen
+from cadgen.export.manifest import Written
 from cadgen.gears.backlash import TrainPlay, train_play
 from cadgen.gears.blank import gear_body
 from cadgen.gears.inspection import Inspection, inspection_of
@@ -23,7 +22,7 @@ from cadgen.gears.train import Train
 from cadgen.parts.blank import Blank
 from cadgen.workflow.cam.plan import Step
 from cadgen.workflow.gears.facts import checks_facts, form_facts, parts_facts, return_error, stages_facts
-from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, tooth_errors, write_stl
+from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, publish, tooth_errors, write_stl
 from cadgen.workflow.gears.made import Made, make
 
 if TYPE_CHECKING:
@@ -174,25 +173,12 @@ def write_gear(
         DesignError: there is no such format.
         FileError: a file cannot be written, or what was read back is not what was meant.
     """
+    makers = {
+        "step": ("STEP", partial(_step_file, part, name)),
+        "stl": ("STL", partial(_stl_file, part, name)),
+    }
     wanted = chosen(formats, GEAR_FORMATS)
-    with publishing(out) as staging:
-        files = {}
-        for ending in wanted:
-            step(f"writing and reading back {ending.upper()}")
-            written = _step_file(part, name, staging) if ending == "step" else _stl_file(part, name, staging)
-            for file, facts in written:
-                files[file] = {**file_facts(staging / file), **facts}
-        entry = {
-            **gear_facts(part, name),
-            **entry_formats(wanted, GEAR_FORMATS),
-            "frame": _FRAME,
-            "versions": versions(),
-            "omitted": {},
-            "files": files,
-        }
-        entry_of = entry_name(f"{name}_gear", wanted, GEAR_FORMATS)
-        write_manifest(staging, entry_of, entry)
-    return Written(entry_of, entry)
+    return publish(f"{name}_gear", gear_facts(part, name), _FRAME, makers, wanted, out, step)
 
 
 def gear_facts(part: TrainPart, name: str) -> dict[str, Any]:
