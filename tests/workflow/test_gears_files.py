@@ -106,12 +106,12 @@ def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
 def test_the_table_of_parts_has_the_limits_of_every_tooth_and_is_read_back(plan, tmp_path, monkeypatch):
     for row in table_of(plan):
         assert row["E_sni_um"] < row["E_sn_um"] < row["E_sns_um"] < 0
-    list(_tables(plan, tmp_path, "x"))
+    list(_tables(plan, "x", tmp_path))
     assert "E_sns_um,E_sni_um" in (tmp_path / "x_parts.csv").read_text()
     read = Path.read_text
     monkeypatch.setattr(Path, "read_text", lambda self, **kwargs: read(self, **kwargs).replace("150", "151"))
     with pytest.raises(FileError, match=r"x_parts\.csv, read back, has other values"):
-        list(_tables(plan, tmp_path, "x"))
+        list(_tables(plan, "x", tmp_path))
 
 
 @pytest.mark.parametrize("module", [0.2, 0.3, 1.0, 5.0])
