@@ -73,8 +73,8 @@ class Contact:
 def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tuple[Contact, float]:
     """Roll the rod on an exact curve, in steps halved until the lift no longer changes.
 
-    Only the cam angles that still change are rolled again, so a cam that needs fine steps in one steep place is not
-    sampled finely throughout.
+    Only the cam angles that still change, and those so steep that two steps may agree by chance, are rolled again: a
+    cam that needs fine steps in one steep place is not sampled finely throughout.
 
     Returns:
         The contact, and the finest step that was needed, mm: what is read back from a file needs it too.
@@ -93,8 +93,21 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
         changed = np.abs(finer.lift - contact.lift[pending]) > ROLLING_TOLERANCE
         for name in ("tan_beta", "lift", "face", "margin", "across", "pressure_angle"):
             getattr(contact, name)[pending] = getattr(finer, name)
-        pending = pending[changed]
+        pending = pending[changed | (_left(step, follower, finer.pressure_angle) > ROLLING_TOLERANCE)]
     return contact, step
+
+
+def _left(step: float, follower: Follower, pressure_angle: Array) -> Array:
+    """The lift error that the parabola through points of an outline may leave, mm.
+
+    The rod's half-height h = sqrt(r^2 - y^2) has the third derivative -3 r^2 y / h^5, and a step along the outline is
+    step cos(alpha) across the rod, so the error goes with step^3 sin(alpha) / (r cos(alpha))^2. The factor was
+    measured on flanks of 74 to 76 degrees: 0.9 on fine steps, 1.5 on coarse ones.
+    """
+    if follower.radius == 0:
+        return np.zeros_like(pressure_angle)
+    width = follower.radius * np.cos(pressure_angle)
+    return np.asarray(1.5 * step**3 * np.abs(np.sin(pressure_angle)) / np.maximum(width, 1e-9) ** 2)
 
 
 def rolling_step(curve: ClosedCurve, follower: Follower, coarsest: float = COARSEST_STEP) -> float:

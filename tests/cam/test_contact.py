@@ -1,12 +1,14 @@
 """Rolling: against closed forms, against brute force, its order, and then as the judge of the envelope."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
-from cadgen.cam.contact import roll
+from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.follower import Follower
 from cadgen.cam.theoretical import theoretical_profile
-from cadgen.curves.closed import Outline
+from cadgen.curves.closed import ClosedCurve, Jet, Outline
 from cadgen.errors import DesignError
 
 TURN = 2 * np.pi
@@ -49,6 +51,36 @@ def test_the_parabola_makes_rolling_third_order_or_better():
     order = np.log2(errors[0] / errors[1])
     print(f"order {order:.2f}; {errors[1] * 1e3:.5f} um at {TURN * 60 / 1200:.2f} mm")
     assert order > 2.7
+
+
+@dataclass(frozen=True)
+class Eccentric:
+    """A circle about a point beside the camshaft, by its own angle."""
+
+    radius: float
+    off: float
+    start: float = 0.0
+    stop: float = TURN
+
+    def jet(self, t):
+        c, s = np.cos(t), np.sin(t)
+        point = np.stack([self.off + self.radius * c, self.radius * s], axis=1)
+        return Jet(point, self.radius * np.stack([-s, c], axis=1), np.full(len(t), 1 / self.radius))
+
+
+@pytest.mark.parametrize("off", [10.0, 18.0, 19.5, 19.9])
+@pytest.mark.parametrize("rod", [0.3, 1.25, 4.0])
+def test_steep_flanks_are_rolled_until_nothing_is_left(off, rod):
+    """A textbook eccentric at pressure angles up to 80 degrees: steps that agree by chance do not end the rolling."""
+    far = Follower(base_radius=20.0, inner=1e7, outer=1e7 + 1, radius=rod)
+    theta = np.linspace(0, TURN, 3600, endpoint=False)
+    contact, step = roll_curve(ClosedCurve((Eccentric(20.0, off),)), far, theta)
+    reach = 20.0 + rod
+    exact = off * np.cos(theta) + np.sqrt(reach**2 - off**2 * np.sin(theta) ** 2) - 20.0
+    error = np.abs(contact.lift - exact).max() * 1e3
+    steepest = np.degrees(np.arcsin(off / reach))
+    print(f"rod {rod} mm, up to {steepest:.1f} degrees: {error:.4f} um at steps down to {step:.4f} mm")
+    assert error < 0.005
 
 
 def test_brute_force_in_space(carbon_free_car):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from cadgen.cam.checks import LOST_LIFT
@@ -48,7 +48,24 @@ def planned(overrides):
         return None, str(error)
 
 
+# Flanks of 76 degrees, on which two steps of the rolling once agreed by chance 0.26 um too high.
+STEEP = [
+    "path.waypoints_mm=[[7700.0, 763.0], [5950.0, 500.0], [4231.0, 250.0], [3380.0, 620.5], [2925.0, 1795.0], "
+    "[2610.0, 2630.5], [800.0, 3030.0], [700.0, 4350.0], [1670.0, 6001.0], [2385.625, 7023.0], [4000.0, 7614.0], "
+    "[6704.79, 7419.0]]",
+    "path.spline=quintic",
+    "cam.base_radius_mm=45.0",
+    "cam.mid_plane_mm=",
+    "cam.inner_face_mm=33.0",
+    "cam.thickness_mm=0.5",
+    "cam.blend_deg=2.0",
+    "follower.radius_mm=1.25",
+    "blank.lightening=",
+]
+
+
 @pytest.mark.slow
+@example(STEEP)
 @settings(max_examples=25, deadline=None)
 @given(designs())
 def test_only_what_is_wrong_with_the_design_fails(overrides):
