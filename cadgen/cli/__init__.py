@@ -28,6 +28,9 @@ from typing import NoReturn
 
 import click
 
+# Before numpy is loaded: threads that wait for each other over small matrices cost more than they bring.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 from cadgen.cli import interrupt, output
 from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam

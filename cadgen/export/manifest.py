@@ -5,7 +5,6 @@ import json
 import stat
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +54,8 @@ def file_facts(file: Path) -> dict[str, Any]:
 
 def versions() -> dict[str, str]:
     """This program's version and those of the libraries that make and read the files."""
+    from importlib.metadata import PackageNotFoundError, version  # a twentieth of a second that most commands save
+
     found = {"cadgen": __version__}
     for name in _LIBRARIES:
         try:
