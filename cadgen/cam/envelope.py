@@ -88,7 +88,8 @@ class EnvelopePiece:
         speed = (ahead * -As + aside * rc) / np.sqrt(size2)
         with np.errstate(divide="ignore"):
             curvature = turn / speed
-        return Jet(_turned(p, q, t), _turned(ahead, aside, t), curvature)
+        ray = np.cos(t), np.sin(t)
+        return Jet(_turned(p, q, ray), _turned(ahead, aside, ray), curvature)
 
     def advance(self, theta: Array) -> Array:
         """Rate of the tangential travel along the envelope, mm/rad; negative on a swallowtail."""
@@ -117,10 +118,10 @@ class RodArc:
         """Point, velocity by t, and curvature (negative: the disc is hollow here)."""
         A, r = self.half_width, self.follower.radius
         c, s = np.cos(t), np.sin(t)
-        theta = np.full(len(t), self.theta)
+        ray = np.cos(self.theta), np.sin(self.theta)
         return Jet(
-            _turned(self.distance - A * c, r * s, theta),
-            _turned(A * s, r * c, theta),
+            _turned(self.distance - A * c, r * s, ray),
+            _turned(A * s, r * c, ray),
             -A * r / (A**2 * s**2 + r**2 * c**2) ** 1.5,
         )
 
@@ -391,7 +392,7 @@ def _travel(branch: Branch) -> float:
     return float(angles[-1] - angles[0])
 
 
-def _turned(radial: Array, around: Array, theta: Array) -> Array:
-    """Components along and across the ray, as points of the cam frame."""
-    c, s = np.cos(theta), np.sin(theta)
+def _turned(radial: Array, around: Array, ray: tuple[Array, Array]) -> Array:
+    """Components along and across rays, given by cosine and sine, as points of the cam frame, shape (n, 2)."""
+    c, s = ray
     return np.stack([radial * c - around * s, radial * s + around * c], axis=1)
