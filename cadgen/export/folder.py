@@ -4,7 +4,7 @@ A run writes into a staging folder of its own inside the output folder. When all
 folder's lock and moves its files into place, in an order in which the folder's manifest is true after every step:
 
 1. a record of what is to be moved, with a copy of the manifest as it was, appears in the staging folder;
-2. the manifest without the parts that are about to be replaced takes the manifest's place;
+2. the manifest without the files that are about to be replaced takes the manifest's place;
 3. file by file, what was there is moved into the staging folder, and the new one into its place;
 4. the new manifest takes the manifest's place. From here on the run is done.
 
@@ -201,13 +201,12 @@ def _publish(staging: Path, out: Path) -> None:
     for name in (*files, MANIFEST):
         if (out / name).is_dir() and not (out / name).is_symlink():
             raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another --out")
-    kept = {
-        name: entry
-        for name, entry in sound_parts(out / MANIFEST).items()
-        if name not in new
-        and not set(entry["files"]) & set(files)
-        and all(unchanged(out / file, facts) for file, facts in entry["files"].items())
-    }
+    kept = {}
+    for name, entry in sound_parts(out / MANIFEST).items():
+        # An earlier entry stays for those of its files that are not replaced.
+        staying = {file: facts for file, facts in entry["files"].items() if file not in files}
+        if name not in new and staying and all(unchanged(out / file, facts) for file, facts in staying.items()):
+            kept[name] = {**entry, "files": staying}
     _prepare(staging, out, files, manifest_text(kept))
     _write(staging / MANIFEST, manifest_text({**kept, **new}))
     (staging / _PREPARED).rename(staging / _REPLACED)
