@@ -54,8 +54,6 @@ def calibrate(
     columns say which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument if
     it names a packaged design or ends in .toml.
     """
-    # Threads that wait for each other over small matrices cost more than they bring.
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from cadgen.api.design import Calibration, Calibrations, Design
     from cadgen.cli import show
     from cadgen.design.load import packaged_designs
