@@ -27,6 +27,7 @@ from dataclasses import dataclass
 from math import radians
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
@@ -162,26 +163,23 @@ class Mechanics:
         def surplus(theta: Array) -> Array:
             return self.torque(lift, theta) - drag
 
-        stretches = []
-        for peak, valley in pairs.tolist():
-            theta = np.linspace(peak, valley, int((valley - peak) / _STEP) + 9)
-            ahead = surplus(theta[1:-1]) > 0  # at its ends the lift is level, but for a kink on the other side
-            ahead = np.concatenate([[False], ahead, [False]])
-            flips = np.flatnonzero(ahead[1:] != ahead[:-1])
-            if not flips.size:
-                continue
-            # Each change of sign is looked at again between its two stations.
-            fine = theta[flips, None] + (theta[flips + 1] - theta[flips])[:, None] * np.linspace(0, 1, _ZOOM + 1)
-            value = surplus(fine)
-            changed = (value[:, 1:] > 0) != (value[:, :-1] > 0)
-            rows, cell = np.arange(len(flips)), np.argmax(changed, axis=1)
-            low, high = value[rows, cell], value[rows, cell + 1]
-            share = np.clip(low / np.where(low == high, 1.0, low - high), 0.0, 1.0)
-            place = fine[rows, cell] + (fine[rows, cell + 1] - fine[rows, cell]) * share
-            # Next to a peak or valley no change may show: the stretch then reaches up to it.
-            place = np.where(changed.any(axis=1), place, np.where(ahead[flips], fine[:, -1], fine[:, 0]))
-            stretches.append(place.reshape(-1, 2))
-        found = np.concatenate(stretches) if stretches else np.empty((0, 2))
+        if not len(pairs):
+            return pairs
+        theta, first = _stations(pairs)
+        ahead = surplus(theta) > 0
+        ahead[first] = ahead[first - 1] = False  # at a fall's ends the lift is level, but for a kink on the other side
+        flips = np.flatnonzero(ahead[1:] != ahead[:-1])
+        # Each change of sign is looked at again between its two stations.
+        fine = theta[flips, None] + (theta[flips + 1] - theta[flips])[:, None] * np.linspace(0, 1, _ZOOM + 1)
+        value = surplus(fine)
+        changed = (value[:, 1:] > 0) != (value[:, :-1] > 0)
+        rows, cell = np.arange(len(flips)), np.argmax(changed, axis=1)
+        low, high = value[rows, cell], value[rows, cell + 1]
+        share = np.clip(low / np.where(low == high, 1.0, low - high), 0.0, 1.0)
+        place = fine[rows, cell] + (fine[rows, cell + 1] - fine[rows, cell]) * share
+        # Next to a peak or valley no change may show: the stretch then reaches up to it.
+        place = np.where(changed.any(axis=1), place, np.where(ahead[flips], fine[:, -1], fine[:, 0]))
+        found = place.reshape(-1, 2)
         fallen = lift.tan_beta(found[:, 0]) - lift.tan_beta(found[:, 1])
         return _in_order(found[fallen >= least])
 
@@ -282,6 +280,16 @@ class MechanicsBand:
     def _across(self, count: int) -> tuple[Mechanics, ...]:
         frictions = np.linspace(*self.friction, count)
         return tuple(self.at(float(friction), drag) for drag in dict.fromkeys(self.drag) for friction in frictions)
+
+
+def _stations(pairs: Array) -> tuple[Array, NDArray[np.intp]]:
+    """Evenly spaced cam angles from the start to the end of each fall, in a row, and the place of each fall's first."""
+    counts = ((pairs[:, 1] - pairs[:, 0]) / _STEP).astype(np.intp) + 9
+    first = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    place = np.arange(counts.sum()) - np.repeat(first, counts)
+    theta = place * np.repeat((pairs[:, 1] - pairs[:, 0]) / (counts - 1), counts) + np.repeat(pairs[:, 0], counts)
+    theta[first + counts - 1] = pairs[:, 1]
+    return theta, first
 
 
 def _in_order(stretches: Array) -> Array:

@@ -125,9 +125,12 @@ def _without_small_swings(height: Array, least: float) -> NDArray[np.intp]:
 def _without_level(pairs: Array, level: Array) -> Array:
     """Falls less their level stretches; both of shape (n, 2), rad."""
     for begin, end in level:
-        left = []
-        for peak, valley in pairs:
-            # The stretch as it lies from the peak on, perhaps begun before it.
+        # The stretch as it lies from each peak on, perhaps begun before it.
+        ahead = (begin - pairs[:, 0]) % TURN
+        long = pairs[:, 1] - pairs[:, 0]
+        meets = (ahead < long) | (ahead + (end - begin) - TURN > 0)
+        left = [pairs[~meets]]
+        for peak, valley in pairs[meets].tolist():
             start = peak + (begin - peak) % TURN
             spans = [(start, start + end - begin), (start - TURN, start - TURN + end - begin)]
             parts = [(peak, valley)]
@@ -138,8 +141,8 @@ def _without_level(pairs: Array, level: Array) -> Array:
                     for part in ([(p, v)] if b <= p or a >= v else [(p, min(a, v)), (max(b, p), v)])
                     if part[1] > part[0]
                 ]
-            left += parts
-        pairs = np.array(left).reshape(-1, 2)
+            left.append(np.array(parts).reshape(-1, 2))
+        pairs = np.concatenate(left)
     return pairs
 
 

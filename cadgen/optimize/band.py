@@ -276,16 +276,28 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
 def _events(lift: LiftCurve, play: float) -> Array:
     """Where the lift falls once the dips narrower than a play are filled, shape (k, 2), rad."""
     events = falls(lift)
-    while any(whole := [dip.whole for dip in lost_dips(lift, play, events)]) and len(events) > 1:
+    while len(events) > 1 and (filled := _apart([dip.whole for dip in lost_dips(lift, play, events)])):
         # A filled dip takes the lower of its two peaks with it.
-        number = whole.index(True)
-        after = (number + 1) % len(events)
-        first, second = lift.tan_beta(events[[number, after], 0])
-        turn = TURN if after == 0 else 0.0
-        joined = (events[number, 0], events[after, 1] + turn) if first >= second else events[after]
-        events = np.delete(np.where(np.arange(len(events))[:, None] == after, joined, events), number, axis=0)
+        after = (np.array(filled) + 1) % len(events)
+        first, second = lift.tan_beta(events[filled, 0]), lift.tan_beta(events[after, 0])
+        stop = events[after, 1] + np.where(after == 0, TURN, 0.0)
+        joined = np.stack([events[filled, 0], stop], axis=1)
+        events[after] = np.where((first >= second)[:, None], joined, events[after])
+        events = np.delete(events, filled, axis=0)
         events = events[np.argsort(events[:, 0])]
     return events
+
+
+def _apart(whole: Sequence[bool]) -> list[int]:
+    """Numbers of filled dips of which none is beside another: that one has other peaks once its neighbour is gone."""
+    chosen: list[int] = []
+    taken: set[int] = set()
+    for number in np.flatnonzero(whole).tolist():
+        beside = {number, (number + 1) % len(whole)}
+        if not beside & taken:
+            chosen.append(number)
+            taken |= beside
+    return chosen
 
 
 def _checked(band: tuple[float, float]) -> tuple[float, float]:
