@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cadgen.api.files import Progress, Written, folder_of, refusal, silent
-from cadgen.api.values import whole
+from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
 from cadgen.check import Check
 from cadgen.design.schema import Design as DesignValues
@@ -59,8 +59,11 @@ class Lift:
 
         Returns:
             Lift, mm, of the same shape: positive where the follower stands further out than at steering angle 0.
+
+        Raises:
+            DesignError: an angle is no finite number.
         """
-        angle = np.asarray(cam_angle, dtype=float) % TURN
+        angle = numbers("cam_angle", cam_angle, "rad") % TURN
         return np.asarray(self.computed.rod.lift(self.computed.lift.tan_beta(angle)))
 
     @cached_property

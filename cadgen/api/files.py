@@ -4,9 +4,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, overload
 
+from cadgen.api.values import Frozen, frozen
 from cadgen.errors import DesignError, brief
 
 if TYPE_CHECKING:
@@ -45,12 +45,6 @@ class WrittenFile:
         """Its name without the folder."""
         return self.path.name
 
-    def __getstate__(self) -> dict[str, Any]:  # for copies and other processes, to which no mapping proxy can go
-        return {**self.__dict__, "facts": dict(self.facts)}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state, facts=MappingProxyType(state["facts"]))
-
 
 @dataclass(frozen=True, repr=False)
 class Written(Sequence[WrittenFile]):
@@ -59,7 +53,7 @@ class Written(Sequence[WrittenFile]):
     Attributes:
         folder: where they stand, with `manifest.json` beside them.
         part: name of their entry in the manifest.
-        entry: that entry, as plain values.
+        entry: that entry, as plain values that cannot be changed.
         files: in the order written.
     """
 
@@ -77,6 +71,7 @@ class Written(Sequence[WrittenFile]):
             part: name of the entry.
             entry: its content.
         """
+        fixed = frozen(entry)
         files = tuple(
             WrittenFile(
                 path=folder / name,
@@ -84,11 +79,11 @@ class Written(Sequence[WrittenFile]):
                 sha256=facts["sha256"],
                 lift_error_um=facts.get("lift_error_um"),
                 lift_limit_um=facts.get("lift_limit_um"),
-                facts=MappingProxyType(facts),
+                facts=facts,
             )
-            for name, facts in entry["files"].items()
+            for name, facts in fixed["files"].items()
         )
-        return cls(folder, part, MappingProxyType(entry), files)
+        return cls(folder, part, fixed, files)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -98,13 +93,7 @@ class Written(Sequence[WrittenFile]):
     @property
     def omitted(self) -> Mapping[str, str]:
         """Formats that could not be made of a part that was written although a check failed -> why."""
-        return MappingProxyType(self.entry.get("omitted", {}))
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "entry": dict(self.entry)}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state, entry=MappingProxyType(state["entry"]))
+        return Frozen(self.entry.get("omitted", {}))
 
     def __repr__(self) -> str:
         names = ", ".join(file.name for file in self.files)

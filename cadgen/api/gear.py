@@ -1,6 +1,5 @@
 """One gear by its numbers, without a design file. Lengths are mm and angles rad."""
 
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -9,7 +8,9 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from cadgen.api.files import Progress, Written, folder_of, silent
-from cadgen.api.values import real, whole, word
+from cadgen.api.values import Frozen, optional, real, whole, word
+from cadgen.arrays import TURN
+from cadgen.design.names import name_fault
 from cadgen.errors import DesignError, brief
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm, tooth_of
@@ -18,8 +19,6 @@ from cadgen.parts.features import Hub, Keyway, Lightening, Web
 
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Solid
-
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,17 +74,24 @@ class Gear:
     def __post_init__(self) -> None:
         whole("teeth", self.teeth, 4, 1000)
         whole("grade", self.grade, 3, 12)
-        for name in ("module", "width", "pressure_angle", "profile_shift", "bore", "tip_chamfer"):
-            real(name, getattr(self, name))
-        for name in ("addendum", "dedendum", "rack_tip_radius"):
-            real(name, getattr(self, name), 0, 3, "modules")
+        real("module", self.module, 0, 10, "mm", above=True)
+        real("width", self.width, 0, 500, "mm", above=True)
+        real("pressure_angle", self.pressure_angle, radians(10), radians(35), "rad")
+        real("profile_shift", self.profile_shift, -2, 2, "modules")
+        real("bore", self.bore, 0, 500, "mm")
+        real("tip_chamfer", self.tip_chamfer, 0, 10, "mm")
+        for name, most in (("addendum", 3), ("dedendum", 3), ("rack_tip_radius", 1)):
+            real(name, getattr(self, name), 0, most, "modules", above=True)
         if self.thickness_deviation is not None:
             real("thickness_deviation", self.thickness_deviation, -10, 10, "mm")
         for name, kind in (("keyway", Keyway), ("hub", Hub), ("web", Web), ("lightening", Lightening)):
             if not isinstance(value := getattr(self, name), kind | None):
                 raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be a {kind.__name__}")
+        _require_features(self.keyway, self.hub, self.web, self.lightening)
         require_name(self.name)
         self.overrides  # noqa: B018
+        if self.tolerances is not None:  # a copy, so that no change of the caller's changes a gear that is made
+            object.__setattr__(self, "tolerances", Frozen(self.tolerances))
         self.part  # noqa: B018
 
     @cached_property
@@ -199,6 +205,30 @@ class Gear:
         return Written.of(place, written.part, written.entry)
 
 
+def _require_features(keyway: Keyway | None, hub: Hub | None, web: Web | None, lightening: Lightening | None) -> None:
+    """Refuse sizes that the design file refuses."""
+    if keyway:
+        real("keyway.width", keyway.width, 0, 100, "mm", above=True)
+        real("keyway.depth", keyway.depth, 0, 50, "mm", above=True)
+        real("keyway.angle", keyway.angle, -TURN, TURN, "rad")
+    if hub:
+        real("hub.diameter", hub.diameter, 0, 1000, "mm", above=True)
+        real("hub.length", hub.length, 0, 200, "mm")
+        word("hub.side", hub.side, ("outer", "inner"))
+        if hub.set_screw:
+            real("hub.set_screw.diameter", hub.set_screw.diameter, 0, 50, "mm", above=True)
+            real("hub.set_screw.height", hub.set_screw.height, 0, 200, "mm")
+            real("hub.set_screw.angle", hub.set_screw.angle, -TURN, TURN, "rad")
+    if web:
+        real("web.thickness", web.thickness, 0, 500, "mm", above=True)
+        real("web.rim_thickness", web.rim_thickness, 0, 500, "mm", above=True)
+    if lightening:
+        whole("lightening.count", lightening.count, 1, 360)
+        real("lightening.hole_diameter", lightening.hole_diameter, 0, 500, "mm", above=True)
+        optional("lightening.circle_diameter", lightening.circle_diameter, 0, 1000, "mm", above=True)
+        real("lightening.start_angle", lightening.start_angle, -TURN, TURN, "rad")
+
+
 def require_name(name: object) -> None:
     """Refuse a name that files cannot have on every system.
 
@@ -208,8 +238,5 @@ def require_name(name: object) -> None:
     Raises:
         DesignError: it is none.
     """
-    if not (isinstance(name, str) and _NAME.fullmatch(name)):
-        raise DesignError(
-            f"name is {brief(repr(name), 60)}; it must be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and "
-            "underscores, and begin with a letter or digit"
-        )
+    if fault := name_fault(name if isinstance(name, str) else ""):
+        raise DesignError(f"name is {brief(repr(name), 60)}; it must {fault}")

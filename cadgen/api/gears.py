@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from cadgen.api.files import Progress, Written, folder_of, refusal, silent
 from cadgen.api.gear import Gear, require_name
-from cadgen.api.values import real, several, word
+from cadgen.api.values import optional, real, several, word
 from cadgen.check import Check
+from cadgen.design.train import MOST_STAGES
 from cadgen.errors import CheckError, DesignError, brief
 from cadgen.gears import train as numeric
 from cadgen.gears.backlash import TrainPlay, train_play
@@ -177,11 +178,10 @@ class GearPair(Assembly):
         for name in ("pinion", "wheel"):
             if not isinstance(value := getattr(self, name), Gear):
                 raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be a Gear")
-        for name, most in (("backlash", 100), ("centre_distance", 5000), ("bearing_span", 5000)):
-            if getattr(self, name) is not None:
-                real(name, getattr(self, name), 0, most, "mm")
-        if self.centre_distance_deviation is not None:
-            real("centre_distance_deviation", self.centre_distance_deviation, 0, 10, "mm")
+        optional("backlash", self.backlash, 0, 100, "mm")
+        optional("centre_distance", self.centre_distance, 0, 2000, "mm", above=True)
+        optional("bearing_span", self.bearing_span, 0, 5000, "mm", above=True)
+        optional("centre_distance_deviation", self.centre_distance_deviation, 0, 10, "mm")
         word("thinning", self.thinning, ("least", "middle", "greatest"))
         require_name(self.name)
         given = [gear.thickness_deviation is not None for gear in (self.pinion, self.wheel)]
@@ -320,6 +320,8 @@ class Train(Assembly):
         stages = self.stages
         if not isinstance(stages, Sequence) or not all(isinstance(pair, GearPair) for pair in stages) or not stages:
             raise DesignError(f"stages is {brief(repr(stages), 60)}; it must hold at least one GearPair")
+        if len(stages) > MOST_STAGES:
+            raise DesignError(f"stages has {len(stages)} pairs; it must have at most {MOST_STAGES}")
         for number, (before, after) in enumerate(pairwise(stages), 2):
             if after.pinion.blank not in (Blank(), before.wheel.blank):
                 raise DesignError(
@@ -330,7 +332,7 @@ class Train(Assembly):
         for angle in directions or ():
             if angle is not None:
                 real("directions", angle, -2 * pi, 2 * pi, "rad")
-        real("clearance", self.clearance, 1e-3, 100, "mm")
+        real("clearance", self.clearance, 0, 100, "mm", above=True)
         require_name(self.name)
 
     @property

@@ -1,15 +1,22 @@
 """Numbers and words that a caller gives, refused in one sentence that names them and says what is allowed."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import inf, isfinite, nan
 from numbers import Integral, Real
 from os import PathLike
 from pathlib import Path
+from typing import Any, NoReturn
 
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cadgen.arrays import Array
 from cadgen.errors import DesignError, brief
 
 
-def real(name: str, value: object, least: float = -inf, most: float = inf, unit: str = "") -> float:
+def real(
+    name: str, value: object, least: float = -inf, most: float = inf, unit: str = "", *, above: bool = False
+) -> float:
     """A finite number of a range.
 
     Args:
@@ -17,6 +24,7 @@ def real(name: str, value: object, least: float = -inf, most: float = inf, unit:
         value: as given.
         least, most: bounds, which belong to the range.
         unit: of the number, for the message.
+        above: the number must be greater than `least`, which does not belong to the range.
 
     Raises:
         DesignError: it is none.
@@ -25,9 +33,10 @@ def real(name: str, value: object, least: float = -inf, most: float = inf, unit:
         number = float(value) if isinstance(value, Real) and not isinstance(value, bool) else nan
     except OverflowError:  # a whole number beyond floats
         number = nan
-    if isfinite(number) and least <= number <= most:
+    if isfinite(number) and least <= number <= most and not (above and number == least):
         return number
-    raise DesignError(f"{name} is {_shown(value)}; it must be a number{_range(least, most)} {unit}".rstrip())
+    allowed = f", greater than {least:.10g} and at most {most:.10g}" if above else _range(least, most)
+    raise DesignError(f"{name} is {_shown(value)}; it must be a number{allowed} {unit}".rstrip())
 
 
 def whole(name: str, value: object, least: int, most: float = inf) -> int:
@@ -55,9 +64,32 @@ def word(name: str, value: object, allowed: Sequence[str]) -> str:
     raise DesignError(f"{name} is {_shown(value)}; it must be one of {', '.join(allowed)}")
 
 
-def optional(name: str, value: object, least: float = -inf, most: float = inf, unit: str = "") -> float | None:
+def optional(
+    name: str, value: object, least: float = -inf, most: float = inf, unit: str = "", *, above: bool = False
+) -> float | None:
     """None, or a number; arguments and errors as of `real`."""
-    return None if value is None else real(name, value, least, most, unit)
+    return None if value is None else real(name, value, least, most, unit, above=above)
+
+
+def numbers(name: str, value: ArrayLike, unit: str) -> Array:
+    """Finite numbers, of any shape.
+
+    Args:
+        name: of the argument.
+        value: as given.
+        unit: of the numbers, for the message.
+
+    Raises:
+        DesignError: some are no numbers, or not finite.
+    """
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise DesignError(f"{name} is {_shown(value)}; it must be a number or an array of numbers, {unit}") from None
+    if not np.isfinite(array).all():
+        worst = float(array[~np.isfinite(array)][0])
+        raise DesignError(f"{name} holds {worst:g}; all its numbers must be finite, {unit}")
+    return array
 
 
 def several(name: str, value: Iterable[float | None], count: int) -> list[float | None]:
@@ -101,6 +133,32 @@ def name_or_path(name: str, value: str | PathLike[str] | None) -> str | Path | N
         return value if value is None or isinstance(value, str) else Path(value)
     except TypeError:
         raise DesignError(f"{name} is {_shown(value)}; it must be the name of a design or the path of a file") from None
+
+
+class Frozen(dict[str, Any]):
+    """A mapping that nobody can change, which has a hash and can be copied, pickled and written as JSON."""
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return hash(frozenset(self.items()))
+
+    def __reduce__(self) -> tuple[type["Frozen"], tuple[dict[str, Any]]]:
+        return Frozen, (dict(self),)
+
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
+        raise TypeError("this mapping cannot be changed: make a dict of it first")
+
+    __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _refuse
+
+
+def frozen(value: Any) -> Any:
+    """The same value, its mappings `Frozen` and its lists tuples, all the way down.
+
+    Args:
+        value: plain values.
+    """
+    if isinstance(value, Mapping):
+        return Frozen({key: frozen(inside) for key, inside in value.items()})
+    return tuple(map(frozen, value)) if isinstance(value, list | tuple) else value
 
 
 def _range(least: float, most: float) -> str:

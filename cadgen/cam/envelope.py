@@ -34,6 +34,8 @@ _NEWTON_STEPS = 20
 _ZOOM, _ZOOMS = 33, 4  # polar angles at a time, and rounds: from 0.1 degree to 2e-9 rad
 _CONVERGED = 1e-13  # rad; Newton's method has doubled its digits past rounding
 _JOINT = 1e-9  # rad; two branches that end and begin within this meet, they do not cross
+# Folds of both envelopes; their parts are joined in some 6 s of processor time for each profile that is made.
+_MOST_FOLDS = 1000
 # rad; between cam angles closer together than this no lift can be lost that would show: the curvature of the lift
 # times the square of it, 1e-10 mm.
 _NO_TRIM = 1e-6
@@ -248,11 +250,12 @@ def _next_of_face(branches: list[Branch], number: int) -> int:
 def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
     """Every part of both envelopes that runs forward, and the rod's section at every hollow kink."""
     joints = np.unique(np.concatenate([[0.0], lift.kinks, [TURN]]))
-    branches: list[Branch] = []
+    branches, folds = list[Branch](), 0
     for face in (follower.inner, follower.outer):
         spans = [EnvelopePiece(lift, follower, face, float(a), float(b)) for a, b in pairwise(joints)]
         for number, span in enumerate(spans):
-            branches.extend(_forward_parts(span))
+            branches.extend(parts := _forward_parts(span))
+            folds += max(len(parts) - 1, 0)
             after = spans[(number + 1) % len(spans)]
             eta_before, eta_after = span.touch(np.array([span.stop]))[0], after.touch(np.array([after.start]))[0]
             if eta_after < eta_before - _JOINT:
@@ -260,6 +263,11 @@ def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
                 distance, half = follower.base_radius + face * T, follower.radius * float(np.sqrt(1 + T**2))
                 arc = RodArc(distance, half, follower, face, after.start, -eta_before, -eta_after)
                 branches.append(arc)
+    if folds > _MOST_FOLDS:
+        raise DesignError(
+            f"the path ripples so closely that the rod's contact turns back at {folds} places, {_MOST_FOLDS} at most "
+            f"are followed: keep one in {-(-folds // _MOST_FOLDS)} of path.waypoints_mm, or give them with more digits"
+        )
     return branches
 
 

@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from cadgen.design.explain import Place, explain
+from cadgen.design.names import usable_name
 from cadgen.design.override import override, quoted
 from cadgen.design.parse import DeepError, parse
 from cadgen.design.schema import Design, DesignFile, TrainDesign, TrainFile
@@ -83,7 +84,7 @@ def with_overrides(design: Design, overrides: Sequence[str]) -> Design:
 def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overrides: Sequence[str]) -> dict[str, Any]:
     """The values after the overrides, checked, with their source."""
     applied = [(override(values, text), text) for text in overrides]
-    values.setdefault("name", re.sub(r"[^A-Za-z0-9._-]+", "_", Path(source).stem).lstrip("._-")[:64] or "design")
+    values.setdefault("name", usable_name(Path(source).stem))
     try:
         checked = schema.model_validate(values)
     except ValidationError as error:

@@ -7,7 +7,6 @@ them all; their messages are sentences for the user.
 
 import hashlib
 import json
-import re
 
 from pydantic import Field, field_validator, model_validator
 
@@ -15,14 +14,13 @@ from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
 from cadgen.design.mechanics import Mechanics
+from cadgen.design.names import name_fault
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train
 from cadgen.motion.friction import FollowerMaterial
 from cadgen.path.names import SplineKind
 
-# What may be part of a file's name on every system, and of STEP's product data.
-_FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 THINNEST_DISC_MM = 0.1
 LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the rod, and no shop can hold it
 # Chord error of the cam's mesh where the design gives none.
@@ -271,11 +269,8 @@ class TrainFile(Section):
     @field_validator("name")
     @classmethod
     def _name_suits_files(cls, name: str) -> str:
-        if not re.fullmatch(_FILE_NAME, name):
-            raise ValueError(
-                f'name is "{name[:80]}"; it must be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and '
-                "underscores, and begin with a letter or digit"
-            )
+        if fault := name_fault(name):
+            raise ValueError(f'name is "{name[:80]}"; it must {fault}')
         return name
 
 

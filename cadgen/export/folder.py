@@ -170,7 +170,7 @@ def undo_killed(out: Path, *, sure: bool) -> list[str]:
             whose = "of another user" if sure else "that may still be at work, since this folder cannot be locked"
             raise FileError(
                 f"{brief(str(out))} holds the half of what a run {whose} was to move there ({folder.name}): when no "
-                f"run is at work, let that user run cadgen verify --restore on it, or choose another --out"
+                f"run is at work, let that user run cadgen verify --restore on it, or choose another folder"
             )
         back += _undo(folder, out)
         shutil.rmtree(folder, ignore_errors=True)
@@ -200,7 +200,7 @@ def _publish(staging: Path, out: Path) -> None:
         raise ValueError("a run writes files that its manifest does not list")
     for name in (*files, MANIFEST):
         if (out / name).is_dir() and not (out / name).is_symlink():
-            raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another --out")
+            raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another folder")
     kept = {}
     for name, entry in sound_parts(out / MANIFEST).items():
         # An earlier entry stays for those of its files that are not replaced.
@@ -267,15 +267,15 @@ def _write(file: Path, text: str) -> None:
 
 def _why(error: OSError, out: Path) -> str:
     reasons = {
-        errno.ENOSPC: "the disk is full: free some space or choose another --out",
-        errno.EDQUOT: "your disk quota is used up: free some space or choose another --out",
-        errno.EFBIG: "a file would be larger than this system allows: choose another --out",
-        errno.EACCES: "there is no permission to write there: choose another --out",
-        errno.EPERM: "there is no permission to write there: choose another --out",
-        errno.EROFS: "that disk is read-only: choose another --out",
-        errno.EEXIST: "a file stands where the folder must go: choose another --out",
-        errno.ENOTDIR: "a file stands where a folder must go: choose another --out",
-        errno.ENAMETOOLONG: "the path is too long: choose a shorter --out",
+        errno.ENOSPC: "the disk is full: free some space or choose another folder",
+        errno.EDQUOT: "your disk quota is used up: free some space or choose another folder",
+        errno.EFBIG: "a file would be larger than this system allows: choose another folder",
+        errno.EACCES: "there is no permission to write there: choose another folder",
+        errno.EPERM: "there is no permission to write there: choose another folder",
+        errno.EROFS: "that disk is read-only: choose another folder",
+        errno.EEXIST: "a file stands where the folder must go: choose another folder",
+        errno.ENOTDIR: "a file stands where a folder must go: choose another folder",
+        errno.ENAMETOOLONG: "the path is too long: choose a shorter one",
     }
-    reason = reasons.get(error.errno or 0, f"{error.strerror or error}: choose another --out")
+    reason = reasons.get(error.errno or 0, f"{error.strerror or error}: choose another folder")
     return f"nothing was written to {brief(str(out))}: {reason}"

@@ -164,7 +164,7 @@ def _wait(descriptor: int, file: Path, deadline: float) -> None:
     if not done.wait(left):
         raise FileError(
             f"another run still holds {file} after the wait, so nothing was written: end that run, or choose another "
-            "--out"
+            "folder"
         )
 
 

@@ -320,7 +320,7 @@ def test_a_failure_leaves_no_folder_on_the_way(tmp_path):
 
 @pytest.mark.parametrize("name", ["x" * 300, "x/" * 3000])
 def test_a_name_that_no_folder_can_have(tmp_path, name):
-    with pytest.raises(FileError, match=r"choose .* --out"), publishing(tmp_path / name):
+    with pytest.raises(FileError, match=r"choose (another folder|a shorter one)$"), publishing(tmp_path / name):
         pass
     assert contents(tmp_path) == set()
 
