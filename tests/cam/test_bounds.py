@@ -6,11 +6,14 @@ import pytest
 from cadgen.build.cam_model import lift
 from cadgen.cam import contact
 from cadgen.cam.contact import roll, roll_curve, rolling_step
+from cadgen.cam.envelope import actual_profile
 from cadgen.cam.follower import Follower
+from cadgen.cam.lift import LiftCurve
 from cadgen.curves.contour import circle
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.path import track
+from cadgen.path.hermite import quintic_hermite
 from cadgen.workflow.cam import cures as cures_module
 from cadgen.workflow.cam.cures import find_cures
 from cadgen.workflow.cam.plan import plan_cam
@@ -100,3 +103,16 @@ def test_trains_too_long_to_be_compared_are_refused(override, words):
     with pytest.raises(DesignError, match=words):
         load_train("carbon_free_car", [override])
     assert len(load_train(None, [f"train.stages=[{','.join([_STAGE] * 7)}]"]).train.stages) == 7
+
+
+def test_a_path_whose_envelopes_fold_too_often_is_refused_by_its_key():
+    """Ten thousand waypoints rounded to a nanometre took minutes: each ripple folds both faces' envelopes."""
+    waves = 1500
+    nodes = np.linspace(0.0, 2 * np.pi, 4 * waves + 1)
+    phase = waves * nodes
+    wave = 1e-4 * np.stack([np.sin(phase), waves * np.cos(phase)], axis=1)
+    jets = np.column_stack([wave, -(waves**2) * wave[:, 0]])
+    rough = LiftCurve(quintic_hermite(nodes, jets, periodic=True), np.array([]), 2 * np.pi)
+    with pytest.raises(DesignError, match=r"turns back at \d+ places, 1000 at most .* of path.waypoints_mm") as refusal:
+        actual_profile(rough, Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5))
+    assert "1000 at most are followed: keep one in" in str(refusal.value)

@@ -4,6 +4,7 @@ from dataclasses import replace
 from itertools import pairwise
 from math import cos, hypot, radians, tan
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -13,8 +14,9 @@ from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import teeth_of
 from cadgen.gears.search import search_trains
+from cadgen.gears.tooth import GearForm
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM
-from cadgen.workflow.gears import made
+from cadgen.workflow.gears import files, made
 from cadgen.workflow.gears import plan as workflow
 from cadgen.workflow.gears.facts import plan_facts
 from cadgen.workflow.gears.plan import NotMadeError, plan_gears
@@ -376,3 +378,26 @@ def test_wheels_of_neighbouring_stages_get_a_collar_by_default():
     wide = plan_gears(load_design(None, [*sets, "train.clearance_mm=0.4", "train.stages.2.driven.width_mm=7"]))
     assert wide.passed
     assert [part.blank.hub.length for part in wide.layout.parts[1:3]] == [2.0, 1.0]
+
+
+def test_meshes_of_too_many_corners_are_refused_by_their_key():
+    """Fourteen gears of 1000 teeth at 0.1 um took minutes and gigabytes."""
+    stage = "{ centre_distance_mm = 500.0, driver = { teeth = 1000 }, driven = { teeth = 1000 } }"
+    settings = ["train.module_mm=0.5", f"train.stages=[{', '.join([stage] * 7)}]", "train.intermediate={}"]
+    with pytest.raises(
+        DesignError, match=r"^export.mesh_chord_um is 0.1; with it the meshes .* raise it to"
+    ) as refusal:
+        plan_gears(load_design(None, [*settings, "export.mesh_chord_um=0.1"]))
+    raised = float(str(refusal.value).rsplit(" ", 1)[1])
+    layout = SimpleNamespace(parts=[SimpleNamespace(gears=[GearForm(teeth=1000, normal_module=0.5, width=5.0)] * 14)])
+    made._require_meshable(layout, [raised / 1e3])
+
+
+def test_more_teeth_than_step_takes_are_refused_before_a_file_is_made(paper, tmp_path, monkeypatch):
+    monkeypatch.setattr(files, "MOST_STEP_TEETH", 499)
+    with pytest.raises(
+        DesignError, match=r"^the gears of train.stages have 500 teeth together, .* or write the formats"
+    ):
+        files.write_gears(paper, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+    files.write_gears(paper, tmp_path / "out", formats="csv")

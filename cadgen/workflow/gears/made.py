@@ -11,9 +11,13 @@ from cadgen.gears.backlash import GearPlay, TrainPlay
 from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.layout import Blanks, TrainLayout, lay_out
 from cadgen.gears.thinning import thinned
-from cadgen.gears.tooth import GearForm
+from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.meshes.train_checks import gear_checks
 from cadgen.parts.blank import Blank
+
+# Of the teeth of all gears in a section: some 30 s of processor time and 1 GB for meshes that are made, set against
+# one another, written and read back.
+MOST_CORNERS = 500_000
 
 
 @dataclass(frozen=True)
@@ -52,11 +56,27 @@ def make(
         pin: diameter of the pins for inspection, mm; None for one to suit each gear.
 
     Raises:
-        DesignError: a gear, its blank or the layout cannot be; it names the stage or the shaft.
+        DesignError: a gear, its blank or the layout cannot be; it names the stage or the shaft. Or the chords are too
+            short for so many teeth.
     """
     layout = lay_out(thinned(play), blanks, directions, clearance)
     chords = [chord(part.gears) for part in layout.parts]
+    _require_meshable(layout, chords)
     return Made(play, layout, _inspections(layout, play, pin), gear_checks(layout, play.stages, chords))
+
+
+def _require_meshable(layout: TrainLayout, chords: Sequence[float]) -> None:
+    corners = sum(
+        len(tooth_of(gear).outline.polygon(chord))
+        for part, chord in zip(layout.parts, chords, strict=True)
+        for gear in part.gears
+    )
+    if corners > MOST_CORNERS:
+        least = min(chords) * 1e3
+        raise DesignError(
+            f"export.mesh_chord_um is {least:.4g}; with it the meshes of all gears have {corners} corners, and at most "
+            f"{MOST_CORNERS} are made: raise it to {1.05 * least * (corners / MOST_CORNERS) ** 2:.2g}"
+        )
 
 
 def role_of(play: TrainPlay, shaft: int, stage: int) -> GearPlay[float]:
