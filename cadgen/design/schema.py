@@ -45,7 +45,9 @@ class Path(Section):
         description="how far to the right of the drive wheel the waypoints' path runs",
     )
     waypoints_mm: Points = Field(
-        min_length=4, description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000"
+        min_length=4,
+        description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000, and so smooth that "
+        "the rod's contact turns back at 1000 places at most",
     )
 
     @model_validator(mode="after")
