@@ -36,9 +36,7 @@ _CONVERGED = 1e-13  # rad; Newton's method has doubled its digits past rounding
 _JOINT = 1e-9  # rad; two branches that end and begin within this meet, they do not cross
 # Folds of both envelopes; their parts are joined in some 6 s of processor time for each profile that is made.
 _MOST_FOLDS = 1000
-# rad; between cam angles closer together than this no lift can be lost that would show: the curvature of the lift
-# times the square of it, 1e-10 mm.
-_NO_TRIM = 1e-6
+_NO_TRIM = 1e-6  # rad; its square times the lift's curvature is 1e-10 mm: no lift that is lost within it would show
 
 
 @dataclass(frozen=True)
@@ -166,8 +164,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
     """
     _refuse_thick_rod(lift, follower)
     branches = _branches(lift, follower)
-    starts = np.array([_angle(b, b.start) for b in branches])
-    spans = np.array([_travel(b) for b in branches])
+    starts, spans = np.array([[_angle(b, b.start), _travel(b)] for b in branches]).T
     by_angle = [ByAngle(b) for b in branches]
 
     # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
@@ -261,8 +258,7 @@ def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
             if eta_after < eta_before - _JOINT:
                 T = float(lift.tan_beta(after.start))
                 distance, half = follower.base_radius + face * T, follower.radius * float(np.sqrt(1 + T**2))
-                arc = RodArc(distance, half, follower, face, after.start, -eta_before, -eta_after)
-                branches.append(arc)
+                branches.append(RodArc(distance, half, follower, face, after.start, -eta_before, -eta_after))
     if folds > _MOST_FOLDS:
         raise DesignError(
             f"the path ripples so closely that the rod's contact turns back at {folds} places, {_MOST_FOLDS} at most "
@@ -297,10 +293,9 @@ def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
 def _crossing(
     before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float], near: float
 ) -> tuple[float, float]:
-    """Parameters at which two branches meet between two polar angles.
+    """Parameters at which two branches meet between two polar angles, by Newton's method.
 
-    Newton's method, or, where that fails because they are nearly parallel, narrowing in on the difference of their
-    radii; where there is no crossing either, the end of the bracket at which they are closest.
+    Where that fails because they are nearly parallel, by `_closest`.
     """
     t = np.array([one.parameters(np.array([near]))[0] for one in by_angle])
     for _ in range(_NEWTON_STEPS):
@@ -383,9 +378,8 @@ def _refuse_thick_rod(lift: LiftCurve, follower: Follower) -> None:
         reach = follower.base_radius + follower.lift(T)[worst]
         raise DesignError(
             f"at cam angle {np.degrees(theta[worst]):.1f} degrees the rod's axis is {abs(reach):.2f} mm "
-            f"{'from' if reach >= 0 else 'beyond'} the camshaft, but the rod's radius is "
-            f"{follower.radius:g} mm, so nothing is left of the disc: lower follower.radius_mm or raise "
-            f"cam.base_radius_mm"
+            f"{'from' if reach >= 0 else 'beyond'} the camshaft, but the rod's radius is {follower.radius:g} mm, so "
+            "nothing is left of the disc: lower follower.radius_mm or raise cam.base_radius_mm"
         )
 
 

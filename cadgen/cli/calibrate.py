@@ -1,6 +1,5 @@
 """`cadgen calibrate`: from measured files to what the design lacks."""
 
-import os
 from pathlib import Path
 
 import click

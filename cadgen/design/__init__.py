@@ -13,6 +13,7 @@
 | `schema`    | all other sections; ranges, defaults, how keys must fit each other       |
 | `keys`      | the schema as a list of keys, their units and ranges in words            |
 | `explain`   | what is wrong with a design, as sentences                                |
+| `names`     | names that files can have on every system                                |
 | `override`  | `--set key=value`                                                        |
 | `load`      | name or file -> `Design`                                                 |
 | `reference` | the schema as a page of documentation                                    |
