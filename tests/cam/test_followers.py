@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import PPoly
 
+from cadgen import Design
 from cadgen.cam.checks import check_cam
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.cure import undercut_cures, worst_loss
@@ -25,6 +26,7 @@ from cadgen.cam.place import cam_place
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.parts.blank import Blank
+from cadgen.workflow.calibration.plan import nominal_of
 from cadgen.workflow.cam.cures import find_cures
 from cadgen.workflow.cam.files import write_cam
 from cadgen.workflow.cam.plan import plan_cam
@@ -182,6 +184,15 @@ def test_its_cures_are_its_own(appendix_car):
 def test_what_is_for_the_rod_alone_says_so(registered, profile, more, words):
     with pytest.raises(DesignError, match=f"^follower.kind names a roller, and {words}"):
         plan_cam(load_design("carbon_free_car", [*KEYS, *more]), profile)
+
+
+def test_what_runs_the_car_says_so_too(registered):
+    design = Design.load("carbon_free_car").with_(KEYS)
+    for job in (design.simulate, lambda: design.tolerance(samples=10), lambda: design.cam()):
+        with pytest.raises(DesignError, match=r"^follower.kind names a roller, and what the play of the gears does"):
+            job()
+    with pytest.raises(DesignError, match=r"a calibration is worked out for the leaning rod alone"):
+        nominal_of(load_design("carbon_free_car", KEYS), "actual")
 
 
 @pytest.mark.parametrize(

@@ -255,9 +255,9 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
     Raises:
         DesignError, CheckError: see `plan_cam`.
     """
-    plan = plan_cam(design, profile, step)
     bare = design.as_designed()
     rod = cam_model.rod(bare, "a calibration")
+    plan = plan_cam(design, profile, step)
     follower = rod.point() if plan.profile.by_axis else rod
     lift = cut = plan.lift
     if design.as_built is not None or not plan.profile.gives_lift:
