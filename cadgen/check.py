@@ -26,8 +26,8 @@ class CheckCode(StrEnum):
     ROD_PAST_RIM = "rod-past-rim"
     LEAN_OVER_CHAMFERS = "lean-over-chamfers"
     ROD_ABOVE_HUB = "rod-above-hub"
-    THINNEST_WALL = "thinnest-wall"
     CUTTER_RADIUS = "largest-cutter-radius"
+    THINNEST_WALL = "thinnest-wall"
     CLOSURE = "closure"
     BLEND_START = "blend-start"
     EDGES_BROKEN_MORE = "edges-broken-more"
@@ -54,7 +54,7 @@ class Check:
     """One figure and its verdict.
 
     Attributes:
-        code: what is checked, for programs.
+        code: what is checked, for programs: one of `CheckCode`, or of a follower or gear kind's own.
         name: the same for people.
         value: the figure, in `unit`.
         unit: of value and limit.
@@ -64,7 +64,7 @@ class Check:
         advice: what to change if it fails; empty if there is nothing to say.
     """
 
-    code: CheckCode
+    code: StrEnum
     name: str
     value: float
     unit: str

@@ -167,8 +167,11 @@ class Cam:
         return self.computed.checks
 
     @property
-    def edges(self) -> Check:
-        """What edges broken more than designed cost at the finish, mm: a figure without a limit."""
+    def edges(self) -> Check | None:
+        """What edges broken more than designed cost at the finish, mm: a figure without a limit.
+
+        None for a follower other than the leaning rod, which alone rides on an edge.
+        """
         return self.computed.edges
 
     @property

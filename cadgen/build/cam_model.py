@@ -9,6 +9,8 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod, rod_of
+from cadgen.cam.followers.rod_kind import RodKeys
 from cadgen.cam.lift import LiftCurve, lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.design import blank as keys
@@ -22,8 +24,6 @@ from cadgen.path.track import Track, offset_track
 from cadgen.steering.car import Car, steering_jets
 from cadgen.steering.slip import by_rim, rim_travel
 
-# A rod this many times as long as the outer face is far reaches past it up to some 55 degrees of steering.
-_DEFAULT_REACH = 2.0
 # A closing blend shorter than the schema's shortest is none.
 LEAST_BLEND = radians(0.5)
 
@@ -72,16 +72,34 @@ def car(design: Design) -> Car:
 
 
 def follower(design: Design) -> Follower:
-    """The rod and the planes in which the disc carries it.
+    """What rides on the disc, of the kind that the design names.
 
     Raises:
-        DesignError: as built, nothing would be left of the rod.
+        DesignError: as built, nothing would be left of the rod, or what [as_built] says is not of this follower.
     """
-    inner, outer = blank(design).carrying(*design.cam.faces_mm)
-    nominal = Follower(
-        base_radius=design.cam.base_radius_mm, inner=inner, outer=outer, radius=design.follower.radius_mm
-    )
-    return as_built(design).follower(nominal)
+    nominal = design.follower.registered.build(design.follower.keys, design.seat)
+    if design.as_built is None:
+        return nominal
+    return as_built(design).follower(rod_of(nominal, "what [as_built] says of a car", "remove [as_built]"))
+
+
+def rod(design: Design, what: str) -> LeaningRod:
+    """The follower of a design, for what is worked out for the leaning rod alone.
+
+    Args:
+        design: a loaded design.
+        what: is worked out for it, as it begins a sentence.
+
+    Raises:
+        DesignError: it has another follower, or as `follower`.
+    """
+    return rod_of(follower(design), what)
+
+
+def rod_keys(design: Design) -> RodKeys | None:
+    """What the design says of its rod; None if it has another follower."""
+    keys = design.follower.keys
+    return keys if isinstance(keys, RodKeys) else None
 
 
 def travel(design: Design, driven: Track) -> float:
@@ -161,14 +179,8 @@ def check_limits(design: Design) -> CheckLimits:
         lost_lift=design.checks.lost_lift_limit_um * 1e-3,
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
-        rod_length=_rod_length(design),
         wall=design.checks.min_wall_mm,
     )
-
-
-def _rod_length(design: Design) -> float:
-    given = design.follower.length_mm
-    return _DEFAULT_REACH * design.cam.faces_mm[1] if given is None else given
 
 
 def _key(given: keys.Blank, back: float) -> Keyway | DFlat | None:

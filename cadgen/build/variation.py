@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN
 from cadgen.build import cam_model, gear_model
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.schema import Design
@@ -76,7 +77,7 @@ def tabled_play(design: Design) -> float | None:
     return None if band is None else band.ends[1]
 
 
-def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand | None:
+def mechanics(design: Design, follower: Follower, lift: LiftCurve) -> MechanicsBand | None:
     """What is known of the forces on the cam; None if the design has no [mechanics].
 
     Where `optimize.hardware` allows a brake, its drag is one that holds. A friction that [as_built] has comes before
@@ -85,18 +86,22 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
 
     Args:
         design: the design.
-        rod: its follower.
+        follower: of the design.
         lift: that is planned.
 
     Raises:
-        DesignError: the rod's force is used up somewhere on the lift, or the drive cannot turn the cam.
+        DesignError: there are forces and the follower is not the rod, the rod's force is used up somewhere on the
+            lift, or the drive cannot turn the cam.
     """
     given, known = design.mechanics, cam_model.as_built(design)
-    hardware = design.optimize.hardware or ()
-    if given is None and (design.follower.material or design.blank.material):
+    hardware, keys = design.optimize.hardware or (), cam_model.rod_keys(design)
+    material = keys.material if keys else None
+    if given is None and (material or design.blank.material):
         given = Mechanics()  # their friction follows from the materials
     if given is None and known.friction is not None and not hardware:
-        return MechanicsBand(follower=rod, friction=_measured(known.friction))
+        return MechanicsBand(
+            follower=rod_of(follower, "friction", "remove [as_built]"), friction=_measured(known.friction)
+        )
     if given is None:
         if hardware:
             raise DesignError(
@@ -110,12 +115,11 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
     elif known.runs_free:
         friction = 0.0, 0.0
     elif given.friction_least is None or given.friction_greatest is None:
-        material = design.follower.material or "steel"
-        friction = friction_band(material, design.blank.material, greased=given.greased)
+        friction = friction_band(material or "steel", design.blank.material, greased=given.greased)
     else:
         friction = given.friction_least, given.friction_greatest
     band = MechanicsBand(
-        follower=rod,
+        follower=rod_of(follower, "friction", "remove [mechanics] and blank.material"),
         rod_force=given.rod_force_N,
         rod_rate=given.rod_rate_N_per_mm,
         friction=friction,

@@ -14,7 +14,7 @@ class PressureAngleLimit:
     """What the pressure angle of the true contact may reach, in size.
 
     Attributes:
-        rise: limit while the cam drives the rod outwards (the working stroke), rad.
+        rise: limit while the cam drives the follower outwards (the working stroke), rad.
         fall: limit while the spring drives the rod back (the return stroke), rad.
         source: who recommends it, and for which follower.
     """
@@ -29,11 +29,10 @@ class CheckLimits:
     """What the checks allow; angles in rad, lengths in mm.
 
     Attributes:
-        pressure_angle: limits while the cam drives the rod outwards and while the spring drives it back.
+        pressure_angle: limits while the cam drives the follower outwards and while the spring drives it back.
         lost_lift: how much lift the trimmed profile may miss.
         min_convex_radius: of the actual profile, away from its corners.
         cutter_radius: of the cutter that will cut the part.
-        rod_length: from the fork axis to the rod's end.
         wall: between the profile and every hole.
     """
 
@@ -41,7 +40,6 @@ class CheckLimits:
     lost_lift: float
     min_convex_radius: float
     cutter_radius: float
-    rod_length: float
     wall: float
 
 

@@ -31,15 +31,15 @@ class Loss:
 
 
 def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outline: Outline) -> list[Loss]:
-    """The greatest lift missing between the two cam angles of each trim, by rolling the rod there.
+    """The greatest lift missing between the two cam angles of each trim, by rolling the follower there.
 
     A trim that reaches from the path into the closing blend counts in each of the two.
 
     Args:
         lift: the steering wanted.
-        follower: the rod.
+        follower: of any kind.
         trims: where the envelope was trimmed.
-        outline: of the trimmed envelope; a corner is one of its points, so the rod rests on it exactly.
+        outline: of the trimmed envelope; a corner is one of its points, so the follower rests on it exactly.
     """
     if not trims:
         return []

@@ -62,7 +62,7 @@ def document(facts: Mapping[str, Any]) -> None:
 def checks(cam: "Cam", cures: "Cures") -> None:
     """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
     friction(cam)
-    figures(f"{cam.design.name}, {cam.profile} profile", (*cam.checks, cam.edges))
+    figures(f"{cam.design.name}, {cam.profile} profile", (*cam.checks, *filter(None, [cam.edges])))
     for line in cures.sentences():
         Output().print(line)
 

@@ -11,6 +11,9 @@ from typing import Annotated, Any, Literal, get_args, get_origin
 from annotated_types import Ge, Gt, Le, Lt, MinLen
 from pydantic.fields import FieldInfo
 
+from cadgen.cam.followers.kind import FollowerKind
+from cadgen.cam.followers.rod_kind import ROD
+from cadgen.design.follower import Follower, section_of
 from cadgen.design.schema import DesignFile
 from cadgen.design.section import OneOf, Section, listed
 from cadgen.errors import escaped
@@ -92,36 +95,36 @@ class Table:
 
 
 @cache
-def tables() -> dict[str, Table]:
-    """Every section by its dotted name, from the top down."""
-    return {table.name: table for table in _walk("", DesignFile, required=True, many=False)}
+def tables(follower: FollowerKind = ROD) -> dict[str, Table]:
+    """Every section of a design with some kind of follower by its dotted name, from the top down."""
+    return {table.name: table for table in _walk("", DesignFile, follower, required=True, many=False)}
 
 
 @cache
-def keys() -> dict[str, Key]:
-    """Every key by its dotted name."""
-    return {key.name: key for table in tables().values() for key in table.keys}
+def keys(follower: FollowerKind = ROD) -> dict[str, Key]:
+    """Every key of a design with some kind of follower by its dotted name."""
+    return {key.name: key for table in tables(follower).values() for key in table.keys}
 
 
-def nearest(parent: str, wrong: str) -> str | None:
+def nearest(parent: str, wrong: str, follower: FollowerKind = ROD) -> str | None:
     """Dotted name of the key or section, in the same section, that an unknown one was most likely meant for."""
-    names = tables()[parent].names
+    names = tables(follower)[parent].names
     stem = _stem(wrong)
     found = [name for name in names if _stem(name) == stem] or get_close_matches(wrong.lower(), names, 1)
     return dotted(parent, found[0]) if found else None
 
 
-def elsewhere(parent: str, wrong: str) -> list[str]:
+def elsewhere(parent: str, wrong: str, follower: FollowerKind = ROD) -> list[str]:
     """Dotted names of keys and sections of exactly this name in other sections, where they can be meant.
 
     With its section left out, a key may be that of any section of the first rank. In a wrong section it is meant for
     another only if no third has it: the width of a car is not that of a keyway.
     """
-    holders = [table.name for table in tables().values() if table.name and wrong in table.names]
+    holders = [table.name for table in tables(follower).values() if table.name and wrong in table.names]
     first = [dotted(holder, wrong) for holder in holders if "." not in holder]
     if not parent:
         return first
-    sole = len(first) == 1 and (len(holders) == 1 or first[0] in tables())
+    sole = len(first) == 1 and (len(holders) == 1 or first[0] in tables(follower))
     return first if sole else []
 
 
@@ -155,10 +158,12 @@ def _stem(name: str) -> str:
     return _UNIT_ENDING.sub("", name).lower()
 
 
-def _walk(name: str, section: type[Section], *, required: bool, many: bool) -> Iterator[Table]:
+def _walk(name: str, section: type[Section], follower: FollowerKind, *, required: bool, many: bool) -> Iterator[Table]:
     own, below = [], []
     for part, info in section.model_fields.items():
         inner = _section_in(info.annotation)
+        if inner is Follower:
+            inner = section_of(follower)
         if inner:
             below.append((part, inner, info.is_required(), get_origin(info.annotation) is tuple))
         else:
@@ -166,11 +171,12 @@ def _walk(name: str, section: type[Section], *, required: bool, many: bool) -> I
     meaning = " ".join((section.__doc__ or "").split())
     yield Table(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
     for part, inner, needed, repeated in below:
-        yield from _walk(dotted(name, part), inner, required=needed, many=repeated)
+        yield from _walk(dotted(name, part), inner, follower, required=needed, many=repeated)
 
 
 def _section_in(annotation: Any) -> type[Section] | None:
     candidates = (annotation, *get_args(annotation))
+    candidates += tuple(inner for arm in candidates if get_origin(arm) is Annotated for inner in get_args(arm))
     return next((c for c in candidates if isinstance(c, type) and issubclass(c, Section)), None)
 
 

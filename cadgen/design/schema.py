@@ -8,17 +8,18 @@ them all; their messages are sentences for the user.
 import hashlib
 import json
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_validator, model_validator
 
+from cadgen.cam.followers.kind import Seat
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
+from cadgen.design.follower import Follower, by_kind
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train
-from cadgen.motion.friction import FollowerMaterial
 from cadgen.path.names import SplineKind
 
 THINNEST_DISC_MM = 0.1
@@ -157,36 +158,6 @@ class Cam(Section):
         return self
 
 
-class Follower(Section):
-    """The straight round rod on the fork that rides on the disc."""
-
-    radius_mm: float = Field(
-        ge=0.05, le=100, description="r_t, of the rod: half its diameter; a thinner one would bend, and is not followed"
-    )
-    length_mm: float | None = Field(
-        default=None,
-        gt=0,
-        le=2000,
-        description="fork axis to the rod's end; left out, twice the distance of the outer face",
-    )
-    material: FollowerMaterial | None = Field(
-        default=None,
-        description="of the rod; or a ball bearing on it, whose outer radius is then `radius_mm`: it rolls, with "
-        "friction below 0.02",
-    )
-    width_mm: float | None = Field(
-        default=None, gt=0, le=500, description="of a ball bearing, which must span all places at which it touches"
-    )
-
-    @model_validator(mode="after")
-    def _width_is_a_bearing_s(self) -> "Follower":
-        if self.width_mm is not None and self.material != "ball_bearing":
-            raise ValueError(
-                'follower.width_mm is the width of a ball bearing: set follower.material = "ball_bearing", or remove it'
-            )
-        return self
-
-
 class Machining(Section):
     """How the outline is milled (G-code)."""
 
@@ -256,7 +227,7 @@ class TrainFile(Section):
     field: Arena | None = None
     car: Car | None = None
     cam: Cam | None = None
-    follower: Follower | None = None
+    follower: SerializeAsAny[Follower] | None = None
     blank: Blank = Blank()
     machining: Machining = Machining()
     checks: Checks = Checks()
@@ -267,6 +238,11 @@ class TrainFile(Section):
     tolerances: Tolerances = Tolerances()
     optimize: Optimize = Optimize()
     as_built: AsBuilt | None = None
+
+    @field_validator("follower", mode="wrap")
+    @classmethod
+    def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Follower | None:
+        return by_kind(value, usual)
 
     @field_validator("name")
     @classmethod
@@ -282,27 +258,17 @@ class DesignFile(TrainFile):
     path: Path
     car: Car
     cam: Cam
-    follower: Follower
+    follower: SerializeAsAny[Follower]
+
+    @property
+    def seat(self) -> Seat:
+        """What the follower is built on."""
+        (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm or 0.0
+        return Seat(base_radius=self.cam.base_radius_mm, faces=(inner, outer), carrying=(inner + leg, outer - leg))
 
     @model_validator(mode="after")
-    def _rod_fits_the_disc(self) -> "DesignFile":
-        (inner, outer), rod = self.cam.faces_mm, self.follower
-        # A face nearer than this the rod cannot swing clear of (the divisor w^2 - h^2 in `cam.contact`).
-        if rod.radius_mm >= inner:
-            raise ValueError(
-                f"follower.radius_mm is {rod.radius_mm:g}; it must be less than the distance of the disc's "
-                f"inner face from the fork axis, {inner:g} mm: lower it, or move the disc outwards"
-            )
-        if rod.radius_mm >= self.cam.base_radius_mm:
-            raise ValueError(
-                f"follower.radius_mm is {rod.radius_mm:g}; it must be less than cam.base_radius_mm, which "
-                f"is {self.cam.base_radius_mm:g}: lower it, or raise cam.base_radius_mm"
-            )
-        if rod.length_mm is not None and rod.length_mm <= outer:
-            raise ValueError(
-                f"follower.length_mm is {rod.length_mm:g}; it must be greater than the distance of the "
-                f"disc's outer face from the fork axis, {outer:g} mm"
-            )
+    def _follower_fits_the_disc(self) -> "DesignFile":
+        self.follower.registered.refuse(self.follower.keys, self.seat)
         return self
 
     @model_validator(mode="after")

@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.contact import Contact, roll
-from cadgen.cam.follower import Follower
+from cadgen.cam.contact import roll
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.curves.moved import moved
 from cadgen.deviations import quantities
@@ -72,7 +73,7 @@ class AsBuilt:
             slip=self._of_car("slip_percent"),
         )
 
-    def follower(self, nominal: Follower) -> Follower:
+    def follower(self, nominal: LeaningRod) -> LeaningRod:
         """The rod and the faces.
 
         Raises:
@@ -148,7 +149,7 @@ class AsBuilt:
                 found += 2 * float(np.hypot(placed.values[0], placed.values[1]))
         return found
 
-    def roll_measured(self, curve: ClosedCurve, follower: Follower, cam_angle: Array, step: float) -> Contact:
+    def roll_measured(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
         """The rod on the cam that was measured.
 
         Args:
@@ -172,7 +173,7 @@ class AsBuilt:
         contact = roll(_outline_of(disc), follower, cam_angle + self.phase)
         return replace(contact, cam_angle=cam_angle)
 
-    def roll_new(self, curve: ClosedCurve, follower: Follower, cam_angle: Array, step: float) -> Contact:
+    def roll_new(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
         """The rod on a new cam that is cut to `curve`; arguments as for `roll_measured`.
 
         Raises:

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import Contact, roll, roll_curve
+from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.follower import Follower
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
@@ -149,8 +150,7 @@ def _places(rows: Contact, follower: Follower) -> Array:
 
 def _ahead(rows: Contact, follower: Follower) -> Array:
     """How far ahead of the camshaft the contacts lie, mm."""
-    half = np.sqrt(np.maximum(follower.radius**2 - rows.across**2, 0.0) * (1 + rows.tan_beta**2))
-    return np.asarray(follower.base_radius + rows.face * rows.tan_beta - half)
+    return follower.ahead(rows.tan_beta, rows.face, rows.across)
 
 
 def _stray(curve: ClosedCurve, start: Array, stop: Array) -> Array:
@@ -166,7 +166,7 @@ def _on_section(curve: ClosedCurve, follower: Follower, before: Contact, place: 
     """The contacts at polar angles that the rod touches together with given ones, its section lying on the curve."""
     points = curve.at_angle(place)[0].point
     across = points[:, 1] * np.cos(before.cam_angle) - points[:, 0] * np.sin(before.cam_angle)
-    angle = np.arcsin(np.clip(across / follower.radius, -1.0, 1.0)) if follower.radius else before.pressure_angle
+    angle = follower.pressure_angle(before.tan_beta, across) if follower.radius else before.pressure_angle
     return replace(before, across=across, pressure_angle=angle)
 
 
@@ -220,7 +220,8 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
             radius,
         ]
     )
-    faces = np.where(contact.face == follower.inner, "inner", "outer").tolist()
+    first, *others = follower.planes
+    faces = np.where(contact.face == first, "inner", "outer").tolist() if others else ["whole"] * len(T)
     rows = (
         ",".join([f"{x:.6f}" if x == x else "" for x in row]) + f",{face}"
         for row, face in zip((numbers.round(6) + 0.0).tolist(), faces, strict=True)
@@ -229,7 +230,9 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
 
 
 def read_csv(path: Path) -> dict[str, Array]:
-    """Read the table's numbers by column; an empty field is not a number. `face` is 0 for inner, 1 for outer.
+    """Read the table's numbers by column; an empty field is not a number.
+
+    `face` is 0 for inner, 1 for outer, and 2 for the whole rim, on which a follower rests that does not lean.
 
     Raises:
         FileError: a column is missing or a field cannot be read.
@@ -241,7 +244,7 @@ def read_csv(path: Path) -> dict[str, Array]:
             raise ValueError("cut short")
         if tuple(header) != COLUMNS:
             raise FileError(f"{path.name} has columns {', '.join(header)}: write it again")
-        values = {"": "nan", "inner": "0", "outer": "1"}
+        values = {"": "nan", "inner": "0", "outer": "1", "whole": "2"}
         table = np.array([[float(values.get(text, text)) for text in row] for row in rows])
         return dict(zip(COLUMNS, table.T, strict=True))
     except (ValueError, UnicodeDecodeError, csv.Error) as error:

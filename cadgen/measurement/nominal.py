@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 
 from cadgen.cam.contact import roll
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.deviations.disc import DISC, Disc, nominal_disc
@@ -46,7 +46,7 @@ class Nominal:
     """
 
     lift: LiftCurve
-    follower: Follower
+    follower: LeaningRod
     profile: ClosedCurve
     car: Car
     track: Track

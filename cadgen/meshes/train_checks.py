@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from enum import StrEnum
 from functools import cache
 from math import pi
 from typing import NamedTuple
@@ -223,7 +224,7 @@ def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
 
     A stage that does not mesh has fewer checks than others.
     """
-    found: dict[CheckCode, Check] = {}
+    found: dict[StrEnum, Check] = {}
     for number, checks in enumerate(stages, 1):
         for check in checks:
             here = replace(check, place=", ".join(filter(None, (f"stage {number}", check.place))))

@@ -27,8 +27,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.cam.contact import Contact
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.rolled import Contact
 
 # The rows, in order.
 STEERING = (
@@ -52,7 +52,7 @@ class OtherEdge:
     PARTS: ClassVar[tuple[str, ...]] = ("taper", "wobble_0", "wobble_90")
 
     @classmethod
-    def of(cls, contact: Contact, follower: Follower) -> "OtherEdge":
+    def of(cls, contact: Contact, follower: LeaningRod) -> "OtherEdge":
         """Beside a contact of the nominal rod on the nominal disc."""
         other = replace(contact, face=follower.inner + follower.outer - contact.face)
         here, there = (steering_derivatives(one, follower) for one in (contact, other))
@@ -91,7 +91,7 @@ class Expansion:
 
 
 def steering_derivatives(
-    contact: Contact, follower: Follower, gain: float = 1.0, expansion: Expansion | None = None
+    contact: Contact, follower: LeaningRod, gain: float = 1.0, expansion: Expansion | None = None
 ) -> Array:
     """How tan(beta) at each cam angle changes with the cam's and the rod's dimensions.
 

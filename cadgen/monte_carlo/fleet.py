@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import Contact
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
 from cadgen.errors import DesignError
 from cadgen.monte_carlo.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
 from cadgen.monte_carlo.stretches import Forces, Stretches, behind_a_brake, stretches
@@ -113,7 +113,7 @@ class Fleet:
 
 def make_fleet(
     contact: Contact,
-    follower: Follower,
+    follower: LeaningRod,
     car: Car,
     length: float,
     lift: LiftCurve,

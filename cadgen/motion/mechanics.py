@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.play import LEAST_SWING, Following, falls, follow
 
@@ -64,7 +64,7 @@ class Levers:
     lift: Array
 
 
-def levers(lift: LiftCurve, follower: Follower, theta: Array) -> Levers:
+def levers(lift: LiftCurve, follower: LeaningRod, theta: Array) -> Levers:
     """Levers of the rod's force on a cam at cam angles, rad."""
     T, slope = lift.tan_beta(theta), lift.tan_beta(theta, nu=1)
     w, r = follower.contact_face(T), follower.radius
@@ -91,7 +91,7 @@ def levers(lift: LiftCurve, follower: Follower, theta: Array) -> Levers:
     )
 
 
-def holding_friction(lift: LiftCurve, follower: Follower) -> tuple[float, float]:
+def holding_friction(lift: LiftCurve, follower: LeaningRod) -> tuple[float, float]:
     """Sliding friction from which on a cam without drag never leads, and the cam angle that takes it, rad."""
     theta = np.arange(0.0, TURN, _STEP)
     at = levers(lift, follower, theta)
@@ -113,7 +113,7 @@ class Mechanics:
         behind: play between what brakes and the cam, rad: 0 if the disc itself is braked.
     """
 
-    follower: Follower
+    follower: LeaningRod
     rod_force: float = 1.0
     rod_rate: float = 0.0
     friction: float = 0.0
@@ -237,7 +237,7 @@ class MechanicsBand:
         drag: least and greatest, N mm.
     """
 
-    follower: Follower
+    follower: LeaningRod
     rod_force: float = 1.0
     rod_rate: float = 0.0
     friction: tuple[float, float] = (0.0, 0.0)

@@ -4,8 +4,8 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator, PPoly
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import Contact
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
 from cadgen.errors import DesignError
 
 MIN_SAMPLES = 16  # fewer cannot show the events of a path

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import drive
@@ -96,7 +96,7 @@ class Bound:
 
 def best_for_band(
     lift: LiftCurve,
-    follower: Follower,
+    follower: LeaningRod,
     car: Car,
     length: float,
     band: tuple[float, float],
@@ -159,7 +159,7 @@ def best_for_band(
 
 def _best_with_friction(
     lift: LiftCurve,
-    follower: Follower,
+    follower: LeaningRod,
     car: Car,
     length: float,
     band: tuple[float, float],

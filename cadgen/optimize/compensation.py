@@ -21,7 +21,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.play import falls
@@ -63,7 +63,7 @@ class _Valley:
 
 def compensated_lift(
     lift: LiftCurve,
-    follower: Follower,
+    follower: LeaningRod,
     play: float,
     *,
     plateau_fall: float = PLATEAU_FALL,
@@ -115,7 +115,7 @@ def compensated_lift(
 
 
 def _valley(
-    lift: LiftCurve, follower: Follower, play: float, pairs: Array, number: int, fall: float, blend: float
+    lift: LiftCurve, follower: LeaningRod, play: float, pairs: Array, number: int, fall: float, blend: float
 ) -> _Valley | None:
     """The profile around a valley, from the peak before it to the one after it; None if there is no room."""
     peak, valley = (float(angle) for angle in pairs[number])
@@ -145,7 +145,7 @@ def _crossing(lift: LiftCurve, play: float, peak: float, valley: float, next_pea
 
 
 def _plateau(
-    lift: LiftCurve, follower: Follower, play: float, peak: float, valley: float, fall: float
+    lift: LiftCurve, follower: LeaningRod, play: float, peak: float, valley: float, fall: float
 ) -> tuple[float, tuple[Array, Array], bool]:
     """Cam angle at which the shifted fall takes over, nodes of the plateau, and whether it falls enough.
 

@@ -9,9 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import Contact, rolling_step
+from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import ActualProfile
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflection_sum, deflections, run_error

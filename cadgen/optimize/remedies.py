@@ -18,7 +18,7 @@ import numpy as np
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.drive import Run, drive
 from cadgen.motion.errors import RunError, run_error
@@ -167,7 +167,7 @@ def worst_on_way(
     return max(float(run_error(run, planned).distance.max()) for run in runs)
 
 
-def touched_width(lift: LiftCurve, follower: Follower) -> float:
+def touched_width(lift: LiftCurve, follower: LeaningRod) -> float:
     """Length of the follower, along its axis, that touches the disc somewhere in a turn, mm.
 
     The contact lies (w - r sin(beta)) / cos(beta) along the axis from the fork axis, on the face that carries.
@@ -197,7 +197,7 @@ BEARINGS = tuple(
 )
 
 
-def bearing_for(lift: LiftCurve, follower: Follower) -> tuple[Bearing, int] | None:
+def bearing_for(lift: LiftCurve, follower: LeaningRod) -> tuple[Bearing, int] | None:
     """The smallest bearing that fits on the rod, and how many side by side are wide enough; None if none will do."""
     for bearing in sorted(BEARINGS, key=lambda b: b.outside):
         needed = touched_width(lift, replace(follower, radius=bearing.outside / 2))

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.errors import deflection_sum, deflections
@@ -64,7 +64,7 @@ def smoothed_lift(lift: LiftCurve, depth: float) -> LiftCurve:
 
 
 def smooth_to(
-    lift: LiftCurve, follower: Follower, car: Car, length: float, play: float, *, aim: float = PAPER_AIM
+    lift: LiftCurve, follower: LeaningRod, car: Car, length: float, play: float, *, aim: float = PAPER_AIM
 ) -> LiftCurve:
     """Smooth the lift until its own sum of deflection errors has fallen by a given share.
 

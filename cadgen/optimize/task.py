@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt
 from cadgen.motion.drive import Pose, Run, drive
@@ -30,7 +30,7 @@ class Task:
     """
 
     lift: LiftCurve
-    follower: Follower
+    follower: LeaningRod
     car: Car
     length: float
     aim: float

@@ -8,7 +8,7 @@ from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import Outline
 from cadgen.deviations.catalogue import LIFT
@@ -31,7 +31,7 @@ class LiftModel:
     unit = "um"
     measured = None
 
-    def __init__(self, record: Record, lift: LiftCurve, follower: Follower, disc: Disc, *, floor: float) -> None:
+    def __init__(self, record: Record, lift: LiftCurve, follower: LeaningRod, disc: Disc, *, floor: float) -> None:
         self._lift, self._follower = lift, follower
         self._disc = disc
         self._reading = record["lift_mm"]
@@ -101,8 +101,8 @@ class LiftModel:
         return at[1] + x * (at[2] - at[0]) / 2 + x**2 * (at[2] - 2 * at[1] + at[0]) / 2
 
 
-def _shifted(follower: Follower, by: float) -> Follower:
-    return Follower(
+def _shifted(follower: LeaningRod, by: float) -> LeaningRod:
+    return LeaningRod(
         base_radius=follower.base_radius,
         inner=follower.inner + by,
         outer=follower.outer + by,

@@ -33,7 +33,7 @@ def wanted_lift(work: TrainTask) -> CutLift:
 
 
 def envelope(lift: LiftCurve, follower: Follower) -> ActualProfile:
-    """The exact envelope of the rod.
+    """The exact envelope of the follower.
 
     Raises:
         DesignError: as `cadgen.cam.envelope.actual_profile`.
@@ -53,9 +53,9 @@ class Profile:
         for_play: whether it does something about the play of the gears, and so needs to know of it.
         best_of: whether it is the best of all the profiles that `table.compared` lists; `lift` and `curve` are theirs.
         lift: the lift that it is cut for.
-        curve: the curve that gives the rod a lift.
+        curve: the curve that gives the follower a lift.
         dilated: whether its lift is dilated by the play.
-        by_axis: whether its curve is for the rod's axis, a point, and not for the rod.
+        by_axis: whether its curve is for the rod's axis, or another follower's reference point, and not for itself.
         gives_lift: whether what rolls on it gets the lift that it is cut for.
         note: what the workshop must be told in the program of its machine; empty if nothing.
     """

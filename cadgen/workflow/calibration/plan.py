@@ -10,7 +10,7 @@ import numpy as np
 
 from cadgen.build import cam_model, gear_model, variation
 from cadgen.cam.contact import roll_curve
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.schema import Design
 from cadgen.deviations import quantities
@@ -255,9 +255,10 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
     Raises:
         DesignError, CheckError: see `plan_cam`.
     """
-    plan = plan_cam(design, profile, step)
     bare = design.as_designed()
-    follower = replace(cam_model.follower(bare), radius=plan.follower.radius and cam_model.follower(bare).radius)
+    rod = cam_model.rod(bare, "a calibration")
+    plan = plan_cam(design, profile, step)
+    follower = rod.point() if plan.profile.by_axis else rod
     lift = cut = plan.lift
     if design.as_built is not None or not plan.profile.gives_lift:
         # What is cut gives the rod of the designed car another lift than the planned one.
@@ -279,7 +280,7 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
     )
 
 
-def _forces(design: Design, rod: Follower, lift: LiftCurve) -> Mechanics | None:
+def _forces(design: Design, rod: LeaningRod, lift: LiftCurve) -> Mechanics | None:
     """Rod force and drag by [mechanics]; None without it."""
     band = variation.mechanics(design, rod, lift)
     return None if band is None else band.nominal

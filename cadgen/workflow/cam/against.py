@@ -5,6 +5,7 @@ from math import radians
 
 from cadgen.build import cam_model, variation
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design.schema import Design
@@ -110,8 +111,13 @@ def _off(error: float, before: float, smallest: float) -> float | None:
     return 1 - abs(error / before) if abs(before) > smallest else None
 
 
-def task_of(design: Design, track: Track, lift: LiftCurve, rod: Follower) -> Task:
-    """What is wanted of a profile against play."""
+def task_of(design: Design, track: Track, lift: LiftCurve, follower: Follower) -> Task:
+    """What is wanted of a profile against play.
+
+    Raises:
+        DesignError: the follower is not the leaning rod.
+    """
+    rod = rod_of(follower, "what the play of the gears does to a cam", "take --profile actual")
     return Task(
         lift=lift,
         follower=rod,

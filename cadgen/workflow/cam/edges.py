@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.contact import rolling_step
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
@@ -24,7 +24,7 @@ _TRIM_ROUNDS = 4  # of Gauss and Newton, from an end that is off by centimetres
 
 
 def edges_check(
-    lift: LiftCurve, follower: Follower, made: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
+    lift: LiftCurve, follower: LeaningRod, made: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
 ) -> Check:
     """How far off the run ends with both edges broken by `MORE` beyond the design, and what a trim leaves of it.
 

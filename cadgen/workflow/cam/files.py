@@ -11,9 +11,10 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.checks import cam_angles
-from cadgen.cam.contact import Contact, roll, roll_curve
+from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.cutter import CutterLimit, largest_cutter
 from cadgen.cam.difference import Exact, dense_stations
+from cadgen.cam.rolled import Contact
 from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import Outline
 from cadgen.curves.inset import chamfered_off
@@ -149,7 +150,7 @@ class _Job:
         else:
             rolled = contact.at(np.searchsorted(contact.cam_angle, self.cam_angle))
         # Rises and falls within what the file may err by are no events of the path.
-        least_swing = max(against.chosen.least_swing, lift_limit_um * 1e-3 / self.plan.rod.inner)
+        least_swing = max(against.chosen.least_swing, lift_limit_um * 1e-3 / against.task.follower.inner)
         lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
         heading, distance = against.end_of(lift, least_swing)
         return {"end_heading_deg": degrees(heading), "end_position_mm": distance}

@@ -35,13 +35,13 @@ def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
         **design_facts(plan.design),
         "profile": plan.profile.code,
         "passed": plan.passed,
-        "checks": [_check_facts(check) for check in (*plan.checks, plan.edges)],
+        "checks": [_check_facts(check) for check in plan.figures],
         "cures": [
             {"override": cure.override, "now": cure.now, "then_fails": [check.name for check in cure.failing]}
             for cure in cures.found
         ],
         "edge_break_mm": plan.blank.edge_break,
-        "carrying_planes_mm": [plan.rod.inner, plan.rod.outer],
+        "carrying_planes_mm": list(plan.rod.planes),
         "lift_extrema": _extrema_facts(plan),
         "track_length_mm": plan.track.length,
         "blend": {

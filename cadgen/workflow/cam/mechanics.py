@@ -4,8 +4,9 @@ from math import degrees, inf
 
 import numpy as np
 
-from cadgen.build import variation
+from cadgen.build import cam_model, variation
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, CheckCode
 from cadgen.design.schema import Design
@@ -51,12 +52,14 @@ def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Eval
     )
 
 
-def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: MechanicsBand | None) -> tuple[Check, ...]:
+def mechanics_checks(
+    design: Design, follower: Follower, lift: LiftCurve, band: MechanicsBand | None
+) -> tuple[Check, ...]:
     """Where and by how much torque the cam runs ahead, whether drag holds it, and whether a bearing is wide enough.
 
     Args:
         design: a loaded design.
-        rod: its follower.
+        follower: of the design.
         lift: that the cam is cut for.
         band: what is known of friction and drag; None if nothing is.
     """
@@ -73,14 +76,15 @@ def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: Mecha
             if band.behind > 0:
                 where = f"nothing holds the disc's {degrees(band.behind):.3f}° of play on its shaft"
             checks.append(Check(CheckCode.CAM_HOLDS, "cam holds", margin, "", -inf, "min", where))
-    if design.follower.width_mm is not None:
+    keys = cam_model.rod_keys(design)
+    if keys is not None and keys.width_mm is not None:
         checks.append(
             Check(
                 CheckCode.BEARING_WIDTH,
                 "bearing width",
-                touched_width(lift, rod),
+                touched_width(lift, rod_of(follower, "the width of a bearing")),
                 "mm",
-                design.follower.width_mm,
+                keys.width_mm,
                 "max",
                 "length that touches the disc in a turn",
                 "the bearing leaves the disc: take a wider one, or two side by side, and set follower.width_mm",

@@ -1,13 +1,14 @@
 """From a design to a checked profile. No CAD kernel is needed for this."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 from cadgen.build import cam_model, variation
 from cadgen.cam.checks import LOST_LIFT, check_cam
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, failing
 from cadgen.curves.closed import ClosedCurve
@@ -76,8 +77,13 @@ class CamPlan:
         return tuple(check for check in self.failed if check.code in LOST_LIFT)
 
     @cached_property
-    def edges(self) -> Check:
-        """What edges broken more than designed cost at the finish: a figure without a limit, taken if it is shown."""
+    def edges(self) -> Check | None:
+        """What edges broken more than designed cost at the finish: a figure without a limit, taken if it is shown.
+
+        None for a follower other than the leaning rod, which alone rides on an edge.
+        """
+        if not isinstance(self.follower, LeaningRod):
+            return None
         as_built, travel = cam_model.as_built(self.design), cam_model.travel(self.design, self.track)
         return edges_check(self.lift, self.follower, self.curve, as_built, cam_model.car(self.design), travel)
 
@@ -87,8 +93,13 @@ class CamPlan:
         return cam_model.path_end(self.design, self.track)
 
     @property
+    def figures(self) -> tuple[Check, ...]:
+        """The checks, and what is shown beside them."""
+        return self.checks if self.edges is None else (*self.checks, self.edges)
+
+    @property
     def follower(self) -> Follower:
-        """What rolls on this profile: the rod, or its axis."""
+        """What rolls on this profile: the follower of the design, or its reference point."""
         return _rolling(self.profile, self.rod)
 
     @cached_property
@@ -216,4 +227,4 @@ def against_of(plan: CamPlan) -> Against:
 
 
 def _rolling(profile: Profile, rod: Follower) -> Follower:
-    return replace(rod, radius=0.0) if profile.by_axis else rod
+    return rod.point() if profile.by_axis else rod

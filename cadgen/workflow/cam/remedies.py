@@ -198,7 +198,8 @@ def _split_wheel(sheet: _Sheet) -> list[Remedy]:
 def _bearing(sheet: _Sheet) -> list[Remedy]:
     """A ball bearing on the rod, and a cam for its radius, compensated."""
     task, design = sheet.task, sheet.design
-    if design.follower.material == "ball_bearing":
+    keys = cam_model.rod_keys(design)
+    if keys is None or keys.material == "ball_bearing":
         return []
     fitting = bearing_for(task.lift, task.follower)
     if fitting is None:

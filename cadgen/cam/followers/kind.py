@@ -1,0 +1,46 @@
+"""What a kind of follower is: its code, its keys of the design file, and the follower that they make."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from cadgen.cam.follower import Follower
+
+
+@dataclass(frozen=True, kw_only=True)
+class Seat:
+    """What a follower is built on: the disc and its place, mm.
+
+    Attributes:
+        base_radius: distance of the camshaft from the fork axis.
+        faces: lateral distances of the disc's faces from the fork axis, the nearer one first.
+        carrying: the same of the edges of the land between broken edges; the faces, if those are sharp.
+    """
+
+    base_radius: float
+    faces: tuple[float, float]
+    carrying: tuple[float, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FollowerKind:
+    """A kind of follower.
+
+    Attributes:
+        code: what `follower.kind` says.
+        meaning: a sentence for the reference.
+        keys: a frozen dataclass of its keys, named as in the file, each `Annotated` with its limits and with a phrase
+            for the reference; its `__post_init__` may refuse what contradicts itself by a `ValueError`, one sentence
+            for the user.
+        build: the follower from the keys and its seat, before what is known of the car as it was built.
+        refuse: keys that do not suit their seat, by a `ValueError` of one sentence.
+    """
+
+    code: str
+    meaning: str
+    keys: type[Any]
+    build: Callable[[Any, Seat], Follower]
+    refuse: Callable[[Any, Seat], None] = lambda keys, seat: None
