@@ -148,6 +148,7 @@ def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
     assert both.band.worst_distance < 2020
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "overrides", [["play.least_deg=0", "play.greatest_deg=0"], ["play.measured_deg=0"]], ids=["band", "measured"]
 )
@@ -161,6 +162,7 @@ def test_without_play_no_share_of_it_can_be_off(overrides):
     assert (figures["smoothed"]["worst_position_percent_off"] is None) == ("play.greatest_deg=0" in overrides)
 
 
+@pytest.mark.slow
 def test_with_a_measured_play_limits_and_choice_go_by_the_errors_with_it(carbon_free_car):
     plan = plan_cam(with_play(0.74, "optimize.max_end_position_mm=100", "optimize.max_end_heading_deg=1"), "optimized")
     assert plan.against.chosen.profile is COMPENSATED
