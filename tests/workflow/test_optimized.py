@@ -183,6 +183,7 @@ def test_names_the_limit_that_binds_and_by_how_much():
         plan_cam(design, "optimized")
 
 
+@pytest.mark.slow
 def test_smoothing_fails_the_lift_check_and_is_made_without_it():
     failing = plan_cam(load_design("carbon_free_car"), "smoothed")
     assert [check.name for check in failing.checks if not check.passed] == ["lift error with play"]
