@@ -93,7 +93,7 @@ def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     # Every format of this cam is read back in tests/workflow/test_lift_errors.py.
     forced = ("--force", "--formats", "step,csv", "--json")
     result = cadgen("cam", "appendix_car", "--profile", "actual", "--out", "out", *forced, code=0)
-    part = parts(tmp_path / "out")["appendix_car_actual"]
+    part = parts(tmp_path / "out")["appendix_car_actual_step_csv"]
     assert json.loads(result.stdout) == part
     assert part["passed"] is False
     failed = {check["name"] for check in part["checks"] if not check["passed"]}
