@@ -155,6 +155,12 @@ class Ring:
         off = self.points[:, about] - self.points[:, heads, None]
         return heads, np.sqrt(np.max(np.sum(off**2, axis=0), axis=1)) + SAME
 
+    @cached_property
+    def _inside(self) -> NDArray[np.bool_]:
+        """Whether a point and its neighbours are of one piece."""
+        same = np.diff(self.piece, prepend=-1, append=-1) == 0
+        return np.asarray(same[:-1] & same[1:])
+
     def _within(self, theta: Array) -> Array:
         """Cam angles of the turn that is laid out."""
         theta = self.angle[0] + (theta - self.angle[0]) % TURN
@@ -228,22 +234,22 @@ class Ring:
     def _refine(self, needed: Array, y: Array, first: NDArray[np.intp], face: float) -> Array:
         """The greatest tan(beta) between the samples: parabolas through three neighbours of one piece."""
         last = needed.shape[1] - 1
-        rows = np.arange(len(needed))[:, None]
-        top = np.argmax(needed, axis=1)[:, None]
+        row = np.arange(len(needed))
+        top = np.argmax(needed, axis=1)
         # A joint stands twice, and the contact may lie just beside it: look two points to either side.
-        centre = np.clip(top + np.arange(-2, 3), 1, last - 1)
-        before, at, after = (needed[rows, centre + k] for k in (-1, 0, 1))
-        piece = self.piece[first[:, None, None] + centre[..., None] + np.arange(-1, 2)]
-        fits = (piece == piece[..., 1:2]).all(axis=2) & np.isfinite(before) & np.isfinite(after)
-        before, at, after = (np.where(fits, f, 0.0) for f in (before, at, after))
+        middle = np.clip(top, 3, last - 3)
+        seven = needed[row[:, None], middle[:, None] + np.arange(-3, 4)]
+        centre = middle[:, None] + np.arange(-2, 3)
+        fits = self._inside[first[:, None] + centre] & np.isfinite(seven[:, :-2]) & np.isfinite(seven[:, 2:])
+        before, at, after = (np.where(fits, seven[:, k : k + 5], 0.0) for k in range(3))
         slope, bend = (after - before) / 2, np.minimum(before - 2 * at + after, -1e-300)
         shift = np.clip(-slope / bend, -1.0, 1.0)
         value = np.where(fits, at + slope * shift + bend * shift**2 / 2, -np.inf)
-        row, best = np.arange(len(needed)), np.argmax(value, axis=1)
+        best = np.argmax(value, axis=1)
         refined, chosen, shift = value[row, best], centre[row, best], shift[row, best]
-        sampled = needed[row, top[:, 0]]
+        sampled = needed[row, top]
         use = refined >= sampled
-        chosen, shift = np.where(use, chosen, top[:, 0]), np.where(use, shift, 0.0)
+        chosen, shift = np.where(use, chosen, top), np.where(use, shift, 0.0)
         beside = np.clip(chosen + np.where(shift >= 0, 1, -1), 0, last)
         across = y[row, chosen] + np.abs(shift) * (y[row, beside] - y[row, chosen])
         tan_beta = np.maximum(refined, sampled)
@@ -265,6 +271,6 @@ def _turned_back(points: Array, theta: Array, first: NDArray[np.intp], width: in
 
     Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
     """
-    ahead, left = (sliding_window_view(values, width)[first] for values in points)
+    ahead, left = sliding_window_view(points, width, axis=1)[:, first]
     c, s = np.cos(theta)[:, None], np.sin(theta)[:, None]
     return ahead * c + left * s, left * c - ahead * s

@@ -173,6 +173,7 @@ def test_a_cam_is_drawn(cam):
     assert len(outline.patches) == 1 + len(cam.computed.blank.inner_contours())
 
 
+@pytest.mark.slow
 def test_the_gears_of_a_design_are_those_given_by_numbers(car):
     """The paper's train, from the design and from its numbers: one tooth, one return error."""
     made = car.gears()
@@ -246,6 +247,7 @@ def tooth_corners(form):
     return flank[np.abs(flank) < form.tip_diameter / 2 + 1]
 
 
+@pytest.mark.slow
 def test_gears_and_trains_are_written_and_proved(tmp_path, capfd):
     small = Gear(
         teeth=12, module=1.0, profile_shift=0.3, width=5.0, bore=4.0, hub=Hub(diameter=8.0, length=4.0), name="small"

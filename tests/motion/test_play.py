@@ -168,6 +168,7 @@ def passed_over_one_by_one(height: np.ndarray, least: float) -> list[int]:
     return row
 
 
+@pytest.mark.slow
 @settings(max_examples=400, deadline=None)
 @given(
     pairs=st.lists(st.tuples(st.integers(0, 8), st.integers(0, 8)), max_size=12),

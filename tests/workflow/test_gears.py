@@ -164,6 +164,7 @@ def test_a_direction_goes_with_its_stage_when_the_stages_are_reordered():
         assert step.imag == pytest.approx(cos(radians(90 - direction)))
 
 
+@pytest.mark.slow
 def test_the_search_makes_the_best_train_whose_gears_fit_and_says_why_not_those_before():
     """Small gears leave no room for the blanks of the design; the best that do is made."""
     plan = plan_gears(load_design(None, ["train.search.teeth_min=17"]), "search")
@@ -267,6 +268,7 @@ def test_span_and_pins_of_every_gear_have_its_own_limits(paper):
         assert gear["span_nominal_mm"] - gear["span_max_mm"] == pytest.approx(-gear["E_sns_um"] / 1000 * cos(ALPHA))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("E_sn", [-40, -110])
 def test_a_given_thinning_has_its_limits_about_it(paper, E_sn):
     """Outside the zone of the grade, E_sns to E_sni, and inside."""
@@ -278,6 +280,7 @@ def test_a_given_thinning_has_its_limits_about_it(paper, E_sn):
         assert width == pytest.approx(gear["span_max_mm"] - gear["span_min_mm"])
 
 
+@pytest.mark.slow
 def test_pins_chamfer_and_clearance_of_the_design_are_used(paper):
     plan = plan_gears(load_design(None, ["train.pin_diameter_mm=1.05", "train.tip_chamfer_mm=0.03"]))
     for key, gear in gears_of(plan).items():
@@ -303,6 +306,7 @@ def test_shallow_roots_fail_the_clearance_check():
     assert not plan.passed
 
 
+@pytest.mark.slow
 def test_a_given_thinning_is_said_and_inspected_about_itself():
     """E_sn = -300 um: j_bn = 600 um at the pitch circles of all stages as cut, and the limits lie about that."""
     plan = plan_gears(load_design(overrides=["train.E_sn_um=-300"]))
@@ -332,6 +336,7 @@ def test_teeth_that_do_not_overlap_in_action_are_not_blamed_on_the_program():
     assert not {check.name for check in plan.checks} & {"return error - computed", "play - computed, as cut"}
 
 
+@pytest.mark.slow
 def test_the_trial_searches_find_what_passes():
     """Twelve failing trains used to end the search; speed-up stages are not taken unless asked for."""
     plan = plan_gears(load_train(TRIALS / "s2.toml"), "search")
@@ -350,6 +355,7 @@ def test_the_trial_searches_find_what_passes():
     assert min(stage.ratio for stage in speeding.train.stages) < 1
 
 
+@pytest.mark.slow
 def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
     """The pairs of a train that fails are left out; the checks themselves are replaced."""
 
@@ -368,6 +374,7 @@ def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
     assert plan.play.train == plan_gears(load_design(None, ["train.search.teeth_max=140"]), "search").play.train
 
 
+@pytest.mark.slow
 def test_wheels_of_neighbouring_stages_get_a_collar_by_default():
     sets = ["train.intermediate.hub=", "train.intermediate.web=", "train.intermediate.lightening="]
     plan = plan_gears(load_design(None, sets))
