@@ -24,6 +24,7 @@ The rooms, in walking order; each imports only those before it.
 | `measurement` | measured data -> the effects that explain them; one object a kind of data |
 | `optimize`    | methods against play and the choice among them                            |
 | `monte_carlo` | many cars within the tolerances                                           |
+| `adjustment`  | trial runs -> settings of micrometer, key and start                       |
 | `records`     | measured data from files, each of the kind that its columns say           |
 | `design`      | the design file: TOML -> frozen values                                    |
 | `build`       | design -> the numeric rooms' own types, in mm and rad                     |
@@ -42,8 +43,9 @@ from cadgen.version import __version__
 
 # Where each public name lives. It is imported when it is first asked for: `import cadgen` alone costs next to nothing.
 _HOMES = {
+    "Adjustment": "api.adjustment",
     "CadgenError": "errors",
-    "Calibration": "api.design",
+    "Calibration": "api.calibration",
     "Cam": "api.cam",
     "CheckError": "errors",
     "Comparison": "api.runs",
@@ -70,8 +72,10 @@ _HOMES = {
 # As `typing.TYPE_CHECKING`, without the time that importing it takes.
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from cadgen.api.adjustment import Adjustment
+    from cadgen.api.calibration import Calibration
     from cadgen.api.cam import Cam
-    from cadgen.api.design import Calibration, Design
+    from cadgen.api.design import Design
     from cadgen.api.files import Written, WrittenFile, verify
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
@@ -81,6 +85,7 @@ if TYPE_CHECKING:
     from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 __all__ = [
+    "Adjustment",
     "CadgenError",
     "Calibration",
     "Cam",

@@ -10,7 +10,9 @@
 | `measured` | measured data, as files or as arrays                                       |
 | `gear`     | a gear by its numbers                                                      |
 | `gears`    | pairs and trains of gears, by their numbers or of a design                 |
-| `design`   | a design and what can be done with it; a calibration and the design built  |
+| `calibration` | a judgement of measured data, and the design built from it              |
+| `adjustment` | settings after trial runs                                                |
+| `design`   | a design and what can be done with it                                      |
 
 Everything raises the errors of `cadgen.errors`: one sentence that says what is wrong, where, and what to change. The
 public names are those of `cadgen` itself; numbers are mm and rad unless the name ends in another unit.

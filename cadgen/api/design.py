@@ -2,12 +2,11 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Progress, Written, folder_of, silent
+from cadgen.api.files import Progress, silent
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.overrides import overrides_of
 from cadgen.api.values import name_or_path, optional, plain_text, whole, word
@@ -17,17 +16,16 @@ from cadgen.design.schema import TrainDesign
 from cadgen.errors import brief
 
 if TYPE_CHECKING:
+    from cadgen.api.adjustment import Adjustment
+    from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.gears import GearTrain
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
     from cadgen.monte_carlo.robust import Map
-    from cadgen.report.text import Block
-    from cadgen.workflow.calibration import plan as calibrations
 
 ORDERS = ("as-given", "reordered", "search")
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
-_REPORT_WIDTH = 110
 
 
 @dataclass(frozen=True, repr=False)
@@ -242,7 +240,7 @@ class Design:
         profile: str = "actual",
         form_error_um: float | None = None,
         progress: Progress = silent,
-    ) -> "Calibration":
+    ) -> "Calibration[Design]":
         """Trace measured data of one car to the effects that the design lacks.
 
         Args:
@@ -256,11 +254,12 @@ class Design:
             DesignError: as `cam`, or no such form error.
             FileError: data that cannot be read, or cannot be judged together.
         """
+        from cadgen.api.calibration import Calibration
         from cadgen.workflow.calibration.plan import calibrate
 
-        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        told = calibrate(self._whole(), profile, sources_of(data, progress=progress), error, progress)
-        return Calibration(told, self.text)
+        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self._whole()
+        computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
+        return Calibration(computed, Design(design, self.text, self.file))
 
     def calibrate_each(
         self,
@@ -269,132 +268,48 @@ class Design:
         profile: str = "actual",
         form_error_um: float | None = None,
         progress: Progress = silent,
-    ) -> "Calibrations":
+    ) -> "Calibrations[Design]":
         """Judge measured data one by one, each as of a car of its own; arguments and errors as in `calibrate`."""
+        from cadgen.api.calibration import Calibration, Calibrations
         from cadgen.workflow.calibration.plan import calibrate_each
 
-        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        told = calibrate_each(self._whole(), profile, sources_of(data, each=True, progress=progress), error, progress)
-        return Calibrations(tuple(Calibration(one, self.text) for one in told))
+        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self._whole()
+        computed = calibrate_each(design, profile, sources_of(data, each=True, progress=progress), error, progress)
+        same = Design(design, self.text, self.file)
+        return Calibrations(tuple(Calibration(result, same) for result in computed))
+
+    def adjust(
+        self,
+        trials: str | PathLike[str] | Iterable[str | PathLike[str]],
+        *,
+        profile: str = "optimized",
+        point: str = "drive-wheel",
+        knobs: Iterable[str] = ("head", "start"),
+        noise_mm: float = 10.0,
+        division_um: float = 10.0,
+        progress: Progress = silent,
+    ) -> "Adjustment":
+        """Settings of micrometer head, key and start that bring the next run to its end, from trial runs.
+
+        Args:
+            trials: CSV files of measured points, in the order of driving (docs/how-to/adjust.md).
+            profile: of the cam on the car.
+            point: of the car that was measured: `drive-wheel`, `fork`, `idle-wheel`, or `path`, the point that is to
+                follow the waypoints.
+            knobs: what may be set: `head`, `key`, `start`.
+            noise_mm: standard deviation of a measured coordinate, mm, 0.1 to 1000.
+            division_um: of the micrometer head, µm, 0.1 to 1000.
+            progress: told what is being done.
+
+        Raises:
+            DesignError: as `tolerance`, or no such point, knob, noise or division.
+            FileError: files that cannot be read or are no trial runs.
+        """
+        from cadgen.api.adjustment import adjusted
+
+        return adjusted(self._whole(), trials, profile, point, knobs, noise_mm, division_um, progress)
 
     def _whole(self) -> DesignValues:
         """The design, if it has all that a cam needs."""
         known = self.values
         return known if isinstance(known, DesignValues) else load.design_of(self.text, self.file, known.overrides)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Calibration:
-    """Result of `Design.calibrate`: the effects found in measured data of one car, and the design built from them.
-
-    Attributes:
-        computed: the whole result, for figures that are not named here.
-        text: of the design file.
-    """
-
-    computed: "calibrations.Calibration"
-    text: str
-
-    def __repr__(self) -> str:
-        return f"<Calibration of {self.computed.design.name}: {self.verdicts}>"
-
-    @property
-    def verdicts(self) -> dict[str, str]:
-        """Kind of data -> class of the verdict on it, such as `traced` or `ambiguous`."""
-        return {source.kind.code: self.computed.verdict(source.kind) for source in self.computed.sources}
-
-    @property
-    def effects(self) -> "tuple[calibrations.Built, ...]":
-        """Everything claimed, with its place in the design as built.
-
-        `claim.finding.effect` is its name, `claim.finding.values` its numbers with standard deviations, in the unit
-        that each name ends in.
-        """
-        return self.computed.built
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What does not fit, but was let pass, a sentence each."""
-        return self.computed.warnings
-
-    @cached_property
-    def as_built(self) -> Design:
-        """The design with what was measured in its [as_built]; the design as it was, if nothing was found."""
-        from cadgen.workflow.calibration.as_built_file import as_built_text
-
-        known = self.computed.design
-        if not self.computed.built:
-            return Design(known, self.text, Path(known.source))
-        return Design.from_toml(as_built_text(self.computed, self.text), f"{known.name}_as_built")
-
-    @property
-    def report(self) -> "list[Block]":
-        """Everything in paragraphs and tables; `str` of the result gives them as text."""
-        from cadgen.workflow.calibration.words import report
-
-        return report(self.computed)
-
-    def __str__(self) -> str:
-        from cadgen.report.text import plain
-
-        return plain(self.report, _REPORT_WIDTH)
-
-    def facts(self) -> dict[str, Any]:
-        """Everything as plain values, as in the JSON file."""
-        from cadgen.workflow.calibration.files import document
-
-        return document(self.computed)
-
-    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
-        """Write the report, pictures, JSON and the design as built, all together or none.
-
-        Args:
-            folder: where to; it is made if need be.
-            progress: told what is being done.
-
-        Raises:
-            FileError: a file cannot be written, or the design as built, read back, is not what was meant.
-        """
-        from cadgen.workflow.calibration.files import write_calibration
-
-        place = folder_of(folder)
-        written = write_calibration(self.computed, self.text, place, progress)
-        return Written.of(place, written.part, written.entry)
-
-
-@dataclass(frozen=True)
-class Calibrations:
-    """Result of `Design.calibrate_each`: a verdict on each measured file, judged alone.
-
-    Attributes:
-        each: one for each of the data, in their order.
-    """
-
-    each: tuple[Calibration, ...]
-
-    @property
-    def report(self) -> "list[Block]":
-        """One table with a row for each."""
-        from cadgen.workflow.calibration.words import summary
-
-        return summary([one.computed for one in self.each])
-
-    def facts(self) -> dict[str, Any]:
-        """Everything as plain values, as in the JSON file."""
-        from cadgen.workflow.calibration.files import documents
-
-        return documents([one.computed for one in self.each])
-
-    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
-        """Write the table and JSON; errors as in `Calibration.write`.
-
-        Args:
-            folder: where to; it is made if need be.
-            progress: told what is being done.
-        """
-        from cadgen.workflow.calibration.files import write_each
-
-        place = folder_of(folder)
-        progress("writing")
-        written = write_each([one.computed for one in self.each], place)
-        return Written.of(place, written.part, written.entry)

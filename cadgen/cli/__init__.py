@@ -9,6 +9,7 @@
 | `optimize`  | `cadgen optimize`: the methods against play                        |
 | `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
 | `calibrate` | `cadgen calibrate`: measured files -> what the design lacks        |
+| `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
 | `verify`    | `cadgen verify`: whether a folder is what its manifest says        |
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
@@ -32,6 +33,7 @@ import click
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from cadgen.cli import interrupt, output
+from cadgen.cli.adjust import adjust
 from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam
 from cadgen.cli.check import check
@@ -71,6 +73,7 @@ cli.add_command(simulate)
 cli.add_command(optimize)
 cli.add_command(tolerance)
 cli.add_command(calibrate)
+cli.add_command(adjust)
 cli.add_command(verify)
 
 

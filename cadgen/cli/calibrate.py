@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from cadgen.cli.options import PROFILES, Number, out_option
+from cadgen.cli.options import PROFILES, Number, design_and_files, out_option
 from cadgen.optimize.profiles.actual import ACTUAL
 
 
@@ -53,19 +53,15 @@ def calibrate(
     columns say which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument if
     it names a packaged design or ends in .toml.
     """
-    from cadgen.api.design import Calibration, Calibrations, Design
+    from cadgen.api.calibration import Calibration, Calibrations
+    from cadgen.api.design import Design
     from cadgen.cli import show
     from cadgen.design.load import packaged_designs
     from cadgen.report.text import write
 
-    designs = [text for text in arguments if text in packaged_designs() or text.endswith(".toml")]
-    if designs and (len(designs) > 1 or arguments[0] != designs[0]):
-        raise click.UsageError(f"{designs[-1]} is a design and not measured data: name one design, before the files")
-    design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
-    if not files:
-        raise click.UsageError("no measured file was given: name at least one CSV file")
+    design, files = design_and_files(arguments, packaged_designs())
     loaded = Design.load(design, overrides)
-    result: Calibration | Calibrations
+    result: Calibration[Design] | Calibrations[Design]
     with show.progress(not as_json) as progress:
         judge = loaded.calibrate_each if each else loaded.calibrate
         result = judge(files, profile=profile, form_error_um=form_error_um, progress=progress)

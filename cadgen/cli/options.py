@@ -1,6 +1,6 @@
 """Arguments and options that several commands share."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -65,6 +65,25 @@ def formats_option(endings: str) -> Callable[[Command], Command]:
     return click.option(
         "--formats", metavar="LIST", help=f"Files to write, by their endings, such as step,stl.  [default: {endings}]"
     )
+
+
+def design_and_files(arguments: tuple[str, ...], packaged: Collection[str]) -> tuple[str | None, tuple[str, ...]]:
+    """A design, if the first argument names one, and measured files.
+
+    Args:
+        arguments: of the command line.
+        packaged: names of the packaged designs.
+
+    Raises:
+        click.UsageError: no file, or a design among them.
+    """
+    designs = [text for text in arguments if text in packaged or text.endswith(".toml")]
+    if designs and (len(designs) > 1 or arguments[0] != designs[0]):
+        raise click.UsageError(f"{designs[-1]} is a design and not measured data: name one design, before the files")
+    design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
+    if not files:
+        raise click.UsageError("no measured file was given: name at least one CSV file")
+    return design, files
 
 
 class Number(click.FloatRange):

@@ -20,18 +20,22 @@ MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
 MOST_REMARKS, LONGEST_LINE = 200, 1000
 
 
-def load(path: Path) -> Record:
+def load(path: Path, known: Sequence[Kind] | None = None) -> Record:
     """Read one file; its kind follows from its columns.
+
+    Args:
+        path: of the file.
+        known: kinds that it may be of; all that are registered if left out.
 
     Raises:
         FileError: no such file, no or a mixed header, columns that are missing, a value that is not a number or
             cannot be in its unit, angles that go round twice, or too few rows.
     """
-    return load_text(_text(path), escaped(path.name))
+    return load_text(_text(path), escaped(path.name), known)
 
 
-def load_text(text: str, name: str) -> Record:
-    """Read a file's text; arguments as its content and its name, errors as `load`."""
+def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Record:
+    """Read a file's text; arguments as its content, its name and the kinds that it may be of, errors as `load`."""
     lines = text.splitlines()
     _refuse_long(lines, name)
     remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
@@ -40,7 +44,7 @@ def load_text(text: str, name: str) -> Record:
     if top is None:
         raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
     header = _cells(top[1], top[0], name)
-    kind = _kind(header, name)
+    kind = _kind(header, name, kinds() if known is None else known)
     # Counted before any is kept: of the shortest lines a file has millions.
     refuse_many(kind, sum(1 for line in lines if line.strip() and not line.startswith("#")) - 1, name)
     numbers, rows = [], []
@@ -125,7 +129,7 @@ def _cells(line: str, number: int, name: str) -> list[str]:
         raise FileError(f"{name}, line {number}: {error}; correct the line") from None
 
 
-def _kind(header: list[str], name: str) -> Kind:
+def _kind(header: list[str], name: str, known: Sequence[Kind]) -> Kind:
     """The most demanding kind whose columns are all there; columns of two kinds are a mixture."""
     if len(set(header)) < len(header):
         twice = next(c for c in header if header.count(c) > 1)
@@ -133,7 +137,6 @@ def _kind(header: list[str], name: str) -> Kind:
     if len(header) == 1 and (mark := next((m for m in ";\t" if m in header[0]), None)):
         marks = "semicolons" if mark == ";" else "tabs"
         raise FileError(f"{name}: its columns are set apart by {marks}; save it with commas, and with decimal points")
-    known = kinds()
     if exact := [kind for kind in known if set(header) == set(kind.header)]:
         return exact[0]
     near = max(known, key=lambda kind: (len(_names(kind) & set(header)), -len(kind.columns)))

@@ -3,6 +3,7 @@
 | module       | what it holds                                                            |
 |--------------|--------------------------------------------------------------------------|
 | `simulation` | one run on the actual profile and on another: runs, events, errors       |
+| `fleet`      | many cars of a design, made ready                                        |
 | `tolerance`  | many cars within the tolerances: ends, yield, what matters most          |
 | `budget`     | the error budget on one sheet: what costs most, and what to hold tighter |
 | `manifest`   | the same as plain values                                                 |

@@ -6,17 +6,17 @@ from functools import cached_property
 
 import numpy as np
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import Array
 from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError, FileError
-from cadgen.monte_carlo.fleet import Fleet, make_fleet
+from cadgen.monte_carlo.fleet import Fleet
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.motion.drive import STEPS
 from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet
+from cadgen.workflow.runs.fleet import fleet_of
 
-_OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 QUANTILES = (0.5, 0.9, 0.95, 0.99)
 
 
@@ -144,20 +144,8 @@ def run_tolerance(
 
 def _fleet(plan: CamPlan) -> Fleet:
     against = against_of(plan)
-    task, grid = against.task, np.linspace(0.0, TURN, STEPS, endpoint=False)
-    return make_fleet(
-        task.as_built.roll_new(plan.curve, task.follower, grid, _OUTLINE_STEP),
-        task.follower,
-        task.car,
-        task.length,
-        plan.lift,
-        task.planned(),
-        wheel_radius=variation.wheel_radius(plan.design, task.length),
-        play=against.chosen.play,
-        stations=_gates(plan),
-        mechanics=None if task.mechanics is None else task.mechanics.nominal,
-        expansion=variation.expansion(plan.design),
-    )
+    mechanics = None if against.task.mechanics is None else against.task.mechanics.nominal
+    return fleet_of(plan, _gates(plan), mechanics, against.chosen.play)
 
 
 def _gates(plan: CamPlan) -> list[int]:
