@@ -8,7 +8,7 @@ from types import MappingProxyType
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from cadgen.adjustment.posterior import apply
+from cadgen.adjustment.posterior import Cars
 from cadgen.adjustment.trial import Complex, Noise, Settings
 from cadgen.arrays import Array
 from cadgen.monte_carlo.fleet import PARAMETERS, Fleet, run_fleet
@@ -44,57 +44,72 @@ class Forecast:
 
 
 def best_settings(
-    fleet: Fleet, cars: Array, free: Sequence[str], start: Settings, *, division: float, limits: Mapping[str, float]
+    fleet: Fleet,
+    cars: Cars,
+    free: Sequence[str],
+    *,
+    division: float,
+    limits: Mapping[str, float],
+    noise: Noise,
+    generator: np.random.Generator,
 ) -> Settings:
     """Settings with the least expected square error: at the end of the run, and in a lesser part along it.
 
+    A head that is turned stands a little off its new setting again, so it is turned only if that is worth it.
+
     Args:
         fleet: the nominal car, with stations over the whole run.
-        cars: deviations of cars that may be this one, shape (m, 29), columns as in `PARAMETERS`.
-        free: names of the settings that may change; the others stay as in `start`.
-        start: settings of the last run.
-        division: of the micrometer head, mm: its setting is a whole number of them from where it stood.
+        cars: that may be this one.
+        free: names of the settings that may change; the others stay as in the last run.
+        division: of the micrometer head, mm: it is turned by a whole number of them.
         limits: how far each may be from the design, by name.
+        noise: of start and head.
+        generator: of the random numbers.
     """
-    settings = _solved(fleet, cars, free, start, limits)
+    others = [name for name in free if name != "head"]
+    left = _solved(fleet, cars, others, cars.last, limits)
     if "head" not in free:
-        return settings
-    turns = round((settings.head - start.head) / division)
-    settings = replace(settings, head=start.head + turns * division)
-    return _solved(fleet, cars, [name for name in free if name != "head"], settings, limits)
+        return left
+    moved = _solved(fleet, cars, free, cars.last, limits)
+    turns = round((moved.head - cars.last.head) / division)
+    if not turns:
+        return left
+    turned = _solved(fleet, cars, others, replace(moved, head=cars.last.head + turns * division), limits)
+    error = noise.head * generator.standard_normal(len(cars.head))
+    costs = [float(np.sum(_weighted(_errors(fleet, cars.run(one, error))) ** 2)) for one in (left, turned)]
+    return left if costs[0] <= costs[1] else turned
 
 
-def _solved(fleet: Fleet, cars: Array, free: Sequence[str], start: Settings, limits: Mapping[str, float]) -> Settings:
+def _solved(fleet: Fleet, cars: Cars, free: Sequence[str], start: Settings, limits: Mapping[str, float]) -> Settings:
     settings = start
     if not free:
         return settings
     scale = np.array([limits[name] for name in free])
     for _ in range(_STEPS):
         value = np.array([getattr(settings, name) for name in free])
-        base = _weighted(_errors(fleet, apply(cars, settings)))
+        base = _weighted(_errors(fleet, cars.run(settings, cars.head)))
         columns = []
         for name in free:
             moved = replace(settings, **{name: getattr(settings, name) + _PROBES[name]})
-            columns.append((_weighted(_errors(fleet, apply(cars, moved))) - base) * limits[name] / _PROBES[name])
+            error = _weighted(_errors(fleet, cars.run(moved, cars.head)))
+            columns.append((error - base) * limits[name] / _PROBES[name])
         share = value / scale
-        system = np.concatenate([np.stack(columns, axis=1), _RIDGE * np.sqrt(len(cars)) * np.diag(scale)])
+        system = np.concatenate([np.stack(columns, axis=1), _RIDGE * np.sqrt(len(cars.head)) * np.diag(scale)])
         target = np.concatenate([np.stack(columns, axis=1) @ share - base, np.zeros(len(free))])
         solved = lsq_linear(system, target, bounds=(-1.0, 1.0)).x * scale
         settings = replace(settings, **dict(zip(free, solved.tolist(), strict=True)))
     return settings
 
 
-def forecast(fleet: Fleet, cars: Array, settings: Settings, noise: Noise, generator: np.random.Generator) -> Forecast:
+def forecast(fleet: Fleet, cars: Cars, settings: Settings, noise: Noise, generator: np.random.Generator) -> Forecast:
     """Errors of cars with settings that a hand makes as well as it can.
 
     Args:
-        fleet, cars: as in `best_settings`.
+        fleet, cars, noise, generator: as in `best_settings`.
         settings: of the run.
-        noise: of start and head.
-        generator: of the random numbers.
     """
-    table = apply(cars, settings)
-    for name, sigma in noise.deviations.items():
+    table = cars.run(settings, noise.head * generator.standard_normal(len(cars.head)))
+    for name, sigma in noise.starts.items():
         table[:, _COLUMN[name]] += sigma * generator.standard_normal(len(table))
     errors = np.abs(_errors(fleet, table))
     return Forecast(end=errors[:, -1], way=errors.max(axis=1))

@@ -10,6 +10,7 @@ with r the residuals, m the deviations in units of their prior standard deviatio
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +26,7 @@ _FIRST_STEPS, _MORE_STEPS = 2, 2
 _FAR = 15.0  # a cell whose evidence is less by exp(15) is left
 _COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
 _GRIDDED = ("play", "friction")
-_BLOCK = 400  # cars run at once, so that their tables stay small
+_BLOCK = 100  # cars run at once: their tables stay in the processor's cache
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,14 +61,43 @@ class Prior:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Cars:
+    """Cars that may be the one that was measured, m of them.
+
+    Attributes:
+        table: their deviations, shape (m, 29), columns as in `PARAMETERS`.
+        head: by how much the micrometer head stands off what it was last set to, shape (m,), mm.
+        last: settings of the last trial run.
+    """
+
+    table: Array
+    head: Array
+    last: Settings
+
+    def run(self, settings: Settings, turned: Array | float = 0.0) -> Array:
+        """Deviations in a run with settings, shape (m, 29).
+
+        Args:
+            settings: of the run.
+            turned: by how much the head stands off its new setting, if it is turned, shape (m,) or one for all, mm.
+        """
+        table = self.table.copy()
+        for name, setting in settings.deviations.items():
+            table[:, _COLUMN[name]] += setting
+        table[:, _COLUMN["base_radius"]] += self.head if settings.head == self.last.head else turned
+        return table
+
+
+@dataclass(frozen=True, kw_only=True)
 class Posterior:
     """Deviations of the car after the trial runs: cells of a mixture.
 
     Attributes:
-        names: of the deviations, p of them.
+        names: of the car's deviations, p of them.
         weight: of each cell, shape (c,), adding up to 1.
-        mean: deviations, shape (c, p), internal units.
-        root: of the covariance: mean + root @ standard normal numbers, shape (c, p, p).
+        mean: deviations, then the head's error in the last trial run, shape (c, p + 1), internal units.
+        root: of the covariance: mean + root @ standard normal numbers, shape (c, p + 1, p + 1).
+        last: settings of the last trial run.
         residual: root mean square of the residuals of the likeliest cell in standard deviations of a point.
     """
 
@@ -75,16 +105,17 @@ class Posterior:
     weight: Array
     mean: Array
     root: Array
+    last: Settings
     residual: float
 
-    def draw(self, generator: np.random.Generator, count: int) -> Array:
-        """Deviations of random cars, shape (count, 29), columns as in `PARAMETERS`."""
+    def draw(self, generator: np.random.Generator, count: int) -> Cars:
+        """Random cars."""
         cell = generator.choice(len(self.weight), count, p=self.weight)
-        normal = generator.standard_normal((count, len(self.names)))
+        normal = generator.standard_normal((count, self.mean.shape[1]))
         values = self.mean[cell] + np.einsum("npq,nq->np", self.root[cell], normal)
         table = np.zeros((count, len(PARAMETERS)))
-        table[:, [_COLUMN[name] for name in self.names]] = values
-        return table
+        table[:, [_COLUMN[name] for name in self.names]] = values[:, :-1]
+        return Cars(table=table, head=values[:, -1], last=self.last)
 
 
 def explain(fleet: Fleet, lever: complex, prior: Prior, trials: Sequence[Trial]) -> Posterior:
@@ -94,60 +125,68 @@ def explain(fleet: Fleet, lever: complex, prior: Prior, trials: Sequence[Trial])
         fleet: the nominal car, with stations close together over the whole run, the last one its end.
         lever: place of the measured point in the car's frame from the drive wheel, x + iy, mm.
         prior: what may deviate, and how much is measured.
-        trials: one or more.
+        trials: one or more, in the order of driving.
 
     Raises:
         DesignError: no trial run, or one of fewer than two points.
     """
     if not trials or any(len(trial.points) < 2 for trial in trials):
         raise DesignError("an adjustment needs at least one trial run of two points: measure some along the track")
-    fits = [_Fit(fleet, lever, prior, trial) for trial in trials]
-    names, cells, scales = prior.names, prior.cells, prior.scales()
-    own = list(prior.noise.deviations.values())
-    # Deviations of the car, then those of each trial run, all in units of their standard deviations.
-    unit = np.concatenate([scales, *(own for _ in trials)])
+    names, cells, noise = prior.names, prior.cells, prior.noise
+    # Each turn of the head leaves an error of its own, which stays for the runs that follow.
+    settings = [trial.settings.head for trial in trials]
+    turns = np.cumsum([0, *(later != earlier for earlier, later in pairwise(settings))]).tolist()
+    starts = list(noise.starts.values())
+    # Deviations of the car, errors of the head, and of each start, all in units of their standard deviations.
+    unit = np.concatenate([prior.scales(), np.full(turns[-1] + 1, noise.head), *(starts for _ in trials)])
+    shared, first = len(names), len(names) + turns[-1] + 1
+    fits = [
+        _Fit(fleet, lever, prior, trial, [*range(shared), shared + turn, *range(at, at + len(starts))])
+        for trial, turn, at in zip(trials, turns, range(first, len(unit), len(starts)), strict=True)
+    ]
     value = np.zeros((len(cells), len(unit)))
     for number in range(_FIRST_STEPS + _MORE_STEPS):
-        system = _System.of(fits, cells, value, unit, len(names))
+        system = _System.of(fits, cells, value, unit)
         step = system.step(value)
         value = value + step
         if number == _FIRST_STEPS - 1:
             evidence = system.evidence_after(step, value)
             near = evidence > evidence.max() - _FAR
             cells, value = cells[near], value[near]
-    system = _System.of(fits, cells, value, unit, len(names))
+    system = _System.of(fits, cells, value, unit)
     log = system.evidence(value)
     weight = np.exp(log - log.max())
     keep = weight > 1e-4 * weight.sum()
-    root = np.linalg.inv(np.linalg.cholesky(system.information[keep])).transpose(0, 2, 1)[:, : len(names)]
-    # The covariance of the car's own deviations, made square again.
-    covariance = root @ root.transpose(0, 2, 1)
-    mean = value[keep, : len(names)] * scales
-    mean[:, len(prior.sigma) :] += cells[keep][:, [len(prior.grid[name]) > 1 for name in _GRIDDED]]
-    best = int(np.argmax(log))
+    kept = [*range(shared), shared + turns[-1]]
+    covariance = np.linalg.inv(system.information[keep])[:, kept][:, :, kept]
+    mean = value[keep][:, kept] * unit[kept]
+    varied = [len(prior.grid[name]) > 1 for name in _GRIDDED]
+    mean[:, len(prior.sigma) : shared] += cells[keep][:, varied]
     return Posterior(
         names=names,
         weight=weight[keep] / weight[keep].sum(),
         mean=mean,
-        root=np.linalg.cholesky(covariance) * scales[:, None],
-        residual=float(np.sqrt(np.mean(system.residual[best] ** 2))),
+        root=np.linalg.cholesky(covariance) * unit[kept][:, None],
+        last=trials[-1].settings,
+        residual=float(np.sqrt(np.mean(system.residual[int(np.argmax(log))] ** 2))),
     )
 
 
 @dataclass(frozen=True)
 class _Fit:
-    """One trial run against the fleet."""
+    """One trial run against the fleet; `columns` says which of all values are the car's, its head's and its start's."""
 
     fleet: Fleet
     lever: complex
     prior: Prior
     trial: Trial
+    columns: list[int]
 
     def cars(self, cells: Array, value: Array, scales: Array) -> Array:
         """Deviations in this run: shape (c, 29), for the car's own, then the run's, in units of `scales`."""
         table = np.zeros((len(cells), len(PARAMETERS)))
         table[:, [_COLUMN[name] for name in _GRIDDED]] = cells
-        for column, name in enumerate((*self.prior.names, *self.prior.noise.deviations)):
+        for column, name in enumerate((*self.prior.names, "base_radius", *self.prior.noise.starts)):
             table[:, _COLUMN[name]] += value[:, column] * scales[column]
         for name, setting in self.trial.settings.deviations.items():
             table[:, _COLUMN[name]] += setting
@@ -188,12 +227,11 @@ class _System:
     information: Array
 
     @classmethod
-    def of(cls, fits: Sequence[_Fit], cells: Array, value: Array, unit: Array, shared: int) -> "_System":
+    def of(cls, fits: Sequence[_Fit], cells: Array, value: Array, unit: Array) -> "_System":
         count, width = value.shape
         residuals, derivatives = [], []
-        for number, fit in enumerate(fits):
-            first = shared + number * len(fit.prior.noise.deviations)
-            columns = [*range(shared), *range(first, first + len(fit.prior.noise.deviations))]
+        for fit in fits:
+            columns = fit.columns
             own, scales = value[:, columns], unit[columns]
             moved = own[:, None, :] + np.concatenate([np.zeros((1, len(columns))), np.eye(len(columns))])
             table = fit.cars(np.repeat(cells, len(columns) + 1, axis=0), moved.reshape(-1, len(columns)), scales)
@@ -238,11 +276,3 @@ def track_of(fleet: Fleet, lever: complex, table: Array) -> Complex:
         poses = run_fleet(fleet, table[begin : begin + _BLOCK])
         tracks.append(poses.position + lever * np.exp(1j * poses.heading))
     return np.concatenate(tracks)
-
-
-def apply(table: Array, settings: Settings) -> Array:
-    """Deviations of cars with settings made, shape (m, 29)."""
-    table = table.copy()
-    for name, setting in settings.deviations.items():
-        table[:, _COLUMN[name]] += setting
-    return table

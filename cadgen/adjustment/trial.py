@@ -66,7 +66,7 @@ class Noise:
         point: of a measured coordinate, mm.
         start: of the start's place in each direction, mm.
         heading: of the start's heading, rad.
-        head: of a reading of the micrometer head, mm.
+        head: of a setting of the micrometer head, mm; it stays as it is until the head is turned again.
     """
 
     point: float = 10.0
@@ -75,9 +75,9 @@ class Noise:
     head: float = 0.002
 
     @property
-    def deviations(self) -> Mapping[str, float]:
-        """By the names of a fleet's deviations that change from run to run."""
-        return {"start_x": self.start, "start_y": self.start, "start_heading": self.heading, "base_radius": self.head}
+    def starts(self) -> Mapping[str, float]:
+        """Of each start, by the names of a fleet's deviations."""
+        return {"start_x": self.start, "start_y": self.start, "start_heading": self.heading}
 
 
 def stations_of(track: Complex, points: Complex) -> NDArray[np.intp]:

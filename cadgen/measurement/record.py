@@ -19,6 +19,7 @@ from cadgen.measurement.models.base import Model
 
 # Of one kind: the catalogue has some 2000 columns of them, and must fit into memory.
 MOST_ROWS = 20_000
+LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
 MOST_RUNS = 100  # each brings columns of its own, such as its start pose; real cars are driven ten times
 MOST_ENTRIES = 500_000  # rows times runs, in columns of runs and their products: 0.9 GB
 
@@ -122,6 +123,7 @@ class Kind:
         check: refuses a record that cannot be, beside what is checked of all kinds.
         spans: (record, the same) -> what betrays numbers of another unit.
         most_rows: of all files of the kind together.
+        least_rows: of each run.
         around: whether it is to show the whole turn of the cam, as few and far points cannot.
         tells, takes: what it says that other kinds are judged with, and what it is judged with.
         absences: quantities of which a sound verdict that does not name them says that there is little.
@@ -144,6 +146,7 @@ class Kind:
     check: Callable[["Record"], None] = _no_check
     spans: Callable[["Record", Any], Iterable[Span]] = _no_spans
     most_rows: int = MOST_ROWS
+    least_rows: int = LEAST_ROWS
     around: bool = False
     tells: Knowledge | None = None
     takes: tuple[Knowledge, ...] = ()

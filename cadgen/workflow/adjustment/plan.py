@@ -18,7 +18,7 @@ from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet
 from cadgen.motion.drive import STEPS, start_pose
 from cadgen.motion.friction import USUAL
 from cadgen.motion.mechanics import Mechanics
-from cadgen.workflow.adjustment.trials import read_trials, settings_line
+from cadgen.workflow.adjustment.trials import read_trials, settings_line, trials_of
 from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.runs.fleet import fleet_of
 
@@ -162,8 +162,8 @@ class Adjustment:
         if Knob.HEAD in self.wanted.knobs:
             way = "larger" if self.divisions > 0 else "smaller"
             steps.append(
-                f"micrometer head: {abs(self.divisions)} divisions of {self.wanted.division * 1e3:g} µm, base radius "
-                f"{way} by {abs(new.head - last.head) * 1e3:.0f} µm (in all {new.head * 1e3:+.0f} µm)"
+                f"micrometer head: base radius {way} by {abs(self.divisions)} × {self.wanted.division * 1e3:g} µm (in "
+                f"all {new.head * 1e3:+.0f} µm)"
                 if self.divisions
                 else f"micrometer head: leave it (in all {new.head * 1e3:+.0f} µm)"
             )
@@ -212,10 +212,11 @@ def adjust(
 
     Raises:
         DesignError: as `plan_cam`.
-        FileError: as `read_trials`.
+        FileError: as `read_trials` and `trials_of`.
     """
+    records = read_trials(files)
     plan = plan_cam(design, profile, progress, with_play=True)
-    trials = read_trials(list(files), start_pose(plan.track), plan.lift.blend_start)
+    trials = trials_of(records, start_pose(plan.track), plan.lift.blend_start)
     progress("explaining the trial runs")
     return Bench.of(plan, wanted).adjustment(trials)
 
@@ -280,7 +281,15 @@ class Bench:
         posterior = explain(self.fine, wanted.point.lever(self.plan.design), self.prior, trials)
         cars = posterior.draw(np.random.default_rng(SEED), CARS)
         free = [name for knob in wanted.knobs for name in knob.settings]
-        settings = best_settings(self.coarse, cars, free, last, division=wanted.division, limits=LIMITS)
+        settings = best_settings(
+            self.coarse,
+            cars,
+            free,
+            division=wanted.division,
+            limits=LIMITS,
+            noise=noise,
+            generator=np.random.default_rng(SEED),
+        )
         designed, before, after = (
             forecast(self.coarse, cars, chosen, noise, np.random.default_rng(SEED))
             for chosen in (Settings(), last, settings)

@@ -7,7 +7,8 @@ designed.
 """
 
 import re
-from dataclasses import fields, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from math import degrees, radians
 from pathlib import Path
 
@@ -22,13 +23,13 @@ from cadgen.records.load import load
 
 MOST_POINTS, MOST_TRIALS = 500, 10
 # Points of a track by their order alone: a track without the column of cam angles.
+STOPPED = replace(TRACK, code="trial run with cam angles", title="Trial run with cam angles", least_rows=2)
 TRIAL = replace(
-    TRACK,
+    STOPPED,
     code="trial run",
     title="Trial run",
     columns=tuple(column for column in TRACK.columns if column.name != "cam_angle_deg"),
     check=lambda record: None,
-    spans=lambda record, nominal: (),
 )
 _NUMBER = r"([+-]?\d+(?:\.\d*)?|[+-]?\.\d+)"
 _LINE = re.compile(
@@ -66,24 +67,31 @@ def settings_in(record: Record) -> Settings:
     return stated[0] if stated else Settings()
 
 
-def read_trials(paths: list[Path], start: Pose, end: float) -> tuple[Trial, ...]:
-    """Trial runs of files, in their order.
-
-    Args:
-        paths: of the files.
-        start: planned start of the run, in the frame of the path.
-        end: motor position at the end of the run, rad.
+def read_trials(paths: Sequence[Path]) -> tuple[Record, ...]:
+    """Files of trial runs, in their order.
 
     Raises:
-        FileError: a file that cannot be read or is no trial run, the same twice, or more runs or points than can be
-            used.
+        FileError: a file that cannot be read or holds no trial run, or the same twice.
     """
-    trials: list[Trial] = []
     seen: dict[Path, Path] = {}
     for path in paths:
         if (same := seen.setdefault(path.resolve(), path)) is not path:
             raise FileError(f"{same} was given twice; give each file once")
-        trials += _trials(load(path, (TRIAL, TRACK)), start, end)
+    return tuple(load(path, (TRIAL, STOPPED)) for path in paths)
+
+
+def trials_of(records: Sequence[Record], start: Pose, end: float) -> tuple[Trial, ...]:
+    """The trial runs of files, in their order.
+
+    Args:
+        records: of the files.
+        start: planned start of the run, in the frame of the path.
+        end: motor position at the end of the run, rad.
+
+    Raises:
+        FileError: none, more runs or points than can be used, or points that are not in order.
+    """
+    trials = [trial for record in records for trial in _trials(record, start, end)]
     if not trials:
         raise FileError("no trial run was given: name at least one CSV file of measured points")
     if len(trials) > MOST_TRIALS:
@@ -96,14 +104,14 @@ def _trials(record: Record, start: Pose, end: float) -> list[Trial]:
     trials = []
     for number, rows in enumerate(record.parts, 1):
         x, y = record["x_mm"][rows], record["y_mm"][rows]
-        if not 2 <= len(x) <= MOST_POINTS:
+        if len(x) > MOST_POINTS:
             raise FileError(
-                f"{record.source}, run {number}: {len(x)} points; a trial run needs 2 to {MOST_POINTS}, in the order "
-                "of driving, the last where the car stopped"
+                f"{record.source}, run {number}: {len(x)} points, more than the {MOST_POINTS} of the longest trial "
+                f"run: keep one in {-(-len(x) // MOST_POINTS)}"
             )
         points = (x - start.x + 1j * (y - start.y)) * np.exp(-1j * start.heading)
         motor = None
-        if record.kind is TRACK:
+        if record.kind is STOPPED:
             motor = np.radians(record["cam_angle_deg"][rows])
             if not (np.diff(motor) > 0).all():
                 raise FileError(
@@ -118,8 +126,3 @@ def _trials(record: Record, start: Pose, end: float) -> list[Trial]:
             points, motor = points[keep], motor[keep]
         trials.append(Trial(points=points, motor=motor, settings=settings))
     return trials
-
-
-def changed(settings: Settings) -> bool:
-    """Whether anything is set otherwise than designed."""
-    return any(getattr(settings, field.name) for field in fields(settings))
