@@ -14,6 +14,7 @@
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
 | `show_play` | tables of profiles, runs, remedies and budgets                     |
+| `show_adjustment` | what to set after trial runs                                |
 | `output`    | standard output and sentences on standard error                    |
 | `interrupt` | signals                                                            |
 

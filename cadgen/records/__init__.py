@@ -3,4 +3,5 @@
 | module | what it does                                                                      |
 |--------|-----------------------------------------------------------------------------------|
 | `load` | CSV files -> records of the kind that their columns say; what cannot be is refused |
+| `trials` | trial runs from such files, and the comment line that gives their settings        |
 """

@@ -2,7 +2,6 @@
 
 | module   | what it holds                                                          |
 |----------|------------------------------------------------------------------------|
-| `trials` | trial runs from files, and the comment line that gives their settings  |
 | `plan`   | cars that explain them, the best settings, what to expect; sentences   |
 | `files`  | the settings, trial runs and expectations as a verified JSON file      |
 """

@@ -18,7 +18,7 @@ from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet
 from cadgen.motion.drive import STEPS, start_pose
 from cadgen.motion.friction import USUAL
 from cadgen.motion.mechanics import Mechanics
-from cadgen.workflow.adjustment.trials import read_trials, settings_line, trials_of
+from cadgen.records.trials import read_trials, settings_line, trials_of
 from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
 from cadgen.workflow.runs.fleet import fleet_of
 
