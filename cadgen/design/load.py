@@ -17,7 +17,7 @@ from cadgen.design.parse import DeepError, parse
 from cadgen.design.schema import Design, DesignFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
-from cadgen.reading import read_given
+from cadgen.reading import read_regular
 
 DEFAULT_DESIGN = "carbon_free_car"
 MAX_ERRORS_SHOWN = 5
@@ -126,7 +126,7 @@ def read_design(source: str | Path | None = None) -> tuple[str, Path]:
     file = design_file(source)
     name = brief(str(file))
     try:
-        return read_given(file, MOST_BYTES).decode("utf-8-sig"), file
+        return read_regular(file, MOST_BYTES).decode("utf-8-sig"), file
     except FileNotFoundError:
         raise DesignError(
             f"there is no design file {name}: correct the path, or name a packaged design "

@@ -1,4 +1,4 @@
-"""Read measured data: CSV files whose header names quantity and unit, comment lines that tell design and instrument."""
+"""Read measured data: CSV files with quantity and unit in the header; comment lines on design and instrument."""
 
 import csv
 import hashlib
@@ -13,15 +13,15 @@ from cadgen.errors import FileError, brief, escaped
 from cadgen.measurement.admission import refuse_impossible
 from cadgen.measurement.kinds import kinds
 from cadgen.measurement.record import Column, Kind, Method, Record, refuse_many, refuse_many_runs
-from cadgen.reading import read_given
+from cadgen.reading import read_regular
 
 MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
-# Of a file's comment lines, and of the characters of any line: they are searched for what they say of the instrument.
+# Of a file's comment lines, and of the characters of any line: they are searched for words on the instrument.
 MOST_REMARKS, LONGEST_LINE = 200, 1000
 
 
 def load(path: Path, known: Sequence[Kind] | None = None) -> Record:
-    """Read one file; its kind follows from its columns.
+    """Read one file; the kind of data follows from its columns.
 
     Args:
         path: of the file.
@@ -86,7 +86,7 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Reco
 
 
 def digest(path: Path) -> str:
-    """SHA-256 of the file, to be kept with what was learnt from it."""
+    """SHA-256 of the file's bytes, hexadecimal, to be kept with the results."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
@@ -105,7 +105,7 @@ def _refuse_long(lines: list[str], name: str) -> None:
 def _text(path: Path) -> str:
     name = brief(str(path))
     try:
-        content = read_given(path, MOST_BYTES)
+        content = read_regular(path, MOST_BYTES)
     except FileNotFoundError:
         raise FileError(f"there is no file {name}: correct its name") from None
     except IsADirectoryError:
@@ -130,7 +130,7 @@ def _cells(line: str, number: int, name: str) -> list[str]:
 
 
 def _kind(header: list[str], name: str, known: Sequence[Kind]) -> Kind:
-    """The most demanding kind whose columns are all there; columns of two kinds are a mixture."""
+    """The kind of data whose columns are those of the header."""
     if len(set(header)) < len(header):
         twice = next(c for c in header if header.count(c) > 1)
         raise FileError(f"{name}: column {brief(twice)} stands twice; keep one")
