@@ -32,7 +32,7 @@ USUAL_DRY = (0.15, 0.60)
 
 
 def friction_band(follower: RodMaterial, disc: DiscMaterial | None, *, greased: bool) -> tuple[float, float]:
-    """Least and greatest sliding friction of a pair; `USUAL`, or dry `USUAL_DRY`, for a rod on an unknown disc."""
+    """Least and greatest coefficient of sliding friction; `USUAL`, or dry `USUAL_DRY`, for a rod on an unknown disc."""
     if follower == "ball_bearing":
         return BEARING
     if disc is None:

@@ -35,7 +35,7 @@ _ROUNDING = 1e-15  # of tan(beta): a stretch that falls by less is level
 
 
 def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
-    """Where the lift falls: cam angles of the peak that begins and of the valley that ends each fall.
+    """Falls of the lift: cam angles of the peak that begins and of the valley that ends each fall.
 
     A fall begins where a level stretch at its peak ends, for nothing pulls the cam off that; it ends where one in
     its valley begins; and a level stretch within it ends one fall and begins another. Level is what `lift.level` says
@@ -148,13 +148,13 @@ def _without_level(pairs: Array, level: Array) -> Array:
 
 @dataclass(frozen=True)
 class Following:
-    """How a cam follows the motor.
+    """Motion of a cam that follows the motor with play.
 
     Attributes:
-        lift: the cam's own.
-        play: B, rad.
+        lift: lift of the cam.
+        play: return error B, rad.
         leads: cam angles between which the cam leads, as `falls` gives them, shape (k, 2), rad.
-        shaft: how the shaft follows the motor, if the cam has its play on a shaft that follows by itself.
+        shaft: motion of the shaft, if the cam has its play on a shaft that itself follows the motor.
     """
 
     lift: LiftCurve
@@ -176,7 +176,7 @@ class Following:
         return motor + np.where(base < valley, ahead, 0.0)
 
     def tan_beta(self, motor: Array) -> Array:
-        """Steering that results at motor positions."""
+        """Tangent of the steering angle at motor positions (rad)."""
         return self.lift.tan_beta(self.cam_angle(motor))
 
     def joints(self, start: float, stop: float) -> Array:
@@ -202,12 +202,12 @@ def follow(
     """Let a cam follow gears with a return error.
 
     Args:
-        lift: the cam's own.
-        play: B, rad.
+        lift: lift of the cam.
+        play: return error B, rad.
         least: rises and falls of tan(beta) smaller than this are noise; for a meshed or measured outline, its
             tolerance over the faces' distance.
         leads: where the cam leads, shape (k, 2), rad, starts in [0, 2 pi) and in order; on every fall if left out.
-        shaft: that the cam has this play on; the motor's itself if left out.
+        shaft: motion of the shaft on which the cam has this play; that of the motor if left out.
 
     Raises:
         DesignError: the play is negative or no number.
