@@ -35,12 +35,12 @@ _DIRECTIONS = 720  # in which the bound is taken; each alone is a bound
 
 @dataclass(frozen=True, kw_only=True)
 class PlayBand:
-    """What is known of a train's return error, rad.
+    """Return error of a train, as far as it is known, rad.
 
     Attributes:
-        least: of the cars that may be built.
-        greatest: of them.
-        measured: on the car that the cam is for; None if it has not been.
+        least: least return error of the cars that may be built, rad.
+        greatest: greatest return error of these cars, rad.
+        measured: return error measured on the car that the cam is for, rad; None if it was not measured.
     """
 
     least: float
@@ -49,7 +49,7 @@ class PlayBand:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Least and greatest; a measured value beyond them widens the band."""
+        """Least and greatest return error, rad; a measured value beyond them widens the band."""
         known = [self.least, self.greatest, *([] if self.measured is None else [self.measured])]
         return min(known), max(known)
 
@@ -59,13 +59,13 @@ class BandResult:
     """A profile and its errors over a band of plays.
 
     Attributes:
-        lift: of the profile.
-        made_for: the play it is cut for, rad.
-        plays: across the band, shape (n,), rad.
-        heading: error at the end of the run at each play, with the friction and drag at which it is greatest, shape
-            (n,), rad.
+        lift: lift of the profile.
+        made_for: play that the profile is cut for, rad.
+        plays: plays across the band, shape (n,), rad.
+        heading: heading error at the end of the run at each play, with the friction and drag that make it greatest,
+            shape (n,), rad.
         distance: position error at the end, likewise, shape (n,), mm.
-        worst: friction and drag of the greatest position error of all; None where none are reckoned with.
+        worst: friction and drag with the greatest position error; None where they are left out.
     """
 
     lift: LiftCurve
@@ -88,7 +88,7 @@ class BandResult:
 
 @dataclass(frozen=True, kw_only=True)
 class Bound:
-    """What the worst end of run over a band is at least, for profiles with the wanted peaks and valleys: rad and mm."""
+    """Lower bound of the worst end of run over a band, for profiles with the wanted peaks and valleys: rad and mm."""
 
     heading: float
     distance: float
@@ -104,7 +104,7 @@ def best_for_band(
     wanted: LiftCurve | None = None,
     mechanics: Sequence[Mechanics] = (),
 ) -> BandResult:
-    """The compensated profile whose worst position error at the end of the run, over a band of plays, is least.
+    """Compensated profile with the least worst position error at the end of the run, over a band of plays.
 
     For a single play the error falls, then grows, with the play the cam is cut for. So the error at the band's lower
     end grows with it and that at the upper end falls, and where the two are equal the worse of them is least. A lift
@@ -115,16 +115,16 @@ def best_for_band(
     then the play to cut for may lie below the band, and what is made least is the worst end over plays and frictions.
 
     Args:
-        lift: that is compensated.
+        lift: lift that is compensated.
         follower: the rod and the faces.
-        car: its dimensions.
+        car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         band: least and greatest return error B, rad; the two may be equal.
-        wanted: the lift that the run is compared with; `lift` itself if left out.
-        mechanics: friction and drag of the cars that may be built; left out, there are none.
+        wanted: lift that the run is compared with; `lift` itself if left out.
+        mechanics: friction and drag of the cars that may be built; without them the rod slides freely.
 
     Raises:
-        DesignError: the band is not one.
+        DesignError: the band does not run upwards from 0 or more.
     """
     low, high = _checked(band)
     if mechanics:
@@ -200,15 +200,15 @@ def over_band(
 
     Args:
         cam: lift of the cam.
-        wanted: lift that is wanted by motor position.
-        car: its dimensions.
+        wanted: lift wanted by motor position.
+        car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         plays: return errors, shape (n,), rad.
-        made_for: the play the cam is cut for, rad; only passed on.
+        made_for: play that the cam is cut for, rad; only passed on.
         least: rises and falls of the cam's tan(beta) smaller than this are noise, not events.
-        mechanics: friction and drag of the cars that may be built, of which the worst counts; left out, there are
-            none.
-        cut: lift that the cam was cut for, which says where it leads with friction; `cam` if left out.
+        mechanics: friction and drag of the cars that may be built, of which the worst counts; without them the rod
+            slides freely.
+        cut: lift that the cam was cut for, which decides where it leads with friction; `cam` if left out.
     """
     planned = drive(wanted, car, length, steps=_STEPS)
     cases = tuple(case.leads(cut or cam) for case in mechanics) or (None,)
@@ -249,7 +249,7 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     it would shake the rod, and a rod of any thickness cannot follow it on a falling flank.
 
     Raises:
-        DesignError: the band is not one.
+        DesignError: the band does not run upwards from 0 or more.
     """
     low, high = _checked(band)
     run = drive(lift, car, length)
@@ -274,7 +274,7 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
 
 
 def _events(lift: LiftCurve, play: float) -> Array:
-    """Where the lift falls once the dips narrower than a play are filled, shape (k, 2), rad."""
+    """Falls of the lift once the dips narrower than a play are filled, shape (k, 2), rad."""
     events = falls(lift)
     while len(events) > 1 and (filled := _apart([dip.whole for dip in lost_dips(lift, play, events)])):
         # A filled dip takes the lower of its two peaks with it.

@@ -46,13 +46,13 @@ _LEAST_LEVEL = np.radians(0.6)
 
 @dataclass(frozen=True)
 class _Valley:
-    """How the profile goes from a peak over its plateau, down the shifted fall and up again.
+    """Course of the profile from a peak over its plateau, down the shifted fall and up again.
 
     Attributes:
-        plateau: its nodes and jets.
+        plateau: nodes and jets of the plateau.
         joined: cam angle from which on the profile is the shifted fall, rad.
         crossing: cam angle at which the shifted fall meets the rise, rad.
-        next_peak: rad.
+        next_peak: cam angle of the next peak, rad.
     """
 
     plateau: tuple[Array, Array]
@@ -76,10 +76,10 @@ def compensated_lift(
     closing blend is treated like the rest of the turn, so the result closes as smoothly as `lift` does.
 
     Args:
-        lift: the lift wanted, by motor position.
-        follower: for the plateau's fall in lift.
-        play: B that the cam is made for, rad; 0 gives `lift` itself, and so does a lift that never falls.
-        plateau_fall: how far the lift falls over each plateau, mm.
+        lift: lift wanted by motor position.
+        follower: follower, for the plateau's fall in lift.
+        play: return error B that the cam is made for, rad; 0 gives `lift` itself, and so does a lift that never falls.
+        plateau_fall: fall of the lift over each plateau, mm.
         valley_blend: half the angle over which a quintic rounds each valley, rad; a quarter of the play if left
             out, and 0 leaves a hollow kink where there is room for one.
 

@@ -1,4 +1,4 @@
-"""What is wanted of a cam against play: the run, and on a train the window for which a lift is best dilated."""
+"""Task of a cam against play: the run wanted, and on a train the window by which a lift is best dilated."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -16,17 +16,17 @@ from cadgen.steering.car import Car
 
 @dataclass(frozen=True, kw_only=True)
 class Task:
-    """What is wanted, and of what.
+    """The lift wanted, with the car and the follower that are to give it.
 
     Attributes:
-        lift: the lift wanted by motor position.
+        lift: lift wanted by motor position.
         follower: the rod and the faces.
-        car: its dimensions.
+        car: dimensions of the car.
         length: travel of the drive wheel's rim in one turn of the cam, mm.
-        aim: share of its own sum of deflection errors that smoothing takes off.
-        start: where runs begin.
-        as_built: what else is known of the car: what becomes of a disc that is cut.
-        mechanics: what is known of friction and drag; None where they are left out, as if the rod slid freely.
+        aim: share of the sum of deflection errors that smoothing takes off.
+        start: pose at which runs begin, mm and rad.
+        as_built: deviations of the car as built, which change a disc that is cut.
+        mechanics: range of friction and drag; None where they are left out, as if the rod slid freely.
     """
 
     lift: LiftCurve
@@ -39,7 +39,7 @@ class Task:
     mechanics: MechanicsBand | None = None
 
     def planned(self) -> Run:
-        """The run that is wanted."""
+        """The planned run: that of the lift wanted, without play."""
         return self.run(self.lift, 0.0)
 
     def run(
@@ -54,9 +54,9 @@ class Task:
         """The run that a cam gives with play.
 
         Args:
-            lift: that the rod gets.
+            lift: lift that the rod gets.
             play: return error B, rad.
-            least: as in `follow`.
+            least: same as in `follow`.
             cut: lift that the cam was cut for; `lift` itself if left out.
             mechanics: friction and drag; those of the nominal car if left out.
         """
@@ -73,7 +73,7 @@ class Task:
         cut: LiftCurve | None = None,
         mechanics: Mechanics | None = None,
     ) -> Following:
-        """How a cam follows the motor; arguments as in `run`."""
+        """Motion of a cam that follows the motor; arguments as in `run`."""
         if mechanics is None and self.mechanics is not None:
             mechanics = self.mechanics.nominal
         if mechanics is None:
@@ -83,12 +83,12 @@ class Task:
 
 @dataclass(frozen=True)
 class TrainTask:
-    """A task on one train. The train enters as its return error alone: the paper's `reordered` one has a smaller one.
+    """A task on one train. The train enters by its return error alone: the paper's train `reordered` has a smaller one.
 
     Attributes:
-        task: what is wanted.
+        task: lift wanted, car and follower.
         train: name of the train.
-        band: its return error.
+        band: return error of the train, rad.
     """
 
     task: Task
@@ -100,7 +100,7 @@ class TrainTask:
         """The window of the dilation that is best for the lift wanted: `window_of`, rad.
 
         Raises:
-            DesignError: the band is not one.
+            DesignError: the band does not run upwards from 0 or more.
         """
         return self.window_of(self.task.lift)
 
@@ -110,10 +110,10 @@ class TrainTask:
         With friction it is the window of the dilation that does so over plays and frictions, also for a measured play.
 
         Args:
-            lift: that is to be compensated.
+            lift: lift that is to be compensated.
 
         Raises:
-            DesignError: the band is not one.
+            DesignError: the band does not run upwards from 0 or more.
         """
         task, ends, measured = self.task, self.band.ends, self.band.measured
         mechanics = task.mechanics.corners if task.mechanics else ()
@@ -129,26 +129,26 @@ class TrainTask:
         """The lift wanted with its peaks and valleys brought nearer, as the task asks.
 
         Raises:
-            DesignError: no smoothing does that.
+            DesignError: no smoothing reaches the aim.
         """
         task = self.task
         return smooth_to(task.lift, task.follower, task.car, task.length, self.band.ends[1], aim=task.aim)
 
     @cached_property
     def planned(self) -> Run:
-        """The run that is wanted."""
+        """The planned run: that of the lift wanted, without play."""
         return self.task.planned()
 
     def run_at(self, made_for: float) -> float:
-        """Return error of the run that a profile is evaluated by: what it is cut for, or with friction the car's, rad.
+        """Return error of the run that a profile is evaluated by, rad: that it is cut for, or with friction the car's.
 
         Args:
-            made_for: window that the profile is cut for, rad.
+            made_for: width of the window that the profile is cut for, rad.
         """
         if self.task.mechanics is None:
             return made_for
         return sum(self.band.ends) / 2 if self.band.measured is None else self.band.measured
 
     def bound(self) -> Bound:
-        """What the worst end of the run over the band is at least with these peaks and valleys."""
+        """Lower bound of the worst end of the run over the band, for profiles with these peaks and valleys."""
         return fixed_profile_bound(self.task.lift, self.task.car, self.task.length, self.band.ends)

@@ -1,4 +1,4 @@
-"""What a profile is: its code, what it is for, the lift that it is cut for, and the curve that gives this lift."""
+"""A profile: its code, its purpose, the lift that it is cut for, and the curve that gives this lift."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ class CutLift:
     """A lift that a profile is cut for.
 
     Attributes:
-        lift: by cam angle.
-        made_for: width of the window by which it is dilated, rad: the play that it is cut for, or what comes closest
-            with friction. Of a lift that is not dilated, that of `compensated`.
+        lift: lift by cam angle.
+        made_for: width of the window by which the lift is dilated, rad: the play that it is cut for, or with friction
+            the closest to it. For a lift that is not dilated, the width for `compensated`.
     """
 
     lift: LiftCurve
