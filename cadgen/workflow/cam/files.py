@@ -21,7 +21,7 @@ from cadgen.curves.inset import chamfered_off
 from cadgen.curves.spline import splines
 from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
-from cadgen.export.formats import CAM_FORMATS, chosen, entry_formats, entry_name
+from cadgen.export.formats import CAM_FORMATS, chosen_formats, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.motion.sampled import rolled_lift
 from cadgen.workflow.cam.cures import Cures, find_cures
@@ -178,7 +178,7 @@ def write_cam(
         CheckError: none of the formats can be made of this cam.
         FileError: a file cannot be written, or what was read back is not what was meant.
     """
-    wanted = chosen(formats, CAM_FORMATS)
+    wanted = chosen_formats(formats, CAM_FORMATS)
     with publishing(out) as staging:
         job = _Job(plan, staging, wanted)
         files: dict[str, Any] = {}

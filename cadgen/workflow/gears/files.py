@@ -13,7 +13,7 @@ import numpy as np
 
 from cadgen.errors import DesignError, FileError
 from cadgen.export.folder import publishing
-from cadgen.export.formats import TRAIN_FORMATS, chosen, entry_formats, entry_name
+from cadgen.export.formats import TRAIN_FORMATS, chosen_formats, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.gears.backlash import TrainPlay
 from cadgen.gears.inspection import Inspection
@@ -112,7 +112,7 @@ def write_train(
         FileError: a file cannot be written, or what was read back is not what was meant.
     """
     makers = {ending: (label, partial(make, plan, plan.stem)) for ending, (label, make) in _MAKERS.items()}
-    wanted = chosen(formats, TRAIN_FORMATS)
+    wanted = chosen_formats(formats, TRAIN_FORMATS)
     teeth = sum(gear.teeth for part in plan.layout.parts for gear in part.gears)
     if "step" in wanted and teeth > MOST_STEP_TEETH:
         others = ",".join(ending for ending in TRAIN_FORMATS if ending != "step")

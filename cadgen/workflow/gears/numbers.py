@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from cadgen.build.gear_model import usual_chord
 from cadgen.check import Check
 from cadgen.errors import FileError
-from cadgen.export.formats import GEAR_FORMATS, chosen
+from cadgen.export.formats import GEAR_FORMATS, chosen_formats
 from cadgen.export.manifest import Written
 from cadgen.gears.backlash import TrainPlay, train_play
 from cadgen.gears.blank import gear_body
@@ -177,7 +177,7 @@ def write_gear(
         "step": ("STEP", partial(_step_file, part, name)),
         "stl": ("STL", partial(_stl_file, part, name)),
     }
-    wanted = chosen(formats, GEAR_FORMATS)
+    wanted = chosen_formats(formats, GEAR_FORMATS)
     return publish(f"{name}_gear", gear_facts(part, name), _FRAME, makers, wanted, out, step)
 
 
