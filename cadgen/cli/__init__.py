@@ -8,9 +8,9 @@
 | `simulate`  | `cadgen simulate`: the car's run with play                         |
 | `optimize`  | `cadgen optimize`: the methods against play                        |
 | `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
-| `calibrate` | `cadgen calibrate`: measured files -> what the design lacks        |
+| `calibrate` | `cadgen calibrate`: measured files -> effects missing in the design |
 | `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
-| `verify`    | `cadgen verify`: whether a folder is what its manifest says        |
+| `verify`    | `cadgen verify`: a folder against its manifest                     |
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
 | `show_play` | tables of profiles, runs, remedies and budgets                     |
@@ -84,7 +84,7 @@ def main() -> NoReturn:
     output.tell_warnings()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")  # for terminals that know no µ
+            stream.reconfigure(errors="replace")  # for terminals without µ
     code: int | str | None
     try:
         _require_epoch()
@@ -129,7 +129,7 @@ def _fail(message: str, code: int) -> int:
 
 
 def _flushed(code: int | str | None) -> int | str | None:
-    """Hand over what is still to be printed, while it can still be told if that fails."""
+    """Flush standard output, while a failure can still be reported; return the exit code."""
     try:
         if sys.stdout:
             sys.stdout.flush()
@@ -139,7 +139,7 @@ def _flushed(code: int | str | None) -> int | str | None:
 
 
 def _unwritable(error: OSError, code: int | str | None) -> int | str | None:
-    """Give up printing; a reader that has gone wants to hear no more."""
+    """Stop printing; report the reason unless the reader of the output has closed it."""
     output.hush()
     if isinstance(error, BrokenPipeError):
         return code

@@ -1,4 +1,4 @@
-"""`cadgen calibrate`: from measured files to what the design lacks."""
+"""`cadgen calibrate`: from measured files to the effects that the design lacks."""
 
 from pathlib import Path
 
@@ -16,18 +16,18 @@ from cadgen.optimize.profiles.actual import ACTUAL
     metavar="PROFILE",
     default=ACTUAL.code,
     show_default=True,
-    help=f"Of the cam that was measured, or was on the car. One of {', '.join(PROFILES)}.",
+    help=f"Profile of the cam that was measured, or was on the car. One of {', '.join(PROFILES)}.",
 )
 @click.option(
     "--form-error-um",
     type=Number(0.01, 1000),
-    help="Form error of the disc to be expected, rms.  [default: 2, or 30 if a file says that it is printed]",
+    help="Form error to expect on the disc, µm rms.  [default: 2, or 30 if a file says that the disc is printed]",
 )
 @click.option(
     "--each",
     is_flag=True,
-    help="Judge every file alone, as of a car of its own, and print one table; with --out, no pictures and no as-built "
-    "design are written.",
+    help="Judge each file alone, as if each came from another car. Prints one table; with --out, no pictures and no "
+    "as-built design are written.",
 )
 @click.option(
     "--set",
@@ -49,9 +49,9 @@ def calibrate(
 ) -> None:
     """Trace measured data to the effects that the design lacks.
 
-    FILE is a CSV file of measured lifts, profile, transmission, track, zones, or a track with its steering logged: its
-    columns say which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument if
-    it names a packaged design or ends in .toml.
+    FILE is a CSV file of measured lifts, profile, transmission, track, zones, or a track with its steering logged. Its
+    columns decide which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument
+    if it names a packaged design or ends in .toml.
     """
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.design import Design
