@@ -13,6 +13,7 @@ The rooms, in walking order; each imports only those before it.
 | `arrays`      | an array of floats, a turn                                                |
 | `check`       | one figure with its limit and verdict                                     |
 | `reading`     | files that a user names, refused by kind and size                         |
+| `progress`    | the callback by which a job reports its progress                          |
 | `curves`      | closed plane curves: arcs, splines, chords and offsets within a tolerance |
 | `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
 | `steering`    | curvature of the track <-> steering angle                                 |

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cadgen.api.files import Progress, Written, folder_of, refusal, silent
+from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
 from cadgen.check import Check
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.workflow.cam.against import Against
 from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
@@ -214,7 +215,7 @@ class Cam:
         """Look for `cures` now, if lift is lost; it takes many plans.
 
         Args:
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
         """
         if "cures" not in self.__dict__:
             self.__dict__["cures"] = find_cures(self.computed, progress)
@@ -280,7 +281,7 @@ class Cam:
             folder: where to; it is made if need be.
             formats: some of step, stl, 3mf, dxf, nc, xyz and csv; all of them if left out.
             force: write even if a check fails; the manifest says so.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Returns:
             The files, each with its error at the follower's lift, µm.

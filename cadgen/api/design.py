@@ -14,6 +14,7 @@ from cadgen.design import load
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import brief
+from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
@@ -120,7 +121,7 @@ class Design:
         Args:
             profile: `actual`, `optimized`, `compensated`, `smoothed`, `smoothed+compensated`, `theoretical` or
                 `published`. Left out, `optimized` for a design that says something of its play, else `actual`.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: the path cannot be driven, there is no such profile, or nothing is known of the play that it
@@ -138,7 +139,7 @@ class Design:
         Args:
             order: `as-given`; `reordered`, the order of the stages with the least return error; or `search`, the best
                 teeth within [train.search].
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: there is no such order or no train, or it cannot be made or laid out.
@@ -158,7 +159,7 @@ class Design:
             profile: `optimized`, `compensated`, `smoothed` or `smoothed+compensated`.
             play_deg: return error of the runs at the camshaft, degrees, 0 to 180; left out, that which the profile is
                 cut for.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: as `cam`, or no such play.
@@ -174,7 +175,7 @@ class Design:
         """Compare the methods against play, alone and combined, on every train, and choose the best.
 
         Args:
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: nothing is known of the play.
@@ -210,7 +211,7 @@ class Design:
             profile: that all cars have.
             budget: rank everything that may be off, too.
             processes: how many run at once if no `map` is given, 1 to 256.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: as `cam`, or nothing varies.
@@ -248,7 +249,7 @@ class Design:
             profile: of the cam that was measured, or was on the car.
             form_error_um: form error of the disc to be expected, µm rms, 0.01 to 1000; left out, 2, or 30 if the data
                 say that it is printed.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: as `cam`, or no such form error.

@@ -1,6 +1,6 @@
 """What a job has written, and whether a folder still is what was written to it."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -12,12 +12,6 @@ from cadgen.errors import DesignError, brief
 if TYPE_CHECKING:
     from cadgen.check import Check
     from cadgen.export.verify import FolderState as FolderState
-
-Progress = Callable[[str], None]
-
-
-def silent(text: str) -> None:
-    """Tell nobody what is being done."""
 
 
 @dataclass(frozen=True, kw_only=True)

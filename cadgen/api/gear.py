@@ -7,7 +7,7 @@ from math import radians
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Progress, Written, folder_of, silent
+from cadgen.api.files import Written, folder_of
 from cadgen.api.values import Frozen, optional, real, whole, word
 from cadgen.arrays import TURN
 from cadgen.design.names import name_fault
@@ -16,6 +16,7 @@ from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, Lightening, Web
+from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Solid
@@ -192,7 +193,7 @@ class Gear:
         Args:
             folder: where to; it is made if need be.
             formats: some of step and stl; both if left out.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: there is no such format.

@@ -14,7 +14,7 @@ from math import cos, pi
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal
 
-from cadgen.api.files import Progress, Written, folder_of, refusal, silent
+from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.gear import Gear, require_name
 from cadgen.api.values import optional, real, several, word
 from cadgen.check import Check
@@ -28,6 +28,7 @@ from cadgen.gears.thinning import thinned, with_deviation, with_deviations
 from cadgen.gears.tooth import tooth_of
 from cadgen.meshes.train_checks import exact_play
 from cadgen.parts.blank import Blank
+from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import plan_facts
 from cadgen.workflow.gears.plan import GearsPlan as GearsPlan
 from cadgen.workflow.gears.plan import NotMadeError as NotMadeError
@@ -121,7 +122,7 @@ class Assembly(ABC):
             folder: where to; it is made if need be.
             formats: some of step (the assembly and each part), stl and csv (the table of parts); all if left out.
             force: write even if a check fails; the manifest says so.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             CheckError: a check fails.

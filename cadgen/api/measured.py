@@ -6,8 +6,8 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Progress, silent
 from cadgen.errors import DesignError, brief
+from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -43,7 +43,7 @@ def sources_of(data: Data | Iterable[Data], *, each: bool = False, progress: Pro
     Args:
         data: one or several: paths of CSV files, mappings of columns to arrays, `Measured`.
         each: every one will be judged alone.
-        progress: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: it is none of these.

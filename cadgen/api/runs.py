@@ -7,13 +7,14 @@ from os import PathLike
 from typing import Any, Protocol
 
 from cadgen.api.cam import Cam
-from cadgen.api.files import Progress, Written, folder_of, silent
+from cadgen.api.files import Written, folder_of
 from cadgen.arrays import Array
 from cadgen.errors import DesignError, brief
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError
 from cadgen.optimize.evaluate import Evaluation
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
 from cadgen.workflow.cam.manifest import remedy_facts as remedy_facts
 from cadgen.workflow.cam.mechanics import joint_sentences
@@ -102,7 +103,7 @@ class Simulation:
 
         Args:
             folder: where to; it is made if need be.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             FileError: a file cannot be written, or what was read back is not what was meant.
@@ -137,7 +138,7 @@ class Comparison:
 
         Args:
             folder: where to; it is made if need be.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             FileError: a file cannot be written.
@@ -199,7 +200,7 @@ class ToleranceRun:
 
         Args:
             folder: where to; it is made if need be.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             FileError: a file cannot be written.

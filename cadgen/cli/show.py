@@ -3,7 +3,7 @@
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from math import isinf
 from pathlib import Path
@@ -15,6 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from cadgen.cli.output import hush
+from cadgen.progress import Progress
 from cadgen.report.table import FittedTable
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ class Output(Console):
 
 
 @contextmanager
-def progress(enabled: bool) -> Iterator[Callable[[str], None]]:
+def progress(enabled: bool) -> Iterator[Progress]:
     """Yield a function that shows the current step; silent unless standard error is a terminal."""
     console = Output(stderr=True)
     if not enabled or not console.is_terminal:

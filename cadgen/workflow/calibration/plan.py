@@ -27,9 +27,10 @@ from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
+from cadgen.progress import Progress, silent
 from cadgen.records.load import digest, load
 from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
-from cadgen.workflow.cam.plan import Step, plan_cam
+from cadgen.workflow.cam.plan import plan_cam
 
 _STATIONS = 3600  # at which any other is rolled
 # Rows that are read for one command which judges every file alone: their records have some 200 MB.
@@ -130,24 +131,24 @@ class Calibration:
         return next(diagnosis.verdict for diagnosis in self.diagnoses if diagnosis.kind is kind)
 
 
-def read(paths: Sequence[Path], step: Step = lambda text: None, *, each: bool = False) -> tuple[Source, ...]:
+def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = False) -> tuple[Source, ...]:
     """Read measured files.
 
     Args:
         paths: of the files.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         each: every file will be judged alone; if not, those of one kind must not have more rows than can be judged
             together.
 
     Raises:
         FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
     """
-    return gathered(_loaded(paths, step), each=each)
+    return gathered(_loaded(paths, progress), each=each)
 
 
-def _loaded(paths: Iterable[Path], step: Step) -> Iterator[Source]:
+def _loaded(paths: Iterable[Path], progress: Progress) -> Iterator[Source]:
     for path in paths:
-        step(f"reading {brief(path.name)}")
+        progress(f"reading {brief(path.name)}")
         yield Source(path, load(path), digest(path))
 
 
@@ -177,7 +178,7 @@ def calibrate(
     profile: str,
     sources: Sequence[Source],
     form_error_um: float | None = None,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     nominal: Nominal | None = None,
 ) -> Calibration:
     """Judge measured files of one car against its design.
@@ -188,7 +189,7 @@ def calibrate(
         sources: from `read`; files of one kind are taken together.
         form_error_um: stated form error of the disc, rms; if left out, that of a printed disc if a file says that it
             is printed, and else of a machined one.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         nominal: from `nominal_of`, if that is at hand already.
 
     Raises:
@@ -204,16 +205,16 @@ def calibrate(
         zone_means(design, join(records[Method.ZONE_MEANS]), _train(design)[0]) if records[Method.ZONE_MEANS] else None
     )
     if records[Method.EVIDENCE]:
-        known = replace(nominal or nominal_of(design, profile, step), form_error=floor * 1e-3)
+        known = replace(nominal or nominal_of(design, profile, progress), form_error=floor * 1e-3)
         if zones is not None and zones.judgement.claimed:
             known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
         track_length = known.track.length
-        diagnoses |= {diagnosis.kind: diagnosis for diagnosis in judge(records[Method.EVIDENCE], known, step)}
+        diagnoses |= {diagnosis.kind: diagnosis for diagnosis in judge(records[Method.EVIDENCE], known, progress)}
         holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
         wheelbase = _wheelbase(design, logged)
-        diagnosis = calibrate_tricycle(logged, wheelbase[0], step)
+        diagnosis = calibrate_tricycle(logged, wheelbase[0], progress)
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.quantity == quantities.RETURN_ERROR and c.kind.rod_on for c in found):
@@ -242,14 +243,14 @@ def calibrate_each(
     profile: str,
     sources: Sequence[Source],
     form_error_um: float | None = None,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
 ) -> tuple[Calibration, ...]:
     """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
-    nominal = nominal_of(design, profile, step)
-    return tuple(calibrate(design, profile, [source], form_error_um, step, nominal) for source in sources)
+    nominal = nominal_of(design, profile, progress)
+    return tuple(calibrate(design, profile, [source], form_error_um, progress, nominal) for source in sources)
 
 
-def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> Nominal:
+def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nominal:
     """What data of a cam and its car are measured against: the cam as this design makes it, the car as designed.
 
     Raises:

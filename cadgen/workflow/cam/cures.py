@@ -1,6 +1,6 @@
 """What cures lost lift: changes of one key, each proved by planning the cam again."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, floor, log10
 
@@ -10,6 +10,7 @@ from cadgen.check import Check, failing
 from cadgen.design.load import with_overrides
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, replanned_checks
 
 # Each cure is proved by planning the cam again, some thirty times in all. With more kinks than this, which each take a
@@ -70,17 +71,17 @@ class Cures:
         return lines
 
 
-def find_cures(plan: CamPlan, step: Callable[[str], None] = lambda text: None) -> Cures:
+def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
     """Look for changes of one key that bring lost lift within its limit; takes many plans if any is lost.
 
     Args:
         plan: a computed cam.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
     """
     cures = Cures(plan.lost, (), len(plan.lift.kinks))
     if not cures.lost or not cures.sought:
         return cures
-    step("looking for a change that cures lost lift")
+    progress("looking for a change that cures lost lift")
     return Cures(cures.lost, tuple(_tried(plan)), cures.kinks)
 
 

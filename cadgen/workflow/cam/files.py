@@ -24,9 +24,10 @@ from cadgen.export.folder import publishing
 from cadgen.export.formats import CAM_FORMATS, chosen_formats, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.motion.sampled import rolled_lift
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.cures import Cures, find_cures
 from cadgen.workflow.cam.manifest import cam_facts
-from cadgen.workflow.cam.plan import CamPlan, Step
+from cadgen.workflow.cam.plan import CamPlan
 
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Part
@@ -159,7 +160,7 @@ class _Job:
 def write_cam(
     plan: CamPlan,
     out: Path,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     formats: str | Iterable[str] | None = None,
     *,
     cures: Cures | None = None,
@@ -169,7 +170,7 @@ def write_cam(
     Args:
         plan: a computed cam, normally one whose checks passed.
         out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         cures: of lost lift, if they were sought already.
         formats: some of `CAM_FORMATS`; all of them if left out.
 
@@ -187,7 +188,7 @@ def write_cam(
         for label, make in _FORMATS.items():
             if not any(_LABELS[ending] == label for ending in wanted):
                 continue
-            step(f"writing and reading back {label}")
+            progress(f"writing and reading back {label}")
             try:
                 results = list(make(job))
             except CheckError as error:
@@ -200,7 +201,7 @@ def write_cam(
         if not files:
             raise CheckError(f"nothing can be written: {'; '.join(omitted.values())}")
         entry = {
-            **cam_facts(plan, find_cures(plan, step) if cures is None else cures),
+            **cam_facts(plan, find_cures(plan, progress) if cures is None else cures),
             **entry_formats(wanted, CAM_FORMATS),
             "frame": _FRAME,
             "versions": versions(),

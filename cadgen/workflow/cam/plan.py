@@ -24,13 +24,12 @@ from cadgen.optimize.profiles.table import codes, profile_of
 from cadgen.optimize.task import TrainTask
 from cadgen.parts.blank import Blank
 from cadgen.path.track import Track
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains, task_of
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
-
-Step = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -122,7 +121,7 @@ def default_profile(design: Design) -> Profile:
 def plan_cam(
     design: Design,
     profile: str | None = None,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     *,
     all_trains: bool = False,
     with_play: bool = False,
@@ -132,7 +131,7 @@ def plan_cam(
     Args:
         design: a loaded design.
         profile: code of a profile; that of `default_profile` if left out.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         all_trains: against play, compare the profiles on the trains that the design does not use, too.
         with_play: look at what play does to the actual profile, too.
 
@@ -143,18 +142,18 @@ def plan_cam(
     """
     kind = default_profile(design) if profile is None else profile_of(profile)
     if kind.for_play or (with_play and kind is ACTUAL):
-        return _plan_against_play(design, kind, step, all_trains=all_trains, measured=_measured_cam(design))
-    return _plan(design, kind, step)
+        return _plan_against_play(design, kind, progress, all_trains=all_trains, measured=_measured_cam(design))
+    return _plan(design, kind, progress)
 
 
-def _plan(design: Design, profile: Profile, step: Step) -> CamPlan:
+def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
     """The plan of a profile that does nothing about play."""
-    step("planning the path")
+    progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
-    step(f"computing the {profile} profile")
+    progress(f"computing the {profile} profile")
     wanted = profile.curve(lift, rod)
-    step("checking the profile")
+    progress("checking the profile")
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     limits = cam_model.check_limits(design)
     checks = (
@@ -165,17 +164,22 @@ def _plan(design: Design, profile: Profile, step: Step) -> CamPlan:
 
 
 def _plan_against_play(
-    design: Design, profile: Profile, step: Step, *, all_trains: bool = False, measured: MeasuredCam | None = None
+    design: Design,
+    profile: Profile,
+    progress: Progress,
+    *,
+    all_trains: bool = False,
+    measured: MeasuredCam | None = None,
 ) -> CamPlan:
     """The plan of a profile, with what it does about play."""
-    step("planning the path")
+    progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
-    step(f"computing the {profile} profile")
+    progress(f"computing the {profile} profile")
     checks = ProfileChecks(design, task_of(design, track, lift, rod))
     against = against_play(profile, checks, all_trains=all_trains, measured=measured)
     chosen = against.chosen
-    step("checking the profile")
+    progress("checking the profile")
     return CamPlan(
         design,
         profile,
@@ -196,7 +200,7 @@ def _measured_cam(design: Design) -> MeasuredCam | None:
         return None
     profile, then = profile_of(design.as_built.profile), design.as_cut()
     planned = _plan_against_play if profile.for_play else _plan
-    plan = planned(then, profile, lambda text: None)
+    plan = planned(then, profile, silent)
     return MeasuredCam(profile=profile, lift=plan.lift, curve=plan.on_shaft)
 
 
@@ -207,7 +211,7 @@ def replanned_checks(plan: CamPlan, design: Design) -> tuple[Check, ...]:
         DesignError: as `plan_cam`.
     """
     if plan.against is None:
-        return _plan(design, plan.profile, lambda text: None).checks
+        return _plan(design, plan.profile, silent).checks
     chosen, track = plan.against.chosen, cam_model.track(design)
     task = task_of(design, track, cam_model.lift(design, track), cam_model.follower(design))
     work = TrainTask(task, chosen.train, known_trains(design)[chosen.train])

@@ -1,6 +1,5 @@
 """The remedies against play on one sheet: what each leaves of the error, and what to build for it."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees
 
@@ -20,6 +19,7 @@ from cadgen.optimize.evaluate import Evaluation
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
 from cadgen.optimize.task import Task
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against, known_trains
 
 _ALLOWED_END = 100.0  # mm; what a trimmed car may be off where [optimize] says nothing
@@ -90,7 +90,7 @@ class _Sheet:
         return Remedy(name=name, cut_for=cut_for, worst_end=ends.worst_distance, on_way=way, build=build)
 
 
-def remedies(design: Design, against: Against, step: Callable[[str], None] = lambda text: None) -> tuple[Remedy, ...]:
+def remedies(design: Design, against: Against, progress: Progress = silent) -> tuple[Remedy, ...]:
     """Every remedy for the car at hand, in the worst of its plays and frictions, and the design as it is.
 
     Remedies are compared without the brake that the design may have.
@@ -98,7 +98,7 @@ def remedies(design: Design, against: Against, step: Callable[[str], None] = lam
     Args:
         design: a loaded design.
         against: its profiles against play, with those of all its trains.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: the design says nothing of friction and drag.
@@ -106,7 +106,7 @@ def remedies(design: Design, against: Against, step: Callable[[str], None] = lam
     mechanics = against.task.mechanics
     if mechanics is None:
         raise DesignError("remedies against play go by the rod's force and friction: add [mechanics]")
-    step("comparing remedies against play")
+    progress("comparing remedies against play")
     sheet = _Sheet(design, against.task, against.band, mechanics)
     plain = next(
         evaluation

@@ -23,7 +23,7 @@ from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.prisms import body_mesh
 from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM, cycle, exact_play, meshes, play_error_um, return_error_um
-from cadgen.workflow.cam.plan import Step
+from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import parts_facts, plan_facts
 from cadgen.workflow.gears.plan import GearsPlan
 
@@ -85,17 +85,17 @@ class PlannedTrain(Protocol):
 
 
 def write_gears(
-    plan: GearsPlan, out: Path, step: Step = lambda text: None, formats: str | Iterable[str] | None = None
+    plan: GearsPlan, out: Path, progress: Progress = silent, formats: str | Iterable[str] | None = None
 ) -> Written:
     """Write the files of a design's train; arguments and errors as of `write_train`."""
-    return write_train(plan, plan_facts(plan), out, step, formats)
+    return write_train(plan, plan_facts(plan), out, progress, formats)
 
 
 def write_train(
     plan: PlannedTrain,
     facts: dict[str, Any],
     out: Path,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     formats: str | Iterable[str] | None = None,
 ) -> Written:
     """Write, read back, judge and publish the files of a train.
@@ -104,7 +104,7 @@ def write_train(
         plan: a computed train, normally one whose checks passed.
         facts: everything that is known of it, as plain values.
         out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         formats: some of `TRAIN_FORMATS`; all of them if left out.
 
     Raises:
@@ -120,7 +120,7 @@ def write_train(
             f"the gears of train.stages have {teeth} teeth together, too many for STEP, which takes at most "
             f"{MOST_STEP_TEETH}: give them fewer teeth, or write the formats {others}"
         )
-    return publish(f"{plan.stem}_train", facts, FRAME, makers, wanted, out, step)
+    return publish(f"{plan.stem}_train", facts, FRAME, makers, wanted, out, progress)
 
 
 def publish(
@@ -130,7 +130,7 @@ def publish(
     makers: Mapping[str, tuple[str, Callable[[Path], Iterator[Result]]]],
     wanted: Sequence[str],
     out: Path,
-    step: Step,
+    progress: Progress,
 ) -> Written:
     """Make the wanted files of a gear or a train, and publish them with their entry in the manifest.
 
@@ -141,7 +141,7 @@ def publish(
         makers: for each ending a label, and what writes files into a folder, reads them back and yields their facts.
         wanted: endings among those.
         out: the folder; nothing appears in it unless everything succeeded.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
         FileError: a file cannot be written, or what was read back is not what was meant.
@@ -150,7 +150,7 @@ def publish(
         files: dict[str, dict[str, Any]] = {}
         for ending in wanted:
             label, make = makers[ending]
-            step(f"writing and reading back {label}")
+            progress(f"writing and reading back {label}")
             for name, of_file in make(staging):
                 files[name] = {**file_facts(staging / name), **of_file}
         entry = {

@@ -20,7 +20,7 @@ from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.parts.blank import Blank
-from cadgen.workflow.cam.plan import Step
+from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import checks_facts, form_facts, parts_facts, return_error, stages_facts
 from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, publish, tooth_errors, write_stl
 from cadgen.workflow.gears.made import Made, make
@@ -157,7 +157,7 @@ def write_gear(
     part: TrainPart,
     name: str,
     out: Path,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     formats: str | Iterable[str] | None = None,
 ) -> Written:
     """Write, read back, judge and publish the files of one gear.
@@ -166,7 +166,7 @@ def write_gear(
         part: from `part_of`.
         name: of the gear; the names of its files begin with it.
         out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         formats: some of `GEAR_FORMATS`; all of them if left out.
 
     Raises:
@@ -178,7 +178,7 @@ def write_gear(
         "stl": ("STL", partial(_stl_file, part, name)),
     }
     wanted = chosen_formats(formats, GEAR_FORMATS)
-    return publish(f"{name}_gear", gear_facts(part, name), _FRAME, makers, wanted, out, step)
+    return publish(f"{name}_gear", gear_facts(part, name), _FRAME, makers, wanted, out, progress)
 
 
 def gear_facts(part: TrainPart, name: str) -> dict[str, Any]:

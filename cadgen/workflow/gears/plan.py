@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from cadgen.build import gear_model
@@ -21,9 +21,8 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import GearPair, Train
 from cadgen.gears.undercut import missing_shift
 from cadgen.meshes.train_checks import failing_stages
+from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.made import Made, make
-
-Step = Callable[[str], None]
 
 # If none of the trains that a search reports can be made, so many of those whose gears fit their blanks are tried.
 DEPTHS = (100, 1000, 4000)
@@ -112,14 +111,14 @@ class GearsPlan:
         return gear_model.mesh_chord(self.design, gears)
 
 
-def plan_gears(design: TrainDesign, order: Order = "as-given", step: Step = lambda text: None) -> GearsPlan:
+def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progress = silent) -> GearsPlan:
     """Compute the train of a design in an order, lay it out, and measure its teeth in mesh.
 
     Args:
         design: a loaded design.
         order: `as-given`, `reordered` (the best order of the stages) or `search` (the best teeth within the limits).
             Of several trains the first that can be made and passes its checks is planned.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: the design has no train, or one that cannot be made or laid out.
@@ -127,12 +126,12 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", step: Step = lamb
     """
     gear_model.train_keys(design)
     given = gear_model.train(design)
-    step("computing play and return error" if order != "search" else "searching trains")
+    progress("computing play and return error" if order != "search" else "searching trains")
     given_play, given_standard = train_play(given), _by_the_standard(given)
     limits = gear_model.search_limits(design, given) if order == "search" else None
     ranked = arrange(given, order, limits)
     trains = _Candidates(ranked, limits, design)
-    made, skipped = _first_made(design, given, trains, _baseline(order, given_play, given_standard), step)
+    made, skipped = _first_made(design, given, trains, _baseline(order, given_play, given_standard), progress)
     return GearsPlan(
         design=design,
         order=order,
@@ -214,13 +213,13 @@ class _Candidates:
 
 
 def _first_made(
-    design: TrainDesign, given: Train, trains: _Candidates, baseline: TrainPlay, step: Step
+    design: TrainDesign, given: Train, trains: _Candidates, baseline: TrainPlay, progress: Progress
 ) -> tuple[Made, tuple[Skipped, ...]]:
     """The first train that can be made and passes its checks, else the first that can be made; and those before it."""
     skipped: list[Skipped] = []
     failed: list[tuple[int, Made]] = []
     for play in trains:
-        step(f"laying out and measuring {teeth_of(play)}")
+        progress(f"laying out and measuring {teeth_of(play)}")
         try:
             made = _make(design, given, play)
         except DesignError as error:

@@ -7,8 +7,9 @@ from math import radians
 from cadgen.design.schema import Design
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflections, run_error
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against
-from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
+from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ class Simulation:
 
 
 def simulate(
-    design: Design, profile: str = "optimized", play_deg: float | None = None, step: Step = lambda text: None
+    design: Design, profile: str = "optimized", play_deg: float | None = None, progress: Progress = silent
 ) -> Simulation:
     """Run the car on the actual profile and on another one.
 
@@ -53,17 +54,17 @@ def simulate(
         design: a loaded design.
         profile: code of a profile for play.
         play_deg: return error of the runs; that which the profile is cut for if left out.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: as `plan_cam`, or the play is negative.
         CheckError: no profile keeps the limits of [optimize].
     """
-    plan = plan_cam(design, profile, step)
+    plan = plan_cam(design, profile, progress)
     against = against_of(plan)
     play = against.chosen.play if play_deg is None else radians(play_deg)
     task = against.task
-    step("running the car")
+    progress("running the car")
     before, after = (against.run(evaluation, play) for evaluation in (against.before, against.chosen))
     leads = against.following(against.before, play).leads if task.mechanics else None
     events = deflections(against.before.lift, task.follower, task.car, task.length, play, leads=leads)

@@ -13,7 +13,8 @@ from cadgen.errors import DesignError, FileError
 from cadgen.monte_carlo.fleet import Fleet
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.motion.drive import STEPS
-from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
+from cadgen.progress import Progress, silent
+from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet
 from cadgen.workflow.runs.fleet import fleet_of
 
@@ -95,7 +96,7 @@ def run_tolerance(
     samples: int,
     seed: int,
     processes: int,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     *,
     with_budget: bool = False,
     map_with: Map | None = None,
@@ -108,7 +109,7 @@ def run_tolerance(
         samples: number of cars.
         seed: of the random numbers.
         processes: how many run at once; the numbers do not depend on it.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         with_budget: rank everything that may be off, too.
         map_with: runs the cars instead of `processes`, such as the `map` of a pool.
 
@@ -117,16 +118,16 @@ def run_tolerance(
         CheckError: no profile keeps the limits of [optimize].
         FileError: there is not the memory for so many cars.
     """
-    plan = plan_cam(design, profile, step, with_play=True)
+    plan = plan_cam(design, profile, progress, with_play=True)
     tolerances = variation.tolerances(design, against_of(plan).task.mechanics)
     fleet = _fleet(plan)
-    step("finding sensitivities")
+    progress("finding sensitivities")
     ranked = sensitivities(fleet, tolerances)
     if not ranked:
         raise DesignError("no dimension of the design varies: give [tolerances] half widths above 0, or a band of play")
 
     def done(cars: int) -> None:
-        step(f"run {min(cars, samples)} of {samples} cars")
+        progress(f"run {min(cars, samples)} of {samples} cars")
 
     try:
         ends = tolerance_run(fleet, tolerances, samples, seed=seed, processes=processes, map_with=map_with, done=done)
@@ -137,7 +138,7 @@ def run_tolerance(
         ) from error
     sheet = None
     if with_budget:
-        step("ranking what may be off")
+        progress("ranking what may be off")
         sheet = budget_sheet(design, fleet, tolerances)
     return ToleranceRun(plan, seed, ends, len(fleet.stations), ranked, sheet)
 
