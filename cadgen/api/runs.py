@@ -23,8 +23,8 @@ from cadgen.workflow.runs import files
 from cadgen.workflow.runs import simulation as simulations
 from cadgen.workflow.runs import tolerance as tolerances
 from cadgen.workflow.runs.budget import BudgetSheet as BudgetSheet
-from cadgen.workflow.runs.budget import shown as shown
 from cadgen.workflow.runs.budget import shown_half_width as shown_half_width
+from cadgen.workflow.runs.budget import shown_value as shown_value
 from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.workflow.runs.tolerance import Spread as Spread
 

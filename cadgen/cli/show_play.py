@@ -169,7 +169,7 @@ def runs(simulation: "Simulation") -> None:
 
 def fleet(run: "ToleranceRun") -> None:
     """Print the ends of the cars, how many pass, and the sensitivities."""
-    from cadgen.api.runs import shown
+    from cadgen.api.runs import shown_value
 
     console = Output()
     result = run.computed
@@ -199,8 +199,8 @@ def fleet(run: "ToleranceRun") -> None:
         name = sensitivity.name
         table.add_row(
             name.replace("_", " "),
-            shown(name, result.half_width(name)),
-            shown(name, sensitivity.step),
+            shown_value(name, result.half_width(name)),
+            shown_value(name, sensitivity.step),
             f"{sensitivity.distance:.3f} mm",
             f"{degrees(sensitivity.heading):.4f}°",
             f"{100 * sensitivity.share:.1f} %",

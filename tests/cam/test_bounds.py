@@ -82,7 +82,7 @@ def test_cures_are_not_sought_at_very_many_kinks(monkeypatch):
     assert plan.lost
     monkeypatch.setattr(cures_module, "MOST_KINKS_CURED", len(plan.lift.kinks) - 1)
     cures = find_cures(plan)
-    assert cures.found == ()
+    assert cures.proved == ()
     (said,) = cures.sentences()
     assert f"the lift has {len(plan.lift.kinks)} kinks" in said
     assert 'set path.spline = "quintic"' in said

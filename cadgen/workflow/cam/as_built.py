@@ -1,4 +1,4 @@
-"""What a design says of the car as it was built, in words."""
+"""Deviations of the car as it was built, in words."""
 
 from math import degrees, radians
 
@@ -13,7 +13,7 @@ _LEAST_SHIFT = radians(0.005)  # of the run's end: less than a hundredth of a de
 
 
 def as_built_sentences(design: Design, stop: float) -> list[str]:
-    """What is taken into account, what is only noted, where to stop the run, and how to set the cam."""
+    """Effects that count, effects that are only noted, where to stop the run, and how to set the cam, in words."""
     record = design.as_built
     if record is None:
         return []
@@ -45,7 +45,7 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
 
 
 def _friction_sentences(design: Design) -> list[str]:
-    """What the play goes by that a track showed, and that a car without play may be held."""
+    """Conditions under which a track showed play or none, in words."""
     known = cam_model.as_built(design)
     if known.play == 0 and known.shows_play_with_rod and known.friction is None:
         return [

@@ -32,14 +32,14 @@ from cadgen.workflow.cam.plan import CamPlan
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Part
 
-# What a file may add to the lift's error, in um. STL and 3MF are held to their own chord tolerance.
+# Greatest error of the lift due to a file, um. STL and 3MF are held to their own chord tolerance.
 STEP_LIMIT_UM = 0.5
 POINTS_LIMIT_UM = 0.5
 DXF_LIMIT_UM = 1.0
 GCODE_LIMIT_UM = 1.0
 # Relative error of the solid's volume against the profile's own area times thickness.
 SOLID_VOLUME_LIMIT = 1e-6
-# How far the cubic splines of the DXF may stray, mm: a tenth of what the lift is allowed.
+# Greatest distance of the DXF's cubic splines from the profile, mm: a tenth of the error allowed to the lift.
 _DXF_SPLINE_TOLERANCE = 1e-4
 # Share of the chord tolerance that the rim's chords may take at a pressure angle of 0; and at least, at 87 degrees.
 _RIM_SHARE = 0.8
@@ -58,7 +58,7 @@ class _Result:
 
 @dataclass(frozen=True)
 class _Job:
-    """What the writers share."""
+    """Plan, folder and formats that the writers share, with what they compute once."""
 
     plan: CamPlan
     staging: Path
@@ -88,25 +88,25 @@ class _Job:
 
     @cached_property
     def rolled(self) -> tuple[Contact, float]:
-        """The rod on the exact curve, and the step of an outline that this takes, mm."""
+        """Contact of the rod on the exact curve, and the step of the outline for it, mm."""
         return roll_curve(self.plan.curve, self.plan.follower, self.cam_angle)
 
     @property
     def step(self) -> float:
-        """Distance of the points on what is read back, mm."""
+        """Distance of the points on an outline that is read back, mm."""
         return self.rolled[1]
 
     @cached_property
     def exact(self) -> Exact:
-        """What a file's lift is compared with: the exact curve, in points as close together as on what is read back."""
+        """Exact curve for comparison with a file's lift, in points as close together as on an outline read back."""
         follower = self.plan.follower
         return Exact(self.plan.curve.outline(self.step), follower, dense_stations(follower, self.rolled[0]))
 
     @cached_property
     def rim_share(self) -> float:
-        """Share of what the lift may err that a chord of the rim may stray along its normal.
+        """Share of the error allowed to the lift that a chord of the rim may take along its normal.
 
-        A chord that strays by e shifts the lift by e / cos(pressure angle).
+        A chord that is off by e shifts the lift by e / cos(pressure angle).
         """
         steepest = float(np.cos(self.rolled[0].pressure_angle).min())
         return max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
@@ -120,7 +120,7 @@ class _Job:
 
     @cached_property
     def volume(self) -> float:
-        """What every file's volume is compared with, mm^3: by the profile, or with a hub the exact solid's."""
+        """Volume for comparison with every file's, mm^3: by the profile, or with a hub that of the exact solid."""
         from cadgen.solids.kernel import volume
 
         if self.plan.blank.hub is None:
@@ -133,7 +133,7 @@ class _Job:
         return largest_cutter(self.plan.curve)
 
     def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
-        """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play.
+        """Roll the rod on an outline that was read back: error of the lift, and end of a run with play.
 
         Only lifts rolled in equal steps are compared: what rolling errs by is then nearly the same in both.
         """
@@ -150,7 +150,7 @@ class _Job:
             rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
         else:
             rolled = contact.at(np.searchsorted(contact.cam_angle, self.cam_angle))
-        # Rises and falls within what the file may err by are no events of the path.
+        # Rises and falls within the error allowed to the file are no events of the path.
         least_swing = max(against.chosen.least_swing, lift_limit_um * 1e-3 / against.task.follower.inner)
         lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
         heading, distance = against.end_of(lift, least_swing)
@@ -168,16 +168,16 @@ def write_cam(
     """Write, read back, judge and publish the files of a cam.
 
     Args:
-        plan: a computed cam, normally one whose checks passed.
-        out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
+        plan: computed cam, normally with all checks passed.
+        out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
         progress: function that is called with a few words on each step.
-        cures: of lost lift, if they were sought already.
+        cures: cures of lost lift, if they were sought already.
         formats: some of `CAM_FORMATS`; all of them if left out.
 
     Raises:
-        DesignError: there is no such format.
+        DesignError: a format is unknown.
         CheckError: none of the formats can be made of this cam.
-        FileError: a file cannot be written, or what was read back is not what was meant.
+        FileError: a file cannot be written, or holds something else when it is read back.
     """
     wanted = chosen_formats(formats, CAM_FORMATS)
     with publishing(out) as staging:
@@ -215,7 +215,7 @@ def write_cam(
 
 
 def cam_solid(plan: CamPlan) -> "Part":
-    """The cam as the solid that its STEP file holds."""
+    """Solid of the cam, as in its STEP file."""
     return _Job(plan, Path(), CAM_FORMATS).part
 
 
@@ -226,7 +226,7 @@ _FRAME = (
 
 
 def edges_note(edge_break: float) -> str:
-    """What files of the outline alone must tell the shop about its edges; nothing where they stay sharp."""
+    """Note for the shop on the edges, for files of the outline alone; empty where the edges stay sharp."""
     if edge_break == 0:
         return ""
     return f"afterwards break both edges of the outline by {edge_break:g} mm at 45 degrees: the rod rides between them"
@@ -247,7 +247,7 @@ def _measured(job: _Job, result: _Result) -> dict[str, Any]:
 
 
 def _loss(job: _Job, result: _Result, refine: str) -> list[str]:
-    """A warning if the file keeps its own tolerance, but not what the profile does against play."""
+    """A warning if the file keeps its own tolerance, but loses the gain of the profile against play."""
     against, end = job.plan.against, result.facts.get("end_position_mm")
     if against is None or end is None or not against.loses(end):
         return []

@@ -1,4 +1,4 @@
-"""What friction and drag do to a cam, in checks and in words."""
+"""Effect of friction and drag on a cam, in checks and in words."""
 
 from math import degrees, inf
 
@@ -25,7 +25,7 @@ _SHOWN = 1.0  # mm; less at the end is not worth a sentence
 
 
 def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Evaluation) -> str:
-    """What a rod that rubs would make of a cam that was reckoned without friction; empty if that changes nothing."""
+    """Effect of friction on a cam that was computed without it, in words; empty if friction changes nothing."""
     usual = MechanicsBand(follower=task.follower, friction=USUAL).cases
     plays = np.array(band.ends if band.measured is None else [band.measured])
     worst = [
@@ -94,7 +94,7 @@ def mechanics_checks(
 
 
 def joint_sentences(design: Design) -> list[str]:
-    """What joints and bearings add to the return error of the teeth, and the cheapest cure."""
+    """Return error that joints and bearings add to that of the teeth, and the cheapest cure, in words."""
     whole = variation.whole_play(design)
     if whole is None or not whole.loose or design.play is not None:
         return []
@@ -108,7 +108,7 @@ def joint_sentences(design: Design) -> list[str]:
 
 
 def border_sentences(design: Design, task: Task, chosen: Evaluation, band: PlayBand) -> list[str]:
-    """What to build or do besides the cam; warnings where it may be held in one run and lead in the next."""
+    """Advice besides the cam, and warnings where the cam may be held in one run and lead in the next, in words."""
     known, keys = task.mechanics, design.mechanics
     if known is None:
         return []

@@ -37,16 +37,16 @@ class CamPlan:
     """A cam that has been computed and checked, but not yet made.
 
     Attributes:
-        design: what it was planned from.
-        profile: which one; its text is its code.
-        track: of the drive wheel.
-        lift: the steering that the profile is cut for: the planned one, or what becomes that one with play.
-        rod: the follower of the design, as built.
-        curve: what is cut: the profile, or on a car as built what becomes the profile in its making and on its shaft.
-        trims: where the envelope was trimmed.
-        blank: what the disc has besides its profile.
+        design: design that the cam was planned from.
+        profile: profile of the cam; as text, its code.
+        track: track of the drive wheel.
+        lift: lift that the profile is cut for: the planned lift, or a lift that gives the planned one with play.
+        rod: follower of the design, as built.
+        curve: curve that is cut: the profile, or on a car as built the curve that becomes the profile on its shaft, mm.
+        trims: places where the envelope was trimmed.
+        blank: features of the disc besides its profile.
         checks: every figure with its verdict.
-        against: what the profile does about play, if that is what it is for.
+        against: comparison of the profile with the plain profile under play; None for a profile that is not for play.
     """
 
     design: Design
@@ -67,12 +67,12 @@ class CamPlan:
 
     @property
     def failed(self) -> tuple[Check, ...]:
-        """The checks that do not keep their limit."""
+        """Checks that do not keep their limit."""
         return failing(self.checks)
 
     @property
     def lost(self) -> tuple[Check, ...]:
-        """The checks by which too much lift is lost."""
+        """Failed checks on lost lift."""
         return tuple(check for check in self.failed if check.code in LOST_LIFT)
 
     @cached_property
@@ -103,18 +103,18 @@ class CamPlan:
 
     @cached_property
     def on_shaft(self) -> ClosedCurve:
-        """What is cut, as it stands on a shaft whose key is right: turned with the key of a car as built."""
+        """Curve that is cut, mm, on a shaft whose key is right: turned with the key of a car as built."""
         phase = cam_model.as_built(self.design).phase
         return turned(self.curve, phase) if phase else self.curve
 
     @cached_property
     def area(self) -> float:
-        """Of the profile, mm^2."""
+        """Area of the profile, mm^2."""
         return self.curve.area()
 
 
 def default_profile(design: Design) -> Profile:
-    """The best against play for a design that says something of its play, else the actual profile."""
+    """The optimized profile for a design with [train] or [play], else the actual profile."""
     return OPTIMIZED if variation.play_bands(design) else ACTUAL
 
 
@@ -129,15 +129,15 @@ def plan_cam(
     """Compute the profile of a design and check it.
 
     Args:
-        design: a loaded design.
+        design: loaded design.
         profile: code of a profile; that of `default_profile` if left out.
         progress: function that is called with a few words on each step.
-        all_trains: against play, compare the profiles on the trains that the design does not use, too.
-        with_play: look at what play does to the actual profile, too.
+        all_trains: whether profiles against play are compared on the trains that the design does not use, too.
+        with_play: whether the actual profile is compared under play, too.
 
     Raises:
         DesignError: the path cannot be driven, the rod leaves no disc, there is no such profile, or nothing is
-            known of the play that it is for.
+            known of the play that the profile is for.
         CheckError: no profile keeps the limits of [optimize].
     """
     kind = default_profile(design) if profile is None else profile_of(profile)
@@ -147,7 +147,7 @@ def plan_cam(
 
 
 def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
-    """The plan of a profile that does nothing about play."""
+    """Plan of a profile that is not for play."""
     progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
@@ -171,7 +171,7 @@ def _plan_against_play(
     all_trains: bool = False,
     measured: MeasuredCam | None = None,
 ) -> CamPlan:
-    """The plan of a profile, with what it does about play."""
+    """Plan of a profile, with its comparison under play."""
     progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
@@ -195,7 +195,7 @@ def _plan_against_play(
 
 
 def _measured_cam(design: Design) -> MeasuredCam | None:
-    """The cam that was on the car when it was measured, as it was made then; None if the design has no [as_built]."""
+    """Cam that was on the car when the car was measured, as made then; None if the design has no [as_built]."""
     if design.as_built is None:
         return None
     profile, then = profile_of(design.as_built.profile), design.as_cut()
@@ -219,10 +219,10 @@ def replanned_checks(plan: CamPlan, design: Design) -> tuple[Check, ...]:
 
 
 def against_of(plan: CamPlan) -> Against:
-    """What a plan's profile does about play.
+    """Comparison of a plan's profile with the plain profile under play.
 
     Raises:
-        DesignError: it is not for that.
+        DesignError: the profile is not for play.
     """
     if plan.against is None:
         choices = listed(codes(for_play=True), "or")

@@ -29,7 +29,7 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
     """Write tracks and pictures, and publish them together.
 
     Raises:
-        FileError: a file cannot be written, or what was read back is not what was meant.
+        FileError: a file cannot be written, or holds something else when it is read back.
     """
     against, design = simulation.against, simulation.plan.design
     stem = f"{design.name}_{simulation.plan.profile}_simulation"
@@ -73,13 +73,13 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
 
 
 def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, cures: Cures | None = None) -> Written:
-    """Draw what the methods do, and publish the pictures together.
+    """Draw the events and tracks of the methods compared, and publish the pictures together.
 
     Args:
-        plan: of an optimized profile.
-        out: the folder; nothing appears in it unless everything succeeded.
+        plan: plan of an optimized profile.
+        out: folder for the pictures; nothing appears in it unless everything succeeded.
         progress: function that is called with a few words on each step.
-        cures: of lost lift, if they were sought already.
+        cures: cures of lost lift, if they were sought already.
 
     Raises:
         FileError: a file cannot be written.
@@ -112,7 +112,7 @@ def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, c
 
 
 def _alone(against: Against) -> list[TrackPanel]:
-    """What jumps alone do to the paths of the paper's methods at the greatest play, and what reverses alone do."""
+    """Tracks of the paper's methods at the greatest play with jumps alone, and with reverses alone."""
     return [
         TrackPanel(
             title=f"{_name(evaluation)}, {evaluation.train}: {kind}s alone, {degrees(evaluation.band.plays[-1]):.3f}°",

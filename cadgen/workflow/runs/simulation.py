@@ -17,13 +17,13 @@ class Simulation:
     """A design's runs with play.
 
     Attributes:
-        plan: of the profile that is compared with the actual one.
-        against: the plan's.
+        plan: plan of the profile that is compared with the actual one.
+        against: comparison of the two profiles.
         play: return error of the runs, rad.
-        planned: the run wanted.
-        before: with play on the actual profile; of a car as built, on the cam that it was measured with.
-        after: with play on the plan's profile.
-        events: of that profile, with their deflection errors at that play.
+        planned: planned run.
+        before: run with play on the actual profile; of a car as built, on the cam that it was measured with.
+        after: run with play on the plan's profile.
+        events: events of the run before, with their deflection errors at that play.
     """
 
     plan: CamPlan
@@ -36,12 +36,12 @@ class Simulation:
 
     @cached_property
     def before_error(self) -> RunError:
-        """Of the run before."""
+        """Errors of the run before."""
         return run_error(self.before, self.planned)
 
     @cached_property
     def after_error(self) -> RunError:
-        """Of the other profile's run."""
+        """Errors of the run after."""
         return run_error(self.after, self.planned)
 
 
@@ -51,9 +51,9 @@ def simulate(
     """Run the car on the actual profile and on another one.
 
     Args:
-        design: a loaded design.
+        design: loaded design.
         profile: code of a profile for play.
-        play_deg: return error of the runs; that which the profile is cut for if left out.
+        play_deg: return error of the runs, degrees; the play that the profile is cut for if left out.
         progress: function that is called with a few words on each step.
 
     Raises:

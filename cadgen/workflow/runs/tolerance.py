@@ -1,4 +1,4 @@
-"""Many cars within the design's tolerances: how they end, how many pass the gates, and what matters most."""
+"""Many cars within the design's tolerances: ends of their runs, yield at the gates, and sensitivities."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -23,12 +23,12 @@ QUANTILES = (0.5, 0.9, 0.95, 0.99)
 
 @dataclass(frozen=True)
 class Spread:
-    """Figures of many cars.
+    """Spread of a figure over many cars, in the unit of the figure.
 
     Attributes:
-        mean: of all.
-        quantiles: share of the cars, from 0 to 1 -> what so many do not exceed.
-        greatest: of all.
+        mean: mean of all cars.
+        quantiles: value that a share of the cars does not exceed, by the share, 0 to 1.
+        greatest: greatest value of all cars.
     """
 
     mean: float
@@ -47,12 +47,12 @@ class ToleranceRun:
     """A design's random cars.
 
     Attributes:
-        plan: of the profile that all cars have.
-        seed: of the random numbers.
-        ends: of the cars' runs.
-        gates: that they pass on the run, its end included.
-        sensitivities: to each tolerance, greatest share first.
-        budget: of everything that may be off, and of the disc's making by processes; None if it was not asked for.
+        plan: plan of the profile that all cars have.
+        seed: seed of the random numbers.
+        ends: errors at the ends of the cars' runs, mm and rad.
+        gates: number of gates on the run, its end included.
+        sensitivities: effect of each tolerance, greatest share first.
+        budget: error budget of the design, and of the disc by process; None if it was not asked for.
     """
 
     plan: CamPlan
@@ -74,12 +74,12 @@ class ToleranceRun:
 
     @cached_property
     def end_position(self) -> Spread:
-        """Of the position errors at the end, mm."""
+        """Spread of the position errors at the end, mm."""
         return spread(self.ends.distance)
 
     @cached_property
     def end_heading_deg(self) -> Spread:
-        """Of the sizes of the heading errors at the end, degrees."""
+        """Spread of the sizes of the heading errors at the end, degrees."""
         return spread(np.degrees(np.abs(self.ends.heading)))
 
     def half_width(self, name: str) -> float:
@@ -104,19 +104,19 @@ def run_tolerance(
     """Run random cars of a design.
 
     Args:
-        design: a loaded design.
-        profile: that all cars have: `actual`, or the code of a profile for play.
+        design: loaded design.
+        profile: profile that all cars have: `actual`, or the code of a profile for play.
         samples: number of cars.
-        seed: of the random numbers.
-        processes: how many run at once; the numbers do not depend on it.
+        seed: seed of the random numbers.
+        processes: number of processes that run at once; the results do not depend on it.
         progress: function that is called with a few words on each step.
-        with_budget: rank everything that may be off, too.
-        map_with: runs the cars instead of `processes`, such as the `map` of a pool.
+        with_budget: whether all deviations are ranked, too.
+        map_with: function that runs the cars instead of `processes`, such as the `map` of a pool.
 
     Raises:
         DesignError: as `plan_cam`, or nothing varies.
         CheckError: no profile keeps the limits of [optimize].
-        FileError: there is not the memory for so many cars.
+        FileError: the memory does not suffice for so many cars.
     """
     plan = plan_cam(design, profile, progress, with_play=True)
     tolerances = variation.tolerances(design, against_of(plan).task.mechanics)
