@@ -1,10 +1,10 @@
-"""The Python face: what commands, scripts and notebooks call. It never prints and never ends the program.
+"""The Python face: the functions and classes for commands, scripts and notebooks. It never prints and never exits.
 
 | module     | what it holds                                                             |
 |------------|---------------------------------------------------------------------------|
-| `values`   | numbers and words of a caller, refused in one sentence                     |
+| `values`   | checks of a caller's numbers and words, with one sentence a refusal        |
 | `overrides`| values of Python as the overrides of the command line                      |
-| `files`    | what a job has written; whether a folder still is that                     |
+| `files`    | files of a job; comparison of a folder with its manifest                   |
 | `cam`      | a cam that has been computed: figures, picture, solid, files               |
 | `runs`     | runs with play, the methods against it, many cars within the tolerances    |
 | `measured` | measured data, as files or as arrays                                       |
@@ -20,5 +20,5 @@ public names are those of `cadgen` itself; numbers are mm and rad unless the nam
 
 import logging
 
-# Without a handler Python itself would print what the program warns of.
+# Without a handler Python itself would print the program's warnings.
 logging.getLogger("cadgen").addHandler(logging.NullHandler())

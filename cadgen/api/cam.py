@@ -37,7 +37,7 @@ class Lift:
     """Lift of the follower over one turn of the cam. Call it with cam angles to get the lift there.
 
     Attributes:
-        computed: the cam.
+        computed: numeric plan of the cam.
 
     Example:
         >>> from math import radians
@@ -56,13 +56,13 @@ class Lift:
         """Lift at cam angles.
 
         Args:
-            cam_angle: rad, of any shape; beyond one turn the lift repeats.
+            cam_angle: cam angles, rad, of any shape; beyond one turn the lift repeats.
 
         Returns:
-            Lift, mm, of the same shape: positive where the follower stands further out than at steering angle 0.
+            Lift, mm, of that shape: positive where the follower stands further out than at steering angle 0.
 
         Raises:
-            DesignError: an angle is no finite number.
+            DesignError: an angle is not a finite number.
         """
         angle = numbers("cam_angle", cam_angle, "rad") % TURN
         return np.asarray(self.computed.rod.lift(self.computed.lift.tan_beta(angle)))
@@ -92,14 +92,14 @@ class Profile:
     """The closed curve that is cut, in the frame of the files: the camshaft at the origin.
 
     Attributes:
-        computed: the cam.
+        computed: numeric plan of the cam.
     """
 
     computed: CamPlan
 
     @property
     def name(self) -> str:
-        """What was asked for, such as `optimized`."""
+        """Code of the profile, such as `optimized`."""
         return self.computed.profile.code
 
     @property
@@ -116,13 +116,13 @@ class Profile:
         """Points on the curve.
 
         Args:
-            count: about how many, 12 to 1 000 000.
+            count: approximate number of points, 12 to 1 000 000.
 
         Returns:
-            x and y, mm, shape (n, 2), counterclockwise from the outer face, the first one not repeated.
+            x and y, mm, shape (n, 2), counterclockwise seen from the outer face, the first point not repeated.
 
         Raises:
-            DesignError: no such count.
+            DesignError: the count is out of its range.
         """
         points = self.computed.curve.outline(self.length / whole("count", count, 12, 1_000_000)).points
         return points[:-1] if np.array_equal(points[0], points[-1]) else points
@@ -139,7 +139,7 @@ class Cam:
     """A cam that has been computed and checked, but not yet made: what `Design.cam` gives.
 
     Attributes:
-        computed: the numeric plan, for figures that are not named here; mm and rad.
+        computed: numeric plan, with all other figures; mm and rad.
 
     Example:
         >>> from cadgen import Design
@@ -159,7 +159,7 @@ class Cam:
 
     @property
     def design(self) -> DesignValues:
-        """What the design that it was planned from says."""
+        """Values of the design that it was planned from."""
         return self.computed.design
 
     @property
@@ -182,7 +182,7 @@ class Cam:
 
     @property
     def failed(self) -> tuple[Check, ...]:
-        """The checks that do not keep their limit."""
+        """Checks that do not keep their limit."""
         return self.computed.failed
 
     @cached_property
@@ -192,7 +192,7 @@ class Cam:
 
     @cached_property
     def profile(self) -> Profile:
-        """The curve that is cut: its name, its points (mm)."""
+        """Curve that is cut, with its name and its points (mm)."""
         return Profile(self.computed)
 
     @property
@@ -203,7 +203,7 @@ class Cam:
 
     @property
     def against(self) -> Against | None:
-        """What the profile does about play, beside the others that were compared; None if it is not for that."""
+        """Comparison of the profile with others under play; None if the profile is not for play."""
         return self.computed.against
 
     @cached_property
@@ -223,14 +223,14 @@ class Cam:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What of the car was assumed or was measured, a sentence each."""
+        """Sentences on what was assumed of the car, and what was measured."""
         design, against = self.computed.design, self.computed.against
         if against is None:
             return tuple(as_built_sentences(design, self.computed.lift.blend_start))
         return (*assumed_play(design), *as_built_sentences(design, against.task.lift.blend_start))
 
     def facts(self) -> dict[str, Any]:
-        """Everything above as plain values, as in the manifest and with `--json`."""
+        """All facts on the cam as plain values, as in the manifest and with `--json`."""
         return cam_facts(self.computed, self.cures)
 
     def plot(self) -> "Figure":
@@ -261,7 +261,7 @@ class Cam:
         Raises:
             DesignError: a hole cuts into another one, into the hub or through the profile.
             CheckError: the chamfers of broken edges meet, or run out at a ridge.
-            FileError: the CAD kernel makes no valid solid of it.
+            FileError: the CAD kernel does not make one valid solid.
         """
         from cadgen.workflow.cam.files import cam_solid
 
@@ -278,9 +278,9 @@ class Cam:
         """Write files, read each back, roll the follower on it, and publish all together or none.
 
         Args:
-            folder: where to; it is made if need be.
+            folder: folder for the files; it is made if need be.
             formats: some of step, stl, 3mf, dxf, nc, xyz and csv; all of them if left out.
-            force: write even if a check fails; the manifest says so.
+            force: whether files are written even if a check fails; the manifest then says so.
             progress: function that is called with a few words on each step.
 
         Returns:
@@ -288,8 +288,8 @@ class Cam:
 
         Raises:
             CheckError: a check fails.
-            DesignError: there is no such format.
-            FileError: a file cannot be written, or what was read back is not what was meant.
+            DesignError: a format is unknown.
+            FileError: a file cannot be written, or holds something else when it is read back.
         """
         from cadgen.workflow.cam.files import write_cam
 

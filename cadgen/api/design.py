@@ -1,4 +1,4 @@
-"""A design, and what can be done with it."""
+"""A design and its jobs: cam, gears, runs, calibration."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -31,14 +31,12 @@ FORM_ERROR_UM = (0.01, 1000.0)
 
 @dataclass(frozen=True, repr=False)
 class Design:
-    """A design: path, car, cam, follower, gear train. It is never changed; `with_` gives another one.
-
-    Make one with `load` or `from_toml`.
+    """A design: path, car, cam, follower, gear train. `load` and `from_toml` read one; `with_` gives a changed copy.
 
     Attributes:
-        values: everything that the design says, checked, with defaults; as in docs/design-file.md.
-        text: of the design file, before overrides.
-        file: that the text stands in, or is named after.
+        values: values of all keys, checked, with defaults; as in docs/design-file.md.
+        text: text of the design file, before overrides.
+        file: path of the design file; for a design from text, its name with the ending .toml.
 
     Example:
         >>> from cadgen import Design
@@ -63,24 +61,24 @@ class Design:
 
         Args:
             source: name of a packaged design, or path of a TOML file; the paper's car if left out.
-            changes: as for `with_`, applied before anything is checked.
-            train_only: True if only the gear train is wanted: sections of the cam may then be missing.
+            changes: changes as for `with_`, applied before the checks.
+            train_only: whether only the gear train is used: sections of the cam may then be missing.
 
         Raises:
-            DesignError: no such design, a file that is not TOML, or values that cannot be: a sentence for each of up
-                to five errors, with the key and what is allowed.
+            DesignError: no such design, a file that is not TOML, or values that are not allowed. The message has a
+                sentence for each of up to five errors, with the key and what is allowed.
         """
         text, file = load.read_design(name_or_path("source", source))
         return cls._checked(text, file, overrides_of(changes), train_only)
 
     @classmethod
     def from_toml(cls, text: str, name: str = "design", *, train_only: bool = False) -> "Design":
-        """A design from the text of a design file; errors as in `load`.
+        """Make a design from the text of a design file; errors as in `load`.
 
         Args:
-            text: TOML.
-            name: of the design, if the text does not say it.
-            train_only: as for `load`.
+            text: text of the design in TOML.
+            name: name of the design, if the text has none.
+            train_only: same as for `load`.
         """
         return cls._checked(plain_text("text", text), Path(f"{name}.toml"), (), train_only)
 
@@ -92,11 +90,11 @@ class Design:
         """The design with some keys changed, by the same rules as `--set` on the command line.
 
         Args:
-            changes: key -> value, such as `{"cam.thickness_mm": 3.2, "path.waypoints_mm.3": [1, 2]}`: items of lists
-                count from 1, and None removes a key or a section. Texts `key=value` are taken, too.
+            changes: new value by key, such as `{"cam.thickness_mm": 3.2, "path.waypoints_mm.3": [1, 2]}`. List items
+                count from 1; None removes a key or a section. Texts `key=value` are taken, too.
 
         Raises:
-            DesignError: no such key, or the result is no design; in the words of the command line.
+            DesignError: a key is unknown, or the result is no design; in the words of the command line.
         """
         overrides = (*self.values.overrides, *overrides_of(changes))
         return self._checked(self.text, self.file, overrides, not isinstance(self.values, DesignValues))
@@ -107,12 +105,12 @@ class Design:
 
     @property
     def name(self) -> str:
-        """What exported files are named after."""
+        """Name of the design; the names of exported files begin with it."""
         return self.values.name
 
     @property
     def sha256(self) -> str:
-        """SHA-256 of what the design says, hexadecimal; manifests have it."""
+        """SHA-256 of the values of the design, hexadecimal, as in manifests."""
         return self.values.content_hash
 
     def cam(self, profile: str | None = None, *, progress: Progress = silent) -> "Cam":
@@ -120,7 +118,7 @@ class Design:
 
         Args:
             profile: `actual`, `optimized`, `compensated`, `smoothed`, `smoothed+compensated`, `theoretical` or
-                `published`. Left out, `optimized` for a design that says something of its play, else `actual`.
+                `published`. If left out, `optimized` for a design with [train] or [play], else `actual`.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -142,7 +140,7 @@ class Design:
             progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: there is no such order or no train, or it cannot be made or laid out.
+            DesignError: the order is unknown, or the train is missing or cannot be made or laid out.
         """
         from cadgen.api.gears import GearTrain
         from cadgen.workflow.gears.plan import plan_gears
@@ -157,12 +155,12 @@ class Design:
 
         Args:
             profile: `optimized`, `compensated`, `smoothed` or `smoothed+compensated`.
-            play_deg: return error of the runs at the camshaft, degrees, 0 to 180; left out, that which the profile is
-                cut for.
+            play_deg: return error of the runs at the camshaft, degrees, 0 to 180; if left out, the play for which
+                the profile is cut.
             progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: as `cam`, or no such play.
+            DesignError: as `cam`, or the play is out of its range.
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api import runs
@@ -207,16 +205,16 @@ class Design:
             samples: number of cars, 1 to 10 000 000.
             map: a pool, which is anything with a method `map`, or a function like the built-in `map`; it runs the
                 cars. The numbers do not depend on it.
-            seed: of the random numbers, 0 or more.
-            profile: that all cars have.
-            budget: rank everything that may be off, too.
-            processes: how many run at once if no `map` is given, 1 to 256.
+            seed: seed of the random numbers, 0 or more.
+            profile: profile that all cars have.
+            budget: whether all deviations are ranked, too.
+            processes: number of processes that run at once if no `map` is given, 1 to 256.
             progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: as `cam`, or nothing varies.
             CheckError: no profile keeps the limits of [optimize].
-            FileError: there is not the memory for so many cars.
+            FileError: the memory does not suffice for so many cars.
         """
         from cadgen.api import runs
         from cadgen.workflow.runs.tolerance import run_tolerance
@@ -245,15 +243,15 @@ class Design:
         """Trace measured data of one car to the effects that the design lacks.
 
         Args:
-            data: one or several, judged together: paths of CSV files, mappings of columns to arrays, `Measured`.
-            profile: of the cam that was measured, or was on the car.
-            form_error_um: form error of the disc to be expected, µm rms, 0.01 to 1000; left out, 2, or 30 if the data
-                say that it is printed.
+            data: measured data, judged together: paths of CSV files, mappings of columns to arrays, `Measured`.
+            profile: profile of the cam that was measured, or was on the car.
+            form_error_um: form error to expect on the disc, µm rms, 0.01 to 1000; if left out, 2, or 30 for a disc that
+                is printed by a remark of the data.
             progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: as `cam`, or no such form error.
-            FileError: data that cannot be read, or cannot be judged together.
+            DesignError: as `cam`, or the form error is out of its range.
+            FileError: data cannot be read, or cannot be judged together.
         """
         from cadgen.api.calibration import Calibration
         from cadgen.workflow.calibration.plan import calibrate
@@ -270,7 +268,7 @@ class Design:
         form_error_um: float | None = None,
         progress: Progress = silent,
     ) -> "Calibrations[Design]":
-        """Judge measured data one by one, each as of a car of its own; arguments and errors as in `calibrate`."""
+        """Judge measured data one by one, as if each came from another car; arguments and errors as in `calibrate`."""
         from cadgen.api.calibration import Calibration, Calibrations
         from cadgen.workflow.calibration.plan import calibrate_each
 

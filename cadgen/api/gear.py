@@ -28,19 +28,19 @@ class Gear:
 
     Attributes:
         teeth: number of teeth, 4 to 1000.
-        module: mm.
-        width: of the face, mm.
-        pressure_angle: rad.
-        profile_shift: x, in modules.
-        bore: diameter, mm; 0 for none.
-        keyway, hub, web, lightening: what else it has besides its teeth, mm; see their classes.
+        module: normal module, mm.
+        width: width of the face, mm.
+        pressure_angle: normal pressure angle, rad.
+        profile_shift: profile shift x, in modules.
+        bore: diameter of the bore, mm; 0 for none.
+        keyway, hub, web, lightening: features besides the teeth, mm; see their classes.
         grade: tolerance grade of ISO 1328, 3 to 12.
-        tolerances: symbol (f_pt, F_beta, F_r, b_r, F_i_radial) -> mm, in place of the standard's.
-        thickness_deviation: E_sn that the teeth are cut to, mm, negative for thinner teeth; None to leave it to the
-            pair, and nominal teeth for the gear alone.
-        addendum, dedendum, rack_tip_radius: of the basic rack, in modules.
+        tolerances: tolerances in place of the standard's, mm, by symbol (f_pt, F_beta, F_r, b_r, F_i_radial).
+        thickness_deviation: deviation E_sn of the tooth thickness as cut, mm, negative for thinner teeth; None leaves
+            it to the pair, with nominal teeth for the gear alone.
+        addendum, dedendum, rack_tip_radius: sizes of the basic rack, in modules.
         tip_chamfer: leg of the chamfer at the tips, mm.
-        name: of the gear and its files.
+        name: name of the gear and its files.
 
     Raises:
         DesignError: a number out of its range, a tooth that cannot be cut, or features that leave too thin a wall.
@@ -97,7 +97,7 @@ class Gear:
 
     @cached_property
     def form(self) -> GearForm:
-        """The numbers of its teeth as they are cut."""
+        """Numbers of its teeth as they are cut."""
         return GearForm(
             teeth=int(self.teeth),
             normal_module=float(self.module),
@@ -113,7 +113,7 @@ class Gear:
 
     @cached_property
     def blank(self) -> Blank:
-        """What it has besides its teeth."""
+        """Features besides its teeth."""
         return Blank(bore_diameter=self.bore, key=self.keyway, hub=self.hub, web=self.web, lightening=self.lightening)
 
     @cached_property
@@ -125,34 +125,34 @@ class Gear:
 
     @cached_property
     def overrides(self) -> ToleranceOverrides:
-        """Its `tolerances`, checked."""
+        """The `tolerances` in place of the standard's, checked."""
         known = [field.name for field in fields(ToleranceOverrides)]
         if not isinstance(self.tolerances, Mapping | None):
             raise DesignError(f"tolerances is {brief(repr(self.tolerances), 60)}; it must map symbols to mm")
-        given = dict(self.tolerances or {})
-        for symbol, value in given.items():
+        tolerances = dict(self.tolerances or {})
+        for symbol, value in tolerances.items():
             word("a symbol of tolerances", symbol, known)
             real(f"tolerances[{symbol!r}]", value, 0, 10, "mm")
-        return ToleranceOverrides(**{symbol: float(value) for symbol, value in given.items()})
+        return ToleranceOverrides(**{symbol: float(value) for symbol, value in tolerances.items()})
 
     @property
     def reference_diameter(self) -> float:
-        """d, mm."""
+        """Reference diameter d, mm."""
         return self.form.reference_diameter
 
     @property
     def base_diameter(self) -> float:
-        """d_b, mm."""
+        """Base diameter d_b, mm."""
         return self.form.base_diameter
 
     @property
     def tip_diameter(self) -> float:
-        """d_a, mm."""
+        """Tip diameter d_a, mm."""
         return self.form.tip_diameter
 
     @property
     def root_diameter(self) -> float:
-        """d_f as cut, mm."""
+        """Root diameter d_f as cut, mm."""
         return self.form.root_diameter
 
     @property
@@ -191,13 +191,13 @@ class Gear:
         """Write files and compare every tooth read back with the exact one; all are published together or none.
 
         Args:
-            folder: where to; it is made if need be.
+            folder: folder for the files; it is made if need be.
             formats: some of step and stl; both if left out.
             progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: there is no such format.
-            FileError: a file cannot be written, or what was read back is not what was meant.
+            DesignError: a format is unknown.
+            FileError: a file cannot be written, or holds something else when it is read back.
         """
         from cadgen.workflow.gears.numbers import write_gear
 
@@ -234,10 +234,10 @@ def require_name(name: object) -> None:
     """Refuse a name that files cannot have on every system.
 
     Args:
-        name: as given.
+        name: name as the caller has it.
 
     Raises:
-        DesignError: it is none.
+        DesignError: the name is not allowed.
     """
     if fault := name_fault(name if isinstance(name, str) else ""):
         raise DesignError(f"name is {brief(repr(name), 60)}; it must {fault}")

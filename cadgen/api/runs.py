@@ -41,7 +41,7 @@ class Simulation:
     """Runs of the car with play in its gears: what `Design.simulate` gives.
 
     Attributes:
-        computed: the numeric result, for figures that are not named here; mm and rad.
+        computed: numeric result, with all other figures; mm and rad.
     """
 
     computed: simulations.Simulation
@@ -61,27 +61,27 @@ class Simulation:
 
     @property
     def planned(self) -> Run:
-        """The run that is wanted."""
+        """Planned run, without play."""
         return self.computed.planned
 
     @property
     def before(self) -> Run:
-        """The run on the actual profile; of a car as built, on the cam that it was measured with."""
+        """Run on the actual profile; of a car as built, on the cam that it was measured with."""
         return self.computed.before
 
     @property
     def after(self) -> Run:
-        """The run on the cam's profile."""
+        """Run on the cam's profile."""
         return self.computed.after
 
     @property
     def before_error(self) -> RunError:
-        """How far the run before is off the planned one, mm and rad."""
+        """Errors of the run before against the planned run, mm and rad."""
         return self.computed.before_error
 
     @property
     def after_error(self) -> RunError:
-        """How far the run after is off the planned one, mm and rad."""
+        """Errors of the run after against the planned run, mm and rad."""
         return self.computed.after_error
 
     @property
@@ -91,7 +91,7 @@ class Simulation:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What of the car was assumed or was measured, a sentence each."""
+        """Sentences on what was assumed of the car, and what was measured."""
         return _notes(self.computed.plan.design, float(self.planned.motor[-1]))
 
     def facts(self) -> dict[str, Any]:
@@ -102,11 +102,11 @@ class Simulation:
         """Write tracks as CSV and pictures as PNG and SVG, all together or none.
 
         Args:
-            folder: where to; it is made if need be.
+            folder: folder for the files; it is made if need be.
             progress: function that is called with a few words on each step.
 
         Raises:
-            FileError: a file cannot be written, or what was read back is not what was meant.
+            FileError: a file cannot be written, or holds something else when it is read back.
         """
         place = folder_of(folder)
         written = files.write_simulation(self.computed, place, progress)
@@ -119,7 +119,7 @@ class Comparison:
 
     Attributes:
         cam: the best profile that keeps every limit.
-        remedies: what else helps, and what to build for it; empty if the design says nothing of friction.
+        remedies: further remedies, with what to build for them; empty if the design has no [mechanics].
     """
 
     cam: Cam
@@ -137,7 +137,7 @@ class Comparison:
         """Write pictures of events and tracks, all together or none.
 
         Args:
-            folder: where to; it is made if need be.
+            folder: folder for the files; it is made if need be.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -153,7 +153,7 @@ class ToleranceRun:
     """Many cars within the tolerances of a design: what `Design.tolerance` gives.
 
     Attributes:
-        computed: the numeric result, for figures that are not named here; mm and rad.
+        computed: numeric result, with all other figures; mm and rad.
     """
 
     computed: tolerances.ToleranceRun
@@ -178,17 +178,17 @@ class ToleranceRun:
 
     @property
     def sensitivities(self) -> tuple[Sensitivity, ...]:
-        """What each tolerance does to the end of the run, greatest share first; mm and rad."""
+        """Effect of each tolerance on the end of the run, greatest share first; mm and rad."""
         return self.computed.sensitivities
 
     @property
     def budget(self) -> BudgetSheet | None:
-        """Everything that may be off, ranked by mm at the finish; None if it was not asked for."""
+        """All deviations, ranked by their cost at the finish, mm; None if the budget was not asked for."""
         return self.computed.budget
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What of the car was assumed or was measured, a sentence each."""
+        """Sentences on what was assumed of the car, and what was measured."""
         return _notes(self.computed.plan.design, self.computed.plan.lift.blend_start)
 
     def facts(self) -> dict[str, Any]:
@@ -199,7 +199,7 @@ class ToleranceRun:
         """Write pictures of the distribution and the sensitivities, all together or none.
 
         Args:
-            folder: where to; it is made if need be.
+            folder: folder for the files; it is made if need be.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -211,14 +211,17 @@ class ToleranceRun:
 
 
 def map_of(pool: Pool | Map | None) -> Map | None:
-    """The map function of a pool, or the function itself.
+    """Map function of a pool, or the function itself.
+
+    Args:
+        pool: object with a method `map`, function like the built-in `map`, or None.
 
     Raises:
-        DesignError: it is neither.
+        DesignError: the pool is none of these.
     """
-    found = getattr(pool, "map", pool)
-    if found is None or callable(found):
-        return found
+    function = getattr(pool, "map", pool)
+    if function is None or callable(function):
+        return function
     raise DesignError(f"map is {brief(repr(pool), 60)}; it must be a function such as map, or have a method map")
 
 
