@@ -122,7 +122,7 @@ def make_fleet(
     wheel_radius: float,
     play: float,
     stations: Sequence[int] = (-1,),
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     mechanics: Mechanics | None = None,
     expansion: Expansion | None = None,
 ) -> Fleet:
@@ -138,7 +138,7 @@ def make_fleet(
         wheel_radius: radius of the drive wheel, mm; only the effect of its deviation depends on it.
         play: nominal return error B, rad.
         stations: indices of motor positions of the planned run, in order; the last is the end of the run.
-        least: rises and falls of tan(beta) smaller than this are noise, not events.
+        least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
         mechanics: friction and drag of the nominal car; the rod slides freely if left out.
         expansion: thermal expansion of disc and frame; none if left out.
 
@@ -158,7 +158,7 @@ def make_fleet(
         tan_beta=contact.tan_beta,
         derivatives=steering_derivatives(contact, follower, car.steering_gain, expansion),
         other=OtherEdge.of(contact, follower),
-        falls=falls(lift, least),
+        falls=falls(lift, least_swing),
         car=car,
         length=length,
         wheel_radius=wheel_radius,
@@ -166,7 +166,7 @@ def make_fleet(
         stations=motor,
         planned=Poses(planned.heading[chosen][None] - heading, (x + 1j * y)[None] * np.exp(-1j * heading)),
         expansion=expansion or Expansion(),
-        forces=None if mechanics is None else Forces.of(mechanics, lift, least),
+        forces=None if mechanics is None else Forces.of(mechanics, lift, least_swing),
     )
 
 

@@ -55,9 +55,9 @@ class Forces:
     parts: Array
 
     @classmethod
-    def of(cls, mechanics: Mechanics, cut: LiftCurve, least: float) -> "Forces":
-        """Lever arms over the falls of a lift; rises and falls of tan(beta) smaller than `least` are passed over."""
-        pieces = [np.linspace(p, v, int((v - p) / _STEP) + 9) for p, v in falls(cut, least).tolist()]
+    def of(cls, mechanics: Mechanics, cut: LiftCurve, least_swing: float) -> "Forces":
+        """Lever arms over the falls of a lift; swings of tan(beta) smaller than `least_swing` are passed over."""
+        pieces = [np.linspace(p, v, int((v - p) / _STEP) + 9) for p, v in falls(cut, least_swing).tolist()]
         pieces = [np.union1d(piece, _sides(cut, piece)) for piece in pieces]
         last = np.cumsum([len(piece) for piece in pieces], dtype=int)
         angle = np.concatenate(pieces) if pieces else np.empty(0)

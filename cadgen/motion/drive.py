@@ -164,7 +164,7 @@ def drive(
     start: Pose | None = None,
     steps: int = STEPS,
     stop: float | None = None,
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     following: Following | None = None,
 ) -> Run:
     """Run the car on a cam.
@@ -179,7 +179,7 @@ def drive(
         start: pose at motor position 0; the origin along x if left out.
         steps: number of even steps of the result.
         stop: last motor position, rad; the start of the lift's closing blend if left out.
-        least: rises and falls of tan(beta) smaller than this are noise, not events.
+        least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
         following: how the cam follows the motor, with friction and drag; if given, it stands for lift and play.
 
     Raises:
@@ -189,7 +189,7 @@ def drive(
         raise DesignError(f"a run of {steps} steps goes nowhere: ask for at least 1")
     start = start or Pose()
     stop = lift.blend_start if stop is None else stop
-    following = following or follow(lift, play, least=least)
+    following = following or follow(lift, play, least_swing=least_swing)
     motor = np.linspace(0.0, stop, steps + 1)
     nodes = np.union1d(motor, following.joints(0.0, stop))
     heading, position = driven(

@@ -60,7 +60,7 @@ def deflections(
     length: float,
     play: float,
     *,
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     leads: Array | None = None,
 ) -> tuple[Event, ...]:
     """Events up to the start of the closing blend, in order, each with its deflection error.
@@ -75,7 +75,7 @@ def deflections(
         car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         play: return error B, rad.
-        least: rises and falls of tan(beta) smaller than this are noise, not events.
+        least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
         leads: where the cam leads with friction and drag, shape (k, 2), rad; on every fall if left out.
 
     Returns:
@@ -90,7 +90,7 @@ def deflections(
         return Event(kind=kind, cam_angle=angle, lift=height, deflection=deflection)
 
     events = []
-    for peak, valley in follow(lift, play, least=least, leads=leads).leads.tolist():
+    for peak, valley in follow(lift, play, least_swing=least_swing, leads=leads).leads.tolist():
         skipped = min(play, valley - peak)
         events += [
             event("jump", peak, -turning(lift, car, length, peak, peak + skipped)),

@@ -139,7 +139,7 @@ class Mechanics:
         """Torque that the gears must give the cam at cam angles (rad), drag included, N mm; negative where it leads."""
         return self.drag - self.torque(lift, theta)
 
-    def leads(self, lift: LiftCurve, least: float = LEAST_SWING) -> "Leads":
+    def leads(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> "Leads":
         """Stretches on which the cam leads its gears if their play allows: parts of falls where M is above the drag.
 
         If a brake acts on the shaft and the cam has play on it (`behind`), the cam leads the shaft wherever friction
@@ -148,15 +148,15 @@ class Mechanics:
         Args:
             lift: lift that the cam was cut for. The slope of a rolled or meshed outline is too rough for this, and
                 facets that would hold the rod wear off.
-            least: rises and falls of tan(beta) smaller than this are passed over.
+            least_swing: rises and falls of tan(beta) smaller than this are passed over.
         """
-        pairs = falls(lift, least)
-        stretches = self._stretches(lift, pairs, self.drag, least)
+        pairs = falls(lift, least_swing)
+        stretches = self._stretches(lift, pairs, self.drag, least_swing)
         if self.behind == 0 or self.drag == 0:
             return Leads(stretches)
-        return Leads(self._stretches(lift, pairs, 0.0, least), stretches, self.behind)
+        return Leads(self._stretches(lift, pairs, 0.0, least_swing), stretches, self.behind)
 
-    def _stretches(self, lift: LiftCurve, pairs: Array, drag: float, least: float) -> Array:
+    def _stretches(self, lift: LiftCurve, pairs: Array, drag: float, least_swing: float) -> Array:
         if self.friction == 0 and drag == 0:
             return pairs
 
@@ -181,7 +181,7 @@ class Mechanics:
         place = np.where(changed.any(axis=1), place, np.where(ahead[flips], fine[:, -1], fine[:, 0]))
         stretches = place.reshape(-1, 2)
         fallen = lift.tan_beta(stretches[:, 0]) - lift.tan_beta(stretches[:, 1])
-        return _in_order(stretches[fallen >= least])
+        return _in_order(stretches[fallen >= least_swing])
 
 
 @dataclass(frozen=True)

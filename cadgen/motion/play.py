@@ -34,7 +34,7 @@ LEAST_SWING = 4e-7
 _ROUNDING = 1e-15  # of tan(beta): a stretch that falls by less is level
 
 
-def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
+def falls(lift: LiftCurve, least_swing: float = LEAST_SWING) -> Array:
     """Falls of the lift: cam angles of the peak that begins and of the valley that ends each fall.
 
     A fall begins where a level stretch at its peak ends, for nothing pulls the cam off that; it ends where one in
@@ -43,7 +43,7 @@ def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
 
     Args:
         lift: any closed lift.
-        least: rises and falls of tan(beta) smaller than this are passed over.
+        least_swing: rises and falls of tan(beta) smaller than this are passed over.
 
     Returns:
         Shape (k, 2), rad, in order; starts lie in [0, 2 pi), the last stop may lie beyond 2 pi. Empty if the lift
@@ -51,12 +51,12 @@ def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
     """
     # Found once for each lift: its runs with many plays and frictions ask again and again.
     known = lift.derived
-    if ("falls", least) not in known:
-        known["falls", least] = _falls(lift, least)
-    return known["falls", least].copy()
+    if ("falls", least_swing) not in known:
+        known["falls", least_swing] = _falls(lift, least_swing)
+    return known["falls", least_swing].copy()
 
 
-def _falls(lift: LiftCurve, least: float) -> Array:
+def _falls(lift: LiftCurve, least_swing: float) -> Array:
     nodes, value = lift.stations
     falling = np.diff(value) < -_ROUNDING
     begins = np.flatnonzero(falling & ~np.roll(falling, 1))
@@ -66,7 +66,7 @@ def _falls(lift: LiftCurve, least: float) -> Array:
     # Turning points in turn, peak first: even places are peaks, and swing j leads from point j to the next.
     angle = np.stack([nodes[begins], nodes[ends]], axis=1).ravel()
     height = np.stack([value[begins], value[ends]], axis=1).ravel()
-    kept = _without_small_swings(height, least)
+    kept = _without_small_swings(height, least_swing)
     angle = angle[kept]
     pairs = angle.reshape(-1, 2) % TURN
     pairs[:, 1] = pairs[:, 0] + (pairs[:, 1] - pairs[:, 0]) % TURN
@@ -75,21 +75,21 @@ def _falls(lift: LiftCurve, least: float) -> Array:
     return pairs[np.argsort(pairs[:, 0])]
 
 
-def _without_small_swings(height: Array, least: float) -> NDArray[np.intp]:
-    """Turning points that stay when the smallest swing is passed over again and again until none is below `least`.
+def _without_small_swings(height: Array, least_swing: float) -> NDArray[np.intp]:
+    """Turning points that stay when the smallest swing is passed over until none is below `least_swing`.
 
     With a swing both its points go, and their neighbours become one another's; so each round costs the logarithm of
     their number, and not the number, of which a rough path has thousands.
 
     Args:
         height: of the turning points round the turn, peak first, shape (2 k,).
-        least: of a swing that stays.
+        least_swing: of a swing that stays.
 
     Returns:
         Indices of those that stay, from a peak on.
     """
     count = len(height)
-    if not count or np.abs(np.roll(height, -1) - height).min() >= least:
+    if not count or np.abs(np.roll(height, -1) - height).min() >= least_swing:
         return np.arange(count)
     heights = height.tolist()
     before, after = [place - 1 for place in range(count)], [*range(1, count), 0]
@@ -102,7 +102,7 @@ def _without_small_swings(height: Array, least: float) -> NDArray[np.intp]:
         swing, rank, low, high = heappop(swings)
         if not (stays[low] and after[low] == high and rank == place[low]):
             continue  # of before one of its points went
-        if swing >= least:
+        if swing >= least_swing:
             break
         stays[low] = stays[high] = False
         left -= 2
@@ -195,7 +195,7 @@ def follow(
     lift: LiftCurve,
     play: float,
     *,
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     leads: Array | None = None,
     shaft: Following | None = None,
 ) -> Following:
@@ -204,7 +204,7 @@ def follow(
     Args:
         lift: lift of the cam.
         play: return error B, rad.
-        least: rises and falls of tan(beta) smaller than this are noise; for a meshed or measured outline, its
+        least_swing: rises and falls of tan(beta) smaller than this are noise; for a meshed or measured outline, its
             tolerance over the faces' distance.
         leads: where the cam leads, shape (k, 2), rad, starts in [0, 2 pi) and in order; on every fall if left out.
         shaft: motion of the shaft on which the cam has this play; that of the motor if left out.
@@ -214,4 +214,4 @@ def follow(
     """
     if not play >= 0:
         raise DesignError(f"the return error is {degrees(play):g} degrees; it must be 0 or more")
-    return Following(lift, play, falls(lift, least) if leads is None else leads, shaft)
+    return Following(lift, play, falls(lift, least_swing) if leads is None else leads, shaft)

@@ -192,7 +192,7 @@ def over_band(
     plays: Array,
     made_for: float = 0.0,
     *,
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     mechanics: Sequence[Mechanics] = (),
     cut: LiftCurve | None = None,
 ) -> BandResult:
@@ -205,7 +205,7 @@ def over_band(
         length: travel of the drive wheel in one turn of the cam, mm.
         plays: return errors, shape (n,), rad.
         made_for: play that the cam is cut for, rad; only passed on.
-        least: rises and falls of the cam's tan(beta) smaller than this are noise, not events.
+        least_swing: rises and falls of the cam's tan(beta) smaller than this are noise, not events.
         mechanics: friction and drag of the cars that may be built, of which the worst counts; without them the rod
             slides freely.
         cut: lift that the cam was cut for, which decides where it leads with friction; `cam` if left out.
@@ -215,7 +215,7 @@ def over_band(
     heading, distance = np.empty((2, len(cases), len(plays)))
     for row, leads in enumerate(cases):
         for column, play in enumerate(np.asarray(plays).tolist()):
-            following = follow(cam, play, least=least) if leads is None else leads.follow(cam, play)
+            following = follow(cam, play, least_swing=least_swing) if leads is None else leads.follow(cam, play)
             run = drive(cam, car, length, steps=_STEPS, stop=wanted.blend_start, following=following)
             error = run_error(run, planned)
             heading[row, column], distance[row, column] = error.end_heading, error.end_distance

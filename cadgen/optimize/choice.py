@@ -38,13 +38,13 @@ class Choice:
     reasons: tuple[str, ...]
 
 
-def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, least: str) -> Choice:
+def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, objective: str) -> Choice:
     """Choose the candidate that keeps every limit and has the least value of a figure.
 
     Args:
         candidates: at least one candidate, each with a value for every figure named.
         limits: limits to be kept; a figure that is not a number keeps no limit.
-        least: name of the figure that is to be least.
+        objective: name of the figure that is to be least.
 
     Raises:
         CheckError: no candidate keeps the limits. The message has the limit that binds on the nearest candidate, and
@@ -61,15 +61,15 @@ def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, least: s
             f"none of the profiles compared keeps the design's limits: the nearest, {nearest.name}, "
             f"{_beyond(nearest, binding)}: raise the limit in [optimize], or take a train with less backlash"
         )
-    best = min(kept, key=lambda candidate: candidate.figures[least])
+    best = min(kept, key=lambda candidate: candidate.figures[objective])
     reasons = []
     for candidate, breaks in zip(candidates, broken, strict=True):
         if candidate is best:
-            verdict = f"chosen: the least {least}, {candidate.figures[least]:.4g}, of {len(kept)} that keep every limit"
+            verdict = f"chosen: the least {objective}, {candidate.figures[objective]:.4g}, of {len(kept)} that keep every limit"
         elif breaks:
             verdict = "refused: it " + ", and ".join(_beyond(candidate, limit) for limit in breaks)
         else:
-            verdict = f"not chosen: its {least} is {candidate.figures[least]:.4g}"
+            verdict = f"not chosen: its {objective} is {candidate.figures[objective]:.4g}"
         reasons.append(f"{candidate.name} {verdict}")
     return Choice(best=best, reasons=tuple(reasons))
 

@@ -158,7 +158,7 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
     play = work.run_at(made_for)
     rolled = rolled_lift(cam.contact, lift, blend_start=task.lift.blend_start)
     least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=cam.measured) / task.follower.inner)
-    run = task.run(rolled, play, least=least_swing, cut=lift)
+    run = task.run(rolled, play, least_swing=least_swing, cut=lift)
     wanted, got = (task.follower.lift(tangents) for tangents in (planned.tan_beta, run.tan_beta))
     return Evaluation(
         profile=cam.profile,
@@ -172,7 +172,7 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
         events=deflections(lift, task.follower, task.car, task.length, band.ends[1]),
         run=run,
         error=run_error(run, planned),
-        deviation=run_error(task.run(rolled, 0.0, least=least_swing), planned),
+        deviation=run_error(task.run(rolled, 0.0, least_swing=least_swing), planned),
         band=over_band(
             rolled,
             task.lift,
@@ -180,7 +180,7 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
             task.length,
             np.linspace(*band.ends, BAND_PLAYS),
             made_for,
-            least=least_swing,
+            least_swing=least_swing,
             mechanics=task.mechanics.cases if task.mechanics else (),
             cut=lift,
         ),

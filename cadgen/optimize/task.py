@@ -47,7 +47,7 @@ class Task:
         lift: LiftCurve,
         play: float,
         *,
-        least: float = LEAST_SWING,
+        least_swing: float = LEAST_SWING,
         cut: LiftCurve | None = None,
         mechanics: Mechanics | None = None,
     ) -> Run:
@@ -56,11 +56,11 @@ class Task:
         Args:
             lift: lift that the rod gets.
             play: return error B, rad.
-            least: same as in `follow`.
+            least_swing: same as in `follow`.
             cut: lift that the cam was cut for; `lift` itself if left out.
             mechanics: friction and drag; those of the nominal car if left out.
         """
-        following = self.following(lift, play, least=least, cut=cut, mechanics=mechanics)
+        following = self.following(lift, play, least_swing=least_swing, cut=cut, mechanics=mechanics)
         stop = self.lift.blend_start
         return drive(lift, self.car, self.length, start=self.start, stop=stop, following=following)
 
@@ -69,7 +69,7 @@ class Task:
         lift: LiftCurve,
         play: float,
         *,
-        least: float = LEAST_SWING,
+        least_swing: float = LEAST_SWING,
         cut: LiftCurve | None = None,
         mechanics: Mechanics | None = None,
     ) -> Following:
@@ -77,7 +77,7 @@ class Task:
         if mechanics is None and self.mechanics is not None:
             mechanics = self.mechanics.nominal
         if mechanics is None:
-            return follow(lift, play, least=least)
+            return follow(lift, play, least_swing=least_swing)
         return mechanics.leads(cut or lift).follow(lift, play)
 
 

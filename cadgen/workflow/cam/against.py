@@ -89,11 +89,11 @@ class Against:
 
     def run(self, evaluation: Evaluation, play: float) -> Run:
         """Run on a profile with any play, rad."""
-        return self.task.run(evaluation.rolled, play, least=evaluation.least_swing, cut=evaluation.lift)
+        return self.task.run(evaluation.rolled, play, least_swing=evaluation.least_swing, cut=evaluation.lift)
 
     def following(self, evaluation: Evaluation, play: float) -> Following:
         """Motion of the cam with a profile that follows the motor with any play, rad."""
-        return self.task.following(evaluation.rolled, play, least=evaluation.least_swing, cut=evaluation.lift)
+        return self.task.following(evaluation.rolled, play, least_swing=evaluation.least_swing, cut=evaluation.lift)
 
     def end_of(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> tuple[float, float]:
         """Heading error (rad) and position error (mm) at the end, with the play of `chosen`, on the lift of a file.
@@ -102,7 +102,7 @@ class Against:
             lift: lift that the rod gets.
             least_swing: smallest rise or fall of tan(beta) that counts as an event.
         """
-        run = self.task.run(lift, self.chosen.play, least=least_swing, cut=self.chosen.lift)
+        run = self.task.run(lift, self.chosen.play, least_swing=least_swing, cut=self.chosen.lift)
         error = run_error(run, self.task.planned())
         return error.end_heading, error.end_distance
 

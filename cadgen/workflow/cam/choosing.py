@@ -43,11 +43,11 @@ def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileCh
     candidates = {
         name: Candidate(name=name, figures=_figures(checks, evaluation, band)) for name, evaluation in remaining.items()
     }
-    first = remaining[choose(list(candidates.values()), allowed, least=deciding).best.name]
+    first = remaining[choose(list(candidates.values()), allowed, objective=deciding).best.name]
     refused: list[str] = []
     while remaining:
         try:
-            choice = choose([candidates[name] for name in remaining], allowed, least=deciding)
+            choice = choose([candidates[name] for name in remaining], allowed, objective=deciding)
         except CheckError as error:  # those left were never allowed
             refused.append(f"of the others, {error}")
             break
@@ -93,7 +93,7 @@ def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> d
             task.car,
             task.length,
             np.array([band.measured]),
-            least=evaluation.least_swing,
+            least_swing=evaluation.least_swing,
             mechanics=task.mechanics.cases,
             cut=evaluation.lift,
         )

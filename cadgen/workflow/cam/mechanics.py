@@ -35,7 +35,7 @@ def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Eval
             task.car,
             task.length,
             plays,
-            least=evaluation.least_swing,
+            least_swing=evaluation.least_swing,
             mechanics=usual,
             cut=evaluation.lift,
         ).worst_distance
@@ -154,7 +154,7 @@ def border_sentences(design: Design, task: Task, chosen: Evaluation, band: PlayB
         ends = []
         for friction in frictions.tolist():
             case = known.at(friction, sum(known.drag) / 2)
-            run = task.run(chosen.rolled, play, least=chosen.least_swing, cut=chosen.lift, mechanics=case)
+            run = task.run(chosen.rolled, play, least_swing=chosen.least_swing, cut=chosen.lift, mechanics=case)
             error = run_error(run, planned)
             ends.append(complex(error.along[-1], error.across[-1]))
         moved = np.abs(np.diff(ends))
