@@ -65,7 +65,8 @@ def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, objectiv
     reasons = []
     for candidate, breaks in zip(candidates, broken, strict=True):
         if candidate is best:
-            verdict = f"chosen: the least {objective}, {candidate.figures[objective]:.4g}, of {len(kept)} that keep every limit"
+            figure = f"{candidate.figures[objective]:.4g}"
+            verdict = f"chosen: the least {objective}, {figure}, of {len(kept)} that keep every limit"
         elif breaks:
             verdict = "refused: it " + ", and ".join(_beyond(candidate, limit) for limit in breaks)
         else:

@@ -72,10 +72,10 @@ def assumed_play(design: Design) -> list[str]:
     tabled = variation.tabled_play(design)
     if design.as_built is None or tabled is None or variation.measured_play(design) is not None:
         return []
-    tabled_least = variation.play_bands(design)[design.optimize.order].least
+    lowest = variation.play_bands(design)[design.optimize.order].least
     return [
         "Warning: play was not measured on this car, so the tabled return error is assumed, "
-        f"{degrees(tabled_least):.3f} to {degrees(tabled):.3f}°: calibrate with a track, a transmission or zones, or set "
+        f"{degrees(lowest):.3f} to {degrees(tabled):.3f}°: calibrate with a track, a transmission or zones, or set "
         "play.measured_deg."
     ]
 
