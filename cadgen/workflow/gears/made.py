@@ -15,8 +15,8 @@ from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.meshes.train_checks import gear_checks
 from cadgen.parts.blank import Blank
 
-# Greatest number of corners of all gears' sections. Two gears with 112 000 are made, set against one another, written and read
-# back in 6 s of processor time and 0.3 GB.
+# Greatest number of corners of all gears' sections. Two gears with 112 000 are made, set against one another, written
+# and read back in 6 s of processor time and 0.3 GB.
 MOST_CORNERS = 500_000
 
 
@@ -74,8 +74,8 @@ def _require_meshable(layout: TrainLayout, chords: Sequence[float]) -> None:
     if corners > MOST_CORNERS:
         shortest = min(chords) * 1e3
         raise DesignError(
-            f"export.mesh_chord_um is {shortest:.4g}; with it the meshes of all gears have {corners} corners, and at most "
-            f"{MOST_CORNERS} are made: raise it to {1.05 * shortest * (corners / MOST_CORNERS) ** 2:.2g}"
+            f"export.mesh_chord_um is {shortest:.4g}; with it the meshes of all gears have {corners} corners, and at "
+            f"most {MOST_CORNERS} are made: raise it to {1.05 * shortest * (corners / MOST_CORNERS) ** 2:.2g}"
         )
 
 
