@@ -230,7 +230,7 @@ def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
 
     A stage that does not mesh has fewer checks than others.
     """
-    found: dict[StrEnum, Check] = {}
+    worst: dict[StrEnum, Check] = {}
     for number, checks in enumerate(stages, 1):
         for check in checks:
             placed = replace(check, place=", ".join(filter(None, (f"stage {number}", check.place))))

@@ -258,7 +258,7 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
     """
     bare = design.as_designed()
     rod = cam_model.rod(bare, "a calibration")
-    plan = plan_cam(design, profile, step)
+    plan = plan_cam(design, profile, progress)
     follower = rod.point() if plan.profile.by_axis else rod
     lift = cut = plan.lift
     if design.as_built is not None or not plan.profile.gives_lift:

@@ -24,7 +24,7 @@ _TRIM_ROUNDS = 4  # of Gauss and Newton, from an end that is off by centimetres
 
 
 def edges_check(
-    lift: LiftCurve, follower: LeaningRod, made: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
+    lift: LiftCurve, follower: LeaningRod, cut: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
 ) -> Check:
     """Error at the end of the run with both edges broken by `MORE` beyond the design, before and after a trim.
 

@@ -1,6 +1,5 @@
 """From a design to a checked profile. No CAD kernel is needed for this."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
