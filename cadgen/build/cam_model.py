@@ -47,7 +47,7 @@ def track(design: Design) -> Track:
 
 
 def as_built(design: Design) -> AsBuilt:
-    """What is known of the car as it was built; nothing without [as_built]."""
+    """Deviations of the car as it was built; none without [as_built]."""
     if design.as_built is None:
         return AS_DESIGNED
     placed = []
@@ -152,7 +152,7 @@ def lift(design: Design, driven: Track | None = None) -> LiftCurve:
 
 
 def blank(design: Design) -> Blank:
-    """What the disc has besides its profile.
+    """Features of the disc besides its profile.
 
     A key, and a set screw beside it, stand where they take out the phase that the cam has on the car as built.
     """
@@ -173,7 +173,7 @@ def has_key(design: Design) -> bool:
 
 
 def check_limits(design: Design) -> CheckLimits:
-    """What the checks allow."""
+    """Limits of the checks, mm and rad."""
     return CheckLimits(
         pressure_angle=PRESSURE_ANGLE_LIMITS[design.checks.pressure_angle_limit],
         lost_lift=design.checks.lost_lift_limit_um * 1e-3,

@@ -36,7 +36,7 @@ _STATIONS = 3600  # of the turn at which forces are looked at
 
 
 def play_bands(design: Design) -> dict[str, PlayBand]:
-    """What is known of the return error at the camshaft, by order of the train.
+    """Bands of the return error at the camshaft, rad, by order of the train.
 
     [play] says it of the car as built, and stands for what the tolerances of [train] leave. A return error that
     [as_built] traces to the car is a measured one, and comes before play.measured_deg, which is older. Empty if the
@@ -78,7 +78,7 @@ def tabled_play(design: Design) -> float | None:
 
 
 def mechanics(design: Design, follower: Follower, lift: LiftCurve) -> MechanicsBand | None:
-    """What is known of the forces on the cam; None if the design has no [mechanics].
+    """Range of the forces on the cam; None if the design has no [mechanics].
 
     Where `optimize.hardware` allows a brake, its drag is one that holds. A friction that [as_built] has comes before
     the band of [mechanics]; a return error that it has from a track without one was found without friction, and keeps

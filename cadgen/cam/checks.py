@@ -307,7 +307,7 @@ def _near(point: Array, angles: Array) -> bool:
 
 
 def _soften(lift: LiftCurve, theta: float) -> str:
-    """What makes the lift milder at a cam angle."""
+    """Advice that makes the lift milder at a cam angle, in words."""
     if theta >= lift.blend_start:
         return "raise cam.blend_deg (the closing blend steers there)"
     return "widen the turn there (path.waypoints_mm)"

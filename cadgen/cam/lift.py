@@ -57,7 +57,7 @@ class LiftCurve:
 
     @cached_property
     def derived(self) -> dict[tuple[str, float], Array]:
-        """What other rooms have worked out for this lift and need again, by name and parameter."""
+        """Results of other rooms for this lift, kept for use again, by name and parameter."""
         return {}
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What the checks of a cam allow, and the limits of the pressure angle that textbooks give, by name."""
+"""Limits of the checks of a cam, and the limits of the pressure angle in textbooks, by name."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ PressureAngleLimitName = Literal["norton_translating", "norton_oscillating", "ch
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PressureAngleLimit:
-    """What the pressure angle of the true contact may reach, in size.
+    """Limits of the size of the pressure angle at the true contact.
 
     Attributes:
         rise: limit while the cam drives the follower outwards (the working stroke), rad.
@@ -26,7 +26,7 @@ class PressureAngleLimit:
 
 @dataclass(frozen=True, kw_only=True)
 class CheckLimits:
-    """What the checks allow; angles in rad, lengths in mm.
+    """Limits of the checks; angles in rad, lengths in mm.
 
     Attributes:
         pressure_angle: limits while the cam drives the follower outwards and while the spring drives it back.

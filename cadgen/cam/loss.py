@@ -1,4 +1,4 @@
-"""What trimming the envelope costs: lift that no disc can give, where the path steers and in the closing blend."""
+"""Loss by trimming the envelope: lift that no disc can give, where the path steers and in the closing blend."""
 
 from dataclasses import dataclass
 from math import inf

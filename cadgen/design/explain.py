@@ -1,4 +1,4 @@
-"""What is wrong with a design's values, as sentences: the key, its value, what is allowed."""
+"""Faults of a design's values, as sentences: the key, its value, and what is allowed."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -199,7 +199,7 @@ def _key(name: str, info: FieldInfo) -> Key:
 
 
 def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
-    """What a type and its items are called in a sentence, and the limits written inside the type."""
+    """Names of a type and of its items for a sentence, and the limits inside the type."""
     arguments = get_args(annotation)
     if get_origin(annotation) is Annotated:
         kinds, limits = _kinds(arguments[0])

@@ -8,7 +8,7 @@ _DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECA
 
 
 def name_fault(name: str) -> str:
-    """What is wrong with a name that files are to have, as it reads after "it must"; empty if nothing is.
+    """Fault of a name for files, as a clause after "it must"; empty if the name has no fault.
 
     Args:
         name: of a design or a part, without the ending of a file.

@@ -1,4 +1,4 @@
-"""What a design file may say: its sections, keys, ranges and defaults.
+"""Schema of a design file: its sections, keys, ranges and defaults.
 
 A unit stands at the end of a key's name; numbers here are as the file has them (mm, degrees, micrometres). A
 new section is a class and one line in `DesignFile`. Checks that compare keys stand in the section that holds
@@ -174,7 +174,7 @@ class Machining(Section):
 
 
 class Checks(Section):
-    """What a cam must keep to be exported."""
+    """Limits that a cam must keep to be exported."""
 
     pressure_angle_limit: PressureAngleLimitName = Field(
         default="norton_oscillating",
@@ -308,7 +308,7 @@ class TrainDesign(TrainFile):
     overrides: tuple[str, ...] = ()
 
     def values(self) -> dict[str, object]:
-        """What the file would say with every default written out, as plain TOML or JSON values."""
+        """Values of all keys, defaults included, as plain TOML or JSON values."""
         return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude_none=True)
 
     @property
@@ -326,6 +326,6 @@ class Design(DesignFile, TrainDesign):
         return self.model_copy(update={"as_built": None})
 
     def as_cut(self) -> "Design":
-        """What the measured cam was made from: this design with what was known of the car by then."""
+        """Design that the measured cam was made from: this one with the deviations known by then."""
         known = self.as_built.cut_for if self.as_built else ()
         return self.model_copy(update={"as_built": AsBuilt(effects=known) if known else None})
