@@ -184,7 +184,7 @@ class AsBuilt:
         return roll(_outline_of(self._of_new(nominal_disc(curve, step))), follower, cam_angle)
 
     def finished(self, outline: Outline) -> Outline:
-        """What becomes of an outline that is cut, such as one read back from a file, on this car's shaft."""
+        """Outline on this car's shaft of a disc cut to an outline, such as one read back from a file, mm."""
         if not self.shapes_discs:
             return outline
         return _outline_of(self._of_new(_disc_of(outline)))
@@ -222,7 +222,7 @@ class AsBuilt:
         return moved(wanted, at, tuple(np.split(cut.points - points, np.cumsum([len(t) for t in at])[:-1])))
 
     def _of_new(self, disc: Disc, reversal: _Act = lost_motion, at: Array | None = None) -> Disc:
-        """What becomes of a new disc in its making and on the shaft."""
+        """Deviations of a new disc in its making and on the shaft."""
         return self._acted(disc, ("process", "car"), self.phase, reversal, at)
 
     def _acted(

@@ -1,4 +1,4 @@
-"""What an effect is: a named change at one stage of a forward model, with parameters, bounds and rivals."""
+"""An effect: a named change at one stage of a forward model, with parameters, bounds and rivals."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass

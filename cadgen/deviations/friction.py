@@ -1,4 +1,4 @@
-"""What the effects of sliding friction in tracks and in transmissions share."""
+"""Common parts of the effects of sliding friction in tracks and in transmissions."""
 
 from collections.abc import Callable
 from dataclasses import replace

@@ -18,7 +18,7 @@ from cadgen.deviations.rows import Rows
 
 @dataclass(frozen=True, kw_only=True)
 class Readings(Rows):
-    """What is known of each reading; arrays of shape (n,).
+    """Nominal state at each reading; arrays of shape (n,).
 
     Attributes:
         direction: +1 while the cam turns forward, -1 in reverse.

@@ -30,7 +30,7 @@ _STATIONS = 3600  # of the lift of a disc that is known to differ; it errs by un
 
 @dataclass(frozen=True, kw_only=True)
 class Nominal:
-    """What the design says of the part.
+    """Nominal part by its design.
 
     Attributes:
         lift, follower, profile: of the cam; the profile is the one that was made.

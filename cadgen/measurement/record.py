@@ -40,7 +40,7 @@ class Knowledge(Enum):
 
 
 class Abscissa(Enum):
-    """What a picture shows the residual over: its label."""
+    """Label of the axis over which a picture shows the residual."""
 
     CAM_ANGLE = "cam angle (°)"
     TRAVEL = "travel of the drive wheel (m)"
@@ -82,7 +82,7 @@ DatumFit = Callable[[Any, Array, Array, Active, list[tuple[Effect, Array, Array]
 
 @dataclass(frozen=True, kw_only=True)
 class Datum:
-    """What is fitted to each run and never claimed.
+    """Freedoms that are fitted to each run and never claimed.
 
     Attributes:
         words: as in "fitted and never claimed: the start pose of each run".
@@ -176,7 +176,7 @@ class Kind:
         return self.readings[0].rpartition("_")[2]
 
     def quantity(self, effect: str) -> Quantity:
-        """What an effect of the catalogue is physically; one that no other kind shows is a quantity of its own."""
+        """Physical quantity of a catalogue's effect; an effect of this kind alone is a quantity of its own."""
         known = self.catalogue.named(effect)
         return (known and known.quantity) or Quantity(f"{effect} ({self.code})")
 

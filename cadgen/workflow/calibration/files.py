@@ -1,4 +1,4 @@
-"""What a calibration leaves in its folder: JSON, the report in words, pictures, and the as-built design."""
+"""Files of a calibration: JSON, the report in words, pictures, and the as-built design."""
 
 import json
 from collections.abc import Sequence

@@ -71,7 +71,7 @@ class Built:
 
 @dataclass(frozen=True, kw_only=True)
 class Calibration:
-    """What measured files say of a car.
+    """Calibration of a car by measured files.
 
     Attributes:
         design, profile: that they were measured against.
@@ -251,7 +251,7 @@ def calibrate_each(
 
 
 def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nominal:
-    """What data of a cam and its car are measured against: the cam as this design makes it, the car as designed.
+    """Nominal state for data of a cam and its car: the cam as this design makes it, the car as designed.
 
     Raises:
         DesignError, CheckError: see `plan_cam`.
@@ -302,7 +302,7 @@ def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
 
 
 def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
-    """What the verdicts name, and that there is no play where they would have named play of the tabled size."""
+    """Claims of the verdicts, and of no play where they would have claimed play of the tabled size."""
     tabled = variation.tabled_play(design)
     found: list[Claim | None] = []
     for diagnosis in diagnoses:

@@ -173,7 +173,7 @@ def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Table:
 
 
 def _datum(diagnosis: Diagnosis) -> str:
-    """What it is, and how far its values go."""
+    """Name of the datum and the range of its values, in words."""
     spans: dict[str, list[Value]] = {}
     for finding in diagnosis.datum if isinstance(diagnosis, EvidenceDiagnosis) else ():
         for value in finding.values:

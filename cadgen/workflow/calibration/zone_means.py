@@ -16,7 +16,7 @@ from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, sho
 
 @dataclass(frozen=True, kw_only=True)
 class ZoneMeans:
-    """What the mean turns over zones say.
+    """Return error by mean turns over zones, with its verdict.
 
     Attributes:
         source, kind: of the record.
