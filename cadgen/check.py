@@ -54,11 +54,11 @@ class Check:
     """One figure with its limit and verdict.
 
     Attributes:
-        code: what is checked, for programs: one of `CheckCode`, or of a follower or gear kind's own.
-        name: the same for people.
-        value: the figure, in `unit`.
-        unit: of value and limit.
-        limit: the bound; infinite for a figure that is shown and not judged.
+        code: kind of check, for programs: one of `CheckCode`, or a code of a kind of follower or gear.
+        name: name of the check, for people.
+        value: figure that was computed, in `unit`.
+        unit: unit of value and limit, such as `mm`; empty for a ratio.
+        limit: greatest or least value allowed, in `unit`; infinite for a figure that is shown and not judged.
         bound: `max` if the value must not exceed the limit, `min` if it must reach it.
         place: place on the part or path where the figure occurs; empty if it has none.
         advice: change that helps if the check fails, in words; empty if there is none.

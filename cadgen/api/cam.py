@@ -169,7 +169,7 @@ class Cam:
 
     @property
     def edges(self) -> Check | None:
-        """What edges broken more than designed cost at the finish, mm: a figure without a limit.
+        """Cost at the finish of edges broken more than designed, mm: a figure without a limit.
 
         None for a follower other than the leaning rod, which alone rides on an edge.
         """

@@ -47,7 +47,7 @@ class Written(Sequence[WrittenFile]):
     Attributes:
         folder: folder of the files, with `manifest.json` beside them.
         part: name of their entry in the manifest.
-        entry: that entry, as plain values that cannot be changed.
+        entry: content of that entry, as plain values that cannot be changed.
         files: files in the order written.
     """
 

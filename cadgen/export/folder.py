@@ -41,17 +41,17 @@ _MOST_TRIES = 10
 
 @dataclass
 class _Run:
-    """What a run has made so far, for whoever must clear it away.
+    """Folders that a run has made so far, to be cleared away if it fails.
 
     Attributes:
-        staging: the folder that its files are written to.
-        made: folders on the way to `out` that were not there, the innermost first.
+        staging: folder that its files are written to.
+        created: folders on the way to `out` that were not there, the innermost first.
         alive: descriptor of the staging folder's lock.
         settled: True once files are being moved into place: from then on the run must be let to finish.
     """
 
     staging: Path
-    made: tuple[Path, ...]
+    created: tuple[Path, ...]
     alive: int | None = None
     settled: bool = False
 
@@ -62,7 +62,7 @@ class _Run:
             self.alive = None
         if not _is_half_moved(self.staging):
             shutil.rmtree(self.staging, ignore_errors=True)
-        for folder in self.made:
+        for folder in self.created:
             with suppress(OSError):
                 folder.rmdir()
 
@@ -94,11 +94,11 @@ def publishing(out: Path) -> Iterator[Path]:
     """
     global _run
     try:
-        made = tuple(folder for folder in (out, *out.parents) if not folder.exists())
+        created = tuple(folder for folder in (out, *out.parents) if not folder.exists())
     except OSError as error:
         raise FileError(_why(error, out)) from error
     # Known before anything is made, so that no moment is left in which it could not be cleared away.
-    _run = run = _Run(out / f"{_PREFIX}{secrets.token_hex(8)}", made)
+    _run = run = _Run(out / f"{_PREFIX}{secrets.token_hex(8)}", created)
     try:
         _begin(run, out)
         yield run.staging

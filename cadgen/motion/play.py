@@ -82,8 +82,8 @@ def _without_small_swings(height: Array, least_swing: float) -> NDArray[np.intp]
     their number, and not the number, of which a rough path has thousands.
 
     Args:
-        height: of the turning points round the turn, peak first, shape (2 k,).
-        least_swing: of a swing that stays.
+        height: tan(beta) at the turning points round the turn, peak first, shape (2 k,).
+        least_swing: least swing of tan(beta) that stays.
 
     Returns:
         Indices of those that stay, from a peak on.

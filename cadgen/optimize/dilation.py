@@ -33,8 +33,8 @@ class LostDip:
     """Lift that no cam gives back in a valley, because the cam stands still there for the whole of the play.
 
     Attributes:
-        cam_angle: of the valley, rad.
-        tan_beta: by which the least that a cam with this play can reach lies above the valley.
+        cam_angle: cam angle of the valley, rad.
+        tan_beta: height, in tan(beta), above the valley of the lowest point that a cam with this play can reach.
         whole: True if nothing of the dip is left: it is narrower than the play.
     """
 
@@ -44,12 +44,12 @@ class LostDip:
 
 
 def lost_dips(lift: LiftCurve, play: float, pairs: Array | None = None) -> tuple[LostDip, ...]:
-    """What the morphological closing of a lift by a play adds in each of its valleys.
+    """Lift lost in each valley: the height that the morphological closing by the play adds there.
 
     Args:
         lift: any closed lift.
-        play: B, rad.
-        pairs: peaks and valleys to look at, shape (k, 2), rad; where the lift falls if left out.
+        play: return error B, rad.
+        pairs: cam angles of peaks and valleys, shape (k, 2), rad; where the lift falls if left out.
     """
     pairs = falls(lift) if pairs is None else pairs
     if not len(pairs):
@@ -74,8 +74,8 @@ def rounded_dilation(lift: LiftCurve, play: float, *, fall: float, half_width: f
     Args:
         lift: any closed lift.
         play: B, width of the window, rad, above 0.
-        fall: of tan(beta) over each plateau; less where the dip after it is shallower.
-        half_width: of the mean that rounds kinks, rad; kept between 0.1 and 0.5 degrees.
+        fall: fall of tan(beta) over each plateau; less where the dip after it is shallower.
+        half_width: half the width of the mean that rounds kinks, rad; kept between 0.1 and 0.5 degrees.
     """
     half_width = float(np.clip(half_width, _LEAST_HALF_WIDTH, _GREATEST_HALF_WIDTH))
     count = int(np.ceil(TURN / (half_width / _NODES)))

@@ -135,7 +135,7 @@ class _Job:
     def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
         """Roll the rod on an outline that was read back: error of the lift, and end of a run with play.
 
-        Only lifts rolled in equal steps are compared: what rolling errs by is then nearly the same in both.
+        Only lifts rolled in equal steps are compared, for the error of rolling is then nearly the same in both.
         """
         difference, contact = self.exact.compare(outline)
         end = self._end_of_run(outline, contact, lift_limit_um)

@@ -271,7 +271,7 @@ def write_stl(part: TrainPart, staging: Path, stem: str, chord: float) -> Result
     """Write and read back the mesh of a part in its own frame; `chord` is its greatest chord error, mm.
 
     Raises:
-        FileError: what was read back is not what was meant.
+        FileError: the file holds something else when it is read back.
     """
     from cadgen.export.mesh import read_stl, stl_bytes
 
