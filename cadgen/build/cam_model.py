@@ -72,7 +72,7 @@ def car(design: Design) -> Car:
 
 
 def follower(design: Design) -> Follower:
-    """What rides on the disc, of the kind that the design names.
+    """Follower that rides on the disc, of the kind in the design.
 
     Raises:
         DesignError: as built, nothing would be left of the rod, or what [as_built] says is not of this follower.
@@ -97,7 +97,7 @@ def rod(design: Design, what: str) -> LeaningRod:
 
 
 def rod_keys(design: Design) -> RodKeys | None:
-    """What the design says of its rod; None if it has another follower."""
+    """Keys of the design's rod; None if it has another follower."""
     keys = design.follower.keys
     return keys if isinstance(keys, RodKeys) else None
 

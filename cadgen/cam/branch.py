@@ -35,7 +35,7 @@ class Branch(ABC):
 
 @dataclass(frozen=True, kw_only=True)
 class Swept(Branch):
-    """What the moving follower sweeps, by cam angle, over a span without kinks.
+    """Curve that the moving follower sweeps, by cam angle, over a span without kinks.
 
     Attributes:
         lift: the steering wanted.

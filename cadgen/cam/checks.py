@@ -219,7 +219,7 @@ def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArra
 def _blend(
     lift: LiftCurve, follower: Follower, contact: Contact, error: Array, losses: list[Loss], limits: CheckLimits
 ) -> list[Check]:
-    """What the closing blend does, where the car does not drive: refused only where the follower would lock."""
+    """Checks of the closing blend, where the car does not drive: refused only where the follower would lock."""
     within = lift.in_blend(contact.cam_angle)
     place, value = cam_place(lift.blend_start), 0.0
     # Corners lie between the stations.

@@ -1,4 +1,4 @@
-"""What every follower of a disc cam gives, whatever its shape and however it moves.
+"""Interface of every follower of a disc cam, of any shape and motion.
 
 The follower is let down on the disc by its spring. At cam angle theta a point of the disc lies x ahead of the camshaft,
 along the ray of that angle, and y across it. The follower moves by tan(beta), the steering that it gives: the greater
@@ -104,7 +104,7 @@ class Follower(ABC):
 
     @abstractmethod
     def point(self) -> Follower:
-        """What rolls on the pitch curve: its reference point, of radius zero."""
+        """Follower that rolls on the pitch curve: its reference point, of radius zero."""
 
     def remedies(self) -> tuple[Remedy, ...]:
         """Dimensions whose change, one at a time, lessens lost lift."""

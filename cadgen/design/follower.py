@@ -14,7 +14,7 @@ from cadgen.design.section import OneOf, Section
 
 
 class Follower(Section):
-    """What rides on the disc."""
+    """Follower that rides on the disc."""
 
     kind: Annotated[str | None, OneOf(codes)] = Field(
         default=None, description="which follower; left out, the leaning rod"
@@ -27,7 +27,7 @@ class Follower(Section):
 
     @property
     def keys(self) -> Any:
-        """What the file says, as the dataclass of its kind."""
+        """Keys of the file, as the dataclass of the follower's kind."""
         kind = self.registered
         return kind.keys(**{item.name: getattr(self, item.name) for item in fields(kind.keys)})
 

@@ -262,7 +262,7 @@ class DesignFile(TrainFile):
 
     @property
     def seat(self) -> Seat:
-        """What the follower is built on."""
+        """Disc and place that the follower is built on."""
         (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm or 0.0
         return Seat(base_radius=self.cam.base_radius_mm, faces=(inner, outer), carrying=(inner + leg, outer - leg))
 

@@ -1,4 +1,4 @@
-"""What a kind of follower is: its code, its keys of the design file, and the follower that they make."""
+"""A kind of follower: its code, its keys of the design file, and the follower that they make."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Seat:
-    """What a follower is built on: the disc and its place, mm.
+    """Disc and place that a follower is built on, mm.
 
     Attributes:
         base_radius: distance of the camshaft from the fork axis.

@@ -19,7 +19,7 @@ RodMaterial = Literal["steel", "ball_bearing"]
 
 @dataclass(frozen=True, kw_only=True)
 class RodKeys:
-    """What a design says of its rod, as its file has it."""
+    """Keys of a design's rod, as in its file."""
 
     radius_mm: Annotated[
         float,

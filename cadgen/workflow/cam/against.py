@@ -112,7 +112,7 @@ def _off(error: float, before: float, smallest: float) -> float | None:
 
 
 def task_of(design: Design, track: Track, lift: LiftCurve, follower: Follower) -> Task:
-    """What is wanted of a profile against play.
+    """Task of a profile against play, for a design and its track.
 
     Raises:
         DesignError: the follower is not the leaning rod.

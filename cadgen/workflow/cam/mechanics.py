@@ -55,13 +55,13 @@ def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Eval
 def mechanics_checks(
     design: Design, follower: Follower, lift: LiftCurve, band: MechanicsBand | None
 ) -> tuple[Check, ...]:
-    """Where and by how much torque the cam runs ahead, whether drag holds it, and whether a bearing is wide enough.
+    """Checks of the torque by which the cam runs ahead, of the drag that holds it, and of a bearing's width.
 
     Args:
-        design: a loaded design.
-        follower: of the design.
-        lift: that the cam is cut for.
-        band: what is known of friction and drag; None if nothing is.
+        design: loaded design.
+        follower: follower of the design.
+        lift: lift that the cam is cut for.
+        band: range of friction and drag; None if the design has no [mechanics].
     """
     checks: list[Check] = []
     if band is not None:

@@ -76,7 +76,7 @@ class CamPlan:
 
     @cached_property
     def edges(self) -> Check | None:
-        """What edges broken more than designed cost at the finish: a figure without a limit, taken if it is shown.
+        """Cost at the finish of edges broken more than designed, mm: a figure without a limit, computed when shown.
 
         None for a follower other than the leaning rod, which alone rides on an edge.
         """
@@ -97,7 +97,7 @@ class CamPlan:
 
     @property
     def follower(self) -> Follower:
-        """What rolls on this profile: the follower of the design, or its reference point."""
+        """Follower that rolls on this profile: that of the design, or its reference point."""
         return _rolling(self.profile, self.rod)
 
     @cached_property
