@@ -18,7 +18,7 @@ from cadgen.deviations.rows import Rows
 
 @dataclass(frozen=True, kw_only=True)
 class Turns(Rows):
-    """Nominal state at each reading.
+    """What is known of each reading.
 
     Attributes:
         turned: angle of the motor divided by the nominal ratio, shape (n,), rad.
@@ -31,7 +31,7 @@ class Turns(Rows):
 
 @dataclass(frozen=True)
 class Play:
-    """Play and friction between the last gear and the camshaft.
+    """What stands between the last gear and the camshaft.
 
     Attributes:
         width: of the play, rad.

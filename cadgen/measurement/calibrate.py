@@ -7,17 +7,16 @@ import numpy as np
 
 from cadgen.deviations import quantities
 from cadgen.deviations.effect import UNITS
-from cadgen.measurement.diagnose import diagnose
+from cadgen.measurement.diagnose import Step, diagnose
 from cadgen.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.measurement.nominal import LoggedCar, Nominal
 from cadgen.measurement.record import Kind, Knowledge, Record, join
 from cadgen.measurement.steered import diagnose_steered
 from cadgen.measurement.units import refuse_wrong_units
-from cadgen.progress import Progress, silent
 
 
 def calibrate(
-    records: Sequence[Record], nominal: Nominal, progress: Progress = silent
+    records: Sequence[Record], nominal: Nominal, step: Step = lambda text: None
 ) -> tuple[EvidenceDiagnosis, ...]:
     """Diagnose several records by their evidence; those of one kind are taken together.
 
@@ -38,7 +37,7 @@ def calibrate(
     for kind in sorted(joined, key=lambda kind: bool(kind.takes)):
         record = joined[kind]
         taken = behind if Knowledge.DISC in kind.takes else nominal
-        diagnosis = diagnose(record, taken.model, progress, play if Knowledge.PLAY in kind.takes else None)
+        diagnosis = diagnose(record, taken.model, step, play if Knowledge.PLAY in kind.takes else None)
         if Knowledge.DISC in kind.takes:
             diagnosis = _behind(diagnosis, record, nominal, names)
         if kind.tells is Knowledge.PLAY:
@@ -80,7 +79,7 @@ def _behind(
     return replace(diagnosis, known=names, judgement=judgement)
 
 
-def calibrate_tricycle(records: Sequence[Record], wheelbase: float, progress: Progress = silent) -> PathDiagnosis:
+def calibrate_tricycle(records: Sequence[Record], wheelbase: float, step: Step = lambda text: None) -> PathDiagnosis:
     """Diagnose runs of a tricycle whose steering was logged.
 
     Raises:
@@ -90,4 +89,4 @@ def calibrate_tricycle(records: Sequence[Record], wheelbase: float, progress: Pr
     refuse_wrong_units(record, logged)
     model = record.kind.model
     assert model is not None
-    return diagnose_steered(record, lambda part: model(part, logged), progress)
+    return diagnose_steered(record, lambda part: model(part, logged), step)

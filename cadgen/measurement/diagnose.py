@@ -18,33 +18,33 @@ from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Datum, Record
 from cadgen.measurement.search import find
 from cadgen.measurement.verdict import Judgement, judge, registered
-from cadgen.progress import Progress, silent
 
 Build = Callable[[Record], Model]
+Step = Callable[[str], None]
 # Verdicts beside which it counts that a quantity is not named.
 SOUND = ("none", "traced", "combination")
 
 
 def diagnose(
-    record: Record, build: Build, progress: Progress = silent, play: tuple[float, float] | None = None
+    record: Record, build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
 ) -> EvidenceDiagnosis:
     """Trace what a record shows to effects, or say why not.
 
     Args:
         record: measured data of one kind.
         build: makes the forward model of a record; called again for records with some runs left out.
-        progress: function that is called with a few words on each step.
+        step: told what is being done.
         play: return error that was measured apart, and its standard deviation, rad.
 
     Raises:
         FileError: one run only, with too few rows to tell its noise.
     """
-    progress(f"{record.source}: telling noise from what repeats")
+    step(f"{record.source}: telling noise from what repeats")
     model = build(record)
     refuse_too_few(record, model)
     noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
     evidence = Evidence(model, noise)
-    progress(f"{record.source}: comparing all small subsets of {len(model.catalogue)} effects")
+    step(f"{record.source}: comparing all small subsets of {len(model.catalogue)} effects")
     found = find(model, evidence)
     judgement, best = judge(model, evidence, noise, found)
     found_alone = best
@@ -58,7 +58,7 @@ def diagnose(
         judgement = replace(judgement, limits=(*judgement.limits, another))
     left, repeating = [], []
     for run in range(record.runs) if record.runs > 1 else ():
-        progress(f"{record.source}: run {run + 1} left out")
+        step(f"{record.source}: run {run + 1} left out")
         whole, less = _held_out(record, model, build, noise, best, run)
         left.append(whole)
         repeating.append(less)

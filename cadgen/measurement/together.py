@@ -47,7 +47,7 @@ class Claim:
 
     @property
     def quantity(self) -> Quantity:
-        """Physical quantity of the claim."""
+        """What it is physically."""
         quantity = self.kind.quantity(self.finding.effect)
         if self.remainder:
             beside = Quantity(f"{self.finding.effect} beside the profile's ({self.kind.code})")
@@ -98,7 +98,7 @@ class Settled:
 
 
 def claims(diagnosis: Diagnosis) -> tuple[Claim, ...]:
-    """Claims of a diagnosis."""
+    """What a diagnosis claims."""
     return tuple(_claim(diagnosis, f) for f in diagnosis.findings if f.effect in diagnosis.judgement.claimed)
 
 
@@ -154,7 +154,7 @@ def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
 
 
 def settled(diagnosis: Diagnosis, others: Sequence[Claim]) -> Settled | None:
-    """Decision of other records' claims in an ambiguous record, or None.
+    """What the claims of other records decide in an ambiguous one, or None.
 
     Of its likely subsets those remain that hold every quantity that another record claims and that at least one of them
     holds, with a value that agrees; claimed is what all of them have in common.
