@@ -51,12 +51,12 @@ def as_built(design: Design) -> AsBuilt:
     if design.as_built is None:
         return AS_DESIGNED
     placed = []
-    for one in design.as_built.effects:
-        if one.place != "noted":
-            known = one.known()
-            values = tuple(one.numbers[p.name] * p.scale for p in known.parameters)
-            sigma = (one.values[0].sigma or 0.0) * known.parameters[0].scale
-            placed.append(Placed(known, values, one.place, sigma, one.kind_of_data.rod_on))
+    for effect in design.as_built.effects:
+        if effect.place != "noted":
+            known = effect.known()
+            values = tuple(effect.numbers[p.name] * p.scale for p in known.parameters)
+            sigma = (effect.values[0].sigma or 0.0) * known.parameters[0].scale
+            placed.append(Placed(known, values, effect.place, sigma, effect.kind_of_data.rod_on))
     return AsBuilt(tuple(placed))
 
 
@@ -83,17 +83,17 @@ def follower(design: Design) -> Follower:
     return as_built(design).follower(rod_of(nominal, "what [as_built] says of a car", "remove [as_built]"))
 
 
-def rod(design: Design, what: str) -> LeaningRod:
-    """The follower of a design, for what is worked out for the leaning rod alone.
+def rod(design: Design, job: str) -> LeaningRod:
+    """Follower of a design, for a job that is worked out for the leaning rod alone.
 
     Args:
-        design: a loaded design.
-        what: is worked out for it, as it begins a sentence.
+        design: loaded design.
+        job: name of the job, as it begins a sentence.
 
     Raises:
-        DesignError: it has another follower, or as `follower`.
+        DesignError: the design has another follower, or as `follower`.
     """
-    return rod_of(follower(design), what)
+    return rod_of(follower(design), job)
 
 
 def rod_keys(design: Design) -> RodKeys | None:

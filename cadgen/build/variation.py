@@ -192,21 +192,21 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[str, float
     Raises:
         DesignError: a tolerance of what the design says nothing of.
     """
-    given = design.tolerances
-    found = {}
+    tolerances = design.tolerances
+    halves = {}
     for name in TOLERANCES:
         unit = PARAMETERS[DIRECTED.get(name, (name,))[0]]
-        value = getattr(given, f"{name}_{_ENDINGS[unit]}", None) or 0.0
-        found[name] = radians(value) if unit == "rad" else value
+        value = getattr(tolerances, f"{name}_{_ENDINGS[unit]}", None) or 0.0
+        halves[name] = radians(value) if unit == "rad" else value
     if (fit := design.blank.bore_fit) is not None:
-        found["eccentricity"] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
+        halves["eccentricity"] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
     if forces is not None:
-        found["friction"], found["drag"] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
-    elif found["rod_force"] > 0:
+        halves["friction"], halves["drag"] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
+    elif halves["rod_force"] > 0:
         raise DesignError("tolerances.rod_force_N needs the force itself: add [mechanics] with rod_force_N")
-    if found["temperature"] > 0 and design.blank.material is None:
+    if halves["temperature"] > 0 and design.blank.material is None:
         raise DesignError("tolerances.temperature_K needs to know what the disc is made of: set blank.material")
-    return {name: half for name, half in found.items() if half > 0}
+    return {name: half for name, half in halves.items() if half > 0}
 
 
 def expansion(design: Design) -> Expansion:
@@ -246,8 +246,8 @@ def play_zones(design: Design) -> dict[str, float]:
         low, high = play_bands(design)[design.optimize.order].ends
         return {"play": (high - low) / 2}
     teeth = whole.teeth
-    own = {} if teeth is None else {"play of the teeth": (teeth.return_error_max - teeth.return_error_min) / 2}
-    return {**own, **{one.name: (one.greatest - one.least) / 2 for one in whole.loose}}
+    of_teeth = {} if teeth is None else {"play of the teeth": (teeth.return_error_max - teeth.return_error_min) / 2}
+    return {**of_teeth, **{joint.name: (joint.greatest - joint.least) / 2 for joint in whole.loose}}
 
 
 def wheel_radius(design: Design, length: float) -> float:

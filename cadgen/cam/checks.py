@@ -104,11 +104,11 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
     rising, driven = lift.tan_beta(contact.cam_angle, nu=1) >= 0, ~lift.in_blend(contact.cam_angle)
     angle = np.degrees(np.abs(contact.pressure_angle))
     checks = []
-    for code, name, mine, limit in (
+    for code, name, of_kind, limit in (
         (CheckCode.PRESSURE_ANGLE_RISE, "pressure angle, rise", rising & driven, limits.pressure_angle.rise),
         (CheckCode.PRESSURE_ANGLE_RETURN, "pressure angle, return", ~rising & driven, limits.pressure_angle.fall),
     ):
-        value = np.where(mine, angle, 0.0)
+        value = np.where(of_kind, angle, 0.0)
         worst = int(np.argmax(value))
         checks.append(
             Check(
@@ -184,9 +184,9 @@ def _undercut(lift: LiftCurve, follower: Follower, losses: list[Loss], limits: C
         (CheckCode.LOST_LIFT_CROSSING, "lost lift, crossing", "global", "two flanks cut each other off"),
         (CheckCode.LOST_LIFT_FACE_CHANGE, "lost lift, face change", "face change", ""),
     ):
-        mine = [loss for loss in losses if loss.trim.kind == kind]
-        worst = max(mine, key=lambda loss: loss.lift, default=None)
-        place = "none" if worst is None else f"{cam_place(worst.cam_angle)} ({len(mine)} in all)"
+        of_kind = [loss for loss in losses if loss.trim.kind == kind]
+        worst = max(of_kind, key=lambda loss: loss.lift, default=None)
+        place = "none" if worst is None else f"{cam_place(worst.cam_angle)} ({len(of_kind)} in all)"
         value = 0.0 if worst is None else worst.lift * 1e3
         softer = "" if worst is None else _soften(lift, worst.cam_angle)
         advice = f"{reason}: {softer}" if reason else f"make the disc thinner (cam.thickness_mm) or {softer}"
@@ -232,11 +232,11 @@ def _blend(
     rising = lift.tan_beta(contact.cam_angle, nu=1) >= 0
     angles = np.abs(contact.pressure_angle)
     rise, fall = CheckCode.BLEND_PRESSURE_ANGLE_RISE, CheckCode.BLEND_PRESSURE_ANGLE_RETURN
-    for code, name, mine, usual in (
+    for code, name, of_kind, usual in (
         (rise, "pressure angle, blend rise", within & rising, limits.pressure_angle.rise),
         (fall, "pressure angle, blend return", within & ~rising, limits.pressure_angle.fall),
     ):
-        size = np.where(mine, angles, 0.0)
+        size = np.where(of_kind, angles, 0.0)
         worst = int(np.argmax(size))
         checks.append(
             Check(
@@ -246,7 +246,7 @@ def _blend(
                 "°",
                 float(np.degrees(max(LOCKING_ANGLE, usual))),
                 "max",
-                cam_place(contact.cam_angle[worst]) if mine.any() else "none",
+                cam_place(contact.cam_angle[worst]) if of_kind.any() else "none",
                 f"on so steep a flank the {follower.noun} locks when the cam is turned on to its start: "
                 f"{_soften(lift, lift.blend_start)} or raise cam.base_radius_mm",
             )

@@ -137,19 +137,19 @@ def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[
     # Turned on by whole turns, so that those about an end lie together on either side of the seam.
     places = ((starts % TURN)[order] + TURN * np.arange(-1, 2)[:, None]).ravel()
     numbers = np.tile(order, 3)
-    found = {}
+    following = {}
     first = np.searchsorted(places, ends - 2 * _JOINT, side="left").tolist()
     last = np.searchsorted(places, ends + 2 * _JOINT, side="right").tolist()
     for number, (a, b) in enumerate(zip(first, last, strict=True)):
-        after = [int(other) for other in numbers[a:b] if branches[other].face == branches[number].face]
+        after = [int(index) for index in numbers[a:b] if branches[index].face == branches[number].face]
         if after:
-            found[number] = max(after)
-    return found
+            following[number] = max(after)
+    return following
 
 
 def _next_of_face(branches: list[Branch], number: int) -> int:
     """The branch of the same face that comes after one round the turn."""
-    same = [other for other, branch in enumerate(branches) if branch.face == branches[number].face]
+    same = [index for index, branch in enumerate(branches) if branch.face == branches[number].face]
     return same[(same.index(number) + 1) % len(same)]
 
 

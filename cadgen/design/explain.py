@@ -25,18 +25,18 @@ def explain(error: ValidationError, most: int, follower: FollowerKind = ROD) -> 
     a wrong name, and a list that counts as too short because its items are wrong. Several missing sections make one
     sentence.
     """
-    found = error.errors(include_url=False)
-    unknown = [item["loc"] for item in found if item["type"] == "extra_forbidden"]
-    holders = {item["loc"][:-1] for item in found}
+    errors = error.errors(include_url=False)
+    unknown = [item["loc"] for item in errors if item["type"] == "extra_forbidden"]
+    holders = {item["loc"][:-1] for item in errors}
     inside = {place[:depth] for place in holders for depth in range(len(place) + 1)}
     meant = {nearest(section(place[:-1]), str(place[-1]), follower) for place in unknown[:_MOST_COMPARED]}
-    missing = [item["loc"] for item in found if item["type"] == "missing" and len(item["loc"]) == 1]
+    missing = [item["loc"] for item in errors if item["type"] == "missing" and len(item["loc"]) == 1]
     absent = [place for place in missing if section(place) in tables(follower) and section(place) not in meant]
     if len(absent) < 2:
         absent = []
     rest = [
         item
-        for item in found
+        for item in errors
         if item["type"] != "extra_forbidden"
         and item["loc"] not in absent
         and not (item["type"] == "missing" and dotted(*item["loc"]) in meant)

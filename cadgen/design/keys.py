@@ -110,8 +110,8 @@ def nearest(parent: str, wrong: str, follower: FollowerKind = ROD) -> str | None
     """Dotted name of the key or section, in the same section, that an unknown one was most likely meant for."""
     names = tables(follower)[parent].names
     stem = _stem(wrong)
-    found = [name for name in names if _stem(name) == stem] or get_close_matches(wrong.lower(), names, 1)
-    return dotted(parent, found[0]) if found else None
+    near = [name for name in names if _stem(name) == stem] or get_close_matches(wrong.lower(), names, 1)
+    return dotted(parent, near[0]) if near else None
 
 
 def elsewhere(parent: str, wrong: str, follower: FollowerKind = ROD) -> list[str]:
@@ -204,9 +204,9 @@ def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
     if get_origin(annotation) is Annotated:
         kinds, limits = _kinds(arguments[0])
         return kinds, [*limits, *arguments[1:]]
-    given = [arm for arm in arguments if arm is not type(None)]
-    if type(None) in arguments and len(given) == 1:  # a key that may be left out
-        return _kinds(given[0])
+    arms = [arm for arm in arguments if arm is not type(None)]
+    if type(None) in arguments and len(arms) == 1:  # a key that may be left out
+        return _kinds(arms[0])
     if get_origin(annotation) is tuple:
         kinds, limits = _kinds(arguments[0])
         return (f"a list of {_PLURALS[kinds[0]]}" if arguments[1] is ... else _PAIR, *kinds), limits
@@ -217,7 +217,7 @@ def _choices_inside(annotation: Any) -> str:
     """The choices for the items of a list, as they read after "must be"; empty if it is not one of choices."""
     if get_origin(annotation) is tuple and get_origin(get_args(annotation)[0]) is Literal:
         return listed([shown(choice) for choice in get_args(get_args(annotation)[0])], "or")
-    return next((found for arm in get_args(annotation) if (found := _choices_inside(arm))), "")
+    return next((choices for arm in get_args(annotation) if (choices := _choices_inside(arm))), "")
 
 
 def _phrases(limits: Iterable[Any]) -> str:

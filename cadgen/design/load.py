@@ -156,15 +156,15 @@ def _parsed(text: str, file: Path) -> dict[str, Any]:
 def _syntax(problem: str, file: str, text: str) -> str:
     """Turn tomllib's message into file, line, column, problem and the line's own text."""
     lines = text.replace("\r\n", "\n").rstrip("\n").split("\n")
-    found = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", problem, re.DOTALL)
-    if not found:  # Python's own limit on the digits of a whole number
+    match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", problem, re.DOTALL)
+    if not match:  # Python's own limit on the digits of a whole number
         return f"{file}: a whole number has more digits than can be read: correct the file"
-    line, column = (int(found[2]), int(found[3])) if found[2] else (len(lines), len(lines[-1]) + 1)
+    line, column = (int(match[2]), int(match[3])) if match[2] else (len(lines), len(lines[-1]) + 1)
     quoted_line = brief(lines[min(line, len(lines)) - 1].strip()[:80])
     where = f"{file}, line {line}, column {column}"
     if problem.startswith(("Cannot overwrite", "Cannot declare")):
         return f"{where}: `{quoted_line}` is given a second time: remove one of the two"
-    return f"{where}: not TOML ({brief(found[1][:1].lower() + found[1][1:])}): correct `{quoted_line}`"
+    return f"{where}: not TOML ({brief(match[1][:1].lower() + match[1][1:])}): correct `{quoted_line}`"
 
 
 def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]], follower: FollowerKind) -> str:

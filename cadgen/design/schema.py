@@ -57,13 +57,13 @@ class Path(Section):
         most = MOST_WAYPOINTS[self.spline]
         if count <= most:
             return self
-        why, other = "of which the lift is made piece by piece", ""
+        why, remedy = "of which the lift is made piece by piece", ""
         if self.spline == "cubic":
             why = "and at each a cubic spline has a kink, where the profile is joined anew"
-            other = ', or set path.spline = "quintic"'
+            remedy = ', or set path.spline = "quintic"'
         raise ValueError(
             f"path.waypoints_mm has {count} waypoints, {why}; at most {most} can be followed: keep one in "
-            f"{-(-count // most)}{other}"
+            f"{-(-count // most)}{remedy}"
         )
 
 

@@ -138,23 +138,23 @@ def left_by_killed(out: Path) -> tuple[list[Path], list[Path]]:
         OSError: `out` cannot be read.
     """
     half: list[Path] = []
-    other: list[Path] = []
+    unmoved: list[Path] = []
     for folder in sorted(out.iterdir()):
         if not _STAGING.fullmatch(folder.name) or folder.is_symlink() or not folder.is_dir():
             continue
         with suppress(OSError):
             if held(folder / _ALIVE):
                 continue
-        (half if _is_half_moved(folder) else other).append(folder)
-    return half, other
+        (half if _is_half_moved(folder) else unmoved).append(folder)
+    return half, unmoved
 
 
 def undo_killed(out: Path, *, sure: bool) -> list[str]:
     """Undo the half-done moves of killed runs, and remove what they have left; call it with the folder locked.
 
     Args:
-        out: the output folder.
-        sure: True if no other run can be at work in it: then whatever is left was left by runs that were killed.
+        out: output folder.
+        sure: whether no other run can be at work in it, so that every staging folder in it is of a killed run.
 
     Returns:
         Names of the files that were put back or removed by that.
@@ -163,7 +163,7 @@ def undo_killed(out: Path, *, sure: bool) -> list[str]:
         FileError: a half-done move is another user's, or may be still under way.
         OSError: a file cannot be moved.
     """
-    half, other = left_by_killed(out)
+    half, unmoved = left_by_killed(out)
     back: list[str] = []
     for folder in half:
         if not sure or not _is_own(folder):
@@ -174,7 +174,7 @@ def undo_killed(out: Path, *, sure: bool) -> list[str]:
             )
         back += _undo(folder, out)
         shutil.rmtree(folder, ignore_errors=True)
-    for folder in other:
+    for folder in unmoved:
         if sure and _is_own(folder):
             shutil.rmtree(folder, ignore_errors=True)
     return back

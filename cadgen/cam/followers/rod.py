@@ -124,21 +124,21 @@ def _under(y: Array, radius: float) -> tuple[NDArray[np.bool_], Array]:
     return under, np.sqrt(np.where(under, radius**2 - y**2, 0.0))
 
 
-def rod_of(follower: Follower, what: str, instead: str = "") -> LeaningRod:
-    """The follower as the leaning rod, for what is worked out for that alone.
+def rod_of(follower: Follower, job: str, instead: str = "") -> LeaningRod:
+    """The follower as the leaning rod, for a job that is worked out for the rod alone.
 
     Args:
-        follower: of any kind.
-        what: is worked out for it, as it begins a sentence.
-        instead: what a design with this follower can do, as it ends one.
+        follower: follower of any kind.
+        job: name of the job, as it begins a sentence.
+        instead: alternative for a design with this follower, as it ends a sentence.
 
     Raises:
-        DesignError: it is of another kind.
+        DesignError: the follower is of another kind.
     """
     if isinstance(follower, LeaningRod):
         return follower
     way_out = f", or {instead}" if instead else ""
     raise DesignError(
-        f"follower.kind names a {follower.noun}, and {what} is worked out for the leaning rod alone: set "
+        f"follower.kind names a {follower.noun}, and {job} is worked out for the leaning rod alone: set "
         f'follower.kind = "rod" with its keys{way_out}'
     )
