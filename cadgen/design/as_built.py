@@ -144,8 +144,8 @@ class AsBuilt(Section):
                         earlier = seen[value.name]
                         raise ValueError(
                             f"as_built.{name} has {value.name} of the car twice, from {earlier.effect} of kind "
-                            f'{earlier.kind} and from {effect.effect} of kind {effect.kind}: set place = "noted" in one '
-                            "of them"
+                            f'{earlier.kind} and from {effect.effect} of kind {effect.kind}: set place = "noted" '
+                            "in one of them"
                         )
                     seen[value.name] = effect
         return self
