@@ -85,9 +85,9 @@ def mechanics(design: Design, follower: Follower, lift: LiftCurve) -> MechanicsB
     that.
 
     Args:
-        design: the design.
-        follower: of the design.
-        lift: that is planned.
+        design: loaded design.
+        follower: follower of the design.
+        lift: planned lift.
 
     Raises:
         DesignError: there are forces and the follower is not the rod, the rod's force is used up somewhere on the
@@ -187,7 +187,7 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[str, float
 
     Args:
         design: a loaded design.
-        forces: what is known of the forces on its cam.
+        forces: range of the forces on its cam.
 
     Raises:
         DesignError: a tolerance of what the design says nothing of.

@@ -60,13 +60,13 @@ def check_cam(
     """All checks of a cam, in the order of their codes; what a follower adds under codes of its own comes last.
 
     Args:
-        lift: the steering wanted.
-        follower: that the profile is for; its point for the theoretical profile.
-        curve: the profile.
-        trims: where the envelope was trimmed; empty for profiles that are not an envelope.
-        blank: what the disc has besides its profile.
-        limits: what is allowed.
-        cut: what the cutter follows, if that is another curve, which becomes the profile in its making.
+        lift: lift wanted, as tan(beta) by cam angle.
+        follower: follower that the profile is for; its point for the theoretical profile.
+        curve: profile, mm.
+        trims: places where the envelope was trimmed; empty for profiles that are not an envelope.
+        blank: features of the disc besides its profile.
+        limits: limits of the checks, mm and rad.
+        cut: curve that is cut, mm, if it differs from the profile that it becomes in its making.
     """
     theta = cam_angles(lift)
     contact, step = roll_curve(curve, follower, theta)

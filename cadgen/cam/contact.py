@@ -44,7 +44,7 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
     cam that needs fine steps in one steep place is not sampled finely throughout.
 
     Returns:
-        The contact, and the finest step that was needed, mm: what is read back from a file needs it too.
+        The contact, and the finest step that was needed, mm: an outline read back from a file needs it too.
 
     Raises:
         DesignError: as `roll`.
@@ -92,7 +92,7 @@ def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
 
     Args:
         outline: dense points of the disc's outline about the camshaft.
-        follower: of any kind; radius 0 follows the outline with a point.
+        follower: follower of any kind; radius 0 follows the outline with a point.
         cam_angle: shape (n,), rad.
 
     Raises:

@@ -65,7 +65,7 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
 
     Args:
         lift: the steering wanted.
-        follower: of any kind.
+        follower: follower of any kind.
         limit: lift that may be lost, mm.
     """
     limit = max(limit, _ROUNDING)
@@ -88,7 +88,7 @@ def _smallest_factor(loss: Callable[[float], float], now: float, limit: float) -
     """The factor at which the loss meets its limit, rounded to the safe side; None if no factor in reach does.
 
     Args:
-        loss: by the factor, mm.
+        loss: function of the factor that returns the loss, mm.
         now: loss at the factor 1, mm; more than the limit.
         limit: mm.
     """

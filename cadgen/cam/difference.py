@@ -38,11 +38,11 @@ def dense_stations(follower: Follower, contact: Contact) -> Array:
 
 @dataclass(frozen=True)
 class Exact:
-    """The lift that files are held against.
+    """Exact lift, for comparison with the lift of files.
 
     Attributes:
-        outline: of the exact curve.
-        follower: that rolls on it.
+        outline: outline of the exact curve, mm.
+        follower: follower that rolls on it.
         stations: increasing cam angles, close enough together that every hump of a difference shows, rad, shape (n,).
     """
 

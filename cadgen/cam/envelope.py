@@ -65,7 +65,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
 
     Args:
         lift: the steering wanted.
-        follower: of any kind.
+        follower: follower of any kind.
 
     Raises:
         DesignError: the follower is too large for the cam's smallest radius, so that no disc remains, or a flank

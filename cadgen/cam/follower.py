@@ -30,10 +30,10 @@ class Remedy:
     """A dimension whose change lessens lost lift.
 
     Attributes:
-        key: of the design file.
-        now: its value, mm.
+        key: key in the design file.
+        now: present value of the key, mm.
         rises: whether a greater value lessens the loss.
-        follower: for a value, mm.
+        follower: function that makes the follower for a value of the key, mm.
     """
 
     key: str
@@ -47,13 +47,13 @@ class Remedy:
 
 
 class Follower(ABC):
-    """A curve that rides on the disc; a kind is a frozen dataclass that gives what is asked for here.
+    """A curve that rides on the disc; a kind is a frozen dataclass with the properties and methods below.
 
     Attributes:
-        noun: what messages call it.
-        milder: what to change, in words, where it is too large for the cam.
+        noun: name of the follower in messages.
+        milder: advice where the follower is too large for the cam, in words.
         base_radius: distance of its reference point from the camshaft at steering angle 0, mm.
-        radius: of the curve that touches the disc, where it is most curved, mm; infinite for a straight one. Zero
+        radius: least radius of curvature of the curve that touches the disc, mm; infinite for a straight one. Zero
             stands for a point that moves along the ray.
     """
 

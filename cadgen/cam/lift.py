@@ -135,7 +135,7 @@ def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftC
     Args:
         arc: arc length at the nodes, shape (n,), mm; a kink stands twice.
         jets: tan(beta) and two derivatives by arc length, shape (n, 3).
-        length: of the whole track, mm.
+        length: length of the whole track, mm.
         blend: angle of the closing blend, rad.
 
     Raises:

@@ -30,10 +30,10 @@ class CheckLimits:
 
     Attributes:
         pressure_angle: limits while the cam drives the follower outwards and while the spring drives it back.
-        lost_lift: how much lift the trimmed profile may miss.
-        min_convex_radius: of the actual profile, away from its corners.
-        cutter_radius: of the cutter that will cut the part.
-        wall: between the profile and every hole.
+        lost_lift: greatest lift that the trimmed profile may lose.
+        min_convex_radius: least convex radius of the actual profile, away from its corners.
+        cutter_radius: radius of the cutter that will cut the part.
+        wall: least wall between the profile and every hole.
     """
 
     pressure_angle: PressureAngleLimit

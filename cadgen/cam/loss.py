@@ -18,9 +18,9 @@ class Loss:
     """Lift that the profile cannot give near a trim.
 
     Attributes:
-        trim: where the envelope was trimmed.
-        lift: that is missing at the worst cam angle, mm.
-        cam_angle: the worst one, rad.
+        trim: place where the envelope was trimmed.
+        lift: lift lost at the worst cam angle, mm.
+        cam_angle: worst cam angle, rad.
         driven: whether the path steers there, and not the closing blend.
     """
 
@@ -36,10 +36,10 @@ def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outl
     A trim that reaches from the path into the closing blend counts in each of the two.
 
     Args:
-        lift: the steering wanted.
-        follower: of any kind.
-        trims: where the envelope was trimmed.
-        outline: of the trimmed envelope; a corner is one of its points, so the follower rests on it exactly.
+        lift: lift wanted, as tan(beta) by cam angle.
+        follower: follower of any kind.
+        trims: places where the envelope was trimmed.
+        outline: trimmed envelope in points, mm; a corner is one of them, so the follower rests on it exactly.
     """
     if not trims:
         return []

@@ -85,7 +85,7 @@ class Effect(Section):
         """The effect of the catalogue.
 
         Raises:
-            DesignError: there is none of that name.
+            DesignError: no effect has that name.
         """
         return self.kind_of_data.named(self.effect, self.numbers)
 

@@ -49,13 +49,13 @@ class Key:
     """One key of a design file.
 
     Attributes:
-        name: dotted, from the top.
-        unit: of its numbers; empty if it has none.
-        kinds: what its value must be, what an item of that must be, and so on: `a pair [x, y]`, `a number`.
+        name: dotted name, from the top.
+        unit: unit of its numbers; empty if it has none.
+        kinds: kind of its value, of an item of that, and so on: `a pair [x, y]`, `a number`.
         allowed: range or choices, as they read after "must be"; empty if anything of its kind will do.
-        allowed_inside: the same of the numbers in a list or pair.
-        required: True if a section that is given must have it.
-        default: None if it has none.
+        allowed_inside: range or choices of the numbers in a list or pair.
+        required: whether a section must have the key.
+        default: default value; None if it has none.
         meaning: a phrase.
     """
 

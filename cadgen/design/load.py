@@ -59,7 +59,7 @@ def design_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design:
 
     Args:
         text: TOML.
-        file: that it stands in or could stand in, for messages.
+        file: path of the file, real or not, for messages.
         overrides: as for `load_design`.
 
     Raises:
@@ -98,7 +98,7 @@ def design_file(source: str | Path | None = None) -> Path:
     """The file that `load_design` reads.
 
     Raises:
-        DesignError: there is no packaged design of that name.
+        DesignError: no packaged design has that name.
     """
     source = DEFAULT_DESIGN if source is None else source
     if isinstance(source, Path) or source.endswith(".toml") or Path(source).name != source:

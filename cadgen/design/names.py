@@ -11,7 +11,7 @@ def name_fault(name: str) -> str:
     """Fault of a name for files, as a clause after "it must"; empty if the name has no fault.
 
     Args:
-        name: of a design or a part, without the ending of a file.
+        name: name of a design or a part, without the ending of a file.
     """
     if not _PLAIN.fullmatch(name):
         return "be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and underscores, and begin with a letter or digit"

@@ -139,24 +139,24 @@ class AsBuilt:
         """Rises and falls of the lift that waves and steps of the outline may make, mm: they are no events of a path.
 
         Args:
-            measured: of the disc that was measured, or else of a new one.
+            measured: whether the disc is the one that was measured, or else a new one.
         """
         places: tuple[Place, ...] = ("part", "process") if measured else ("process",)
-        found = 0.0
+        height = 0.0
         for placed in self.effects:
             uneven = placed.effect.quantity in (quantities.AXIS_REVERSAL, quantities.UNDULATION)
             if placed.place in places and uneven:
-                found += 2 * float(np.hypot(placed.values[0], placed.values[1]))
-        return found
+                height += 2 * float(np.hypot(placed.values[0], placed.values[1]))
+        return height
 
     def roll_measured(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
-        """The rod on the cam that was measured.
+        """Contact of the rod with the cam that was measured.
 
         Args:
-            curve: its profile as designed.
-            follower: as built.
-            cam_angle: of the shaft, shape (n,), rad; the contact is told at these.
-            step: of the outline, mm.
+            curve: profile of that cam as designed, mm.
+            follower: rod as built.
+            cam_angle: angles of the shaft for the contact, shape (n,), rad.
+            step: step of the outline, mm.
 
         Raises:
             DesignError: as `roll`, or a worn nose that the profile does not have.

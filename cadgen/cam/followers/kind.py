@@ -30,13 +30,13 @@ class FollowerKind:
     """A kind of follower.
 
     Attributes:
-        code: what `follower.kind` says.
-        meaning: a sentence for the reference.
-        keys: a frozen dataclass of its keys, named as in the file, each `Annotated` with its limits and with a phrase
+        code: value of `follower.kind` in the design file.
+        meaning: sentence for the reference.
+        keys: frozen dataclass of its keys, named as in the file, each `Annotated` with its limits and with a phrase
             for the reference; its `__post_init__` may refuse what contradicts itself by a `ValueError`, one sentence
             for the user.
-        build: the follower from the keys and its seat, before what is known of the car as it was built.
-        refuse: keys that do not suit their seat, by a `ValueError` of one sentence.
+        build: function of keys and seat that returns the follower of the car as designed.
+        refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
     """
 
     code: str

@@ -18,7 +18,7 @@ def rod_checks(rod: RodGeometry, cam: RolledCam) -> tuple[Check, ...]:
     """The checks of a rod on its cam.
 
     Args:
-        rod: that is rolled.
+        rod: rod that is rolled.
         cam: on which.
     """
     theta = cam.contact.cam_angle

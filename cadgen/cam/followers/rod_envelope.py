@@ -88,7 +88,7 @@ class RodArc(Section):
     """The rod's own section at a hollow kink of the lift, by t = -eta.
 
     Attributes:
-        distance: of the rod's axis from the camshaft, mm.
+        distance: distance of the rod's axis from the camshaft, mm.
         half_width: semi-axis along that distance, mm.
         follower: the rod.
     """

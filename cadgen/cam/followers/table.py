@@ -41,7 +41,7 @@ def kind_of(code: str) -> FollowerKind:
     """The kind with a code.
 
     Raises:
-        DesignError: there is none.
+        DesignError: no kind has the code.
     """
     if code not in _KINDS:
         raise DesignError(f'there is no follower "{code}": choose one of {", ".join(_KINDS)}')
