@@ -9,7 +9,7 @@ The rooms, in walking order; each imports only those before it.
 | room          | what happens there                                                        |
 |---------------|---------------------------------------------------------------------------|
 | `version`     | the version, in its one place                                             |
-| `errors`      | what can go wrong, with the exit codes                                    |
+| `errors`      | errors for the user, with the exit codes                                  |
 | `arrays`      | an array of floats, a turn                                                |
 | `check`       | one figure with its limit and verdict                                     |
 | `reading`     | files that a user names, refused by kind and size                         |
@@ -21,7 +21,7 @@ The rooms, in walking order; each imports only those before it.
 | `cam`         | lift, theoretical and actual profile, contact, checks                     |
 | `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |
 | `motion`      | how the car runs when the gears have play                                 |
-| `deviations`  | what a real car differs by, and what that does to it                      |
+| `deviations`  | deviations of a real car from its design, and their effects               |
 | `measurement` | measured data -> the effects that explain them; one object a kind of data |
 | `optimize`    | methods against play and the choice among them                            |
 | `monte_carlo` | many cars within the tolerances                                           |

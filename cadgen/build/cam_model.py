@@ -1,6 +1,6 @@
 """From a design to what the numeric rooms work on; the one place where degrees become radians and µm mm.
 
-Car, rod, lift and key are those of the car as it was built, if the design says so in [as_built].
+Car, rod, lift and key are those of the car as it was built, if the design has [as_built].
 """
 
 from math import degrees, radians

@@ -165,7 +165,7 @@ def directions(design: TrainDesign) -> tuple[float | None, ...]:
 
 
 def search_limits(design: TrainDesign, given: Train) -> SearchLimits:
-    """Limits of the search: those of [train.search], and where it says nothing the sizes of the `given` train.
+    """Limits of the search: those of [train.search], and for keys left out the sizes of the `given` train.
 
     Raises:
         DesignError: limits that are empty or out of range.

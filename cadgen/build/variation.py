@@ -71,7 +71,7 @@ def measured_play(design: Design) -> float | None:
 def tabled_play(design: Design) -> float | None:
     """The greatest return error that a car of this design may have as far as nothing was measured on it, rad.
 
-    None if the design says nothing of play.
+    None if the design has no play.
     """
     band = play_bands(design.as_designed()).get(design.optimize.order)
     return None if band is None else band.ends[1]
@@ -190,7 +190,7 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[str, float
         forces: range of the forces on its cam.
 
     Raises:
-        DesignError: a tolerance of what the design says nothing of.
+        DesignError: a tolerance of a quantity that the design lacks.
     """
     tolerances = design.tolerances
     halves = {}

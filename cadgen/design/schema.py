@@ -313,7 +313,7 @@ class TrainDesign(TrainFile):
 
     @property
     def content_hash(self) -> str:
-        """SHA-256 of the canonical JSON of `values()`: of what the design says, not of how it is written."""
+        """SHA-256 of the canonical JSON of `values()`: it depends on the values, not on the way they are written."""
         canonical = json.dumps(self.values(), sort_keys=True, separators=(",", ":"), allow_nan=False)
         return hashlib.sha256(canonical.encode()).hexdigest()
 

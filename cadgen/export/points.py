@@ -107,13 +107,13 @@ def read_xyz(path: Path, step: float = 0.05) -> Outline:
 
 
 def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: float) -> Contact:
-    """Contacts of the rod at even cam angles, and more of them where straight lines between would leave the profile.
+    """Contacts of the follower at even cam angles, and more where straight lines between would leave the profile.
 
     Where the rod's own section rounds a hollow corner, the contact runs along it at one cam angle.
 
     Args:
         curve: profile, mm.
-        follower: the rod.
+        follower: follower on the profile.
         count: number of even cam angles.
         tolerance: greatest distance of a straight line from contact to contact from the profile, mm.
 
@@ -190,7 +190,7 @@ def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, toleran
 
 
 def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Contact) -> None:
-    """Write one row per contact of the rod with the profile.
+    """Write one row per contact of the follower with the profile.
 
     The normal points out of the disc; the radius of curvature is positive where the profile is convex and
     empty where it is straight. Where the rod rests on a corner, both are those of one of its sides.
@@ -198,8 +198,8 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
     Args:
         path: file to write.
         curve: profile, mm.
-        follower: the rod.
-        contact: contacts of the rod rolled on the profile.
+        follower: follower on the profile.
+        contact: contacts of the follower rolled on the profile.
     """
     T, y = contact.tan_beta, contact.across
     jet, _ = curve.at_angle(contact.cam_angle + np.arctan2(y, _ahead(contact, follower)))

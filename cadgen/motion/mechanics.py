@@ -203,7 +203,7 @@ class Leads:
         """Let a cam follow gears with a return error.
 
         Args:
-            lift: lift that the rod gets.
+            lift: lift that the follower gets.
             play: return error B, the play behind the brake included, rad.
 
         Raises:

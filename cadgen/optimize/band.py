@@ -116,7 +116,7 @@ def best_for_band(
 
     Args:
         lift: lift that is compensated.
-        follower: the rod and the faces.
+        follower: follower of the car.
         car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         band: least and greatest return error B, rad; the two may be equal.

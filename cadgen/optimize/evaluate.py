@@ -39,7 +39,7 @@ class Evaluation:
         lift: lift that the profile is cut for.
         wanted: outline wanted of the finished disc.
         cut: curve that is cut; that of `wanted` unless the car's [as_built] requires another.
-        rolled: lift that the rod gets on it, without play.
+        rolled: lift that the follower gets on it, without play.
         events: events of the lift, with their deflection errors at the band's greatest play, by the paper's equations.
         run: run with that play, on the rolled profile.
         error: errors of that run.

@@ -91,7 +91,7 @@ def trim(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechanics: Me
 
     Args:
         task: lift wanted, car and follower.
-        lift: lift that the rod gets without play.
+        lift: lift that the follower gets without play.
         cut: lift that the cam was cut for.
         play: return error of the trial run, rad.
         mechanics: friction and drag of the trial run.

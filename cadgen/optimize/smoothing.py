@@ -70,7 +70,7 @@ def smooth_to(
 
     Args:
         lift: lift wanted by motor position.
-        follower: the rod and the faces.
+        follower: follower of the car.
         car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         play: return error B, rad; it hardly matters, since the sum is nearly proportional to it. Below 0.01 degrees

@@ -20,7 +20,7 @@ class Task:
 
     Attributes:
         lift: lift wanted by motor position.
-        follower: the rod and the faces.
+        follower: follower of the car.
         car: dimensions of the car.
         length: travel of the drive wheel's rim in one turn of the cam, mm.
         aim: share of the sum of deflection errors that smoothing takes off.
@@ -54,7 +54,7 @@ class Task:
         """The run that a cam gives with play.
 
         Args:
-            lift: lift that the rod gets.
+            lift: lift that the follower gets.
             play: return error B, rad.
             least_swing: same as in `follow`.
             cut: lift that the cam was cut for; `lift` itself if left out.
@@ -126,7 +126,7 @@ class TrainTask:
 
     @cached_property
     def smoothed(self) -> LiftCurve:
-        """The lift wanted with its peaks and valleys brought nearer, as the task asks.
+        """The lift wanted with its peaks and valleys brought nearer, by the aim of the task.
 
         Raises:
             DesignError: no smoothing reaches the aim.

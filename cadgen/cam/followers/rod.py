@@ -85,7 +85,7 @@ class LeaningRod(RodGeometry, Follower):
         return tuple(np.where(under, _clearing(u, h, face), -np.inf) for face in self.planes)
 
     def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
-        """No point within `off` asks for more than one at x + off and |y| - off would."""
+        """Bound over all points within `off`, from a point at x + off and |y| - off."""
         near, h = _under(np.maximum(np.abs(y) - off, 0.0), self.radius)
         u = x - self.base_radius + off
         return tuple(np.where(near, _clearing(u, h, face), -np.inf) for face in self.planes)

@@ -31,7 +31,7 @@ def rod_checks(rod: RodGeometry, cam: RolledCam) -> tuple[Check, ...]:
 
 
 def _carrying_face(rod: RodGeometry, cam: RolledCam) -> Check:
-    """The rod must rest on the face that eq. 15 says, wherever the profile is its envelope."""
+    """Check that the rod rests on the face of eq. 15, wherever the profile is its envelope."""
     contact = cam.contact
     due = rod.contact_face(cam.lift.tan_beta(contact.cam_angle))
     wrong = (contact.face != due) & (contact.margin > ROLLING_TOLERANCE) & ~cam.trimmed

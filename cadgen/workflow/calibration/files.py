@@ -28,7 +28,7 @@ _EACH_WIDTH = 160
 
 
 def document(calibration: Calibration) -> dict[str, Any]:
-    """Everything a calibration says, as plain values; docs/measurement.md explains the keys."""
+    """Facts of a calibration, as plain values; docs/measurement.md explains the keys."""
     c = calibration
     return {
         "format": FORMAT,

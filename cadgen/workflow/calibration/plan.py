@@ -324,7 +324,7 @@ def _place(claim: Claim) -> Place:
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
-    """Form error of the disc that is to be expected, um rms, and who says so."""
+    """Form error to expect on the disc, um rms, and its source."""
     if given is not None:
         return given, "given"
     if by := next((s for s in sources if printed(s.record)), None):
@@ -333,7 +333,7 @@ def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[f
 
 
 def _wheelbase(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
-    """Of the logged car, mm, and whether a file says so."""
+    """Wheelbase of the logged car, mm, and whether it is from a file."""
     stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
     if len(stated) > 1:
         raise FileError(

@@ -36,7 +36,7 @@ _SHOWN_CANDIDATES = 6
 
 
 def report(calibration: Calibration) -> list[Block]:
-    """Everything a calibration says."""
+    """Report of a calibration, in paragraphs and tables."""
     c = calibration
     floor = f"; form error of the disc {c.form_error_um:g} µm rms ({c.form_error_from})" if c.track_length else ""
     blocks: list[Block] = [f"{c.design.name}, {c.profile} profile{floor}."]

@@ -99,7 +99,7 @@ class Against:
         """Heading error (rad) and position error (mm) at the end, with the play of `chosen`, on the lift of a file.
 
         Args:
-            lift: lift that the rod gets.
+            lift: lift that the follower gets.
             least_swing: smallest rise or fall of tan(beta) that counts as an event.
         """
         run = self.task.run(lift, self.chosen.play, least_swing=least_swing, cut=self.chosen.lift)
@@ -134,7 +134,7 @@ def known_trains(design: Design) -> dict[str, PlayBand]:
     """Return errors of the design's train as given and, if its gears are known, reordered.
 
     Raises:
-        DesignError: the design says nothing about play.
+        DesignError: the design has no play.
     """
     bands = variation.play_bands(design)
     if not bands:

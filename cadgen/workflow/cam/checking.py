@@ -44,7 +44,7 @@ class ProfileChecks:
 
 
 def _lift_check(design: Design, evaluation: Evaluation) -> Check:
-    """The lift that the rod gets with play against the lift wanted, as a check of the cam."""
+    """Check of the lift that the follower gets with play against the lift wanted."""
     most = design.optimize.max_lift_error_um
     where = float(evaluation.run.motor[np.argmax(np.abs(evaluation.lift_error))])
     return Check(

@@ -88,7 +88,7 @@ class _Job:
 
     @cached_property
     def rolled(self) -> tuple[Contact, float]:
-        """Contact of the rod on the exact curve, and the step of the outline for it, mm."""
+        """Contact of the follower on the exact curve, and the step of the outline for it, mm."""
         return roll_curve(self.plan.curve, self.plan.follower, self.cam_angle)
 
     @property

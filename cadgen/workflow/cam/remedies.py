@@ -79,7 +79,7 @@ class _Sheet:
         Args:
             name: name of the remedy.
             lift: lift that the cam is cut for.
-            rolled: lift that the rod gets.
+            rolled: lift that the follower gets.
             cases: frictions and drags of the cars.
             plays: return errors, rad; those of the design if left out.
             cut_for, build: same as in `Remedy`.
