@@ -10,10 +10,11 @@ from typing import Any
 from cadgen.adjustment.choice import Forecast
 from cadgen.adjustment.trial import Settings
 from cadgen.api.cam import Cam
-from cadgen.api.files import Progress, Written, folder_of, silent
+from cadgen.api.files import Written, folder_of
 from cadgen.api.values import name_or_path, real, word
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import DesignError, brief
+from cadgen.progress import Progress, silent
 from cadgen.workflow.adjustment import plan
 from cadgen.workflow.adjustment.files import adjustment_facts, write_adjustment
 
@@ -24,7 +25,7 @@ NOISE_MM, DIVISION_UM = (0.1, 1000.0), (0.1, 1000.0)
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Adjustment:
-    """What to set after trial runs, and what to expect of the next run.
+    """Settings after trial runs, and the errors to expect in the next run.
 
     Attributes:
         computed: the numeric result, for figures that are not named here; mm and rad.
@@ -67,7 +68,7 @@ class Adjustment:
 
     @property
     def steps(self) -> tuple[str, ...]:
-        """What to set, a sentence each."""
+        """Settings, a sentence each."""
         return tuple(self.computed.steps())
 
     @property
@@ -84,7 +85,7 @@ class Adjustment:
 
         Args:
             folder: where to; it is made if need be.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             FileError: a file cannot be written.
@@ -104,7 +105,7 @@ def adjusted(
     division_um: float,
     progress: Progress,
 ) -> Adjustment:
-    """What `Design.adjust` gives; arguments and errors as there."""
+    """Result of `Design.adjust`; arguments and errors as there."""
     several = [trials] if isinstance(trials, (str, PathLike)) else list(trials)
     if isinstance(knobs, str):
         raise DesignError(f"knobs is {brief(repr(knobs), 40)}; it must be several, such as [{brief(repr(knobs), 40)}]")

@@ -5,7 +5,8 @@ from functools import cached_property
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
 
-from cadgen.api.files import Progress, Written, folder_of, silent
+from cadgen.api.files import Written, folder_of
+from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.report.text import Block
@@ -60,7 +61,7 @@ class Calibration(Generic[D]):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What does not fit, but was let pass, a sentence each."""
+        """Sentences on data that do not fit, but were accepted."""
         return self.computed.warnings
 
     @cached_property
@@ -96,7 +97,7 @@ class Calibration(Generic[D]):
 
         Args:
             folder: where to; it is made if need be.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             FileError: a file cannot be written, or the design as built, read back, is not what was meant.
@@ -136,7 +137,7 @@ class Calibrations(Generic[D]):
 
         Args:
             folder: where to; it is made if need be.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
         """
         from cadgen.workflow.calibration.files import write_each
 

@@ -6,7 +6,6 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Progress, silent
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.overrides import overrides_of
 from cadgen.api.values import name_or_path, optional, plain_text, whole, word
@@ -298,7 +297,7 @@ class Design:
             knobs: what may be set: `head`, `key`, `start`.
             noise_mm: standard deviation of a measured coordinate, mm, 0.1 to 1000.
             division_um: of the micrometer head, µm, 0.1 to 1000.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: as `tolerance`, or no such point, knob, noise or division.

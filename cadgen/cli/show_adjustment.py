@@ -1,4 +1,4 @@
-"""What to set after trial runs, as sentences."""
+"""Settings after trial runs, as sentences."""
 
 from typing import TYPE_CHECKING
 

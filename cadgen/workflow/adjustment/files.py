@@ -10,9 +10,9 @@ from cadgen.adjustment.trial import Settings
 from cadgen.errors import FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
+from cadgen.progress import Progress, silent
 from cadgen.version import __version__
 from cadgen.workflow.adjustment.plan import Adjustment
-from cadgen.workflow.cam.plan import Step
 
 
 def adjustment_facts(adjustment: Adjustment) -> dict[str, Any]:
@@ -65,7 +65,7 @@ def _expected(errors: Forecast) -> dict[str, float]:
     }
 
 
-def write_adjustment(adjustment: Adjustment, out: Path, step: Step = lambda text: None) -> Written:
+def write_adjustment(adjustment: Adjustment, out: Path, progress: Progress = silent) -> Written:
     """Publish the result as JSON, and the table of the next trial run with its settings and no rows yet.
 
     Raises:
@@ -73,7 +73,7 @@ def write_adjustment(adjustment: Adjustment, out: Path, step: Step = lambda text
     """
     stem = f"{adjustment.plan.design.name}_{adjustment.plan.profile.code}_adjustment".replace("+", "_")
     facts = adjustment_facts(adjustment)
-    step("writing")
+    progress("writing")
     with publishing(out) as staging:
         document, table = staging / f"{stem}.json", staging / f"{stem}_next_run.csv"
         document.write_text(json.dumps(facts, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")

@@ -18,8 +18,9 @@ from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet
 from cadgen.motion.drive import STEPS, start_pose
 from cadgen.motion.friction import USUAL
 from cadgen.motion.mechanics import Mechanics
+from cadgen.progress import Progress, silent
 from cadgen.records.trials import read_trials, settings_line, trials_of
-from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
+from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
 from cadgen.workflow.runs.fleet import fleet_of
 
 WIDER = 2.0  # cars may be off by so many times their tolerances
@@ -56,7 +57,7 @@ class Point(Enum):
 
 
 class Knob(Enum):
-    """What a hand may set."""
+    """Settings that may be changed by hand."""
 
     HEAD = "head"
     KEY = "key"
@@ -87,7 +88,7 @@ class Wanted:
 
 @dataclass(frozen=True, kw_only=True)
 class Adjustment:
-    """What a hand sets after trial runs.
+    """Settings by hand after trial runs.
 
     Attributes:
         plan: of the cam on the car.
@@ -156,7 +157,7 @@ class Adjustment:
         return said
 
     def steps(self) -> list[str]:
-        """What to set, one sentence a knob."""
+        """Settings, one sentence a knob."""
         last, new = self.trials[-1].settings, self.settings
         steps = []
         if Knob.HEAD in self.wanted.knobs:
@@ -199,7 +200,7 @@ def _shift(length: float, positive: str, negative: str) -> str:
 
 
 def adjust(
-    design: Design, files: Sequence[Path], profile: str, wanted: Wanted, progress: Step = lambda text: None
+    design: Design, files: Sequence[Path], profile: str, wanted: Wanted, progress: Progress = silent
 ) -> Adjustment:
     """Settings for the next run from trial runs of one car.
 
@@ -208,7 +209,7 @@ def adjust(
         files: CSV files of trial runs, in the order of driving.
         profile: of the cam on the car.
         wanted: how the runs were measured, and what may be set.
-        progress: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: as `plan_cam`.
