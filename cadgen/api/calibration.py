@@ -124,13 +124,13 @@ class Calibrations(Generic[D]):
         """One table with a row for each."""
         from cadgen.workflow.calibration.words import summary
 
-        return summary([one.computed for one in self.each])
+        return summary([calibration.computed for calibration in self.each])
 
     def facts(self) -> dict[str, Any]:
         """Everything as plain values, as in the JSON file."""
         from cadgen.workflow.calibration.files import documents
 
-        return documents([one.computed for one in self.each])
+        return documents([calibration.computed for calibration in self.each])
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write the table and JSON; errors as in `Calibration.write`.
@@ -143,5 +143,5 @@ class Calibrations(Generic[D]):
 
         place = folder_of(folder)
         progress("writing")
-        written = write_each([one.computed for one in self.each], place)
+        written = write_each([calibration.computed for calibration in self.each], place)
         return Written.of(place, written.part, written.entry)
