@@ -93,7 +93,7 @@ class Running:
         length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
         phase: angle by which the cam stands ahead on its shaft, rad.
         play: return error B at the camshaft, rad.
-        friction: coefficient of sliding friction between rod and disc.
+        friction: sliding, between rod and disc.
     """
 
     car: Car
@@ -128,8 +128,8 @@ def driven(
 
     Args:
         nodes: motor positions between which the steering is smooth, shape (n,), increasing, rad.
-        wheel: function of motor positions, shape (n - 1, s), rad, that returns tan(beta_w) there, same shape.
-        car: dimensions and slip of the car; its steering zero and gain are in `wheel`.
+        wheel: tangent of the front wheel's angle at motor positions, shape (n - 1, s) -> the same.
+        car: its dimensions and slip; its steering zero and gain are in `wheel`.
         length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
         start: pose at the first node.
         rule: integration rule on each step, with s nodes.
