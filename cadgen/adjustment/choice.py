@@ -31,8 +31,8 @@ class Forecast:
     """Position errors that cars make with some settings, m cars.
 
     Attributes:
-        end: at the end of the run, shape (m,), mm.
-        way: the greatest anywhere on the run, shape (m,), mm.
+        end: error at the end of the run, shape (m,), mm.
+        way: greatest error anywhere on the run, shape (m,), mm.
     """
 
     end: Array
@@ -59,12 +59,12 @@ def best_settings(
 
     Args:
         fleet: the nominal car, with stations over the whole run.
-        cars: that may be this one.
+        cars: cars that may be this one.
         free: names of the settings that may change; the others stay as in the last run.
-        division: of the micrometer head, mm: it is turned by a whole number of them.
+        division: division of the micrometer head, mm: it is turned by a whole number of them.
         limits: how far each may be from the design, by name.
-        noise: of start and head.
-        generator: of the random numbers.
+        noise: standard deviations of start and head.
+        generator: source of the random numbers.
     """
     others = [name for name in free if name != "head"]
     left = _solved(fleet, cars, others, cars.last, limits)
@@ -106,7 +106,7 @@ def forecast(fleet: Fleet, cars: Cars, settings: Settings, noise: Noise, generat
 
     Args:
         fleet, cars, noise, generator: as in `best_settings`.
-        settings: of the run.
+        settings: what is set for the run.
     """
     table = cars.run(settings, noise.head * generator.standard_normal(len(cars.head)))
     for name, sigma in noise.starts.items():

@@ -37,7 +37,7 @@ class Prior:
         sigma: standard deviation of each deviation that varies, by the names of `PARAMETERS`.
         grid: deviations of play and friction at which the run is looked at: `play`, `friction` -> shape (k,). About
             each the deviation varies by half a step of the grid; a grid of one is the nominal value, 0.
-        noise: of points, starts and the head's readings.
+        noise: standard deviations of points, starts and the head's settings.
     """
 
     sigma: Mapping[str, float]
@@ -78,7 +78,7 @@ class Cars:
         """Deviations in a run with settings, shape (m, 29).
 
         Args:
-            settings: of the run.
+            settings: what is set for the run.
             turned: by how much the head stands off its new setting, if it is turned, shape (m,) or one for all, mm.
         """
         table = self.table.copy()
@@ -94,9 +94,9 @@ class Posterior:
 
     Attributes:
         names: of the car's deviations, p of them.
-        weight: of each cell, shape (c,), adding up to 1.
+        weight: share of each cell, shape (c,), adding up to 1.
         mean: deviations, then the head's error in the last trial run, shape (c, p + 1), internal units.
-        root: of the covariance: mean + root @ standard normal numbers, shape (c, p + 1, p + 1).
+        root: square root of the covariance: mean + root @ standard normal numbers, shape (c, p + 1, p + 1).
         last: settings of the last trial run.
         residual: root mean square of the residuals of the likeliest cell in standard deviations of a point.
     """

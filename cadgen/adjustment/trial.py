@@ -50,7 +50,7 @@ class Trial:
             there, shape (n,), mm, in the order of driving.
         motor: motor position at each point, shape (n,), rad; None where the car was not stopped for the measurement:
             then each point lies somewhere on the track, and the last where the run ends.
-        settings: of this run.
+        settings: what was set for this run.
     """
 
     points: Complex
@@ -63,10 +63,10 @@ class Noise:
     """Standard deviations of what repeats from run to run only so well.
 
     Attributes:
-        point: of a measured coordinate, mm.
-        start: of the start's place in each direction, mm.
-        heading: of the start's heading, rad.
-        head: of a setting of the micrometer head, mm; it stays as it is until the head is turned again.
+        point: a measured coordinate, mm.
+        start: place of the start in each direction, mm.
+        heading: heading of the start, rad.
+        head: setting of the micrometer head, mm; its error stays as it is until the head is turned again.
     """
 
     point: float = 10.0
@@ -76,7 +76,7 @@ class Noise:
 
     @property
     def starts(self) -> Mapping[str, float]:
-        """Of each start, by the names of a fleet's deviations."""
+        """Standard deviations of each start, mm and rad, by the names of a fleet's deviations."""
         return {"start_x": self.start, "start_y": self.start, "start_heading": self.heading}
 
 

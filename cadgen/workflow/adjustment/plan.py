@@ -74,10 +74,10 @@ class Wanted:
     """How trial runs were measured, and what may be set.
 
     Attributes:
-        point: of the car that was measured.
-        knobs: that a hand may set.
-        noise: of a measured coordinate, mm, standard deviation.
-        division: of the micrometer head, mm.
+        point: point of the car that was measured.
+        knobs: settings that a hand may change.
+        noise: standard deviation of a measured coordinate, mm.
+        division: division of the micrometer head, mm.
     """
 
     point: Point = Point.DRIVE_WHEEL
@@ -91,7 +91,7 @@ class Adjustment:
     """Settings by hand after trial runs.
 
     Attributes:
-        plan: of the cam on the car.
+        plan: plan of the cam on the car.
         wanted: how the runs were measured, and what may be set.
         trials: in the order of driving.
         posterior: cars that explain them.
@@ -207,7 +207,7 @@ def adjust(
     Args:
         design: a loaded design.
         files: CSV files of trial runs, in the order of driving.
-        profile: of the cam on the car.
+        profile: code of the profile of the cam on the car.
         wanted: how the runs were measured, and what may be set.
         progress: function that is called with a few words on each step.
 
@@ -227,7 +227,7 @@ class Bench:
     """A car that is to be adjusted, ready for any trial runs.
 
     Attributes:
-        plan: of the cam on it.
+        plan: plan of the cam on it.
         wanted: how runs are measured, and what may be set.
         prior: what the car may differ by.
         fine, coarse: the nominal car at stations close together, for points, and further apart, for errors.
