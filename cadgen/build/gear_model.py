@@ -12,20 +12,21 @@ from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.joints import Loose, bearings
+from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.layout import Blanks
 from cadgen.gears.limits import SearchLimits
+from cadgen.gears.pair import Gear
+from cadgen.gears.stage import Wheel
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train
 from cadgen.parts.blank import Blank as PartBlank
 from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 T = TypeVar("T", int, float)
 
 _UM = 1e-3
-# Chord error of a gear's mesh where the design gives none, per mm of module: the teeth of all sizes then have as many
-# facets, and the volume errs by less than 2e-4. No coarser than the cam's own default, in mm.
-CHORD_PER_MODULE = 2e-3
+# Chord error of a gear's mesh where the design gives none is no coarser than the cam's own default, in mm.
 COARSEST_CHORD = 5e-3
 _OVERRIDES = ("f_pt", "F_beta", "F_r", "b_r", "F_i_radial")
 
@@ -195,15 +196,15 @@ def limits_left_out(design: TrainDesign) -> str:
     return listed([name for name, value in keys.model_dump().items() if value is None], "and")
 
 
-def mesh_chord(design: TrainDesign, gears: Sequence[GearForm]) -> float:
-    """Greatest chord error of a part's mesh in mm: the design's, or in proportion to the least module of its gears."""
+def mesh_chord(design: TrainDesign, gears: Sequence[Wheel]) -> float:
+    """Greatest chord error of a part's mesh in mm: the design's, or that which suits all of its gears."""
     given = design.export.mesh_chord_um
     return given * _UM if given is not None else usual_chord(gears)
 
 
-def usual_chord(gears: Sequence[GearForm]) -> float:
-    """Greatest chord error of a part's mesh in mm where none is given, in proportion to the least module."""
-    return min(CHORD_PER_MODULE * min(gear.normal_module for gear in gears), COARSEST_CHORD)
+def usual_chord(gears: Sequence[Wheel]) -> float:
+    """Greatest chord error of a part's mesh in mm where none is given."""
+    return min(*(gear.usual_chord for gear in gears), COARSEST_CHORD)
 
 
 def _range(spans: tuple[T, T], low: T | None, high: T | None) -> tuple[T, T]:
@@ -240,6 +241,7 @@ def _gear(gear: GearKeys, train: TrainKeys) -> Gear:
         grade=gear.grade or train.grade,
         overrides=ToleranceOverrides(**overrides),
         thinning=train.thinning if train.E_sn_um is None else train.E_sn_um * _UM,
+        pin_diameter=train.pin_diameter_mm,
     )
 
 

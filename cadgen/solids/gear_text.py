@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from cadgen.errors import FileError
 from cadgen.gears.bezier import bernstein
-from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.gears.stage import Wheel
 from cadgen.meshes.teeth import CHORD_TOLERANCE, Section
 from cadgen.parts.loop import Curve, Involute, Trochoid, chord_parameters
 
@@ -67,7 +67,7 @@ def solids_in(text: str) -> list[bytes]:
     return solids
 
 
-def read_gear(path: Path, gears: Sequence[GearForm], starts: Sequence[float]) -> GearContent:
+def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> GearContent:
     """Read a part with `gears` that begin at the heights `starts` (mm).
 
     Raises `FileError` if the file cannot be read, is not of one solid, or has other tooth curves than the gears.
@@ -83,10 +83,11 @@ def read_gear(path: Path, gears: Sequence[GearForm], starts: Sequence[float]) ->
     sections, flank_error, root_error = [], 0.0, 0.0
     for form, start in zip(gears, starts, strict=True):
         rows: list[NDArray[np.complex128]] = []
-        for exact in tooth_of(form).outline.curves:
+        outline = form.outline
+        for exact in outline.curves:
             if not isinstance(exact, Involute | Trochoid):
                 continue
-            poles = _matched(exact, form.teeth, curves, (start, start + form.width), path)
+            poles = _matched(exact, outline.repeats, curves, (start, start + form.width), path)
             deviation = _deviation(exact, poles)
             if isinstance(exact, Involute):
                 flank_error = max(flank_error, deviation)
