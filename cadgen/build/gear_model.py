@@ -7,7 +7,9 @@ from typing import TypeVar
 from cadgen.design.joint import TIGHT, Held
 from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
-from cadgen.design.train import Blank, GearHub, GearKeys, Stage
+from cadgen.design.stage import GearKeys, SpurStage
+from cadgen.design.stage import Stage as StageKeys
+from cadgen.design.train import Blank, GearHub
 from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
 from cadgen.gears.fits import clearance, flat_play, key_play
@@ -16,7 +18,7 @@ from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.layout import Blanks
 from cadgen.gears.limits import SearchLimits
 from cadgen.gears.pair import Gear
-from cadgen.gears.stage import Wheel
+from cadgen.gears.stage import Stage, Wheel
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
@@ -46,16 +48,16 @@ def train_keys(design: TrainDesign) -> TrainKeys:
 
 
 def train(design: TrainDesign) -> Train:
-    """The stages of the design, from the drive to the camshaft, as nominal gears with their tolerances.
+    """Stages of the design, from the drive to the camshaft; spur gears are nominal, with their tolerances.
 
     Raises:
         DesignError: the design has no [train], or a gear or a stage cannot be; it names the stage.
     """
     keys = train_keys(design)
-    stages = []
+    stages: list[Stage] = []
     for number, stage in enumerate(keys.stages, 1):
         try:
-            stages.append(_pair(stage, keys))
+            stages.append(_stage(stage, keys))
         except DesignError as error:
             raise DesignError(f"in stage {number}, {error}") from error
     return Train(tuple(stages))
@@ -211,7 +213,13 @@ def _range(spans: tuple[T, T], low: T | None, high: T | None) -> tuple[T, T]:
     return spans[0] if low is None else low, spans[1] if high is None else high
 
 
-def _pair(stage: Stage, train: TrainKeys) -> GearPair:
+def _stage(stage: StageKeys, train: TrainKeys) -> Stage:
+    if isinstance(stage, SpurStage):
+        return _pair(stage, train)
+    return stage.registered.build(stage.keys, stage.bearing_span_mm or train.bearing_span_mm)
+
+
+def _pair(stage: SpurStage, train: TrainKeys) -> GearPair:
     return GearPair(
         driver=_gear(stage.driver, train),
         driven=_gear(stage.driven, train),

@@ -189,6 +189,8 @@ def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
             reading = f"play off by {max(off):.3f} µm" if off else "no play to measure: see the checks"
         elif "flank_error_um" in facts:
             reading = f"flank {facts['flank_error_um']:.5f} root {facts['root_error_um']:.4f} µm"
+        elif "rim_error_um" in facts:
+            reading = f"rim {facts['rim_error_um']:.5f} µm"
         elif "triangles" in facts:
             reading = f"watertight, {facts['triangles']} triangles"
         else:

@@ -93,7 +93,7 @@ class SearchLimits:
         Raises `DesignError` for stages of different grade, pressure angle or bearing span: the search gives all
         stages the same.
         """
-        pairs = spur_pairs(train, "the search is")
+        pairs = spur_pairs(train, "the search is", "take --order as-given or reordered")
         gears = [gear for stage in pairs for gear in (stage.driver, stage.driven)]
         _require_one("tolerance grade", (gear.grade for gear in gears))
         _require_one("pressure angle in degrees", (degrees(gear.form.normal_pressure_angle) for gear in gears))

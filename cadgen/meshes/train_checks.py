@@ -94,6 +94,15 @@ def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
         for check in checks:
             placed = replace(check, place=", ".join(filter(None, (f"stage {number}", check.place))))
             nearest = worst.setdefault(check.code, placed)
-            if (check.value > nearest.value) if check.bound == "max" else (check.value < nearest.value):
+            if _reserve(check, nearest.limit) < _reserve(nearest, check.limit):
                 worst[check.code] = placed
     return list(worst.values())
+
+
+def _reserve(check: Check, other_limit: float) -> float:
+    """What a value has left to its limit, in its unit, or in limits where another stage's limit is another one."""
+    value = -check.value if check.bound == "max" else check.value
+    if check.limit == other_limit:
+        return value
+    limit = -check.limit if check.bound == "max" else check.limit
+    return (value - limit) / abs(check.limit) if check.limit else value - limit

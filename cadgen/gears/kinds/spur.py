@@ -20,6 +20,8 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.gears.undercut import missing_shift
 
+TEETH = "leave the kind out and give the stage gears with teeth"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GearPair(Pair, Stage):
@@ -120,12 +122,13 @@ def _inspections(pair: GearPair) -> tuple[Inspection, Inspection]:
     return driver, driven
 
 
-def spur_pairs(train: Train, what: str) -> tuple[GearPair, ...]:
+def spur_pairs(train: Train, what: str, cure: str = TEETH) -> tuple[GearPair, ...]:
     """The stages of a train as spur gears.
 
     Args:
         train: of any kinds.
-        what: is worked out for spur gears alone, with its verb: `the search is`.
+        what: what is worked out for spur gears alone, with its verb: `the search is`.
+        cure: what to do about another kind.
 
     Raises:
         DesignError: a stage is of another kind.
@@ -133,7 +136,6 @@ def spur_pairs(train: Train, what: str) -> tuple[GearPair, ...]:
     for number, stage in enumerate(train.stages, 1):
         if not isinstance(stage, GearPair):
             raise DesignError(
-                f"train.stages.{number}.kind names {stage.noun}, and {what} worked out for spur gears alone: leave the "
-                "kind out and give the stage gears with teeth"
+                f"train.stages.{number}.kind names {stage.noun}, and {what} worked out for spur gears alone: {cure}"
             )
     return tuple(stage for stage in train.stages if isinstance(stage, GearPair))

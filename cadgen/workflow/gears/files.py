@@ -205,10 +205,16 @@ def tooth_errors(name: str, content: GearContent) -> dict[str, Any]:
     Raises:
         FileError: a distance is beyond its limit.
     """
-    flank, root = content.flank_error * 1e3, content.root_error * 1e3
-    _require(flank <= FLANK_LIMIT_UM, name, f"has flanks {flank:.2g} µm off")
-    _require(root <= ROOT_LIMIT_UM, name, f"has roots {root:.2g} µm off")
-    return {"flank_error_um": flank, "root_error_um": root}
+    facts: dict[str, Any] = {}
+    for curve, error, limit in (
+        ("flank", content.flank_error, FLANK_LIMIT_UM),
+        ("root", content.root_error, ROOT_LIMIT_UM),
+        ("rim", content.rim_error, FLANK_LIMIT_UM),
+    ):
+        if error is not None:
+            facts[f"{curve}_error_um"] = error * 1e3
+            _require(error * 1e3 <= limit, name, f"has {curve}s {error * 1e3:.2g} µm off")
+    return facts
 
 
 def _assembly(plan: PlannedTrain, file: str, read: Sequence[AssembledPart], parts: Sequence[Part]) -> dict[str, Any]:
@@ -235,7 +241,8 @@ def _in_mesh(plan: PlannedTrain, name: str, sections: list[tuple[Section, ...]])
     not hold each other, or at times are not in mesh, have no play to measure; nor have stages without teeth.
     """
     cut = plan.layout.train.stages
-    if not meshes([stage for stage in cut if stage.toothed]):
+    toothed = [stage for stage in cut if stage.toothed]
+    if not (toothed and meshes(toothed)):
         return {"play_um": None, "play_error_um": None, "return_error_error_um": None}
     measured = [
         MeasuredPair(before[-1], after[0], stage.centre_distance)
@@ -303,7 +310,8 @@ def _tables(plan: PlannedTrain, stem: str, staging: Path) -> Iterator[Result]:
     rows = table_of(plan)
     name = f"{stem}_parts.csv"
     text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
+    columns = dict.fromkeys(key for row in rows for key in row)
+    writer = csv.DictWriter(text, list(columns), lineterminator="\n")
     writer.writeheader()
     writer.writerows({key: _cell(value) for key, value in row.items()} for row in rows)
     (staging / name).write_text(text.getvalue(), encoding="ascii", newline="\n")

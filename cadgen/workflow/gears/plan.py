@@ -279,8 +279,10 @@ def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:
     """Meaning of the design's tooth thickness for the return error, in words."""
     keys = gear_model.train_keys(design)
     zone = "and play, return error and the limits in the table of parts are those of such teeth"
+    plays = [stage.play() for stage in made.play.train.stages if isinstance(stage, GearPair)]
+    if not plays:
+        return ()
     if keys.E_sn_um is not None:
-        plays = [stage.play() for stage in made.play.train.stages if isinstance(stage, GearPair)]
         widths = [role.T_sn * 1e3 for play in plays for role in (play.driver, play.driven)]
         return (
             f"E_sn = {keys.E_sn_um:g} µm is the design's own: teeth are cut within T_sn / 2 = {min(widths) / 2:.0f} to"
