@@ -49,7 +49,7 @@ class Train:
 
     def departures(self) -> tuple[Departure, ...]:
         """Every tolerance of its own beside the standard's value."""
-        return tuple(one for number, stage in enumerate(self.stages, 1) for one in stage.departures(number))
+        return tuple(departure for number, stage in enumerate(self.stages, 1) for departure in stage.departures(number))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
