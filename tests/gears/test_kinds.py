@@ -169,6 +169,7 @@ def test_the_stage_that_slips_first_is_named_and_nothing_is_written(gears, tmp_p
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_a_stage_of_discs_and_stages_of_teeth_make_one_train(mixed, tmp_path):
     plan = plan_gears(mixed)
     assert plan.passed, [check.name for check in plan.checks if not check.passed]
@@ -182,6 +183,7 @@ def test_a_stage_of_discs_and_stages_of_teeth_make_one_train(mixed, tmp_path):
     assert plan.play.return_error_max - gears.play.return_error_max == pytest.approx(difference / later)
 
 
+@pytest.mark.slow
 def test_the_play_of_the_teeth_beside_discs_is_still_measured_in_the_file(tmp_path):
     design = train_of(MIXED, tmp_path / "mixed.toml")
     plan = plan_gears(design)
