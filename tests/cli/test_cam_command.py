@@ -147,7 +147,7 @@ def test_a_hub_and_a_d_shaft(optimized):
 @pytest.mark.slow
 def test_a_file_in_the_folders_place(cadgen, tmp_path):
     (tmp_path / "taken").write_text("")
-    assert "choose another --out" in one_sentence(cadgen("cam", "--out", "taken/below", code=3))
+    assert "choose another folder" in one_sentence(cadgen("cam", "--out", "taken/below", code=3))
     cadgen("cam", "--out", "taken", code=2)
     assert contents(tmp_path) == {"taken"}
 

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from cadgen.design import load
 from cadgen.design.load import DEFAULT_DESIGN, load_design, packaged_designs
+from cadgen.design.names import name_fault
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 
@@ -65,7 +66,7 @@ def designs(draw: st.DrawFn) -> Tables:
     }
     pair = draw(st.lists(st.sampled_from(sorted(faces)), min_size=2, max_size=2, unique=True))
     optional = {
-        "name": st.from_regex(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}", fullmatch=True),
+        "name": st.from_regex(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}", fullmatch=True).filter(lambda n: not name_fault(n)),
         "field": st.fixed_dictionaries(
             {"size_mm": st.lists(numbers(1, 1e4), min_size=2, max_size=2)},
             optional={"corner_mm": point, "obstacles_mm": st.lists(point, max_size=4)},
