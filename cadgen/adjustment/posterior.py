@@ -62,7 +62,7 @@ class Prior:
 
 @dataclass(frozen=True, kw_only=True)
 class Cars:
-    """Cars that may be the one that was measured, m of them.
+    """Cars that explain the trial runs, m of them.
 
     Attributes:
         table: their deviations, shape (m, 29), columns as in `PARAMETERS`.

@@ -23,7 +23,7 @@ from cadgen.optimize.profiles.optimized import OPTIMIZED
     type=click.Choice(("drive-wheel", "fork", "idle-wheel", "path")),
     default="drive-wheel",
     show_default=True,
-    help="Point of the car that was measured; path is the one that is to follow the waypoints.",
+    help="Point of the car that was measured; path is the point that follows the waypoints.",
 )
 @click.option(
     "--knobs",
