@@ -4,20 +4,13 @@ from pathlib import Path
 
 import click
 
-from cadgen.cli.options import PROFILES, Number, design_and_files, out_option
+from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
 from cadgen.optimize.profiles.optimized import OPTIMIZED
 
 
 @click.command()
 @click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
-@click.option(
-    "--profile",
-    type=click.Choice(PROFILES),
-    metavar="PROFILE",
-    default=OPTIMIZED.code,
-    show_default=True,
-    help=f"Of the cam on the car. One of {', '.join(PROFILES)}.",
-)
+@car_profile_option(OPTIMIZED.code, "Of the cam on the car.")
 @click.option(
     "--point",
     type=click.Choice(("drive-wheel", "fork", "idle-wheel", "path")),
@@ -42,13 +35,7 @@ from cadgen.optimize.profiles.optimized import OPTIMIZED
 @click.option(
     "--division-um", type=Number(0.1, 1000), default=10.0, show_default=True, help="Division of the micrometer head."
 )
-@click.option(
-    "--set",
-    "overrides",
-    multiple=True,
-    metavar="KEY=VALUE",
-    help="Override a key of the design, as in --set cam.thickness_mm=3.2. Repeatable.",
-)
+@overrides_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
 @out_option(help="Folder for the result and the table of the next trial run; without it no file is written.")
 def adjust(

@@ -4,20 +4,13 @@ from pathlib import Path
 
 import click
 
-from cadgen.cli.options import PROFILES, Number, design_and_files, out_option
+from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
 from cadgen.optimize.profiles.actual import ACTUAL
 
 
 @click.command()
 @click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
-@click.option(
-    "--profile",
-    type=click.Choice(PROFILES),
-    metavar="PROFILE",
-    default=ACTUAL.code,
-    show_default=True,
-    help=f"Profile of the cam that was measured, or was on the car. One of {', '.join(PROFILES)}.",
-)
+@car_profile_option(ACTUAL.code, "Profile of the cam that was measured, or was on the car.")
 @click.option(
     "--form-error-um",
     type=Number(0.01, 1000),
@@ -29,13 +22,7 @@ from cadgen.optimize.profiles.actual import ACTUAL
     help="Judge each file alone, as if each came from another car. Prints one table; with --out, no pictures and no "
     "as-built design are written.",
 )
-@click.option(
-    "--set",
-    "overrides",
-    multiple=True,
-    metavar="KEY=VALUE",
-    help="Override a key of the design, as in --set cam.thickness_mm=3.2. Repeatable.",
-)
+@overrides_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
 @out_option(help="Folder for the report, its pictures, JSON and the as-built design; without it no file is written.")
 def calibrate(

@@ -15,17 +15,20 @@ PLAY_PROFILES, PROFILES = codes(for_play=True), codes()
 Command = Callable[..., Any]
 
 
+overrides_option = click.option(
+    "--set",
+    "overrides",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help="Override a key of the design, as in --set cam.thickness_mm=3.2. Repeatable.",
+)
+
+
 def design_options(command: Command) -> Command:
     """Add DESIGN, --set and --json."""
     for decorate in (
         click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables."),
-        click.option(
-            "--set",
-            "overrides",
-            multiple=True,
-            metavar="KEY=VALUE",
-            help="Override a key of the design, as in --set cam.thickness_mm=3.2. Repeatable.",
-        ),
+        overrides_option,
         click.argument("design", required=False),
     ):
         command = decorate(command)
@@ -40,6 +43,18 @@ def profile_option(command: Command) -> Command:
         metavar="PROFILE",
         help=f"{meanings()}.  [default: optimized, or actual if the design has neither [train] nor [play]]",
     )(command)
+
+
+def car_profile_option(default: str, meaning: str) -> Callable[[Command], Command]:
+    """--profile of the cam on a car that was measured."""
+    return click.option(
+        "--profile",
+        type=click.Choice(PROFILES),
+        metavar="PROFILE",
+        default=default,
+        show_default=True,
+        help=f"{meaning} One of {', '.join(PROFILES)}.",
+    )
 
 
 def play_profile_option(*more: str, meaning: str) -> Callable[[Command], Command]:
