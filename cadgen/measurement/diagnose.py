@@ -13,7 +13,7 @@ from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.findings import Candidate, EvidenceDiagnosis, Finding, HeldOut, PerRun, Residual, Value
 from cadgen.measurement.friction import with_friction_judged, with_known_play
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
-from cadgen.measurement.models.base import Model, slopes
+from cadgen.measurement.models.base import Model, repeating, slopes
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Datum, Record
 from cadgen.measurement.search import find
@@ -21,6 +21,8 @@ from cadgen.measurement.verdict import Judgement, judge, registered
 
 Build = Callable[[Record], Model]
 Step = Callable[[str], None]
+# A discrepancy is said if one of its numbers is so many standard deviations from nothing.
+SURE_SIGMAS = 4.0
 # Verdicts beside which it counts that a quantity is not named.
 SOUND = ("none", "traced", "combination")
 
@@ -52,16 +54,20 @@ def diagnose(
     play_known = best is not found_alone
     none = next(h for h in found if not h.effects)
     before, after = (registered(model, noise, model.residual(h.active)) for h in (none, best))
-    judgement = doubted(judgement, record, model, noise, best, after, unfit(model, evidence, noise, best))
+    aside, unnamed = _discrepancy(model, evidence, best)
+    left = registered(model, noise, model.residual(best.active) - aside)
+    judgement = doubted(judgement, record, model, noise, best, left, unfit(model, evidence, noise, best))
     judgement = with_friction_judged(judgement, best, play_known=play_known)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))
-    left, repeating = [], []
+    datum, held, against = _datum(record.kind.datum, model, noise, best)
+    judgement = replace(judgement, limits=(*judgement.limits, *against))
+    whole_runs, less_form = [], []
     for run in range(record.runs) if record.runs > 1 else ():
         step(f"{record.source}: run {run + 1} left out")
         whole, less = _held_out(record, model, build, noise, best, run)
-        left.append(whole)
-        repeating.append(less)
+        whole_runs.append(whole)
+        less_form.append(less)
     scale = UNITS[model.unit]
     return EvidenceDiagnosis(
         source=record.source,
@@ -69,7 +75,9 @@ def diagnose(
         unit=model.unit,
         judgement=judgement,
         findings=tuple(_finding(best, *entry) for entry in best.values()),
-        datum=_datum(record.kind.datum, model, noise, best),
+        datum=datum,
+        held=held,
+        discrepancy=unnamed,
         candidates=tuple(
             Candidate(
                 tuple(e.name for e in h.effects),
@@ -82,14 +90,14 @@ def diagnose(
             before=_rms(before) / scale,
             after=_rms(after) / scale,
             noise=noise.rms / scale,
-            left_out=HeldOut(_rms(np.concatenate(left)) / scale, _rms(np.concatenate(repeating)) / scale)
-            if left
+            left_out=HeldOut(_rms(np.concatenate(whole_runs)) / scale, _rms(np.concatenate(less_form)) / scale)
+            if whole_runs
             else None,
         ),
         per_run=PerRun(
             _by_run(before, model) / scale,
             _by_run(after, model) / scale,
-            np.array([_rms(part) for part in left]) / scale if left else None,
+            np.array([_rms(part) for part in whole_runs]) / scale if whole_runs else None,
         ),
         correlation=noise.correlation,
         place=model.rows.place,
@@ -131,12 +139,29 @@ def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> F
     return Finding(effect.name, numbers, effect.twins, at_bound, effect.given)
 
 
-def _datum(datum: Datum, model: Model, noise: Noise, best: Hypothesis) -> tuple[Finding, ...]:
-    """The datum freedoms of each run, beside the effects."""
+def _discrepancy(model: Model, evidence: Evidence, best: Hypothesis) -> tuple[Array, Finding | None]:
+    """What the discrepancy adds to the best subset's residual, and its numbers where they are sure."""
+    of, orders = model.discrepancy, model.form.shape[1]
+    spectrum = evidence.grid.index(best.spectrum)
+    values = evidence.repeating(evidence.whiten(model.residual(best.active)), spectrum)[orders:]
+    sigma = evidence.unsure(spectrum)[orders:]
+    shown = tuple(
+        Value(name, float(v / UNITS[unit]), float(s / UNITS[unit]), unit)
+        for (name, unit), v, s in zip(of.numbers, values, sigma, strict=False)
+    )
+    sure = any(abs(v.value) > SURE_SIGMAS * v.sigma for v in shown)
+    return of.columns @ values, Finding(of.words, shown, (), ()) if sure else None
+
+
+def _datum(
+    datum: Datum, model: Model, noise: Noise, best: Hypothesis
+) -> tuple[tuple[Finding, ...], str, tuple[str, ...]]:
+    """The datum freedoms of each run beside the effects, what was known of them, and what speaks against that."""
     if not datum.numbers:
-        return ()
+        return (), "", ()
     fitted = (datum.fit or _offsets)(model, model.residual(best.active), noise.sigma, best.active, best.datum())
-    return tuple(
+    held, against = datum.notes(model, *fitted) if datum.notes else ("", ())
+    found = tuple(
         Finding(
             f"{datum.name}, run {run + 1}",
             tuple(
@@ -148,6 +173,7 @@ def _datum(datum: Datum, model: Model, noise: Noise, best: Hypothesis) -> tuple[
         )
         for run, (values, sigmas) in enumerate(zip(*fitted, strict=True))
     )
+    return found, held, against
 
 
 def _offsets(
@@ -174,11 +200,11 @@ def _held_out(
     )
     evidence = Evidence(train, learn, grid=(best.spectrum,))
     active = _refit(train, evidence, best)
-    form = evidence.form_error(evidence.whiten(train.residual(active)), 0)
+    repeats = evidence.repeating(evidence.whiten(train.residual(active)), 0)
     own = test.residual(active)
     # Of a datum that is no column, the run left out has its own value too.
     turned = slopes(test, test.datum, active)
-    return registered(test, judged, own, turned), registered(test, judged, own - test.form @ form, turned)
+    return registered(test, judged, own, turned), registered(test, judged, own - repeating(test) @ repeats, turned)
 
 
 def _refit(model: Model, evidence: Evidence, best: Hypothesis) -> Active:

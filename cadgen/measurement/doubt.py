@@ -11,7 +11,7 @@ from cadgen.deviations.friction import NO_FRICTION
 from cadgen.errors import FileError
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import Hypothesis
-from cadgen.measurement.models.base import Model, highest_order
+from cadgen.measurement.models.base import Model, highest_order, repeating
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.remarks import instrument
@@ -42,7 +42,7 @@ def refuse_too_few(record: Record, model: Model) -> None:
     Raises:
         FileError: it has not.
     """
-    rows, columns = len(model.rows.run), model.form.shape[1] + model.offsets.shape[1]
+    rows, columns = len(model.rows.run), repeating(model).shape[1] + model.offsets.shape[1]
     if record.runs == 1 and rows < LEAST_OVER * columns:
         raise FileError(
             f"{record.source}: one run of {rows} rows cannot tell noise from {int(model.order.max())} orders of form "

@@ -173,6 +173,8 @@ class EvidenceDiagnosis(Diagnosis):
 
     Attributes:
         datum: fitted freedoms, never claimed; those of each run in order.
+        held: what was known of these beforehand, in words; empty if nothing was.
+        discrepancy: of the record's kind (see `models.base.Discrepancy`), never claimed; None where none is sure.
         residual: before and after.
         per_run: the same for each run.
         correlation: of the noise between neighbours.
@@ -186,6 +188,8 @@ class EvidenceDiagnosis(Diagnosis):
     residual: Residual
     per_run: PerRun
     correlation: float
+    held: str = ""
+    discrepancy: Finding | None = None
     known: tuple[str, ...] = ()
     unnamed: dict[Quantity, Finding] = field(default_factory=dict)
     play_known: bool = False

@@ -88,12 +88,15 @@ class Datum:
         name: of one run's.
         numbers: name and unit of each; they are the model's `offsets`, run by run.
         fit: of the numbers, where they are not the offsets alone.
+        notes: (model, values, standard deviations) -> what was known of them beforehand, in words, and what speaks
+            against that; shape (runs, numbers) each, internal units.
     """
 
     words: str
     name: str = ""
     numbers: tuple[tuple[str, str], ...] = ()
     fit: DatumFit | None = None
+    notes: Callable[[Any, Array, Array], tuple[str, tuple[str, ...]]] | None = None
 
 
 def _no_check(record: "Record") -> None:

@@ -15,7 +15,7 @@ from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS
 from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis
-from cadgen.measurement.models.base import Model, fourier, per_run
+from cadgen.measurement.models.base import Model, fourier, per_run, repeating
 from cadgen.measurement.noise import Noise
 
 Verdict = Literal[
@@ -148,6 +148,9 @@ def judge(model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis
             "repeats: check that the design belongs to this file, and the file's units."
         )
         return replace(judgement, verdict="unexplained", sentence=sentence, claimed=()), best
+    if left > LEFT_OVER:
+        limit = f"what remains is {left:.1f} times the noise and has no name: something else is at work beside"
+        judgement = replace(judgement, limits=(*judgement.limits, limit))
     if judgement.verdict != "none" and _runs_disagree(model, noise, best):
         sentence = "The runs differ from each other by more than the noise within them: nothing is claimed."
         return replace(judgement, verdict="runs disagree", sentence=sentence, claimed=()), best
@@ -156,7 +159,7 @@ def judge(model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis
         words = f"One run only: consistent with {_names(best)}, but noise cannot be told from what repeats."
         if judgement.verdict != "none":
             judgement = replace(judgement, verdict="ambiguous", sentence=words)
-        return replace(judgement, claimed=(), limits=(limit,)), best
+        return replace(judgement, claimed=(), limits=(limit, *judgement.limits)), best
     return judgement, best
 
 
@@ -271,17 +274,17 @@ def _beyond_floor(
 
 
 def _left_over(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> float:
-    """RMS of the whitened residual less its most likely form error: 1 if only noise is left."""
+    """RMS of the whitened residual less its most likely form error and discrepancy: 1 if only noise is left."""
     residual = model.residual(best.active)
-    form = evidence.form_error(evidence.whiten(residual), evidence.grid.index(best.spectrum))
-    left = registered(model, noise, residual - model.form @ form)
+    repeats = evidence.repeating(evidence.whiten(residual), evidence.grid.index(best.spectrum))
+    left = registered(model, noise, residual - repeating(model) @ repeats)
     return float(np.sqrt(np.mean((left / noise.sigma) ** 2)))
 
 
 def _largest(model: Model, evidence: Evidence, best: Hypothesis) -> tuple[float, float]:
     """Place and size of the greatest value of the form error."""
-    form = evidence.form_error(evidence.whiten(model.residual(best.active)), evidence.grid.index(best.spectrum))
-    values = model.form @ form
+    repeats = evidence.repeating(evidence.whiten(model.residual(best.active)), evidence.grid.index(best.spectrum))
+    values = model.form @ repeats[: model.form.shape[1]]
     values = values - values.mean()
     worst = int(np.argmax(np.abs(values)))
     return float(model.rows.place[worst]), float(values[worst])
@@ -297,7 +300,7 @@ def _runs_disagree(model: Model, noise: Noise, best: Hypothesis) -> bool:
     contrasts = [smooth * (rows.run == run)[:, None] for run in range(1, rows.runs)]
     # A divider set differently for each run is index error, and counted as noise.
     own = [per_run(rows.run) * model.slip[:, None]] if model.slip.size else []
-    base = np.hstack([model.offsets, model.form, *own])
+    base = np.hstack([model.offsets, repeating(model), *own])
     both = np.hstack([base, *contrasts])
     squares, ranks = [], []
     for columns in (base, both):

@@ -8,6 +8,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.deviations import catalogue, quantities
 from cadgen.measurement.admission import refuse_twice
+from cadgen.measurement.models.start import NUMBERS, doubts
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.nominal import Nominal
 from cadgen.measurement.record import Abscissa, Column, Datum, Kind, Knowledge, Record, Span
@@ -31,6 +32,10 @@ def _model(record: Record, nominal: Nominal) -> TrackModel:
     return TrackModel(record, nominal.lift, nominal.car, nominal.track, nominal.forces, floor=nominal.form_error)
 
 
+def _starts(model: TrackModel, values: Array, sigmas: Array) -> tuple[str, tuple[str, ...]]:
+    return f"held to {model.used}", doubts(model.used, model.stated, values, sigmas)
+
+
 KIND = Kind(
     code="track",
     title="Track",
@@ -44,7 +49,8 @@ KIND = Kind(
     datum=Datum(
         words="the start pose of each run",
         name="start pose",
-        numbers=(("start_x_mm", "mm"), ("start_y_mm", "mm"), ("start_heading_deg", "deg")),
+        numbers=NUMBERS,
+        notes=_starts,
     ),
     model=_model,
     check=_check,

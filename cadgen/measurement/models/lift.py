@@ -16,7 +16,7 @@ from cadgen.deviations.disc import DISC, NOSE_WIDTHS_DEG, Disc, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, through
 from cadgen.deviations.lift import ANGLE, FOLLOWER, Readings, Setting
 from cadgen.errors import DesignError
-from cadgen.measurement.models.base import elapsed, fourier, per_run
+from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, per_run, unknown
 from cadgen.measurement.record import Record
 from cadgen.measurement.shapes import shapes
 
@@ -52,6 +52,7 @@ class LiftModel:
         self.catalogue = (*LIFT.effects, *(worn_nose(k, width) for k in noses for width in NOSE_WIDTHS_DEG))
         self.datum: tuple[Effect, ...] = ()
         self.offsets = per_run(record.run)
+        self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(angle))
         self.form, self.order = fourier(angle, FORM_ORDERS)
         self.floor = floor
         self.slip = follower.inner * slope

@@ -11,7 +11,7 @@ from cadgen.deviations.catalogue import PROFILE
 from cadgen.deviations.disc import DISC, NOSE_WIDTHS_DEG, Disc, undulation, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, Parameter, Stage, through
 from cadgen.deviations.rows import Rows
-from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run, slopes
+from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, highest_order, per_run, slopes, unknown
 from cadgen.measurement.record import Record
 from cadgen.measurement.shapes import shapes
 
@@ -72,6 +72,7 @@ class ProfileModel:
         self.datum: tuple[Effect, ...] = (CLOCKING,)
         turned = slopes(self, self.datum, [])
         self.offsets = (turned * per_run(record.run))[:, 1:]
+        self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(place))
         # Form is what departs from the mean: a disc too large all round errs in size, which is an effect.
         self.form, self.order = fourier(place, min(FORM_ORDERS, last))
         self.floor = floor

@@ -1,6 +1,7 @@
 """The track of the drive wheel: motor position -> cam angle behind the play -> steering -> heading -> place."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
@@ -9,7 +10,9 @@ from cadgen.deviations.effect import Active, Effect, through
 from cadgen.deviations.rows import Rows
 from cadgen.deviations.track import RUNNING, STEERING, track_forms
 from cadgen.measurement.models.base import elapsed, fourier
+from cadgen.measurement.models.floor import floor as floor_of
 from cadgen.measurement.models.forces import Forces
+from cadgen.measurement.models.start import Starts, scattered, setting
 from cadgen.measurement.record import Record
 from cadgen.motion.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.path.track import Track
@@ -60,16 +63,21 @@ class TrackModel:
         self.datum: tuple[Effect, ...] = ()
         self.floor = floor / forces.mechanics.follower.inner
         self.slip = np.empty(0)
-        self.offsets = self._pose(run, record.runs)
-        self.form, self.order = self._form_response(record)
+        self._starts = Starts(run, axis, self.measured)
+        self.stated = setting(record)
+        self.used = scattered(self._starts.poses(self.place([])), self.stated)
+        self.offsets, self.spread = self._starts.columns, np.tile(self.used.spread, record.runs)
+        angle, mean = self._mean()
+        at = np.searchsorted(angle, self._motor)
+        self.form, self.order = self._form_response(angle, mean, at)
+        self.discrepancy = floor_of(mean, at, axis)
 
     def residual(self, active: Active) -> Array:
-        """Measured less expected coordinates, mm."""
-        place = self._run(active)
-        part = np.where(self._axis == 0, place.real, place.imag)
-        return np.asarray(self.measured - part)
+        """Measured less expected coordinates, linear in the start poses (see `start`), mm."""
+        return self._starts.residual(self.place(active))
 
-    def _run(self, active: Active) -> Array:
+    def place(self, active: Active) -> NDArray[np.complex128]:
+        """Where the car is at each row, started as by design, x + iy, mm."""
         run = through(RUNNING, self._nominal, active, self._grid)
         nodes, following = self._grid, None
         if run.play > 0:
@@ -87,38 +95,24 @@ class TrackModel:
         low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
 
-    def _pose(self, run: Array, runs: int) -> Array:
-        """Columns for the start of each run: x, y and heading about its first point, along the measured track."""
-        columns = []
-        for k in range(runs):
-            mine = run == k
-            across = {}
-            for axis in (0, 1):
-                values = self.measured[mine & (self._axis == axis)]
-                across[axis] = values - values[0]
-            for axis in (0, 1):
-                columns.append((mine & (self._axis == axis)).astype(float))
-            turned = np.zeros(len(run))
-            turned[mine & (self._axis == 0)] = -across[1]
-            turned[mine & (self._axis == 1)] = across[0]
-            columns.append(turned)
-        return np.stack(columns, axis=1)
-
-    def _form_response(self, record: Record) -> tuple[Array, Array]:
-        """How the places answer a steering error of each order, about the measured track."""
+    def _mean(self) -> tuple[Array, NDArray[np.complex128]]:
+        """Motor positions, in order, and the mean of what was measured there, x + iy."""
         angle = np.unique(self._motor)
         mean = np.zeros((2, len(angle)))
         for axis in (0, 1):
             mine = self._axis == axis
             which = np.searchsorted(angle, self._motor[mine])
             mean[axis] = np.bincount(which, self.measured[mine]) / np.bincount(which)
-        ahead = np.diff(mean[0] + 1j * mean[1])
+        return angle, mean[0] + 1j * mean[1]
+
+    def _form_response(self, angle: Array, mean: NDArray[np.complex128], at: NDArray[np.intp]) -> tuple[Array, Array]:
+        """How the places answer a steering error of each order, about the measured track."""
+        ahead = np.diff(mean)
         middle = (angle[1:] + angle[:-1]) / 2
         T = self._lift.tan_beta(middle)
         gain = -self._car.wheelbase / (self._car.wheelbase + self._car.drive_wheel_offset * T) ** 2
         waves, order = fourier(middle, FORM_ORDERS)
         turn = waves * (gain * np.abs(ahead))[:, None]
         heading = np.cumsum(turn, axis=0) - turn / 2
-        place = np.vstack([np.zeros(waves.shape[1]), np.cumsum(heading * (1j * ahead)[:, None], axis=0)])
-        at = place[np.searchsorted(angle, self._motor)]
-        return np.where((self._axis == 0)[:, None], at.real, at.imag), order
+        place = np.vstack([np.zeros(waves.shape[1]), np.cumsum(heading * (1j * ahead)[:, None], axis=0)])[at]
+        return np.where((self._axis == 0)[:, None], place.real, place.imag), order

@@ -171,6 +171,8 @@ def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[st
         "unnamed_play": play and _finding(play),
         "unnamed_friction": friction and _finding(friction),
         "datum": [_finding(f) for f in diagnosis.datum],
+        "datum_held": diagnosis.held,
+        "discrepancy": diagnosis.discrepancy and _finding(diagnosis.discrepancy),
         "unit": diagnosis.unit,
         "residual": {
             "before": _plain(r.before),
@@ -205,6 +207,8 @@ def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, 
         "unnamed_play": None,
         "unnamed_friction": None,
         "datum": [],
+        "datum_held": "",
+        "discrepancy": None,
         "unit": diagnosis.unit,
         "residual": {
             "before": _plain(r.before),

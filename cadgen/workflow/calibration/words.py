@@ -128,6 +128,8 @@ def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
     elif isinstance(diagnosis, PathDiagnosis):
         blocks += ["", _path_errors(diagnosis, files), ""]
     blocks.append(f"Fitted and never claimed: {_datum(diagnosis)}.")
+    if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.discrepancy:
+        blocks.append(f"Beside the effects, and never claimed: {sizes([diagnosis.discrepancy])}.")
     verb = "decide" if diagnosis.verdict == "ambiguous" else "make sure"
     if diagnosis.verdict not in ("unexplained", "runs disagree"):
         blocks += [f"To {verb}, {text}." for text in j.separate]
@@ -183,7 +185,8 @@ def _datum(diagnosis: Diagnosis) -> str:
         low, high = (end(values, key=lambda v: v.value) for end in (min, max))
         several = f"{shown(low)[0]} to {shown(high)[0]}" if len(values) > 1 else " ± ".join(shown(low))
         numbers.append(f"{name} {several}")
-    return diagnosis.kind.datum.words + (f" ({'; '.join(numbers)})" if numbers else "")
+    held = f", {diagnosis.held}" if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.held else ""
+    return diagnosis.kind.datum.words + held + (f" ({'; '.join(numbers)})" if numbers else "")
 
 
 def _candidates(diagnosis: Diagnosis, files: Sequence[Source]) -> Table:

@@ -1,0 +1,65 @@
+"""Hard cases from generators of others: what each must be called, and what must not be claimed. See tests/data/loop."""
+
+from pathlib import Path
+
+import pytest
+
+from cadgen.measurement.calibrate import calibrate
+from cadgen.records.load import load
+
+LOOP = Path(__file__).parents[1] / "data" / "loop"
+
+
+@pytest.fixture(scope="module")
+def told(nominal):
+    """The diagnosis of one file alone."""
+
+    def of(name):
+        (diagnosis,) = calibrate([load(LOOP / name)], nominal)
+        return diagnosis
+
+    return of
+
+
+def values(diagnosis, effect):
+    """Numbers of one effect that was found."""
+    return [v.value for f in diagnosis.findings if f.effect == effect for v in f.values]
+
+
+@pytest.mark.slow
+def test_scattered_start_headings_are_no_effect(told):
+    """Nothing is amiss with the car, but its starts scatter by 1.5 degrees."""
+    track = told("n1.5_0.csv")
+    assert (track.verdict, track.judgement.claimed) == ("none", ())
+    assert any("scatter by" in limit and "not by 5 mm and 0.5°" in limit for limit in track.judgement.limits)
+    # Entered exactly: nothing of the turning is left in the noise of the camera.
+    assert track.residual.noise == pytest.approx(3.0, rel=0.05)
+    assert track.correlation == 0
+
+
+@pytest.mark.slow
+def test_creep_across_the_heading_is_no_effect_of_the_car(told):
+    """It creeps by 2 mm/m down a slope, which is across y."""
+    track = told("floor/q3_creep_0.002.csv")
+    assert (track.verdict, track.judgement.claimed) == ("none", ())
+    (across,) = (v for v in track.discrepancy.values if v.name == "creep_across_y_percent")
+    assert across.value == pytest.approx(-0.2, abs=4 * across.sigma)
+    assert across.sigma < 0.05
+
+
+@pytest.mark.slow
+def test_a_steering_zero_on_a_slope_is_a_steering_zero(told):
+    track = told("floor/q3_floorzero_0.002.csv")
+    assert (track.verdict, track.judgement.claimed) == ("traced", ("steering zero",))
+    (zero,) = track.findings[0].values
+    assert zero.value == pytest.approx(0.3, abs=3 * zero.sigma)
+    assert track.discrepancy is not None
+
+
+@pytest.mark.slow
+def test_cogging_beside_play_is_said(told):
+    """Three times in each turn of the motor, beside a play of 0.81 degrees."""
+    train = told("v2_tr_cog3.csv")
+    assert (train.verdict, train.judgement.claimed) == ("partial", ("return error",))
+    assert [f.effect for f in train.findings] == ["return error", "harmonic of order 135"]
+    assert train.residual.after < 1.05 * train.residual.noise
