@@ -62,13 +62,11 @@ def diagnose(
         judgement = replace(judgement, limits=(*judgement.limits, another))
     datum, held, against = _datum(record.kind.datum, model, noise, best)
     judgement = replace(judgement, limits=(*judgement.limits, *against))
-    whole_runs, less_form = [], []
+    held_out = []
     for run in range(record.runs) if record.runs > 1 else ():
         step(f"{record.source}: run {run + 1} left out")
-        whole, less = _held_out(record, model, build, noise, best, run)
-        whole_runs.append(whole)
-        less_form.append(less)
-    scale = UNITS[model.unit]
+        held_out.append(_held_out(record, model, build, noise, best, run))
+    residual, per_run = _figures(model, noise, before, after, held_out)
     return EvidenceDiagnosis(
         source=record.source,
         kind=record.kind,
@@ -86,19 +84,8 @@ def diagnose(
             )
             for h in found
         ),
-        residual=Residual(
-            before=_rms(before) / scale,
-            after=_rms(after) / scale,
-            noise=noise.rms / scale,
-            left_out=HeldOut(_rms(np.concatenate(whole_runs)) / scale, _rms(np.concatenate(less_form)) / scale)
-            if whole_runs
-            else None,
-        ),
-        per_run=PerRun(
-            _by_run(before, model) / scale,
-            _by_run(after, model) / scale,
-            np.array([_rms(part) for part in whole_runs]) / scale if whole_runs else None,
-        ),
+        residual=residual,
+        per_run=per_run,
         correlation=noise.correlation,
         place=model.rows.place,
         run=model.rows.run.astype(float),
@@ -108,6 +95,20 @@ def diagnose(
         measured=model.measured,
         unnamed=_unnamed(record.kind.absences, model, evidence, judgement, best),
         play_known=play_known,
+    )
+
+
+def _figures(
+    model: Model, noise: Noise, before: Array, after: Array, held_out: list[tuple[Array, Array]]
+) -> tuple[Residual, PerRun]:
+    """Root mean squares of all rows and of each run, in the record's unit; `held_out` as of `_held_out`."""
+    scale = UNITS[model.unit]
+    whole, less = ([pair[k] for pair in held_out] for k in (0, 1))
+    left_out = HeldOut(*(_rms(np.concatenate(parts)) / scale for parts in (whole, less))) if held_out else None
+    return Residual(_rms(before) / scale, _rms(after) / scale, noise.rms / scale, left_out), PerRun(
+        _by_run(before, model) / scale,
+        _by_run(after, model) / scale,
+        np.array([_rms(part) for part in whole]) / scale if held_out else None,
     )
 
 
