@@ -21,6 +21,8 @@ from cadgen.measurement.verdict import Judgement, judge, registered
 
 Build = Callable[[Record], Model]
 Step = Callable[[str], None]
+# Noise that falls to this share once the likeliest effects are taken out was theirs.
+NOT_NOISE = 0.8
 # A discrepancy is said if one of its numbers is so many standard deviations from nothing.
 SURE_SIGMAS = 4.0
 # Verdicts beside which it counts that a quantity is not named.
@@ -45,9 +47,13 @@ def diagnose(
     model = build(record)
     refuse_too_few(record, model)
     noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
-    evidence = Evidence(model, noise)
     step(f"{record.source}: comparing all small subsets of {len(model.catalogue)} effects")
-    found = find(model, evidence)
+    found = find(model, evidence := Evidence(model, noise))
+    less = resolved(record, estimate_noise(model, model.residual(found[0].active)))
+    if less.rms < NOT_NOISE * noise.rms:
+        # Runs that were taken differently differ by an effect, and not by noise alone.
+        noise = less
+        found = find(model, evidence := Evidence(model, noise))
     judgement, best = judge(model, evidence, noise, found)
     found_alone = best
     best, another = with_known_play(model, evidence, best, play)

@@ -8,7 +8,7 @@ After each round the catalogue is linearised anew about the best exact fit, unti
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 
 import numpy as np
@@ -31,6 +31,8 @@ BASES = 20
 ROUNDS = 4
 # What is left is more than chance if its chi-square is so many standard deviations above its mean.
 CHANCE = 3.0
+# An effect of the instrument and one of the part are told apart by data in which they differ by this share.
+PARTED = 0.02
 # Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
 COLLINEAR = 0.99999
 
@@ -96,9 +98,9 @@ class Round:
 
 def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
-    core = tuple(e for e in model.catalogue if not e.numerous)
+    core = parted(model, evidence, tuple(e for e in model.catalogue if not e.numerous))
     named = tuple(e for e in model.catalogue if e.numerous)
-    entries = Counter(e.sort for e in model.catalogue if not (e.shape or e.parts or e.beside))
+    entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
     anonymous = len(model.shapes) + sum(e.shape for e in named)
     search = Search(len(model.rows.run), entries, max(anonymous, 1))
     none = fit(model, evidence, (), [], search)
@@ -120,6 +122,31 @@ def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
             break
         best = leader
     return sorted(fitted.values(), key=lambda h: h.score)
+
+
+def parted(model: Model, evidence: Evidence, effects: tuple[Effect, ...]) -> tuple[Effect, ...]:
+    """Effects less those of the instrument that these data cannot tell from one of the part, which has them as twins.
+
+    Two are told apart if their responses, less the datum, enclose an angle that `PARTED` is the sine of.
+    """
+    kept = {e.key: e for e in effects}
+    datum = [(e, e.start) for e in model.datum]
+    free = np.linalg.qr(evidence.whiten(np.hstack([model.offsets, slopes(model, model.datum, datum)])))[0]
+
+    def response(effect: Effect) -> Array:
+        white = evidence.whiten(slopes(model, (effect,), datum))
+        return np.linalg.qr(white - free @ (free.T @ white))[0]
+
+    for effect in effects:
+        other = effect.looks_like and kept.get(effect.looks_like.key)
+        if not other:
+            continue
+        mine, others = response(effect), response(other)
+        if np.linalg.norm(mine - others @ (others.T @ mine), 2) < PARTED:
+            del kept[effect.key]
+            by = f"{other.separated_by}; {effect.name}: {effect.separated_by}"
+            kept[other.key] = replace(other, twins=(*other.twins, effect.name), separated_by=by)
+    return tuple(kept.values())
 
 
 def _promising(

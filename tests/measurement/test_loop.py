@@ -4,8 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from cadgen.design.load import load_design
 from cadgen.measurement.calibrate import calibrate
 from cadgen.records.load import load
+from cadgen.workflow.calibration import plan
 
 LOOP = Path(__file__).parents[1] / "data" / "loop"
 
@@ -63,3 +65,34 @@ def test_cogging_beside_play_is_said(told):
     assert (train.verdict, train.judgement.claimed) == ("partial", ("return error",))
     assert [f.effect for f in train.findings] == ["return error", "harmonic of order 135"]
     assert train.residual.after < 1.05 * train.residual.noise
+
+
+@pytest.fixture(scope="module")
+def built(synthetic_car, nominal):
+    """What the command makes of one file: its diagnosis, and effects with their places in the as-built design."""
+
+    def of(name):
+        told = plan.calibrate(load_design(), "actual", plan.read([LOOP / name]), nominal=nominal)
+        return told.diagnoses[0], [(b.claim.finding.effect, b.place) for b in told.built]
+
+    return of
+
+
+@pytest.mark.slow
+def test_a_stylus_that_was_not_corrected_is_cut_into_no_part(built):
+    """Its radius of 0.25 mm."""
+    profile, places = built("w_prof_probe250.csv")
+    assert places == [("cutter compensation", "noted")]
+    assert profile.findings[0].twins == ("stylus radius",)
+    assert profile.findings[0].values[0].value == pytest.approx(250.0, abs=0.3)
+    assert "gauge ring" in " ".join(profile.judgement.separate)
+
+
+@pytest.mark.slow
+def test_a_measuring_machine_out_of_square_is_no_lobing(built):
+    """Its axes enclose 90.05 degrees."""
+    profile, places = built("v1_prof_square.csv")
+    assert places == [("axes out of square", "noted")]
+    assert profile.findings[0].twins == ("squareness of the measuring machine",)
+    assert profile.findings[0].values[0].value == pytest.approx(-0.05, abs=0.003)
+    assert "turned by 90 degrees" in " ".join(profile.judgement.separate)

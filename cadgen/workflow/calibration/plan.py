@@ -111,7 +111,9 @@ class Calibration:
             if best is not claim:
                 built.append(Built(claim, "noted", best))
                 continue
-            built.append(Built(taken, _place(taken), mean_of=() if taken is best else tuple(c.source for c in alike)))
+            built.append(
+                Built(taken, _place(taken, alike), mean_of=() if taken is best else tuple(c.source for c in alike))
+            )
         return tuple(built)
 
     @cached_property
@@ -317,8 +319,17 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
     return [claim for claim in found if claim is not None]
 
 
-def _place(claim: Claim) -> Place:
+def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
+    """What becomes of a claim by default: nothing that may be the instrument's in all kinds of data that show it."""
+    if all(_instruments(other) for other in alike):
+        return "noted"
     return claim.kind.named(claim.finding.effect, dict(claim.finding.given)).places[0]
+
+
+def _instruments(claim: Claim) -> bool:
+    """Whether data cannot tell a claim from an effect of their instrument."""
+    twins = (claim.kind.catalogue.named(name) for name in claim.finding.twins)
+    return any(twin is not None and twin.looks_like is not None for twin in twins)
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
