@@ -1,13 +1,13 @@
 """What every forward model offers to the search."""
 
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.effect import Active, Effect, Stage
 from cadgen.deviations.rows import Rows
 
 
@@ -35,6 +35,10 @@ class Discrepancy:
 
 class Model(Protocol):
     """A forward model with its data."""
+
+    @property
+    def behind(self) -> tuple[Stage[Any], ...]:
+        """Stages at which effects that other kinds of data show change this one too."""
 
     @property
     def unit(self) -> str:

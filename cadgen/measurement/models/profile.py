@@ -51,6 +51,7 @@ class ProfileModel:
         own: clocking of each run against the bare design, shape (runs,), rad.
     """
 
+    behind = ()
     unit = "um"
     measured = None
 

@@ -9,9 +9,11 @@ from cadgen.deviations.catalogue import TRACK
 from cadgen.deviations.effect import Active, Effect, through
 from cadgen.deviations.rows import Rows
 from cadgen.deviations.track import RUNNING, STEERING, track_forms
+from cadgen.deviations.transmission import MESH, RATIO, Turned
 from cadgen.measurement.models.base import elapsed, fourier
 from cadgen.measurement.models.floor import floor as floor_of
 from cadgen.measurement.models.forces import Forces
+from cadgen.measurement.models.rolled import Rolled
 from cadgen.measurement.models.start import Starts, scattered, setting
 from cadgen.measurement.record import Record
 from cadgen.motion.drive import MIDPOINT, Running, driven, start_pose
@@ -32,11 +34,13 @@ class TrackModel:
     """
 
     unit = "mm"
+    behind = (*Rolled.stages, RATIO, MESH)
 
     def __init__(
-        self, record: Record, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
+        self, record: Record, rolled: Rolled, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
     ) -> None:
-        self._lift, self._car, self._forces = lift, car, forces
+        self._rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
+        self._steepest = float(np.abs(lift.tan_beta(np.linspace(0.0, TURN, STEPS), nu=1)).max())
         self._nominal = Running(car=car, length=track.length)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
         self._start = start_pose(track)
@@ -68,7 +72,7 @@ class TrackModel:
         self.used = scattered(self._starts.poses(self.place([])), self.stated)
         self.offsets, self.spread = self._starts.columns, np.tile(self.used.spread, record.runs)
         angle, mean = self._mean()
-        at = np.searchsorted(angle, self._motor)
+        at = np.searchsorted(angle, self._motor).astype(np.intp)
         self.form, self.order = self._form_response(angle, mean, at)
         self.discrepancy = floor_of(mean, at, axis)
 
@@ -79,21 +83,33 @@ class TrackModel:
     def place(self, active: Active) -> NDArray[np.complex128]:
         """Where the car is at each row, started as by design, x + iy, mm."""
         run = through(RUNNING, self._nominal, active, self._grid)
+        lift = self._rolled.lift(active, self.rows)
         nodes, following = self._grid, None
         if run.play > 0:
             # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
-            following = self._forces.leads(run.friction).follow(self._lift, run.play)
-            nodes = np.union1d(nodes, following.joints(run.phase, TURN + run.phase) - run.phase)
+            following = self._forces.leads(run.friction).follow(lift, run.play)
+            joints = following.joints(run.phase, TURN + run.phase) - run.phase
+            nodes = np.union1d(nodes, joints - (self._asked(joints, active) - joints))
 
         def wheel(motor: Array) -> Array:
-            angle = motor + run.phase
-            rod = self._lift.tan_beta(angle if following is None else following.cam_angle(angle))
+            angle = self._asked(motor, active) + run.phase
+            rod = lift.tan_beta(angle if following is None else following.cam_angle(angle))
             return through(STEERING, wheel_tangent(rod, run.car), active, motor)
 
         _, place = driven(nodes, wheel, run.car, run.length, self._start, MIDPOINT)
         at = np.interp(self._motor, nodes, np.arange(len(nodes)))
         low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
+
+    def _asked(self, motor: Array, active: Active) -> Array:
+        """Cam angle that the gears ask for at motor positions, rad; the cam is set on its shaft at the start."""
+        if not any(effect.stage in (RATIO, MESH) for effect, _ in active):
+            return motor
+        turned = np.append(motor.ravel(), 0.0)
+        slope = np.asarray(self._lift.tan_beta(turned % TURN, nu=1))
+        at = Turned(turned=turned, torque=slope / self._steepest)
+        asked = through(MESH, through(RATIO, turned, active, at), active, at)
+        return np.asarray((asked[:-1] - asked[-1]).reshape(motor.shape))
 
     def _mean(self) -> tuple[Array, NDArray[np.complex128]]:
         """Motor positions, in order, and the mean of what was measured there, x + iy."""

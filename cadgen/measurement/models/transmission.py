@@ -28,6 +28,7 @@ TAKE_UP_DEG = 5.0
 class TransmissionModel:
     """Cam angle by motor angle, forward and back, the inclinometer's zero free in each run."""
 
+    behind = ()
     unit = "deg"
     measured = None
 

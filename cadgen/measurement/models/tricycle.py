@@ -24,6 +24,7 @@ class TricycleModel:
     Rows hold first the x and then the y of a run.
     """
 
+    behind = ()
     unit = "mm"
 
     def __init__(self, record: Record, wheelbase: float) -> None:

@@ -1,0 +1,169 @@
+"""All records of a car as one: shared parameters, one evidence; each record with its own datum, noise and discrepancy.
+
+An effect that two kinds of data show under two names (play is *backlash* in a track, *return error* in a train) is one
+effect of the joint catalogue. What is measured further up the chain motor, cam angle, lift, steering, track changes what
+is measured further down, wherever the model there passes the effect's stage (`Model.behind`). Records differ in noise,
+datum and discrepancy, which are independent, so their products and logarithms of likelihood add up. One record is the
+case of one part, whose effects are its own.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.measurement.evidence import GRID, Evidence, Spectrum
+from cadgen.measurement.models.base import Model, slopes
+from cadgen.measurement.noise import Noise
+from cadgen.measurement.record import Kind, Record
+
+Build = Callable[[Record], Model]
+
+_KEPT = 64  # of residuals of a part: most differences leave most parts alone
+
+
+@dataclass(frozen=True)
+class Part:
+    """One record as it is judged.
+
+    Attributes:
+        record: measured data of one kind.
+        build: makes the forward model of a record, or of some of its runs.
+        model: of the record.
+        noise: of the record.
+        evidence: of the model with that noise.
+        names: by the keys of joint effects that act in this record, the effect that they are here.
+    """
+
+    record: Record
+    build: Build
+    model: Model
+    noise: Noise
+    evidence: Evidence
+    names: dict[str, Effect] = field(default_factory=dict)
+    _known: dict[bytes, Array] = field(default_factory=dict, repr=False)
+
+    @property
+    def kind(self) -> Kind:
+        """Of data."""
+        return self.record.kind
+
+    def own(self, active: Active) -> list[tuple[Effect, Array]]:
+        """Joint effects as those of this record, without what does nothing here."""
+        return [(self.names[e.key], v) for e, v in active if e.key in self.names]
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected with joint effects active, shape (n,), internal units; remembered."""
+        mine = self.own(active)
+        key = b"".join(effect.key.encode() + np.asarray(values, dtype=float).tobytes() for effect, values in mine)
+        if key not in self._known:
+            if len(self._known) >= _KEPT:
+                self._known.pop(next(iter(self._known)))
+            self._known[key] = self.model.residual(mine)
+        return self._known[key]
+
+
+class Joint:
+    """Records of one car, judged by one evidence.
+
+    Attributes:
+        parts: the records.
+        spans: rows of each part among all.
+        core: effects that combine freely.
+        numerous: effects that enter a subset one at a time.
+        shapes: forms without a name, each of one part.
+        datum: effects that are always fitted.
+        grid: spectra of the form error; all parts choose the same.
+    """
+
+    def __init__(self, parts: Sequence[Part]) -> None:
+        ends = np.cumsum([0, *(len(part.model.rows.run) for part in parts)]).tolist()
+        self.spans = tuple(slice(a, b) for a, b in zip(ends[:-1], ends[1:], strict=True))
+        merged = _merged(parts)
+        self.parts = tuple(replace(part, names=names) for part, names in zip(parts, merged.names, strict=True))
+        self.core = tuple(e for e in merged.catalogue if not e.numerous)
+        self.numerous = tuple(e for e in merged.catalogue if e.numerous)
+        self.shapes, self.datum = merged.shapes, merged.datum
+        self.kinds = merged.kinds
+        first = self.parts[0].evidence
+        self.grid, self.within = first.grid, first.within
+        self.rows = int(ends[-1])
+        self.constant = np.sum([part.evidence.constant for part in self.parts], axis=0)
+
+    @property
+    def names(self) -> str:
+        """Of the sources, for messages."""
+        return ", ".join(part.record.source for part in self.parts)
+
+    @property
+    def freedom(self) -> int:
+        """Degrees of freedom from which the noise was told."""
+        return sum(part.noise.freedom for part in self.parts)
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected of all records, shape (n,), each in its own internal unit."""
+        return np.concatenate([part.residual(active) for part in self.parts])
+
+    def slopes(self, effects: tuple[Effect, ...], active: Active) -> Array:
+        """How the expected values answer each parameter, shape (n, sum of parameters); see `models.base.slopes`."""
+        widths = np.cumsum([0, *(len(e.parameters) for e in effects)])
+        out = np.zeros((self.rows, int(widths[-1])))
+        for part, span in zip(self.parts, self.spans, strict=True):
+            here = [i for i, e in enumerate(effects) if e.key in part.names and self._searched(part, e)]
+            own = tuple(part.names[effects[i].key] for i in here)
+            columns = np.concatenate([np.arange(widths[i], widths[i + 1]) for i in here] or [np.empty(0, dtype=int)])
+            out[span, columns.astype(int)] = slopes(part.model, own, part.own(active))
+        return out
+
+    def _searched(self, part: Part, effect: Effect) -> bool:
+        """Numerous effects are searched for in the record that shows them best; the others join in the exact fit."""
+        return not effect.numerous or self.kinds[effect.key] is part.kind
+
+    def shape_columns(self, shape: Effect, step: Array) -> Array:
+        """Reading of a form without a name, which acts in one part alone, shape (n,)."""
+        out = np.zeros(self.rows)
+        for part, span in zip(self.parts, self.spans, strict=True):
+            if shape.key in part.names:
+                rows = part.model.rows
+                out[span] = part.names[shape.key].act(np.zeros(len(rows.run)), step, rows)
+        return out
+
+    def whiten(self, columns: Array) -> Array:
+        """Divide each part by its noise; see `Evidence.whiten`."""
+        return np.concatenate([p.evidence.whiten(columns[s]) for p, s in zip(self.parts, self.spans, strict=True)])
+
+    def halves(self, white: Array) -> Array:
+        """See `Evidence.halves`; those of all parts below each other, shape (g, q, m)."""
+        return np.concatenate(
+            [p.evidence.halves(white[s]) for p, s in zip(self.parts, self.spans, strict=True)], axis=1
+        )
+
+    def misfit(self, white: Array) -> Array:
+        """-2 log L of a whitened residual for every spectrum."""
+        return np.sum([p.evidence.misfit(white[s]) for p, s in zip(self.parts, self.spans, strict=True)], axis=0)
+
+    def standardise(self, columns: Array, spectrum: int) -> Array:
+        """See `Evidence.standardise`."""
+        return np.concatenate(
+            [p.evidence.standardise(columns[s], spectrum) for p, s in zip(self.parts, self.spans, strict=True)]
+        )
+
+    def without(self, part: Part, run: int) -> "Joint":
+        """The same with one run of a part left out, each noise as it was."""
+        train, inside = runs_of(part, run, inside=False)
+        parts = [train if other.record is part.record else replace(other, _known={}) for other in self.parts]
+        del inside
+        again = Joint(parts)
+        return again
+
+    def held_to(self, spectrum: Spectrum) -> "Joint":
+        """The same with one spectrum of the form error."""
+        return Joint([replace(p, evidence=Evidence(p.model, p.noise, (spectrum,)), _known={}) for p in self.parts])
+
+
+def observed(record: Record, build: Build, model: Model, noise: Noise, grid: tuple[Spectrum, ...] = GRID) -> Part:
+    """A record with its noise, ready to be joined to others."""
+    return Part(record, build, model, noise, Evidence(model, noise, grid))
