@@ -120,6 +120,11 @@ class Effect:
         return self.cause or self.name
 
     @property
+    def instrument(self) -> bool:
+        """True of an effect of the instrument, which changes nothing but its own record."""
+        return self.looks_like is not None and self.places == ("noted",)
+
+    @property
     def steps(self) -> Array:
         """Difference steps, internal units."""
         return np.array([p.step * p.scale for p in self.parameters])

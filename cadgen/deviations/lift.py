@@ -132,9 +132,23 @@ PHASE = Effect(
     confused_with="backlash held by the spring",
     separated_by="mark the keyway and read the divider at the mark",
 )
+SHAFT_RUNOUT = replace(
+    ECCENTRIC_BORE,
+    name="run-out of the shaft",
+    parameters=tuple(
+        replace(p, name=p.name.replace("eccentric", "shaft"), meaning=f"+: it runs out towards {way} of the outline")
+        for p, way in zip(ECCENTRIC_BORE.parameters, ("+x", "+y"), strict=True)
+    ),
+    quantity=quantities.SHAFT_RUNOUT,
+    places=("car",),
+    looks_like=ECCENTRIC_BORE,
+    confused_with="an eccentric bore",
+    separated_by="measure the profile about the bore on a CMM, and put a dial on the shaft",
+)
 LIFT_EFFECTS = (
     # The shaft's run-out looks the same, and stays with the car.
     replace(ECCENTRIC_BORE, places=("car", "part", "process")),
+    SHAFT_RUNOUT,
     PHASE,
     Effect(
         name="rod radius",

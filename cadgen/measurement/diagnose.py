@@ -1,7 +1,7 @@
 """From measured data to a verdict: noise, search, comparison of the rivals, and a test on runs left out."""
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,13 +13,13 @@ from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.findings import Candidate, EvidenceDiagnosis, Finding, HeldOut, PerRun, Residual, Value
 from cadgen.measurement.friction import with_friction_judged, with_known_play
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
+from cadgen.measurement.joint import Build, Joint, Part
 from cadgen.measurement.models.base import Model, repeating, slopes
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Datum, Record
 from cadgen.measurement.search import find
 from cadgen.measurement.verdict import Judgement, judge, registered
 
-Build = Callable[[Record], Model]
 Step = Callable[[str], None]
 # Noise that falls to this share once the likeliest effects are taken out was theirs.
 NOT_NOISE = 0.8
@@ -30,65 +30,111 @@ SOUND = ("none", "traced", "combination")
 
 
 def diagnose(
-    record: Record, build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
-) -> EvidenceDiagnosis:
-    """Trace what a record shows to effects, or say why not.
+    records: Sequence[Record], build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
+) -> tuple[EvidenceDiagnosis, ...]:
+    """Trace what records of one car show to effects, or say why not.
 
     Args:
-        record: measured data of one kind.
+        records: measured data, one record of each kind.
         build: makes the forward model of a record; called again for records with some runs left out.
         step: told what is being done.
         play: return error that was measured apart, and its standard deviation, rad.
 
+    Returns:
+        What each record shows by the joint verdict.
+
     Raises:
         FileError: one run only, with too few rows to tell its noise.
     """
-    step(f"{record.source}: telling noise from what repeats")
-    model = build(record)
-    refuse_too_few(record, model)
-    noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
-    step(f"{record.source}: comparing all small subsets of {len(model.catalogue)} effects")
-    found = find(model, evidence := Evidence(model, noise))
-    less = resolved(record, estimate_noise(model, model.residual(found[0].active)))
-    if less.rms < NOT_NOISE * noise.rms:
+    models = [build(record) for record in records]
+    parts = []
+    for record, model in zip(records, models, strict=True):
+        step(f"{record.source}: telling noise from what repeats")
+        refuse_too_few(record, model)
+        noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
+        parts.append(Part(record, build, model, noise, Evidence(model, noise)))
+    joint = Joint.of(parts)
+    step(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.numerous)} effects")
+    found = find(joint)
+    quieter = [_less_noise(part, found[0]) for part in joint.parts]
+    if any(new is not old for new, old in zip(quieter, joint.parts, strict=True)):
         # Runs that were taken differently differ by an effect, and not by noise alone.
-        noise = less
-        found = find(model, evidence := Evidence(model, noise))
-    judgement, best = judge(model, evidence, noise, found)
+        joint = replace(joint, parts=tuple(quieter))
+        found = find(joint)
+    judgement, best = judge(joint, found)
     found_alone = best
-    best, another = with_known_play(model, evidence, best, play)
-    play_known = best is not found_alone
-    none = next(h for h in found if not h.effects)
-    before, after = (registered(model, noise, model.residual(h.active)) for h in (none, best))
-    aside, unnamed = _discrepancy(model, evidence, best)
-    left = registered(model, noise, model.residual(best.active) - aside)
-    judgement = doubted(judgement, record, model, noise, best, left, unfit(model, evidence, noise, best))
-    judgement = with_friction_judged(judgement, best, play_known=play_known)
+    best, another = with_known_play(joint, best, play)
+    for part in joint.parts:
+        after = registered(part.model, part.noise, part.residual(best.active) - _discrepancy(part, joint, best)[0])
+        chance = unfit(part.model, part.evidence, part.noise, best, part.residual(best.active))
+        judgement = doubted(judgement, part.record, part.model, part.noise, best, after, chance)
+    judgement = with_friction_judged(judgement, best, play_known=best is not found_alone)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))
-    datum, held, against = _datum(record.kind.datum, model, noise, best)
-    judgement = replace(judgement, limits=(*judgement.limits, *against))
+    result = _Result(joint, judgement, best, found, best is not found_alone)
+    return tuple(_told(result, part, step) for part in joint.parts)
+
+
+@dataclass(frozen=True)
+class _Result:
+    """The joint verdict, the subset that it is on, all that were fitted, and whether a known play is in it."""
+
+    joint: Joint
+    judgement: Judgement
+    best: Hypothesis
+    found: list[Hypothesis]
+    play_known: bool
+
+
+def _less_noise(part: Part, best: Hypothesis) -> Part:
+    """A part with the noise that is left of it by the likeliest effects, if that is much less."""
+    noise = resolved(part.record, estimate_noise(part.model, part.residual(best.active)))
+    if noise.rms > NOT_NOISE * part.noise.rms:
+        return part
+    return replace(part, noise=noise, evidence=Evidence(part.model, noise))
+
+
+def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:
+    """What one record shows by the joint verdict."""
+    joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
+    none = next(h for h in result.found if not h.effects)
+    before, after = (registered(model, noise, part.residual(h.active)) for h in (none, best))
+    datum, held, against = _datum(record.kind.datum, part, best)
     held_out = []
     for run in range(record.runs) if record.runs > 1 else ():
         step(f"{record.source}: run {run + 1} left out")
-        held_out.append(_held_out(record, model, build, noise, best, run))
+        held_out.append(_held_out(joint, part, best, run))
     residual, per_run = _figures(model, noise, before, after, held_out)
+    entries = [(part.names[e.key], v, s) for e, v, s in best.values() if e.key in part.names]
+    twins = {e.key: e.twins for e in best.effects}
+    findings = tuple(
+        replace(_finding(best, part.names[e.key], v, s), twins=twins[e.key])
+        for e, v, s in best.values()
+        if e.key in part.names
+    )
+    here = {e.name: part.names[e.key].name for e in best.effects if e.key in part.names}
+    judgement = replace(
+        result.judgement,
+        claimed=tuple(here[name] for name in result.judgement.claimed if name in here),
+        limits=(*result.judgement.limits, *against),
+    )
     return EvidenceDiagnosis(
         source=record.source,
         kind=record.kind,
         unit=model.unit,
         judgement=judgement,
-        findings=tuple(_finding(best, *entry) for entry in best.values()),
+        findings=findings,
+        leads=tuple(here[e.name] for e in best.effects if joint.kinds.get(e.key) is part.kind and e.name in here),
         datum=datum,
         held=held,
-        discrepancy=unnamed,
+        discrepancy=_discrepancy(part, joint, best)[1],
         candidates=tuple(
             Candidate(
                 tuple(e.name for e in h.effects),
-                h.score - found[0].score,
+                h.score - result.found[0].score,
                 tuple(_finding(h, *entry) for entry in h.values()),
             )
-            for h in found
+            for h in result.found
         ),
         residual=residual,
         per_run=per_run,
@@ -97,10 +143,10 @@ def diagnose(
         run=model.rows.run.astype(float),
         before=before,
         after=after,
-        active=[(e, v) for e, v in best.active if e in best.effects],
+        active=[(e, v) for e, v, _ in entries],
         measured=model.measured,
-        unnamed=_unnamed(record.kind.absences, model, evidence, judgement, best),
-        play_known=play_known,
+        unnamed=_unnamed(part, result),
+        play_known=result.play_known,
     )
 
 
@@ -118,21 +164,23 @@ def _figures(
     )
 
 
-def _unnamed(
-    quantities: tuple[Quantity, ...], model: Model, evidence: Evidence, judgement: Judgement, best: Hypothesis
-) -> dict[Quantity, Finding]:
+def _unnamed(part: Part, result: _Result) -> dict[Quantity, Finding]:
     """How much of some quantities there could be where several runs and a sound verdict name none."""
-    if model.rows.runs < 2 or judgement.verdict not in SOUND:
+    joint, best, judgement = result.joint, result.best, result.judgement
+    if part.model.rows.runs < 2 or judgement.verdict not in SOUND:
         return {}
-    unnamed = {}
-    for effect in model.catalogue:
+    named = {e.quantity for e in best.effects}
+    unnamed: dict[Quantity, Finding] = {}
+    for effect in joint.core:
         quantity = effect.quantity
-        if quantity not in quantities or effect in best.effects or quantity is None or quantity in unnamed:
+        if quantity is None or quantity not in part.kind.absences or quantity in named or quantity in unnamed:
+            continue
+        if joint.kinds[effect.key] is not part.kind:
             continue
         if effect.beside and effect.beside.name not in judgement.claimed:
             continue
         # With the effects found free beside it, what they could hide of it widens its error.
-        beside = fit(model, evidence, (*best.effects, effect), best.active, Search(1))
+        beside = fit(joint, (*best.effects, effect), best.active, Search(1))
         unnamed[quantity] = next(_finding(beside, *entry) for entry in beside.values() if entry[0] == effect)
     return unnamed
 
@@ -146,11 +194,12 @@ def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> F
     return Finding(effect.name, numbers, effect.twins, at_bound, effect.given)
 
 
-def _discrepancy(model: Model, evidence: Evidence, best: Hypothesis) -> tuple[Array, Finding | None]:
+def _discrepancy(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Finding | None]:
     """What the discrepancy adds to the best subset's residual, and its numbers where they are sure."""
+    model, evidence = part.model, part.evidence
     of, orders = model.discrepancy, model.form.shape[1]
-    spectrum = evidence.grid.index(best.spectrum)
-    values = evidence.repeating(evidence.whiten(model.residual(best.active)), spectrum)[orders:]
+    spectrum = joint.grid.index(best.spectrum)
+    values = evidence.repeating(evidence.whiten(part.residual(best.active)), spectrum)[orders:]
     sigma = evidence.unsure(spectrum)[orders:]
     shown = tuple(
         Value(name, float(v / UNITS[unit]), float(s / UNITS[unit]), unit)
@@ -160,13 +209,13 @@ def _discrepancy(model: Model, evidence: Evidence, best: Hypothesis) -> tuple[Ar
     return of.columns @ values, Finding(of.words, shown, (), ()) if sure else None
 
 
-def _datum(
-    datum: Datum, model: Model, noise: Noise, best: Hypothesis
-) -> tuple[tuple[Finding, ...], str, tuple[str, ...]]:
+def _datum(datum: Datum, part: Part, best: Hypothesis) -> tuple[tuple[Finding, ...], str, tuple[str, ...]]:
     """The datum freedoms of each run beside the effects, what was known of them, and what speaks against that."""
     if not datum.numbers:
         return (), "", ()
-    fitted = (datum.fit or _offsets)(model, model.residual(best.active), noise.sigma, best.active, best.datum())
+    model, noise = part.model, part.noise
+    mine = [(part.names[e.key], v, s) for e, v, s in best.datum() if e.key in part.names]
+    fitted = (datum.fit or _offsets)(model, part.residual(best.active), noise.sigma, part.own(best.active), mine)
     held, against = datum.notes(model, *fitted) if datum.notes else ("", ())
     found = tuple(
         Finding(
@@ -194,31 +243,19 @@ def _offsets(
     return np.asarray(values, dtype=float).reshape(shape), np.asarray(error, dtype=float).reshape(shape)
 
 
-def _held_out(
-    record: Record, model: Model, build: Build, noise: Noise, best: Hypothesis, run: int
-) -> tuple[Array, Array]:
-    """Residual of a run with effects from the others: datum refitted, without and with their form error."""
-    inside = model.rows.run != run
-    train = build(record.only(np.setdiff1d(np.arange(record.runs), [run])))
-    test = build(record.only(np.array([run])))
-    learn, judged = (
-        Noise(noise.sigma[rows], noise.correlation, noise.slip * (part.rows.runs > 1), part.rows.runs)
-        for rows, part in ((inside, train), (~inside, test))
-    )
-    evidence = Evidence(train, learn, grid=(best.spectrum,))
-    active = _refit(train, evidence, best)
-    repeats = evidence.repeating(evidence.whiten(train.residual(active)), 0)
+def _held_out(joint: Joint, part: Part, best: Hypothesis, run: int) -> tuple[Array, Array]:
+    """Residual of a run with effects from all else: datum refitted, without and with what repeats in the others."""
+    others, test = joint.without(part, run, best.spectrum)
+    train = next(p for p, whole in zip(others.parts, joint.parts, strict=True) if whole is part)
+    # A step within one run is no use for another.
+    effects = tuple(e for e in best.effects if not e.one_run)
+    active = fit(others, effects, best.active, Search(1)).active
+    repeats = train.evidence.repeating(train.evidence.whiten(train.residual(active)), 0)
     own = test.residual(active)
     # Of a datum that is no column, the run left out has its own value too.
-    turned = slopes(test, test.datum, active)
-    return registered(test, judged, own, turned), registered(test, judged, own - repeating(test) @ repeats, turned)
-
-
-def _refit(model: Model, evidence: Evidence, best: Hypothesis) -> Active:
-    """The best subset fitted to some of the runs; a step within one run is no use for another."""
-    known = {e.key for e in model.catalogue}
-    effects = tuple(e for e in best.effects if e.key in known or not e.one_run)
-    return fit(model, evidence, effects, best.active, Search(1)).active
+    turned = slopes(test.model, test.model.datum, test.own(active))
+    less = own - repeating(test.model) @ repeats
+    return registered(test.model, test.noise, own, turned), registered(test.model, test.noise, less, turned)
 
 
 def _by_run(residual: Array, model: Model) -> Array:

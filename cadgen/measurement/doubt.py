@@ -61,7 +61,7 @@ def resolved(record: Record, noise: Noise) -> Noise:
     return replace(noise, sigma=np.maximum(noise.sigma, least))
 
 
-def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> float:
+def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis, residual: Array) -> float:
     """The chance that noise and form error alone leave so much that repeats, by F-test; 1 if it cannot be told.
 
     r' C^-1 r is chi-square with as many degrees of freedom as rows less parameters. Those from which the noise was told
@@ -69,12 +69,12 @@ def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> f
     """
     if not noise.freedom:
         return 1.0
-    residual = evidence.standardise(model.residual(best.active), evidence.grid.index(best.spectrum))
+    white = evidence.standardise(residual, evidence.grid.index(best.spectrum))
     fitted = model.offsets.shape[1] + sum(len(e.parameters) for e in (*model.datum, *best.effects))
-    extra = len(residual) - fitted - noise.freedom
+    extra = len(white) - fitted - noise.freedom
     if extra < 1:
         return 1.0
-    ratio = (float(residual @ residual) - noise.freedom) / extra
+    ratio = (float(white @ white) - noise.freedom) / extra
     return float(f_distribution.sf(ratio, extra, noise.freedom))
 
 

@@ -173,12 +173,12 @@ class EvidenceDiagnosis(Diagnosis):
 
     Attributes:
         datum: fitted freedoms, never claimed; those of each run in order.
+        leads: effects found that stand in this kind's own catalogue, and are claimed by this record.
         held: what was known of these beforehand, in words; empty if nothing was.
         discrepancy: of the record's kind (see `models.base.Discrepancy`), never claimed; None where none is sure.
         residual: before and after.
         per_run: the same for each run.
         correlation: of the noise between neighbours.
-        known: effects that another record shows, and that this one was judged with.
         unnamed: how much there could be of the quantities of `Kind.absences` that a sound verdict does not name, by
             quantity, fitted beside what it does.
         play_known: whether the play found has in it what was measured of it apart.
@@ -188,9 +188,9 @@ class EvidenceDiagnosis(Diagnosis):
     residual: Residual
     per_run: PerRun
     correlation: float
+    leads: tuple[str, ...] = ()
     held: str = ""
     discrepancy: Finding | None = None
-    known: tuple[str, ...] = ()
     unnamed: dict[Quantity, Finding] = field(default_factory=dict)
     play_known: bool = False
 

@@ -1,21 +1,25 @@
 """All records of a car as one: shared parameters, one evidence; each record with its own datum, noise and discrepancy.
 
-An effect that two kinds of data show under two names (play is *backlash* in a track, *return error* in a train) is one
-effect of the joint catalogue. What is measured further up the chain motor, cam angle, lift, steering, track changes what
-is measured further down, wherever the model there passes the effect's stage (`Model.behind`). Records differ in noise,
-datum and discrepancy, which are independent, so their products and logarithms of likelihood add up. One record is the
-case of one part, whose effects are its own.
+An effect that two kinds of data show under two names (play is *backlash* in a track, *return error* in a train) is
+one effect of the joint catalogue. What is measured further up the chain motor, cam angle, lift, steering, track changes
+what is measured further down, wherever the model there passes the effect's stage (`Model.behind`). Noise, datum and
+discrepancy of the records are independent, so their products and their logarithms of likelihood add up. One record is
+the case of one part, whose effects are its own.
 """
 
-from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import block_diag
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
-from cadgen.measurement.evidence import GRID, Evidence, Spectrum
+from cadgen.measurement.evidence import Evidence, Spectrum
+from cadgen.measurement.merged import Merged
 from cadgen.measurement.models.base import Model, slopes
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Kind, Record
@@ -66,42 +70,74 @@ class Part:
         return self._known[key]
 
 
+@dataclass(frozen=True, kw_only=True)
 class Joint:
     """Records of one car, judged by one evidence.
 
     Attributes:
         parts: the records.
-        spans: rows of each part among all.
         core: effects that combine freely.
         numerous: effects that enter a subset one at a time.
         shapes: forms without a name, each of one part.
         datum: effects that are always fitted.
-        grid: spectra of the form error; all parts choose the same.
+        kinds: by the keys of effects, the kind of data whose catalogue they stand in.
     """
 
-    def __init__(self, parts: Sequence[Part]) -> None:
-        ends = np.cumsum([0, *(len(part.model.rows.run) for part in parts)]).tolist()
-        self.spans = tuple(slice(a, b) for a, b in zip(ends[:-1], ends[1:], strict=True))
-        merged = _merged(parts)
-        self.parts = tuple(replace(part, names=names) for part, names in zip(parts, merged.names, strict=True))
-        self.core = tuple(e for e in merged.catalogue if not e.numerous)
-        self.numerous = tuple(e for e in merged.catalogue if e.numerous)
-        self.shapes, self.datum = merged.shapes, merged.datum
-        self.kinds = merged.kinds
-        first = self.parts[0].evidence
-        self.grid, self.within = first.grid, first.within
-        self.rows = int(ends[-1])
-        self.constant = np.sum([part.evidence.constant for part in self.parts], axis=0)
+    parts: tuple[Part, ...]
+    core: tuple[Effect, ...]
+    numerous: tuple[Effect, ...]
+    shapes: tuple[Effect, ...]
+    datum: tuple[Effect, ...]
+    kinds: dict[str, Kind]
+
+    @classmethod
+    def of(cls, parts: Sequence[Part]) -> "Joint":
+        """Records joined: their catalogues merged."""
+        merged = Merged.of([(part.kind, part.model) for part in parts])
+        return cls(
+            parts=tuple(replace(part, names=names) for part, names in zip(parts, merged.names, strict=True)),
+            core=tuple(e for e in merged.catalogue if not e.numerous),
+            numerous=tuple(e for e in merged.catalogue if e.numerous),
+            shapes=merged.shapes,
+            datum=merged.datum,
+            kinds=merged.kinds,
+        )
+
+    @cached_property
+    def spans(self) -> tuple[slice, ...]:
+        """Rows of each part among all."""
+        ends = np.cumsum([0, *(len(part.model.rows.run) for part in self.parts)]).tolist()
+        return tuple(slice(a, b) for a, b in pairwise(ends))
 
     @property
-    def names(self) -> str:
-        """Of the sources, for messages."""
+    def rows(self) -> int:
+        """How many numbers were measured."""
+        return int(self.spans[-1].stop)
+
+    @property
+    def grid(self) -> tuple[Spectrum, ...]:
+        """Spectra of the form error; all parts choose the same."""
+        return self.parts[0].evidence.grid
+
+    @property
+    def within(self) -> NDArray[np.bool_]:
+        """Which of them keep the stated floor."""
+        return self.parts[0].evidence.within
+
+    @cached_property
+    def constant(self) -> Array:
+        """log det C for each spectrum."""
+        return np.asarray(np.sum([part.evidence.constant for part in self.parts], axis=0))
+
+    @property
+    def source(self) -> str:
+        """Names of the files."""
         return ", ".join(part.record.source for part in self.parts)
 
     @property
-    def freedom(self) -> int:
-        """Degrees of freedom from which the noise was told."""
-        return sum(part.noise.freedom for part in self.parts)
+    def offsets(self) -> Array:
+        """Linear datum freedoms of all parts as columns, shape (n, d)."""
+        return np.asarray(block_diag(*(part.model.offsets for part in self.parts)), dtype=float)
 
     def residual(self, active: Active) -> Array:
         """Measured less expected of all records, shape (n,), each in its own internal unit."""
@@ -122,7 +158,7 @@ class Joint:
         """Numerous effects are searched for in the record that shows them best; the others join in the exact fit."""
         return not effect.numerous or self.kinds[effect.key] is part.kind
 
-    def shape_columns(self, shape: Effect, step: Array) -> Array:
+    def shape_column(self, shape: Effect, step: Array) -> Array:
         """Reading of a form without a name, which acts in one part alone, shape (n,)."""
         out = np.zeros(self.rows)
         for part, span in zip(self.parts, self.spans, strict=True):
@@ -151,19 +187,23 @@ class Joint:
             [p.evidence.standardise(columns[s], spectrum) for p, s in zip(self.parts, self.spans, strict=True)]
         )
 
-    def without(self, part: Part, run: int) -> "Joint":
-        """The same with one run of a part left out, each noise as it was."""
-        train, inside = runs_of(part, run, inside=False)
-        parts = [train if other.record is part.record else replace(other, _known={}) for other in self.parts]
-        del inside
-        again = Joint(parts)
-        return again
+    def without(self, part: Part, run: int, spectrum: Spectrum) -> tuple["Joint", Part]:
+        """The same with one run of a part left out, and that run; noises as they are, one spectrum of form error."""
+        others = np.setdiff1d(np.arange(part.record.runs), [run])
+        train, test = (_only(part, runs, spectrum) for runs in (others, np.array([run])))
+        parts = [
+            train
+            if other.record is part.record
+            else replace(other, evidence=Evidence(other.model, other.noise, (spectrum,)))
+            for other in self.parts
+        ]
+        return replace(self, parts=tuple(parts)), test
 
-    def held_to(self, spectrum: Spectrum) -> "Joint":
-        """The same with one spectrum of the form error."""
-        return Joint([replace(p, evidence=Evidence(p.model, p.noise, (spectrum,)), _known={}) for p in self.parts])
 
-
-def observed(record: Record, build: Build, model: Model, noise: Noise, grid: tuple[Spectrum, ...] = GRID) -> Part:
-    """A record with its noise, ready to be joined to others."""
-    return Part(record, build, model, noise, Evidence(model, noise, grid))
+def _only(part: Part, runs: NDArray[np.intp], spectrum: Spectrum) -> Part:
+    """Some runs of a part, by one spectrum of the form error."""
+    record = part.record.only(runs)
+    model, rows = part.build(record), np.isin(part.model.rows.run, runs)
+    slip = part.noise.slip * (len(runs) > 1)
+    noise = Noise(part.noise.sigma[rows], part.noise.correlation, slip, len(runs))
+    return Part(record, part.build, model, noise, Evidence(model, noise, (spectrum,)), part.names)

@@ -31,13 +31,6 @@ class Method(Enum):
     ZONE_MEANS = "least squares of mean turns; there are no runs"
 
 
-class Knowledge(Enum):
-    """Results of one kind of data that are taken as known when the other kinds are judged."""
-
-    DISC = "effects on the disc"
-    PLAY = "return error"
-
-
 class Abscissa(Enum):
     """What a picture shows the residual over: its label."""
 
@@ -126,7 +119,6 @@ class Kind:
         spans: (record, the same) -> what betrays numbers of another unit.
         most_rows: of all files of the kind together.
         around: whether it is to show the whole turn of the cam, as few and far points cannot.
-        tells, takes: what it says that other kinds are judged with, and what it is judged with.
         absences: quantities of which a sound verdict that does not name them says that there is little.
         nearness: among kinds that show one quantity, the least is nearest to what the car drives with.
         rod_on: whether the rod is on the disc and the car runs, so that friction acts beside the play.
@@ -148,8 +140,6 @@ class Kind:
     spans: Callable[["Record", Any], Iterable[Span]] = _no_spans
     most_rows: int = MOST_ROWS
     around: bool = False
-    tells: Knowledge | None = None
-    takes: tuple[Knowledge, ...] = ()
     absences: tuple[Quantity, ...] = ()
     nearness: int
     rod_on: bool = False

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect, causes
 from cadgen.errors import DesignError
-from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
-from cadgen.measurement.models.base import Model, slopes
+from cadgen.measurement.joint import Joint
 
 Index = NDArray[np.intp]
+Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
 
 LARGEST_SUBSET = 3
 # Subsets that get an exact fit in each round, and that the numerous effects are tried beside.
@@ -59,10 +59,10 @@ class Rated:
 class Numerous:
     """The many effects that enter one at a time: whitened once, with their products among their own columns."""
 
-    def __init__(self, evidence: Evidence, columns: Columns) -> None:
+    def __init__(self, joint: Joint, columns: Columns) -> None:
         self.effects, self.spans = columns.effects, columns.spans
-        self.white = evidence.whiten(columns.values)
-        self.halves = evidence.halves(self.white)
+        self.white = joint.whiten(columns.values)
+        self.halves = joint.halves(self.white)
         sorts = [(s.stop - s.start, bool(e.parts)) for e, s in zip(self.effects, self.spans, strict=True)]
         self.groups = [
             self._group(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
@@ -96,48 +96,55 @@ class Round:
     always: Index
 
 
-def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
+def find(joint: Joint) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
-    core = parted(model, evidence, tuple(e for e in model.catalogue if not e.numerous))
-    named = tuple(e for e in model.catalogue if e.numerous)
+    core, named = parted(joint), joint.numerous
     entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
-    anonymous = len(model.shapes) + sum(e.shape for e in named)
-    search = Search(len(model.rows.run), entries, max(anonymous, 1))
-    none = fit(model, evidence, (), [], search)
+    anonymous = len(joint.shapes) + sum(e.shape for e in named)
+    search = Search(joint.rows, entries, max(anonymous, 1))
+    none = fit(joint, (), [], search)
     fitted = {none.key: none}
     best = none
     # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
-    many = Numerous(evidence, _joined(_tangents(model, named, none), _shape_columns(model, model.shapes)))
+    many = Numerous(joint, _joined(_tangents(joint, named, none), _shape_columns(joint)))
     for _ in range(ROUNDS):
-        for effects, start in _promising(model, evidence, best, core, many, search):
-            key = frozenset(e.key for e in effects)
-            if key not in fitted:
-                try:
-                    fitted[key] = fit(model, evidence, effects, start, search)
-                except DesignError:
-                    # On its way the fit met a disc that no rod can follow: no such part was measured.
-                    continue
+        _fit_new(joint, _promising(joint, best, core, many, search), fitted, search)
         leader = min(fitted.values(), key=lambda h: h.score)
         if leader is best:
             break
         best = leader
+        # What acts beside another linearises badly, and may look needed where it is not.
+        less = [tuple(e for e in best.effects if e is not companion) for companion in best.effects if companion.beside]
+        _fit_new(joint, [(effects, best.active) for effects in less], fitted, search)
     return sorted(fitted.values(), key=lambda h: h.score)
 
 
-def parted(model: Model, evidence: Evidence, effects: tuple[Effect, ...]) -> tuple[Effect, ...]:
-    """Effects less those of the instrument that these data cannot tell from one of the part, which has them as twins.
+def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hypothesis], search: Search) -> None:
+    """Fit subsets exactly that are not among those fitted, and add them."""
+    for effects, start in subsets:
+        key = frozenset(e.key for e in effects)
+        if key not in fitted:
+            try:
+                fitted[key] = fit(joint, effects, start, search)
+            except DesignError:
+                # On its way the fit met a disc that no rod can follow: no such part was measured.
+                continue
+
+
+def parted(joint: Joint) -> tuple[Effect, ...]:
+    """The freely combining effects, less those of the instrument that are another's twins in these data.
 
     Two are told apart if their responses, less the datum, enclose an angle that `PARTED` is the sine of.
     """
-    kept = {e.key: e for e in effects}
-    datum = [(e, e.start) for e in model.datum]
-    free = np.linalg.qr(evidence.whiten(np.hstack([model.offsets, slopes(model, model.datum, datum)])))[0]
+    kept = {e.key: e for e in joint.core}
+    datum = [(e, e.start) for e in joint.datum]
+    free = np.linalg.qr(joint.whiten(np.hstack([joint.offsets, joint.slopes(joint.datum, datum)])))[0]
 
     def response(effect: Effect) -> Array:
-        white = evidence.whiten(slopes(model, (effect,), datum))
+        white = joint.whiten(joint.slopes((effect,), datum))
         return np.linalg.qr(white - free @ (free.T @ white))[0]
 
-    for effect in effects:
+    for effect in joint.core:
         other = effect.looks_like and kept.get(effect.looks_like.key)
         if not other:
             continue
@@ -150,29 +157,28 @@ def parted(model: Model, evidence: Evidence, effects: tuple[Effect, ...]) -> tup
 
 
 def _promising(
-    model: Model,
-    evidence: Evidence,
+    joint: Joint,
     best: Hypothesis,
     core: tuple[Effect, ...],
     many: Numerous,
     search: Search,
-) -> list[tuple[tuple[Effect, ...], Active]]:
+) -> list[Start]:
     """The subsets of least linearised score about the best one so far, with estimates to begin from."""
     # Numerous effects that have entered combine freely from now on.
     core = core + tuple(e for e in best.effects if e.numerous)
-    free = _tangents(model, core, best)
-    datum = slopes(model, model.datum, best.active)
+    free = _tangents(joint, core, best)
+    datum = joint.slopes(joint.datum, best.active)
     # What the residual would be without the active effects follows from their own tangents.
     known = [_value_in(best, e)[: s.stop - s.start] for e, s in zip(free.effects, free.spans, strict=True)]
-    bare = model.residual(best.active) + (free.values @ np.concatenate(known) if known else 0.0)
-    white = evidence.whiten(np.column_stack([free.values, datum, bare]))
-    halves = evidence.halves(white)
+    bare = joint.residual(best.active) + (free.values @ np.concatenate(known) if known else 0.0)
+    white = joint.whiten(np.column_stack([free.values, datum, bare]))
+    halves = joint.halves(white)
     width = free.values.shape[1]
     this = Round(
         free,
         white.T @ white - np.swapaxes(halves, 1, 2) @ halves,
         white.T @ many.white - np.swapaxes(halves, 1, 2) @ many.halves,
-        evidence.constant[evidence.within],
+        joint.constant[joint.within],
         np.arange(width, width + datum.shape[1]),
     )
     rated = sorted(_rate_free(this, search), key=lambda r: r.score)
@@ -181,9 +187,9 @@ def _promising(
     rated.sort(key=lambda r: r.score)
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
-    datum_start = [(e, v) for e, v in best.active if e in model.datum]
+    datum_start = [(e, v) for e, v in best.active if e in joint.datum]
     chosen = rated[:REFINED] + named[:NAMED]
-    if _leaves_more(model, evidence, best):
+    if _leaves_more(joint, best):
         # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted.
         beside: dict[frozenset[str], Rated] = {}
         for r in rated:
@@ -193,9 +199,9 @@ def _promising(
     return [(r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen]
 
 
-def _leaves_more(model: Model, evidence: Evidence, best: Hypothesis) -> bool:
+def _leaves_more(joint: Joint, best: Hypothesis) -> bool:
     """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?"""
-    left = evidence.standardise(model.residual(best.active), best.within)
+    left = joint.standardise(joint.residual(best.active), best.within)
     return bool(left @ left > len(left) + CHANCE * np.sqrt(2 * len(left)))
 
 
@@ -279,8 +285,8 @@ def _solve(
     return misfit[least, rows], (estimate[..., 0] / size)[least, rows], smallest > 1 - COLLINEAR
 
 
-def _tangents(model: Model, effects: tuple[Effect, ...], best: Hypothesis) -> Columns:
-    values = slopes(model, effects, best.active)
+def _tangents(joint: Joint, effects: tuple[Effect, ...], best: Hypothesis) -> Columns:
+    values = joint.slopes(effects, best.active)
     ends = np.cumsum([0, *(len(e.parameters) for e in effects)])
     # A second parameter that does nothing yet (a width at no depth) has no column of its own.
     alive = np.linalg.norm(values, axis=0) > 0
@@ -290,21 +296,20 @@ def _tangents(model: Model, effects: tuple[Effect, ...], best: Hypothesis) -> Co
     return Columns(tuple(effects[i] for i in useful), tuple(spans[i] for i in useful), values[:, alive])
 
 
-def _shape_columns(model: Model, shapes: tuple[Effect, ...]) -> Columns:
+def _shape_columns(joint: Joint) -> Columns:
     """Shapes act on the reading alone and in proportion to their size, so their columns are read off."""
-    nothing = np.zeros(len(model.rows.run))
     columns: list[Array] = []
     spans = []
-    for shape in shapes:
+    for shape in joint.shapes:
         first = len(columns)
         for k, step in enumerate(shape.steps):
             values = shape.start.copy()
             values[k] += step
-            column = shape.act(nothing, values, model.rows) / step
+            column = joint.shape_column(shape, values) / step
             if np.any(column):
                 columns.append(column)
         spans.append(slice(first, len(columns)))
-    return Columns(shapes, tuple(spans), np.stack(columns, axis=1) if columns else nothing[:, None][:, :0])
+    return Columns(joint.shapes, tuple(spans), np.stack(columns, axis=1) if columns else np.empty((joint.rows, 0)))
 
 
 def _joined(one: Columns, two: Columns) -> Columns:

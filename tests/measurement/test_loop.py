@@ -96,3 +96,39 @@ def test_a_measuring_machine_out_of_square_is_no_lobing(built):
     assert profile.findings[0].twins == ("squareness of the measuring machine",)
     assert profile.findings[0].values[0].value == pytest.approx(-0.05, abs=0.003)
     assert "turned by 90 degrees" in " ".join(profile.judgement.separate)
+
+
+@pytest.fixture(scope="module")
+def joint(nominal):
+    """The diagnoses of several files of one car, and their joint findings by name."""
+
+    def of(*names):
+        told = calibrate([load(LOOP / name) for name in names], nominal)
+        return told, {f.effect: [v.value for v in f.values] for d in told for f in d.findings}
+
+    return of
+
+
+@pytest.mark.slow
+def test_a_lift_that_shows_the_disc_makes_its_track_clear(joint):
+    """Steering zero 0.4°, play 0.80°, bore off by (-20, 15) um: the track alone leaves a rest, and claims nothing."""
+    (lift, track), values = joint("C13/lift.csv", "C13/track.csv")
+    assert track.verdict == "combination"
+    assert track.judgement.claimed == ("backlash", "eccentric bore", "steering zero")
+    assert lift.judgement.claimed == ("eccentric bore",)
+    assert values["steering zero"] == pytest.approx([0.4], abs=0.006)
+    assert values["backlash"] == pytest.approx([0.8], abs=0.03)
+    assert values["eccentric bore"] == pytest.approx([-20.0, 15.0], abs=1.7)
+    assert track.residual.after < 1.05 * track.residual.noise
+
+
+@pytest.mark.slow
+def test_a_train_that_runs_out_moves_the_cam_under_the_track(joint):
+    """Steering zero 0.3°, play 0.84°, run-out of shaft 2 by 0.3°."""
+    (track, train), values = joint("C3/track.csv", "C3/trans.csv")
+    assert track.judgement.claimed == ("backlash", "runout of shaft 2", "steering zero")
+    assert train.judgement.claimed == ("return error", "runout of shaft 2")
+    assert values["steering zero"] == pytest.approx([0.3], abs=0.005)
+    assert values["backlash"] == values["return error"] == pytest.approx([0.84], abs=0.005)
+    assert sum(v * v for v in values["runout of shaft 2"]) ** 0.5 == pytest.approx(0.3, abs=0.01)
+    assert track.residual.after < 1.05 * track.residual.noise

@@ -125,7 +125,7 @@ def test_chance_of_a_rest_is_even_for_noise_and_form_error_and_small_for_more():
         drawn = model.form @ (size * rng.normal(size=len(size))) + rng.normal(0, 3.0, 600)
         model.residual = lambda active: drawn + more * np.sin(20 * model.rows.place)
         noise = estimate_noise(model, model.residual([]))
-        return unfit(model, Evidence(model, noise, (spectrum,)), noise, best)
+        return unfit(model, Evidence(model, noise, (spectrum,)), noise, best, model.residual([]))
 
     even = [chance(0.0) for _ in range(60)]
     assert 0.35 < np.mean(even) < 0.65

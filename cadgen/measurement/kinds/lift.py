@@ -8,7 +8,7 @@ from cadgen.deviations import catalogue
 from cadgen.measurement.admission import refuse_twice
 from cadgen.measurement.models.lift import LiftModel
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.record import Column, Datum, Kind, Knowledge, Record, Span
+from cadgen.measurement.record import Column, Datum, Kind, Record, Span
 
 
 def _check(record: Record) -> None:
@@ -41,6 +41,5 @@ KIND = Kind(
     check=_check,
     spans=_spans,
     around=True,
-    takes=(Knowledge.DISC,),
     nearness=4,
 )

@@ -12,7 +12,7 @@ from cadgen.measurement.models.rolled import Rolled
 from cadgen.measurement.models.start import NUMBERS, doubts
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.record import Abscissa, Column, Datum, Kind, Knowledge, Record, Span
+from cadgen.measurement.record import Abscissa, Column, Datum, Kind, Record, Span
 
 
 def _check(record: Record) -> None:
@@ -58,7 +58,6 @@ KIND = Kind(
     model=_model,
     check=_check,
     spans=_spans,
-    takes=(Knowledge.DISC, Knowledge.PLAY),
     absences=(quantities.RETURN_ERROR, quantities.SLIDING_FRICTION),
     nearness=1,
     rod_on=True,

@@ -87,7 +87,8 @@ class TrackModel:
         nodes, following = self._grid, None
         if run.play > 0:
             # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
-            following = self._forces.leads(run.friction).follow(lift, run.play)
+            changed = None if lift is self._lift else lift
+            following = self._forces.leads(run.friction, lift=changed).follow(lift, run.play)
             joints = following.joints(run.phase, TURN + run.phase) - run.phase
             nodes = np.union1d(nodes, joints - (self._asked(joints, active) - joints))
 

@@ -45,14 +45,6 @@ def document(calibration: Calibration) -> dict[str, Any]:
         "records": [_record(diagnosis) for diagnosis in c.diagnoses],
         "zones": c.zones and _zones(c.zones),
         "shared": [_shared(quantity) for quantity in c.shared],
-        "settled": [
-            {
-                "source": source,
-                "claims": [claim.finding.effect for claim in decided.claims],
-                "by": [{"source": claim.source, "effect": claim.finding.effect} for claim in decided.by],
-            }
-            for source, decided in c.settled.items()
-        ],
         "as_built": [_built(built) for built in c.built],
         "versions": versions(),
     }
@@ -166,7 +158,6 @@ def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[st
     play, friction = (diagnosis.unnamed.get(q) for q in (quantities.RETURN_ERROR, quantities.SLIDING_FRICTION))
     held_out = [None] * diagnosis.runs if p.held_out is None else p.held_out.tolist()
     return {
-        "known_from_profile": list(diagnosis.known),
         "effects": effects,
         "unnamed_play": play and _finding(play),
         "unnamed_friction": friction and _finding(friction),
@@ -202,7 +193,6 @@ def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, 
     assert isinstance(diagnosis, PathDiagnosis)
     r, p = diagnosis.residual, diagnosis.per_run
     return {
-        "known_from_profile": [],
         "effects": effects,
         "unnamed_play": None,
         "unnamed_friction": None,

@@ -24,7 +24,7 @@ from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
-from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
+from cadgen.measurement.together import Claim, Shared, at_work, claims, no_friction, no_play, shared
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.records.load import digest, load
@@ -80,8 +80,7 @@ class Calibration:
         sources: the files.
         diagnoses: what each kind with a forward model shows.
         zones: on means over zones.
-        claims: what the verdicts claim, with what is settled, and that there is no play where that was seen.
-        settled: source of an ambiguous record -> what others decide in it.
+        claims: what the verdicts claim, and that there is no play where that was seen.
         warnings: what does not fit, but was let pass.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
@@ -97,7 +96,6 @@ class Calibration:
     diagnoses: tuple[Diagnosis, ...]
     zones: ZoneMeans | None
     claims: tuple[Claim, ...]
-    settled: dict[str, Settled]
     warnings: tuple[str, ...]
     holds: tuple[float, float] | None = None
 
@@ -220,8 +218,6 @@ def calibrate(
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.quantity == quantities.RETURN_ERROR and c.kind.rod_on for c in found):
         holds = None
-    others = {d.source: [c for c in found if c.source != d.source] for d in diagnoses.values()}
-    decided = {d.source: rivals for d in diagnoses.values() if (rivals := settled(d, others[d.source]))}
     return Calibration(
         design=design,
         profile=profile,
@@ -232,8 +228,7 @@ def calibrate(
         sources=tuple(sources),
         diagnoses=tuple(diagnoses[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in diagnoses),
         zones=zones,
-        claims=(*found, *(claim for rivals in decided.values() for claim in rivals.claims)),
-        settled=decided,
+        claims=tuple(found),
         warnings=tuple(_warnings(design, profile, sources)),
         holds=holds,
     )
@@ -329,7 +324,7 @@ def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
 def _instruments(claim: Claim) -> bool:
     """Whether data cannot tell a claim from an effect of their instrument."""
     twins = (claim.kind.catalogue.named(name) for name in claim.finding.twins)
-    return any(twin is not None and twin.looks_like is not None for twin in twins)
+    return any(twin is not None and twin.instrument for twin in twins)
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:

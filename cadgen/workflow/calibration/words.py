@@ -48,10 +48,6 @@ def report(calibration: Calibration) -> list[Block]:
     blocks += [f"Warning: {text}." for text in c.warnings]
     for diagnosis in c.diagnoses:
         blocks += _record(diagnosis, c.files(diagnosis.kind))
-        if decided := c.settled.get(diagnosis.source):
-            names = " and ".join(claim.finding.effect for claim in decided.claims)
-            by_claims = "; ".join(f"{claim.finding.effect} from {claim.source}" for claim in decided.by)
-            blocks.append(f"Decided by the other data ({by_claims}): {names}, which counts as claimed.")
     if c.zones is not None:
         blocks += _zones(c.zones)
     blocks += _together(c)
@@ -118,8 +114,6 @@ def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
         Heading(f"{diagnosis.kind.code}: {diagnosis.source} ({counts})"),
         f"Verdict: {diagnosis.verdict}. {j.sentence}",
     ]
-    if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.known:
-        blocks.append(f"Taken as known from the profile: {' and '.join(diagnosis.known)}.")
     for finding in diagnosis.findings:
         claimed = "" if finding.effect in j.claimed else " (not claimed)"
         blocks.append(f"  {finding.effect}{claimed}: {_sizes(finding)}")
@@ -295,8 +289,6 @@ def sentence(built: Built) -> str:
     if built.instead is not None:
         place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
     name = f"no {finding.effect}" if built.claim.absent else finding.effect
-    if built.claim.remainder:
-        name += f" beside the profile's ({built.claim.quantity.name})"
     signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.given)).parameters)
     of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
     return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
