@@ -10,7 +10,7 @@ from cadgen.deviations.effect import UNITS, Active, Effect
 from cadgen.deviations.quantities import Quantity
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved, unfit
 from cadgen.measurement.evidence import Evidence
-from cadgen.measurement.findings import Candidate, EvidenceDiagnosis, Finding, HeldOut, PerRun, Residual, Value
+from cadgen.measurement.findings import Candidate, EvidenceDiagnosis, Finding, HeldOut, Likely, PerRun, Residual, Value
 from cadgen.measurement.friction import with_friction_judged, with_known_play
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.joint import Build, Joint, Part
@@ -21,6 +21,8 @@ from cadgen.measurement.search import find
 from cadgen.measurement.verdict import Judgement, judge, registered
 
 Step = Callable[[str], None]
+# A subset less likely than this does not change what is expected of the car.
+LEAST_WEIGHT = 1e-3
 # Noise that falls to this share once the likeliest effects are taken out was theirs.
 NOT_NOISE = 0.8
 # A discrepancy is said if one of its numbers is so many standard deviations from nothing.
@@ -147,7 +149,39 @@ def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:
         measured=model.measured,
         unnamed=_unnamed(part, result),
         play_known=result.play_known,
+        likely=_likely(result),
+        beside=_beside(part, result),
     )
+
+
+def _likely(result: _Result) -> tuple[Likely, ...]:
+    """The subsets that may be true, the reported one with the values reported, with their weights."""
+    joint, best = result.joint, result.best
+    fitted = [best, *(h for h in result.found if h.key != best.key)]
+    least = min(h.score for h in fitted)
+    weight = np.exp([(least - h.score) / 2 for h in fitted])
+    weight /= weight.sum()
+    out = []
+    for h, share in zip(fitted, weight, strict=True):
+        if share < LEAST_WEIGHT and h is not best:
+            continue
+        first = len(h.covariance) - sum(len(v) for _, v, _ in h.values())
+        effects = tuple(((joint.kinds[e.key].code, joint.own_name(e)), e, v) for e, v, _ in h.values())
+        out.append(Likely(float(share), effects, h.covariance[first:, first:]))
+    total = sum(likely.weight for likely in out)
+    return tuple(replace(likely, weight=likely.weight / total) for likely in out)
+
+
+def _beside(part: Part, result: _Result) -> tuple[complex, float]:
+    """What repeats beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
+    if part.model.measured is None:
+        return 0j, 0.0
+    ends = np.flatnonzero(part.model.rows.run == 0)
+    last = ends[[len(ends) // 2 - 1, -1]]
+    columns, spectrum = repeating(part.model)[last], result.joint.grid.index(result.best.spectrum)
+    x, y = columns @ part.evidence.repeating(part.evidence.whiten(part.residual(result.best.active)), spectrum)
+    spread = np.trace(columns @ part.evidence.unsure(spectrum) @ columns.T) / 2
+    return complex(x, y), float(np.sqrt(spread))
 
 
 def _figures(
@@ -200,7 +234,7 @@ def _discrepancy(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Fin
     of, orders = model.discrepancy, model.form.shape[1]
     spectrum = joint.grid.index(best.spectrum)
     values = evidence.repeating(evidence.whiten(part.residual(best.active)), spectrum)[orders:]
-    sigma = evidence.unsure(spectrum)[orders:]
+    sigma = np.sqrt(np.diag(evidence.unsure(spectrum))[orders:])
     shown = tuple(
         Value(name, float(v / UNITS[unit]), float(s / UNITS[unit]), unit)
         for (name, unit), v, s in zip(of.numbers, values, sigma, strict=False)

@@ -15,7 +15,7 @@ from cadgen.measurement.models.base import Model, highest_order, repeating
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.remarks import instrument
-from cadgen.measurement.search import LARGEST_SUBSET
+from cadgen.measurement.search import MOST_CAUSES
 from cadgen.measurement.verdict import SIGMAS, Judgement, unclaimed, within_error, within_words
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
@@ -107,10 +107,10 @@ def doubted(
             f"what remains is {left / allowed:.1f} times what noise and the stated form error make: nothing is claimed"
         )
         return replace(judgement, claimed=(), limits=(*judgement.limits, limit))
-    if causes(best.effects) == LARGEST_SUBSET and chance < UNFIT:
+    if causes(best.effects) >= MOST_CAUSES and chance < UNFIT:
         sentence = (
             f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "
-            f"form error: there are more than {LARGEST_SUBSET} effects, so sizes are not sure and nothing is claimed."
+            f"form error: there are more than {MOST_CAUSES} effects, so sizes are not sure and nothing is claimed."
         )
         return replace(judgement, verdict="ambiguous", sentence=sentence, claimed=())
     # That there is no friction is as sure a finding as that there is some.

@@ -131,9 +131,9 @@ class Evidence:
         return np.asarray(z + self.basis @ (self._roots[spectrum] @ (self.basis.T @ z)))
 
     def unsure(self, spectrum: int) -> Array:
-        """Standard deviations of what `repeating` gives, shape (q + k,)."""
+        """Covariance of what `repeating` gives, shape (q + k, q + k)."""
         factor = self._factors[spectrum]
-        return np.asarray(np.sqrt(np.diag(cho_solve(factor, np.eye(len(factor[0]))))))[: self._flat]
+        return np.asarray(cho_solve(factor, np.eye(len(factor[0]))))[: self._flat, : self._flat]
 
     def repeating(self, residual: Array, spectrum: int) -> Array:
         """Most likely coefficients of form error and discrepancy given a whitened residual, shape (q + k,)."""

@@ -158,6 +158,11 @@ class Joint:
         """Numerous effects are searched for in the record that shows them best; the others join in the exact fit."""
         return not effect.numerous or self.kinds[effect.key] is part.kind
 
+    def own_name(self, effect: Effect) -> str:
+        """What an effect is called in the kind of data whose catalogue it stands in."""
+        part = next(part for part in self.parts if part.kind is self.kinds[effect.key])
+        return part.names[effect.key].name
+
     def shape_column(self, shape: Effect, step: Array) -> Array:
         """Reading of a form without a name, which acts in one part alone, shape (n,)."""
         out = np.zeros(self.rows)
@@ -179,7 +184,8 @@ class Joint:
 
     def misfit(self, white: Array) -> Array:
         """-2 log L of a whitened residual for every spectrum."""
-        return np.sum([p.evidence.misfit(white[s]) for p, s in zip(self.parts, self.spans, strict=True)], axis=0)
+        parts = [p.evidence.misfit(white[s]) for p, s in zip(self.parts, self.spans, strict=True)]
+        return np.asarray(np.sum(parts, axis=0), dtype=float)
 
     def standardise(self, columns: Array, spectrum: int) -> Array:
         """See `Evidence.standardise`."""

@@ -7,7 +7,7 @@ After each round the catalogue is linearised anew about the best exact fit, unti
 """
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 
@@ -23,7 +23,9 @@ from cadgen.measurement.joint import Joint
 Index = NDArray[np.intp]
 Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
 
-LARGEST_SUBSET = 3
+# Causes of which all subsets are tried, and that a subset may have which grows from the best one while that leaves more
+# than noise and form error.
+LARGEST_SUBSET, MOST_CAUSES = 3, 6
 # Subsets that get an exact fit in each round, and that the numerous effects are tried beside.
 REFINED = 5
 NAMED = 2
@@ -181,15 +183,20 @@ def _promising(
         joint.constant[joint.within],
         np.arange(width, width + datum.shape[1]),
     )
-    rated = sorted(_rate_free(this, search), key=lambda r: r.score)
-    bases = [r for r in rated if causes(r.effects) < LARGEST_SUBSET][:BASES]
+    leaves_more = _leaves_more(joint, best)
+    subsets = set(_subsets(free.effects))
+    if leaves_more:
+        subsets |= set(_grown(free.effects, best))
+    rated = sorted(_rate_free(this, subsets, search), key=lambda r: r.score)
+    most = MOST_CAUSES if leaves_more else LARGEST_SUBSET
+    bases = [r for r in rated if causes(r.effects) < most][:BASES]
     rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
     rated.sort(key=lambda r: r.score)
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
     datum_start = [(e, v) for e, v in best.active if e in joint.datum]
     chosen = rated[:REFINED] + named[:NAMED]
-    if _leaves_more(joint, best):
+    if leaves_more:
         # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted.
         beside: dict[frozenset[str], Rated] = {}
         for r in rated:
@@ -205,11 +212,11 @@ def _leaves_more(joint: Joint, best: Hypothesis) -> bool:
     return bool(left @ left > len(left) + CHANCE * np.sqrt(2 * len(left)))
 
 
-def _rate_free(this: Round, search: Search) -> Iterator[Rated]:
-    """Every subset of the freely combining effects."""
+def _rate_free(this: Round, subsets: Iterable[tuple[int, ...]], search: Search) -> Iterator[Rated]:
+    """Subsets of the freely combining effects, and none of them, by their places."""
     free = this.free
     bundles: dict[int, list[tuple[int, ...]]] = {0: [()]}
-    for subset in _subsets(free.effects):
+    for subset in sorted(subsets):
         width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
         bundles.setdefault(width, []).append(subset)
     for width, subsets in bundles.items():
@@ -237,6 +244,19 @@ def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
             companions = [i for i, e in enumerate(effects) if e.beside in chosen]
             for more in range(len(companions) + 1):
                 yield from (tuple(sorted(subset + some)) for some in combinations(companions, more))
+
+
+def _grown(effects: tuple[Effect, ...], best: Hypothesis) -> Iterator[tuple[int, ...]]:
+    """The best subset with one or two effects more, or with one more and one less: how subsets beyond three grow."""
+    inside = tuple(i for i, e in enumerate(effects) if e.key in best.key)
+    outside = [i for i in range(len(effects)) if i not in inside]
+    for more in (*combinations(outside, 1), *combinations(outside, 2)):
+        for less in (None, *inside) if len(more) == 1 else (None,):
+            subset = tuple(sorted({*inside, *more} - {less}))
+            chosen = [effects[i] for i in subset]
+            paired = all(e.beside is None or e.beside in chosen for e in chosen)
+            if paired and _compatible(chosen) and LARGEST_SUBSET < causes(chosen) <= MOST_CAUSES:
+                yield subset
 
 
 def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:

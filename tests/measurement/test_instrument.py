@@ -35,4 +35,4 @@ def test_a_turned_part_shows_whose_the_shear_is(synthetic_car, nominal):
     assert finding.twins == ()
     assert finding.values[0].value == pytest.approx(0.04, abs=4 * finding.values[0].sigma)
     # The clocking of each run as the generator set it, a quarter of a turn with it.
-    assert [f.values[0].value for f in both.datum] == pytest.approx([0.2, 0.2, 90.1, 90.1], abs=0.02)
+    assert [f.values[0].value for f in both.datum] == pytest.approx([0.2, 0.2, 90.1, 90.1], abs=0.05)

@@ -41,7 +41,7 @@ def lift_alone(records, nominal):
 
 @pytest.mark.slow
 def test_what_two_records_show_is_one_effect_and_claimed_once(together, lift_alone):
-    lift, profile = together
+    _, profile = together
     for told in together:
         assert told.judgement.claimed == ("eccentric bore",)
         assert [f.effect for f in told.findings] == ["eccentric bore"]

@@ -14,6 +14,8 @@ from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.nominal import Nominal
 from cadgen.measurement.record import Abscissa, Column, Datum, Kind, Record, Span
 
+PLANNED_ROWS = 36
+
 
 def _check(record: Record) -> None:
     refuse_twice(record, np.stack([record.run, record["cam_angle_deg"]]), "cam_angle_deg")
@@ -64,3 +66,12 @@ KIND = Kind(
     abscissa=Abscissa.TRAVEL,
     plan_view=True,
 )
+
+
+def run_of(nominal: Nominal) -> TrackModel:
+    """The model of a car that runs as designed: for what effects do to its run, where no track was measured."""
+    motor = np.arange(0.0, 360.0, 360.0 / PLANNED_ROWS)
+    x, y = nominal.track.position(motor / 360.0 * nominal.track.length).T
+    columns = {"cam_angle_deg": motor, "x_mm": x, "y_mm": y}
+    run = np.zeros(len(motor), dtype=np.intp)
+    return _model(Record(kind=KIND, columns=columns, run=run, remarks=(), source="the planned track"), nominal)

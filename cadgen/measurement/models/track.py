@@ -82,6 +82,13 @@ class TrackModel:
 
     def place(self, active: Active) -> NDArray[np.complex128]:
         """Where the car is at each row, started as by design, x + iy, mm."""
+        return self._driven(active, self._motor)
+
+    def finish(self, active: Active) -> complex:
+        """Where the run ends, at the beginning of the cam's closing blend, x + iy, mm."""
+        return complex(self._driven(active, np.array([self._lift.blend_start]))[0])
+
+    def _driven(self, active: Active, motor: Array) -> NDArray[np.complex128]:
         run = through(RUNNING, self._nominal, active, self._grid)
         lift = self._rolled.lift(active, self.rows)
         nodes, following = self._grid, None
@@ -97,8 +104,9 @@ class TrackModel:
             rod = lift.tan_beta(angle if following is None else following.cam_angle(angle))
             return through(STEERING, wheel_tangent(rod, run.car), active, motor)
 
-        _, place = driven(nodes, wheel, run.car, run.length, self._start, MIDPOINT)
-        at = np.interp(self._motor, nodes, np.arange(len(nodes)))
+        length = run.length * (1 - run.wear * (nodes[1:] + nodes[:-1])[:, None] / 2 / TURN)
+        _, place = driven(nodes, wheel, run.car, length, self._start, MIDPOINT)
+        at = np.interp(motor, nodes, np.arange(len(nodes)))
         low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
 

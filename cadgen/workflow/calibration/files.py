@@ -13,6 +13,7 @@ from cadgen.errors import FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
+from cadgen.measurement.outlook import Outlook
 from cadgen.measurement.together import Shared
 from cadgen.report.calibration import draw_record
 from cadgen.report.text import plain
@@ -46,7 +47,18 @@ def document(calibration: Calibration) -> dict[str, Any]:
         "zones": c.zones and _zones(c.zones),
         "shared": [_shared(quantity) for quantity in c.shared],
         "as_built": [_built(built) for built in c.built],
+        "outlook": c.outlook and _outlook(c.outlook),
         "versions": versions(),
+    }
+
+
+def _outlook(o: Outlook) -> dict[str, Any]:
+    return {
+        "old_mm": o.old,
+        "new_mm": o.new,
+        "new_90_percent_mm": [o.least, o.most],
+        "chance_worse": o.worse,
+        "explained": o.explained,
     }
 
 

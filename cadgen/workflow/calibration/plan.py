@@ -8,12 +8,14 @@ from pathlib import Path
 
 import numpy as np
 
+from cadgen.arrays import Array
 from cadgen.build import cam_model, gear_model, variation
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.schema import Design
 from cadgen.deviations import quantities
+from cadgen.deviations.effect import UNITS
 from cadgen.deviations.names import Place
 from cadgen.errors import FileError, brief
 from cadgen.gears.search import arrange
@@ -22,6 +24,7 @@ from cadgen.measurement.calibrate import calibrate_tricycle
 from cadgen.measurement.diagnose import SOUND
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
+from cadgen.measurement.outlook import Name, Outlook, outlook
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Shared, at_work, claims, no_friction, no_play, shared
@@ -82,6 +85,7 @@ class Calibration:
         zones: on means over zones.
         claims: what the verdicts claim, and that there is no play where that was seen.
         warnings: what does not fit, but was let pass.
+        outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
     """
@@ -98,6 +102,7 @@ class Calibration:
     claims: tuple[Claim, ...]
     warnings: tuple[str, ...]
     holds: tuple[float, float] | None = None
+    outlook: Outlook | None = None
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
@@ -198,7 +203,7 @@ def calibrate(
     _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
     diagnoses: dict[Kind, Diagnosis] = {}
-    track_length, holds = None, None
+    track_length, holds, known = None, None, None
     records = {method: [s.record for s in sources if s.kind.method is method] for method in Method}
     zones = (
         zone_means(design, join(records[Method.ZONE_MEANS]), _train(design)[0]) if records[Method.ZONE_MEANS] else None
@@ -218,7 +223,7 @@ def calibrate(
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.quantity == quantities.RETURN_ERROR and c.kind.rod_on for c in found):
         holds = None
-    return Calibration(
+    calibration = Calibration(
         design=design,
         profile=profile,
         form_error_um=floor,
@@ -232,6 +237,21 @@ def calibrate(
         warnings=tuple(_warnings(design, profile, sources)),
         holds=holds,
     )
+    return calibration if known is None else replace(calibration, outlook=_outlook(calibration, known))
+
+
+def _outlook(calibration: Calibration, nominal: Nominal) -> Outlook | None:
+    """What a new cam is expected to do that is made for what is claimed; None if it would be the old one."""
+    told = tuple(d for d in calibration.diagnoses if isinstance(d, EvidenceDiagnosis))
+    taken: dict[Name, Array] = {}
+    gone: set[Name] = set()
+    for built in calibration.built:
+        finding, name = built.claim.finding, (built.claim.kind.code, built.claim.finding.effect)
+        if built.place in ("car", "process") and not built.claim.absent:
+            taken[name] = np.array([value.value * UNITS[value.unit] for value in finding.values])
+        elif built.place == "part":
+            gone.add(name)
+    return outlook(told, nominal, taken, frozenset(gone)) if taken or gone else None
 
 
 def calibrate_each(

@@ -20,6 +20,7 @@ from cadgen.measurement.findings import (
     PerRun,
     Value,
 )
+from cadgen.measurement.outlook import WORSE, Outlook
 from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
 from cadgen.workflow.calibration.plan import Built, Calibration, Source
@@ -39,7 +40,8 @@ def report(calibration: Calibration) -> list[Block]:
     """Everything a calibration says."""
     c = calibration
     floor = f"; form error of the disc {c.form_error_um:g} µm rms ({c.form_error_from})" if c.track_length else ""
-    blocks: list[Block] = [f"{c.design.name}, {c.profile} profile{floor}."]
+    blocks: list[Block] = [expected(c.outlook)] if c.outlook else []
+    blocks.append(f"{c.design.name}, {c.profile} profile{floor}.")
     if c.wheelbase is not None:
         by = "a file says so" if c.wheelbase[1] else "the design's, since no file says it"
         blocks.append(
@@ -53,6 +55,28 @@ def report(calibration: Calibration) -> list[Block]:
     blocks += _together(c)
     blocks += _built(c)
     return blocks
+
+
+def expected(o: Outlook) -> str:
+    """What a new cam is expected to do, and why not to cut it."""
+    words = (
+        f"A new cam made for what is claimed is expected to end the run {_length(o.new)} mm off ({_length(o.least)} to "
+        f"{_length(o.most)} mm in 90 %), the old one {_length(o.old)} mm; it is worse with a chance of {o.worse:.1%}."
+    )
+    why = []
+    if o.explained is False:
+        why.append("what is found does not explain the measured runs")
+    if o.worse > WORSE:
+        why.append("it may be worse than the old one")
+    if why:
+        return f"Do not cut it: {listed(why, 'and')}; see what to measure below. {words}"
+    if o.explained is None:
+        return f"{words} No track was measured, so what else the car has is not in this."
+    return words
+
+
+def _length(size: float) -> str:
+    return f"{size:.0f}" if size >= 10 else f"{size:.1f}"
 
 
 def summary(each: Sequence[Calibration]) -> list[Block]:

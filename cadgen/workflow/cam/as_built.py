@@ -4,7 +4,8 @@ from math import degrees, radians
 
 from cadgen.arrays import TURN
 from cadgen.build import cam_model, gear_model, variation
-from cadgen.design.as_built import Effect
+from cadgen.check import Check, CheckCode
+from cadgen.design.as_built import Effect, Outlook
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 
@@ -20,7 +21,8 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
     used, noted = (
         [effect for effect in record.effects if (effect.place == "noted") is aside] for aside in (False, True)
     )
-    lines = [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
+    lines = _outlook_sentences(record.outlook)
+    lines += [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
     if noted:
         lines.append(f"Only noted: {_listed_effects(noted)}.")
     lines += _friction_sentences(design)
@@ -42,6 +44,54 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
             "measured one stood: without a keyway or D-flat nothing does it for you."
         )
     return lines
+
+
+def _outlook_sentences(outlook: Outlook | None) -> list[str]:
+    """What the new cam is expected to do, first."""
+    if outlook is None:
+        return []
+    return [
+        f"The new cam is expected to end the run {outlook.new_mm:.1f} mm off ({outlook.least_mm:.1f} to "
+        f"{outlook.most_mm:.1f} mm in 90 %), the old one {outlook.old_mm:.1f} mm; it is worse with a chance of "
+        f"{outlook.chance_worse:.1%}."
+    ]
+
+
+def outlook_checks(design: Design) -> tuple[Check, ...]:
+    """Whether a new cam is worth its cutting, by what was measured of the car: nothing without [as_built.outlook]."""
+    outlook = design.as_built and design.as_built.outlook
+    if not outlook:
+        return ()
+    # Only here: it needs the models of all kinds of data, and most designs have no outlook.
+    from cadgen.measurement.outlook import WORSE
+
+    remedy = "measure what cadgen calibrate asks for, and calibrate again"
+    checks = [
+        Check(
+            CheckCode.CHANCE_WORSE,
+            "chance to be worse than the old cam",
+            100 * outlook.chance_worse,
+            "%",
+            100 * WORSE,
+            "max",
+            "end of the run",
+            remedy,
+        )
+    ]
+    if outlook.explained is not None:
+        checks.append(
+            Check(
+                CheckCode.RUNS_EXPLAINED,
+                "measured runs explained",
+                float(outlook.explained),
+                "",
+                1.0,
+                "min",
+                "1: yes, 0: no",
+                remedy,
+            )
+        )
+    return tuple(checks)
 
 
 def _friction_sentences(design: Design) -> list[str]:

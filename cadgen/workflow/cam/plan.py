@@ -24,6 +24,7 @@ from cadgen.optimize.task import TrainTask
 from cadgen.parts.blank import Blank
 from cadgen.path.track import Track
 from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains, task_of
+from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
@@ -149,6 +150,7 @@ def _plan(design: Design, profile: Profile, step: Step) -> CamPlan:
     checks = (
         *check_cam(lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
+        *outlook_checks(design),
     )
     return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks)
 
@@ -174,7 +176,7 @@ def _plan_against_play(
         chosen.cut,
         chosen.wanted.trims,
         blank,
-        checks.of(chosen),
+        (*checks.of(chosen), *outlook_checks(design)),
         against,
     )
 
