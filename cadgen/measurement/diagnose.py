@@ -201,7 +201,9 @@ def _figures(
 def _unnamed(part: Part, result: _Result) -> dict[Quantity, Finding]:
     """How much of some quantities there could be where several runs and a sound verdict name none."""
     joint, best, judgement = result.joint, result.best, result.judgement
-    if part.model.rows.runs < 2 or judgement.verdict not in SOUND:
+    # Beside a form that has a place and a size, what is not there would have been seen too.
+    sound = judgement.verdict in SOUND or (judgement.verdict == "partial" and best.spectrum.within)
+    if part.model.rows.runs < 2 or not sound:
         return {}
     named = {e.quantity for e in best.effects}
     unnamed: dict[Quantity, Finding] = {}

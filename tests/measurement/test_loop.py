@@ -8,6 +8,7 @@ from cadgen.design.load import load_design
 from cadgen.measurement.calibrate import calibrate
 from cadgen.records.load import load
 from cadgen.workflow.calibration import plan
+from cadgen.workflow.calibration.words import report
 
 LOOP = Path(__file__).parents[1] / "data" / "loop"
 
@@ -100,19 +101,20 @@ def test_a_measuring_machine_out_of_square_is_no_lobing(built):
 
 @pytest.fixture(scope="module")
 def joint(nominal):
-    """The diagnoses of several files of one car, and their joint findings by name."""
+    """What the command makes of several files of one car, and their joint findings by name."""
 
     def of(*names):
-        told = calibrate([load(LOOP / name) for name in names], nominal)
-        return told, {f.effect: [v.value for v in f.values] for d in told for f in d.findings}
+        told = plan.calibrate(load_design(), "actual", plan.read([LOOP / name for name in names]), nominal=nominal)
+        return told, {f.effect: [v.value for v in f.values] for d in told.diagnoses for f in d.findings}
 
     return of
 
 
 @pytest.mark.slow
 def test_a_lift_that_shows_the_disc_makes_its_track_clear(joint):
-    """Steering zero 0.4°, play 0.80°, bore off by (-20, 15) um: the track alone leaves a rest, and claims nothing."""
-    (lift, track), values = joint("C13/lift.csv", "C13/track.csv")
+    """Steering zero 0.4°, play 0.80°, bore off by (-20, 15) um; the old cam ends 2006 mm off, one for the bore 3002."""
+    told, values = joint("C13/lift.csv", "C13/track.csv")
+    lift, track = told.diagnoses
     assert track.verdict == "combination"
     assert track.judgement.claimed == ("backlash", "eccentric bore", "steering zero")
     assert lift.judgement.claimed == ("eccentric bore",)
@@ -120,15 +122,31 @@ def test_a_lift_that_shows_the_disc_makes_its_track_clear(joint):
     assert values["backlash"] == pytest.approx([0.8], abs=0.03)
     assert values["eccentric bore"] == pytest.approx([-20.0, 15.0], abs=1.7)
     assert track.residual.after < 1.05 * track.residual.noise
+    assert told.outlook.old == pytest.approx(2006, rel=0.01)
+    assert told.outlook.most < 30
+    assert told.outlook.sound
+    first, *_ = report(told)
+    assert first.startswith("A new cam made for what is claimed is expected to end the run")
+    (bore,) = (b for b in told.built if b.claim.finding.effect == "eccentric bore")
+    assert (bore.place, bore.claim.finding.twins) == ("car", ("run-out of the shaft",))
 
 
 @pytest.mark.slow
 def test_a_train_that_runs_out_moves_the_cam_under_the_track(joint):
-    """Steering zero 0.3°, play 0.84°, run-out of shaft 2 by 0.3°."""
-    (track, train), values = joint("C3/track.csv", "C3/trans.csv")
+    """Steering zero 0.3°, play 0.84°, run-out of shaft 2 by 0.3°; the old cam ends 1304 mm off."""
+    told, values = joint("C3/track.csv", "C3/trans.csv")
+    track, train = told.diagnoses
     assert track.judgement.claimed == ("backlash", "runout of shaft 2", "steering zero")
     assert train.judgement.claimed == ("return error", "runout of shaft 2")
     assert values["steering zero"] == pytest.approx([0.3], abs=0.005)
     assert values["backlash"] == values["return error"] == pytest.approx([0.84], abs=0.005)
     assert sum(v * v for v in values["runout of shaft 2"]) ** 0.5 == pytest.approx(0.3, abs=0.01)
     assert track.residual.after < 1.05 * track.residual.noise
+    assert told.outlook.old == pytest.approx(1304, rel=0.01)
+    # The run-out is only noted, and so stays: 0.15 m, where 1 mm was promised.
+    assert 100 < told.outlook.new < 200
+    assert [(b.claim.finding.effect, b.place) for b in told.built if b.place == "car"] == [
+        ("steering zero", "car"),
+        ("backlash", "car"),
+        ("sliding friction", "car"),
+    ]

@@ -17,12 +17,14 @@ from cadgen.design.schema import Design
 from cadgen.deviations import quantities
 from cadgen.deviations.effect import UNITS
 from cadgen.deviations.names import Place
+from cadgen.deviations.track import BACKLASH
 from cadgen.errors import FileError, brief
 from cadgen.gears.search import arrange
 from cadgen.measurement.calibrate import calibrate as judge
 from cadgen.measurement.calibrate import calibrate_tricycle
 from cadgen.measurement.diagnose import SOUND
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
+from cadgen.measurement.kinds import TRACK
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
 from cadgen.measurement.outlook import Name, Outlook, outlook
 from cadgen.measurement.record import Kind, Method, Record, join
@@ -251,7 +253,13 @@ def _outlook(calibration: Calibration, nominal: Nominal) -> Outlook | None:
             taken[name] = np.array([value.value * UNITS[value.unit] for value in finding.values])
         elif built.place == "part":
             gone.add(name)
-    return outlook(told, nominal, taken, frozenset(gone)) if taken or gone else None
+    if not (taken or gone):
+        return None
+    assumed = variation.tabled_play(calibration.design)
+    if assumed is not None and not any(c.quantity == quantities.RETURN_ERROR for c in calibration.claims):
+        # Where nothing is known of the play, a new cam is made for the tabled one.
+        taken[TRACK.code, BACKLASH.name] = np.array([assumed])
+    return outlook(told, nominal, taken, frozenset(gone))
 
 
 def calibrate_each(
