@@ -280,7 +280,7 @@ def test_a_new_cam_is_measured_against_the_key_as_cut(built, carbon_free_car):
     assert np.abs(nominal.lift.tan_beta(theta) - want).max() < 2e-6
 
 
-def test_a_cam_that_may_be_worse_is_refused_and_the_outlook_comes_first():
+def test_a_cam_that_may_be_worse_is_refused_and_the_outlook_comes_first(built):
     table = "[as_built.outlook]\nold_mm = 900.0\nnew_mm = 700.0\nleast_mm = 90.0\nmost_mm = 2000.0\n"
     zero = effect("track", "steering zero", "car", steering_zero_deg=0.3)
     sure, unsure, rest = (

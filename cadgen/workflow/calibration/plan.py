@@ -8,31 +8,28 @@ from pathlib import Path
 
 import numpy as np
 
-from cadgen.arrays import Array
 from cadgen.build import cam_model, gear_model, variation
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.schema import Design
 from cadgen.deviations import quantities
-from cadgen.deviations.effect import UNITS
 from cadgen.deviations.names import Place
-from cadgen.deviations.track import BACKLASH
 from cadgen.errors import FileError, brief
 from cadgen.gears.search import arrange
 from cadgen.measurement.calibrate import calibrate as judge
 from cadgen.measurement.calibrate import calibrate_tricycle
 from cadgen.measurement.diagnose import SOUND
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
-from cadgen.measurement.kinds import TRACK
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
-from cadgen.measurement.outlook import Name, Outlook, outlook
+from cadgen.measurement.outlook import Outlook
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Shared, at_work, claims, no_friction, no_play, shared
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.records.load import digest, load
+from cadgen.workflow.calibration.new_cam import expected_of
 from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
 from cadgen.workflow.cam.plan import Step, plan_cam
 
@@ -239,27 +236,10 @@ def calibrate(
         warnings=tuple(_warnings(design, profile, sources)),
         holds=holds,
     )
-    return calibration if known is None else replace(calibration, outlook=_outlook(calibration, known))
-
-
-def _outlook(calibration: Calibration, nominal: Nominal) -> Outlook | None:
-    """What a new cam is expected to do that is made for what is claimed; None if it would be the old one."""
-    told = tuple(d for d in calibration.diagnoses if isinstance(d, EvidenceDiagnosis))
-    taken: dict[Name, Array] = {}
-    gone: set[Name] = set()
-    for built in calibration.built:
-        finding, name = built.claim.finding, (built.claim.kind.code, built.claim.finding.effect)
-        if built.place in ("car", "process") and not built.claim.absent:
-            taken[name] = np.array([value.value * UNITS[value.unit] for value in finding.values])
-        elif built.place == "part":
-            gone.add(name)
-    if not (taken or gone):
-        return None
-    assumed = variation.tabled_play(calibration.design)
-    if assumed is not None and not any(c.quantity == quantities.RETURN_ERROR for c in calibration.claims):
-        # Where nothing is known of the play, a new cam is made for the tabled one.
-        taken[TRACK.code, BACKLASH.name] = np.array([assumed])
-    return outlook(told, nominal, taken, frozenset(gone))
+    if known is None:
+        return calibration
+    placed = [(built.claim, built.place) for built in calibration.built]
+    return replace(calibration, outlook=expected_of(design, known, calibration.diagnoses, placed))
 
 
 def calibrate_each(
