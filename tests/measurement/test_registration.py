@@ -41,6 +41,7 @@ PROTRACTOR = Effect(
 class ForkModel:
     """Angle of the fork by cam angle, the protractor's zero free in each run."""
 
+    behind = ()
     unit = "deg"
     measured = None
     datum = ()
