@@ -11,6 +11,7 @@ from cadgen.deviations.disc import Disc, nominal_disc
 from cadgen.errors import DesignError
 from cadgen.measurement.models.base import Model
 from cadgen.measurement.models.forces import Forces
+from cadgen.measurement.models.rolled import Rolled
 from cadgen.measurement.record import Method, Record
 from cadgen.motion.mechanics import Mechanics
 from cadgen.path.track import Track
@@ -55,6 +56,11 @@ class Nominal:
     def disc(self) -> Disc:
         """The profile as points."""
         return nominal_disc(self.profile)
+
+    @cached_property
+    def rolled(self) -> Rolled:
+        """The lift with effects on the disc and the rod: one for all records, which share what they roll."""
+        return Rolled(self.lift, self.follower, self.disc)
 
     def model(self, record: Record) -> Model:
         """The forward model of a record.

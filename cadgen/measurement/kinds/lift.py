@@ -23,7 +23,8 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
 
 
 def _model(record: Record, nominal: Nominal) -> LiftModel:
-    return LiftModel(record, nominal.lift, nominal.follower, nominal.disc, floor=nominal.form_error)
+    n = nominal
+    return LiftModel(record, n.rolled, n.lift, n.follower, noses=len(n.disc.noses), floor=n.form_error)
 
 
 KIND = Kind(

@@ -8,7 +8,6 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.deviations import catalogue, quantities
 from cadgen.measurement.admission import refuse_twice
-from cadgen.measurement.models.rolled import Rolled
 from cadgen.measurement.models.start import NUMBERS, doubts
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.nominal import Nominal
@@ -33,8 +32,7 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
 
 def _model(record: Record, nominal: Nominal) -> TrackModel:
     n = nominal
-    rolled = Rolled(n.lift, n.follower, n.disc)
-    return TrackModel(record, rolled, n.lift, n.car, n.track, n.forces, floor=n.form_error)
+    return TrackModel(record, n.rolled, n.lift, n.car, n.track, n.forces, floor=n.form_error)
 
 
 def _starts(model: TrackModel, values: Array, sigmas: Array) -> tuple[str, tuple[str, ...]]:

@@ -8,7 +8,7 @@ from cadgen.arrays import Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.deviations.catalogue import LIFT
-from cadgen.deviations.disc import NOSE_WIDTHS_DEG, Disc, worn_nose
+from cadgen.deviations.disc import NOSE_WIDTHS_DEG, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, through
 from cadgen.deviations.lift import ANGLE, Readings
 from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, per_run, unknown
@@ -27,7 +27,9 @@ class LiftModel:
     measured = None
     behind = Rolled.stages
 
-    def __init__(self, record: Record, lift: LiftCurve, follower: Follower, disc: Disc, *, floor: float) -> None:
+    def __init__(
+        self, record: Record, rolled: Rolled, lift: LiftCurve, follower: Follower, *, noses: int, floor: float
+    ) -> None:
         self._lift, self._follower = lift, follower
         self._reading = record["lift_mm"]
         angle = np.radians(record["cam_angle_deg"])
@@ -43,15 +45,14 @@ class LiftModel:
             slope=np.sign(slope),
             steering=np.asarray(lift.tan_beta(angle)),
         )
-        noses = range(len(disc.noses))
-        self.catalogue = (*LIFT.effects, *(worn_nose(k, width) for k in noses for width in NOSE_WIDTHS_DEG))
+        self.catalogue = (*LIFT.effects, *(worn_nose(k, width) for k in range(noses) for width in NOSE_WIDTHS_DEG))
         self.datum: tuple[Effect, ...] = ()
         self.offsets = per_run(record.run)
         self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(angle))
         self.form, self.order = fourier(angle, FORM_ORDERS)
         self.floor = floor
         self.slip = follower.inner * slope
-        self._rolled = Rolled(lift, follower, disc)
+        self._rolled = rolled
 
     @cached_property
     def shapes(self) -> tuple[Effect, ...]:

@@ -18,7 +18,7 @@ from cadgen.motion.sampled import sampled_lift
 
 GRID = 720  # stations of the roll; only the change against the nominal cam is interpolated between them
 STATIONS = 3600  # of a changed lift as a curve; it errs by under 0.01 um between them
-_KEPT = 32  # most differences leave disc and rod alone
+_KEPT = 128  # most differences leave disc and rod alone
 
 
 class Rolled:
