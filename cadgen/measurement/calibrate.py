@@ -9,10 +9,10 @@ from cadgen.measurement.nominal import LoggedCar, Nominal
 from cadgen.measurement.record import Record, join
 from cadgen.measurement.steered import diagnose_steered
 from cadgen.measurement.units import refuse_wrong_units
-from cadgen.measurement.verdict import LEFT_OVER
 
-# Verdicts that records of one car do not have together if each is sound alone.
-NOT_ONE_CAR = ("unexplained", "runs disagree", "untraced shape", "partial")
+# Records of one car are likelier together. By so much of the criterion (odds of 3 million to one) they must be likelier
+# apart before they are said to contradict each other.
+CONTRADICTED = 30.0
 
 
 def calibrate(
@@ -31,25 +31,18 @@ def calibrate(
     for record in joined:
         refuse_wrong_units(record, nominal)
     told = diagnose(joined, nominal.model, step, nominal.play)
-    if len(joined) == 1 or all(_explains(diagnosis) for diagnosis in told):
+    if len(joined) == 1 or told[0].verdict in SOUND:
         return told
-    # What no car of one kind shows may be of two cars, or of one in two states: then each record is sound alone.
+    # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
     apart = tuple(diagnosis for record in joined for diagnosis in diagnose([record], nominal.model, step, nominal.play))
-    if not all(diagnosis.verdict in SOUND and _explains(diagnosis) for diagnosis in apart):
+    if told[0].score < sum(diagnosis.score for diagnosis in apart) + CONTRADICTED:
         return told
     return tuple(_contradicted(diagnosis) for diagnosis in apart)
 
 
-def _explains(diagnosis: EvidenceDiagnosis) -> bool:
-    """Do the effects found leave no more than noise, with what repeats in the other runs taken out?"""
-    r = diagnosis.residual
-    left = r.after if r.left_out is None else r.left_out.repeating
-    return diagnosis.verdict not in NOT_ONE_CAR and left <= LEFT_OVER * r.noise
-
-
 def _contradicted(diagnosis: EvidenceDiagnosis) -> EvidenceDiagnosis:
     limit = (
-        "the records contradict each other: no car shows all of them, though each is sound alone, so they were judged "
+        "the records contradict each other: they are likelier of several cars than of one, and so they were judged "
         "apart; make sure that they are of one car in one state"
     )
     judgement = replace(diagnosis.judgement, limits=(*diagnosis.judgement.limits, limit))

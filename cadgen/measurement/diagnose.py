@@ -149,6 +149,7 @@ def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:
         measured=model.measured,
         unnamed=_unnamed(part, result),
         play_known=result.play_known,
+        score=best.score,
         likely=_likely(result),
         beside=_beside(part, result),
     )

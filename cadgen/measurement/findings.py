@@ -196,6 +196,7 @@ class EvidenceDiagnosis(Diagnosis):
         correlation: of the noise between neighbours.
         unnamed: how much there could be of the quantities of `Kind.absences` that a sound verdict does not name, by
             quantity, fitted beside what it does.
+        score: of the subset reported, by the criterion; of all records judged together.
         contradicted: whether the record was judged apart from others of the car that it contradicts.
         likely: subsets that may be true by all records together, the same for each of them.
         beside: of a track, what repeats beside the effects at the end of the run, x + iy, and its standard deviation,
@@ -212,6 +213,7 @@ class EvidenceDiagnosis(Diagnosis):
     discrepancy: Finding | None = None
     unnamed: dict[Quantity, Finding] = field(default_factory=dict)
     play_known: bool = False
+    score: float = 0.0
     contradicted: bool = False
     likely: tuple[Likely, ...] = ()
     beside: tuple[complex, float] = (0j, 0.0)
