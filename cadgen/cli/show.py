@@ -61,6 +61,8 @@ def document(facts: Mapping[str, Any]) -> None:
 
 def checks(cam: "Cam", cures: "Cures") -> None:
     """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
+    if cam.expected:
+        Output().print(cam.expected)
     friction(cam)
     figures(f"{cam.design.name}, {cam.profile} profile", (*cam.checks, cam.edges))
     for line in cures.sentences():

@@ -5,7 +5,7 @@ from math import degrees, radians
 from cadgen.arrays import TURN
 from cadgen.build import cam_model, gear_model, variation
 from cadgen.check import Check, CheckCode
-from cadgen.design.as_built import Effect, Outlook
+from cadgen.design.as_built import Effect
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 
@@ -21,8 +21,7 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
     used, noted = (
         [effect for effect in record.effects if (effect.place == "noted") is aside] for aside in (False, True)
     )
-    lines = _outlook_sentences(record.outlook)
-    lines += [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
+    lines = [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
     if noted:
         lines.append(f"Only noted: {_listed_effects(noted)}.")
     lines += _friction_sentences(design)
@@ -46,15 +45,16 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
     return lines
 
 
-def _outlook_sentences(outlook: Outlook | None) -> list[str]:
-    """What the new cam is expected to do, first."""
-    if outlook is None:
-        return []
-    return [
+def outlook_sentence(design: Design) -> str:
+    """What the new cam is expected to do; empty if nothing was measured that says it."""
+    outlook = design.as_built and design.as_built.outlook
+    if not outlook:
+        return ""
+    return (
         f"The new cam is expected to end the run {outlook.new_mm:.1f} mm off ({outlook.least_mm:.1f} to "
         f"{outlook.most_mm:.1f} mm in 90 %), the old one {outlook.old_mm:.1f} mm; it is worse with a chance of "
         f"{outlook.chance_worse:.1%}."
-    ]
+    )
 
 
 def outlook_checks(design: Design) -> tuple[Check, ...]:
