@@ -9,7 +9,7 @@ from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, Active, Effect
 from cadgen.deviations.quantities import Quantity
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved, unfit
-from cadgen.measurement.evidence import Evidence
+from cadgen.measurement.evidence import Evidence, grid_of
 from cadgen.measurement.findings import Candidate, EvidenceDiagnosis, Finding, HeldOut, Likely, PerRun, Residual, Value
 from cadgen.measurement.friction import with_friction_judged, with_known_play
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
@@ -49,12 +49,12 @@ def diagnose(
         FileError: one run only, with too few rows to tell its noise.
     """
     models = [build(record) for record in records]
-    parts = []
+    parts, grid = [], grid_of(models)
     for record, model in zip(records, models, strict=True):
         step(f"{record.source}: telling noise from what repeats")
         refuse_too_few(record, model)
         noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
-        parts.append(Part(record, build, model, noise, Evidence(model, noise)))
+        parts.append(Part(record, build, model, noise, Evidence(model, noise, grid)))
     joint = Joint.of(parts)
     step(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.numerous)} effects")
     found = find(joint)
@@ -93,7 +93,7 @@ def _less_noise(part: Part, best: Hypothesis) -> Part:
     noise = resolved(part.record, estimate_noise(part.model, part.residual(best.active)))
     if noise.rms > NOT_NOISE * part.noise.rms:
         return part
-    return replace(part, noise=noise, evidence=Evidence(part.model, noise))
+    return replace(part, noise=noise, evidence=Evidence(part.model, noise, part.evidence.grid))
 
 
 def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:

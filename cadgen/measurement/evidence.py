@@ -11,7 +11,8 @@ all from the products of columns by Woodbury's identity, so a whole catalogue co
 of F for each spectrum (Rasmussen and Williams, Gaussian Processes for Machine Learning, sec. 2.7 and A.3).
 """
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -31,11 +32,13 @@ FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to wh
 
 @dataclass(frozen=True)
 class Spectrum:
-    """One member of the grid: size as a multiple of the floor, knee and steepness."""
+    """One member of the grid: size as a multiple of the floor, knee and steepness; and the discrepancy's size as a
+    multiple of what it may be, where the record's kind has one."""
 
     size: float
     knee: float
     steepness: float
+    beside: float = 1.0
 
     @property
     def within(self) -> bool:
@@ -52,6 +55,15 @@ class Spectrum:
 GRID = tuple(
     Spectrum(size, knee, steepness) for size, knee, steepness in product(WITHIN_FLOOR + BEYOND_FLOOR, KNEES, STEEPNESS)
 )
+# A floor may be as good as level, and then the car is known by so much more closely.
+SLIGHT = 0.1
+
+
+def grid_of(models: Sequence[Model]) -> tuple[Spectrum, ...]:
+    """The grid that models share: where any of them has a discrepancy, it is slight or as large as it may be."""
+    if not any(model.discrepancy.columns.shape[1] for model in models):
+        return GRID
+    return tuple(replace(spectrum, beside=beside) for beside in (SLIGHT, 1.0) for spectrum in GRID)
 
 
 class Evidence:
@@ -61,7 +73,7 @@ class Evidence:
         self.grid, self._noise, self._run = grid, noise, model.rows.run
         self.within = np.array([s.within for s in grid])
         parts, flat = [repeating(model)], model.form.shape[1] + model.discrepancy.columns.shape[1]
-        known = model.discrepancy.sigma**2
+        known = np.empty(0)
         if noise.slip > 0:
             # Each run's own setting of the divider, and through it the mean of all: known no better than this.
             own = per_run(self._run) * model.slip[:, None]
@@ -77,9 +89,10 @@ class Evidence:
         self.prior, self._factors, constants = [], [], []
         for spectrum in grid:
             variance = np.maximum(spectrum.variance(model.order, model.floor), 1e-300)
-            precision = np.concatenate([1 / variance, 1 / known, free])
+            beside = (spectrum.beside * model.discrepancy.sigma) ** 2
+            precision = np.concatenate([1 / variance, 1 / beside, 1 / known, free])
             factor = cho_factor(gram + np.diag(precision), lower=True)
-            constants.append(2 * np.sum(np.log(np.diag(factor[0]))) + np.sum(np.log(variance)))
+            constants.append(2 * np.sum(np.log(np.diag(factor[0]))) + np.sum(np.log(variance)) + np.sum(np.log(beside)))
             self._factors.append(factor)
             self.prior.append(precision)
         self.constant = np.array(constants)
