@@ -9,10 +9,11 @@ The rooms, in walking order; each imports only those before it.
 | room          | what happens there                                                        |
 |---------------|---------------------------------------------------------------------------|
 | `version`     | the version, in its one place                                             |
-| `errors`      | what can go wrong, with the exit codes                                    |
+| `errors`      | errors for the user, with the exit codes                                  |
 | `arrays`      | an array of floats, a turn                                                |
 | `check`       | one figure with its limit and verdict                                     |
 | `reading`     | files that a user names, refused by kind and size                         |
+| `progress`    | the callback by which a job reports its progress                          |
 | `curves`      | closed plane curves: arcs, splines, chords and offsets within a tolerance |
 | `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
 | `steering`    | curvature of the track <-> steering angle                                 |
@@ -20,10 +21,11 @@ The rooms, in walking order; each imports only those before it.
 | `cam`         | lift, theoretical and actual profile, contact, checks                     |
 | `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |
 | `motion`      | how the car runs when the gears have play                                 |
-| `deviations`  | what a real car differs by, and what that does to it                      |
+| `deviations`  | deviations of a real car from its design, and their effects               |
 | `measurement` | measured data -> the effects that explain them; one object a kind of data |
 | `optimize`    | methods against play and the choice among them                            |
 | `monte_carlo` | many cars within the tolerances                                           |
+| `adjustment`  | trial runs -> settings of micrometer, key and start                       |
 | `records`     | measured data from files, each of the kind that its columns say           |
 | `design`      | the design file: TOML -> frozen values                                    |
 | `build`       | design -> the numeric rooms' own types, in mm and rad                     |
@@ -42,8 +44,9 @@ from cadgen.version import __version__
 
 # Where each public name lives. It is imported when it is first asked for: `import cadgen` alone costs next to nothing.
 _HOMES = {
+    "Adjustment": "api.adjustment",
     "CadgenError": "errors",
-    "Calibration": "api.design",
+    "Calibration": "api.calibration",
     "Cam": "api.cam",
     "CheckError": "errors",
     "Comparison": "api.runs",
@@ -70,8 +73,10 @@ _HOMES = {
 # As `typing.TYPE_CHECKING`, without the time that importing it takes.
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from cadgen.api.adjustment import Adjustment
+    from cadgen.api.calibration import Calibration
     from cadgen.api.cam import Cam
-    from cadgen.api.design import Calibration, Design
+    from cadgen.api.design import Design
     from cadgen.api.files import Written, WrittenFile, verify
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
@@ -81,6 +86,7 @@ if TYPE_CHECKING:
     from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 __all__ = [
+    "Adjustment",
     "CadgenError",
     "Calibration",
     "Cam",

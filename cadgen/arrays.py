@@ -1,4 +1,4 @@
-"""Words that every numeric room shares: an array of floats, and a turn."""
+"""Names that every numeric room shares: the type of an array of floats, and a full turn, rad."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""One figure and its verdict, for cams and for gears: light to import."""
+"""One figure with its limit and verdict, for cams and for gears. The module is light to import."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from typing import Literal
 
 @unique
 class CheckCode(StrEnum):
-    """What is checked, by a code that never changes; names are for people, and may."""
+    """Codes of the checks. A code never changes, so programs may rely on it; a check's name may change."""
 
     PRESSURE_ANGLE_RISE = "pressure-angle-rise"
     PRESSURE_ANGLE_RETURN = "pressure-angle-return"
@@ -26,8 +26,8 @@ class CheckCode(StrEnum):
     ROD_PAST_RIM = "rod-past-rim"
     LEAN_OVER_CHAMFERS = "lean-over-chamfers"
     ROD_ABOVE_HUB = "rod-above-hub"
-    THINNEST_WALL = "thinnest-wall"
     CUTTER_RADIUS = "largest-cutter-radius"
+    THINNEST_WALL = "thinnest-wall"
     CLOSURE = "closure"
     BLEND_START = "blend-start"
     CHANCE_WORSE = "chance-worse"
@@ -53,20 +53,20 @@ class CheckCode(StrEnum):
 
 @dataclass(frozen=True)
 class Check:
-    """One figure and its verdict.
+    """One figure with its limit and verdict.
 
     Attributes:
-        code: what is checked, for programs.
-        name: the same for people.
-        value: the figure, in `unit`.
-        unit: of value and limit.
-        limit: the bound; infinite for a figure that is shown and not judged.
+        code: kind of check, for programs: one of `CheckCode`, or a code of a kind of follower or gear.
+        name: name of the check, for people.
+        value: figure that was computed, in `unit`.
+        unit: unit of value and limit, such as `mm`; empty for a ratio.
+        limit: greatest or least value allowed, in `unit`; infinite for a figure that is shown and not judged.
         bound: `max` if the value must not exceed the limit, `min` if it must reach it.
-        place: where the figure occurs.
-        advice: what to change if it fails; empty if there is nothing to say.
+        place: place on the part or path where the figure occurs; empty if it has none.
+        advice: change that helps if the check fails, in words; empty if there is none.
     """
 
-    code: CheckCode
+    code: StrEnum
     name: str
     value: float
     unit: str
@@ -82,5 +82,5 @@ class Check:
 
 
 def failing(checks: Iterable[Check]) -> tuple[Check, ...]:
-    """The checks that do not keep their limit."""
+    """Checks that do not keep their limit."""
     return tuple(check for check in checks if not check.passed)

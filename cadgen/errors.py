@@ -1,4 +1,4 @@
-"""The errors a user can meet, each with the exit code of the command line.
+"""Errors that a user can meet, each with its exit code on the command line.
 
 Every message is one sentence that says what is wrong, where, and what to change.
 """
@@ -28,11 +28,11 @@ class FileError(CadgenError):
     exit_code = 3
 
 
-MOST_REPEATED = 200  # characters of what was given, in a message
+MOST_REPEATED = 200  # characters of a user's text, in a message
 
 
 def brief(text: str, most: int = MOST_REPEATED) -> str:
-    """What was given, as a message may repeat it: on one line, control characters escaped, its middle left out."""
+    """A user's text as a message may repeat it: on one line, control characters escaped, its middle left out."""
     if len(text) > 2 * most:  # escapes only make it longer
         text = f"{text[:most]}{text[-most:]}"
     line = escaped(text)
@@ -43,5 +43,5 @@ def brief(text: str, most: int = MOST_REPEATED) -> str:
 
 
 def escaped(text: str) -> str:
-    """The same with every character that a terminal could take for more than a sign written as Python escapes it."""
+    """The text with every character that cannot be printed, such as a terminal's control codes, as a Python escape."""
     return "".join(sign if sign.isprintable() else sign.encode("unicode_escape").decode() for sign in text)

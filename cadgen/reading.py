@@ -1,4 +1,4 @@
-"""Files that a user names: only plain ones, and only as large as such a file can be."""
+"""Reading of files that a user names: regular files only, and none larger than a limit."""
 
 import os
 import stat
@@ -12,15 +12,15 @@ _KINDS = {
 }
 
 
-def read_given(file: Path, most: int) -> bytes:
-    """Bytes of a file, refused at once if it could keep the reader waiting, or is too large.
+def read_regular(file: Path, most: int) -> bytes:
+    """Bytes of a regular file. A pipe or device, which could keep the reader waiting, is refused at once.
 
     Args:
-        file: a path; links are followed.
-        most: number of bytes that the file may have.
+        file: path of the file; links are followed.
+        most: greatest size of the file, bytes.
 
     Raises:
-        OSError: as the system says; `IsADirectoryError` for a folder.
+        OSError: the file cannot be opened; `IsADirectoryError` for a folder.
         ValueError: it is no regular file, is larger than `most`, or no file can have that name.
     """
     _refuse_kind(file.stat().st_mode, file)

@@ -19,7 +19,7 @@ import tomli_w
 from hypothesis import settings
 
 from cadgen.cam.envelope import ActualProfile, actual_profile
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve, lift_curve
 from cadgen.path.spline import plan_path
 from cadgen.path.track import Track, offset_track
@@ -50,7 +50,7 @@ class Built:
     car: Car
     track: Track
     lift: LiftCurve
-    follower: Follower
+    follower: LeaningRod
     actual: ActualProfile
 
 
@@ -66,11 +66,12 @@ def build(name: str) -> Built:
     )
     thickness = cam["thickness_mm"]
     inner = cam["inner_face_mm"] if "inner_face_mm" in cam else cam["mid_plane_mm"] - thickness / 2
-    follower = Follower(
+    follower = LeaningRod(
         base_radius=cam["base_radius_mm"],
         inner=inner,
         outer=inner + thickness,
         radius=data["follower"]["radius_mm"],
+        length=data["follower"]["length_mm"],
     )
     track = offset_track(plan_path(np.array(path["waypoints_mm"]), path["spline"]), path["offset_mm"])
     lift = lift_curve(track.arc, steering_jets(track, car), track.length, blend=radians(cam["blend_deg"]))

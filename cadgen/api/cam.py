@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cadgen.api.files import Progress, Written, folder_of, refusal, silent
-from cadgen.api.values import whole
+from cadgen.api.files import Written, folder_of, refusal
+from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
 from cadgen.check import Check
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.workflow.cam.against import Against
 from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play, outlook_sentence
@@ -36,7 +37,7 @@ class Lift:
     """Lift of the follower over one turn of the cam. Call it with cam angles to get the lift there.
 
     Attributes:
-        computed: the cam.
+        computed: numeric plan of the cam.
 
     Example:
         >>> from math import radians
@@ -55,12 +56,15 @@ class Lift:
         """Lift at cam angles.
 
         Args:
-            cam_angle: rad, of any shape; beyond one turn the lift repeats.
+            cam_angle: cam angles, rad, of any shape; beyond one turn the lift repeats.
 
         Returns:
-            Lift, mm, of the same shape: positive where the follower stands further out than at steering angle 0.
+            Lift, mm, of that shape: positive where the follower stands further out than at steering angle 0.
+
+        Raises:
+            DesignError: an angle is not a finite number.
         """
-        angle = np.asarray(cam_angle, dtype=float) % TURN
+        angle = numbers("cam_angle", cam_angle, "rad") % TURN
         return np.asarray(self.computed.rod.lift(self.computed.lift.tan_beta(angle)))
 
     @cached_property
@@ -88,14 +92,14 @@ class Profile:
     """The closed curve that is cut, in the frame of the files: the camshaft at the origin.
 
     Attributes:
-        computed: the cam.
+        computed: numeric plan of the cam.
     """
 
     computed: CamPlan
 
     @property
     def name(self) -> str:
-        """What was asked for, such as `optimized`."""
+        """Code of the profile, such as `optimized`."""
         return self.computed.profile.code
 
     @property
@@ -112,13 +116,13 @@ class Profile:
         """Points on the curve.
 
         Args:
-            count: about how many, 12 to 1 000 000.
+            count: approximate number of points, 12 to 1 000 000.
 
         Returns:
-            x and y, mm, shape (n, 2), counterclockwise from the outer face, the first one not repeated.
+            x and y, mm, shape (n, 2), counterclockwise seen from the outer face, the first point not repeated.
 
         Raises:
-            DesignError: no such count.
+            DesignError: the count is out of its range.
         """
         points = self.computed.curve.outline(self.length / whole("count", count, 12, 1_000_000)).points
         return points[:-1] if np.array_equal(points[0], points[-1]) else points
@@ -135,7 +139,7 @@ class Cam:
     """A cam that has been computed and checked, but not yet made: what `Design.cam` gives.
 
     Attributes:
-        computed: the numeric plan, for figures that are not named here; mm and rad.
+        computed: numeric plan, with all other figures; mm and rad.
 
     Example:
         >>> from cadgen import Design
@@ -155,7 +159,7 @@ class Cam:
 
     @property
     def design(self) -> DesignValues:
-        """What the design that it was planned from says."""
+        """Values of the design that it was planned from."""
         return self.computed.design
 
     @property
@@ -164,8 +168,11 @@ class Cam:
         return self.computed.checks
 
     @property
-    def edges(self) -> Check:
-        """What edges broken more than designed cost at the finish, mm: a figure without a limit."""
+    def edges(self) -> Check | None:
+        """Cost at the finish of edges broken more than designed, mm: a figure without a limit.
+
+        None for a follower other than the leaning rod, which alone rides on an edge.
+        """
         return self.computed.edges
 
     @property
@@ -175,7 +182,7 @@ class Cam:
 
     @property
     def failed(self) -> tuple[Check, ...]:
-        """The checks that do not keep their limit."""
+        """Checks that do not keep their limit."""
         return self.computed.failed
 
     @cached_property
@@ -185,7 +192,7 @@ class Cam:
 
     @cached_property
     def profile(self) -> Profile:
-        """The curve that is cut: its name, its points (mm)."""
+        """Curve that is cut, with its name and its points (mm)."""
         return Profile(self.computed)
 
     @property
@@ -196,7 +203,7 @@ class Cam:
 
     @property
     def against(self) -> Against | None:
-        """What the profile does about play, beside the others that were compared; None if it is not for that."""
+        """Comparison of the profile with others under play; None if the profile is not for play."""
         return self.computed.against
 
     @cached_property
@@ -208,7 +215,7 @@ class Cam:
         """Look for `cures` now, if lift is lost; it takes many plans.
 
         Args:
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
         """
         if "cures" not in self.__dict__:
             self.__dict__["cures"] = find_cures(self.computed, progress)
@@ -221,14 +228,14 @@ class Cam:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What of the car was assumed or was measured, a sentence each."""
+        """Sentences on what was assumed of the car, and what was measured."""
         design, against = self.computed.design, self.computed.against
         if against is None:
             return tuple(as_built_sentences(design, self.computed.lift.blend_start))
         return (*assumed_play(design), *as_built_sentences(design, against.task.lift.blend_start))
 
     def facts(self) -> dict[str, Any]:
-        """Everything above as plain values, as in the manifest and with `--json`."""
+        """All facts on the cam as plain values, as in the manifest and with `--json`."""
         return cam_facts(self.computed, self.cures)
 
     def plot(self) -> "Figure":
@@ -259,7 +266,7 @@ class Cam:
         Raises:
             DesignError: a hole cuts into another one, into the hub or through the profile.
             CheckError: the chamfers of broken edges meet, or run out at a ridge.
-            FileError: the CAD kernel makes no valid solid of it.
+            FileError: the CAD kernel does not make one valid solid.
         """
         from cadgen.workflow.cam.files import cam_solid
 
@@ -276,18 +283,18 @@ class Cam:
         """Write files, read each back, roll the follower on it, and publish all together or none.
 
         Args:
-            folder: where to; it is made if need be.
+            folder: folder for the files; it is made if need be.
             formats: some of step, stl, 3mf, dxf, nc, xyz and csv; all of them if left out.
-            force: write even if a check fails; the manifest says so.
-            progress: told what is being done.
+            force: whether files are written even if a check fails; the manifest then says so.
+            progress: function that is called with a few words on each step.
 
         Returns:
             The files, each with its error at the follower's lift, µm.
 
         Raises:
             CheckError: a check fails.
-            DesignError: there is no such format.
-            FileError: a file cannot be written, or what was read back is not what was meant.
+            DesignError: a format is unknown.
+            FileError: a file cannot be written, or holds something else when it is read back.
         """
         from cadgen.workflow.cam.files import write_cam
 

@@ -1,13 +1,11 @@
-"""A design, and what can be done with it."""
+"""A design and its jobs: cam, gears, runs, calibration."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Progress, Written, folder_of, silent
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.overrides import overrides_of
 from cadgen.api.values import name_or_path, optional, plain_text, whole, word
@@ -15,31 +13,29 @@ from cadgen.design import load
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import brief
+from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
+    from cadgen.api.adjustment import Adjustment
+    from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.gears import GearTrain
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
     from cadgen.monte_carlo.robust import Map
-    from cadgen.report.text import Block
-    from cadgen.workflow.calibration import plan as calibrations
 
 ORDERS = ("as-given", "reordered", "search")
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
-_REPORT_WIDTH = 110
 
 
 @dataclass(frozen=True, repr=False)
 class Design:
-    """A design: path, car, cam, follower, gear train. It is never changed; `with_` gives another one.
-
-    Make one with `load` or `from_toml`.
+    """A design: path, car, cam, follower, gear train. `load` and `from_toml` read one; `with_` gives a changed copy.
 
     Attributes:
-        values: everything that the design says, checked, with defaults; as in docs/design-file.md.
-        text: of the design file, before overrides.
-        file: that the text stands in, or is named after.
+        values: values of all keys, checked, with defaults; as in docs/design-file.md.
+        text: text of the design file, before overrides.
+        file: path of the design file; for a design from text, its name with the ending .toml.
 
     Example:
         >>> from cadgen import Design
@@ -64,24 +60,24 @@ class Design:
 
         Args:
             source: name of a packaged design, or path of a TOML file; the paper's car if left out.
-            changes: as for `with_`, applied before anything is checked.
-            train_only: True if only the gear train is wanted: sections of the cam may then be missing.
+            changes: changes as for `with_`, applied before the checks.
+            train_only: whether only the gear train is used: sections of the cam may then be missing.
 
         Raises:
-            DesignError: no such design, a file that is not TOML, or values that cannot be: a sentence for each of up
-                to five errors, with the key and what is allowed.
+            DesignError: no such design, a file that is not TOML, or values that are not allowed. The message has a
+                sentence for each of up to five errors, with the key and what is allowed.
         """
         text, file = load.read_design(name_or_path("source", source))
         return cls._checked(text, file, overrides_of(changes), train_only)
 
     @classmethod
     def from_toml(cls, text: str, name: str = "design", *, train_only: bool = False) -> "Design":
-        """A design from the text of a design file; errors as in `load`.
+        """Make a design from the text of a design file; errors as in `load`.
 
         Args:
-            text: TOML.
-            name: of the design, if the text does not say it.
-            train_only: as for `load`.
+            text: text of the design in TOML.
+            name: name of the design, if the text has none.
+            train_only: same as for `load`.
         """
         return cls._checked(plain_text("text", text), Path(f"{name}.toml"), (), train_only)
 
@@ -93,11 +89,11 @@ class Design:
         """The design with some keys changed, by the same rules as `--set` on the command line.
 
         Args:
-            changes: key -> value, such as `{"cam.thickness_mm": 3.2, "path.waypoints_mm.3": [1, 2]}`: items of lists
-                count from 1, and None removes a key or a section. Texts `key=value` are taken, too.
+            changes: new value by key, such as `{"cam.thickness_mm": 3.2, "path.waypoints_mm.3": [1, 2]}`. List items
+                count from 1; None removes a key or a section. Texts `key=value` are taken, too.
 
         Raises:
-            DesignError: no such key, or the result is no design; in the words of the command line.
+            DesignError: a key is unknown, or the result is no design; in the words of the command line.
         """
         overrides = (*self.values.overrides, *overrides_of(changes))
         return self._checked(self.text, self.file, overrides, not isinstance(self.values, DesignValues))
@@ -108,12 +104,12 @@ class Design:
 
     @property
     def name(self) -> str:
-        """What exported files are named after."""
+        """Name of the design; the names of exported files begin with it."""
         return self.values.name
 
     @property
     def sha256(self) -> str:
-        """SHA-256 of what the design says, hexadecimal; manifests have it."""
+        """SHA-256 of the values of the design, hexadecimal, as in manifests."""
         return self.values.content_hash
 
     def cam(self, profile: str | None = None, *, progress: Progress = silent) -> "Cam":
@@ -121,8 +117,8 @@ class Design:
 
         Args:
             profile: `actual`, `optimized`, `compensated`, `smoothed`, `smoothed+compensated`, `theoretical` or
-                `published`. Left out, `optimized` for a design that says something of its play, else `actual`.
-            progress: told what is being done.
+                `published`. If left out, `optimized` for a design with [train] or [play], else `actual`.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: the path cannot be driven, there is no such profile, or nothing is known of the play that it
@@ -140,10 +136,10 @@ class Design:
         Args:
             order: `as-given`; `reordered`, the order of the stages with the least return error; or `search`, the best
                 teeth within [train.search].
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: there is no such order or no train, or it cannot be made or laid out.
+            DesignError: the order is unknown, or the train is missing or cannot be made or laid out.
         """
         from cadgen.api.gears import GearTrain
         from cadgen.workflow.gears.plan import plan_gears
@@ -158,12 +154,12 @@ class Design:
 
         Args:
             profile: `optimized`, `compensated`, `smoothed` or `smoothed+compensated`.
-            play_deg: return error of the runs at the camshaft, degrees, 0 to 180; left out, that which the profile is
-                cut for.
-            progress: told what is being done.
+            play_deg: return error of the runs at the camshaft, degrees, 0 to 180; if left out, the play for which
+                the profile is cut.
+            progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: as `cam`, or no such play.
+            DesignError: as `cam`, or the play is out of its range.
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api import runs
@@ -176,7 +172,7 @@ class Design:
         """Compare the methods against play, alone and combined, on every train, and choose the best.
 
         Args:
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: nothing is known of the play.
@@ -208,16 +204,16 @@ class Design:
             samples: number of cars, 1 to 10 000 000.
             map: a pool, which is anything with a method `map`, or a function like the built-in `map`; it runs the
                 cars. The numbers do not depend on it.
-            seed: of the random numbers, 0 or more.
-            profile: that all cars have.
-            budget: rank everything that may be off, too.
-            processes: how many run at once if no `map` is given, 1 to 256.
-            progress: told what is being done.
+            seed: seed of the random numbers, 0 or more.
+            profile: profile that all cars have.
+            budget: whether all deviations are ranked, too.
+            processes: number of processes that run at once if no `map` is given, 1 to 256.
+            progress: function that is called with a few words on each step.
 
         Raises:
             DesignError: as `cam`, or nothing varies.
             CheckError: no profile keeps the limits of [optimize].
-            FileError: there is not the memory for so many cars.
+            FileError: the memory does not suffice for so many cars.
         """
         from cadgen.api import runs
         from cadgen.workflow.runs.tolerance import run_tolerance
@@ -242,25 +238,26 @@ class Design:
         profile: str = "actual",
         form_error_um: float | None = None,
         progress: Progress = silent,
-    ) -> "Calibration":
+    ) -> "Calibration[Design]":
         """Trace measured data of one car to the effects that the design lacks.
 
         Args:
-            data: one or several, judged together: paths of CSV files, mappings of columns to arrays, `Measured`.
-            profile: of the cam that was measured, or was on the car.
-            form_error_um: form error of the disc to be expected, µm rms, 0.01 to 1000; left out, 2, or 30 if the data
-                say that it is printed.
-            progress: told what is being done.
+            data: measured data, judged together: paths of CSV files, mappings of columns to arrays, `Measured`.
+            profile: profile of the cam that was measured, or was on the car.
+            form_error_um: form error to expect on the disc, µm rms, 0.01 to 1000; if left out, 2, or 30 for a disc that
+                is printed by a remark of the data.
+            progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: as `cam`, or no such form error.
-            FileError: data that cannot be read, or cannot be judged together.
+            DesignError: as `cam`, or the form error is out of its range.
+            FileError: data cannot be read, or cannot be judged together.
         """
+        from cadgen.api.calibration import Calibration
         from cadgen.workflow.calibration.plan import calibrate
 
-        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        told = calibrate(self._whole(), profile, sources_of(data, progress=progress), error, progress)
-        return Calibration(told, self.text)
+        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self._whole()
+        computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
+        return Calibration(computed, Design(design, self.text, self.file))
 
     def calibrate_each(
         self,
@@ -269,132 +266,48 @@ class Design:
         profile: str = "actual",
         form_error_um: float | None = None,
         progress: Progress = silent,
-    ) -> "Calibrations":
-        """Judge measured data one by one, each as of a car of its own; arguments and errors as in `calibrate`."""
+    ) -> "Calibrations[Design]":
+        """Judge measured data one by one, as if each came from another car; arguments and errors as in `calibrate`."""
+        from cadgen.api.calibration import Calibration, Calibrations
         from cadgen.workflow.calibration.plan import calibrate_each
 
-        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        told = calibrate_each(self._whole(), profile, sources_of(data, each=True, progress=progress), error, progress)
-        return Calibrations(tuple(Calibration(one, self.text) for one in told))
+        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self._whole()
+        computed = calibrate_each(design, profile, sources_of(data, each=True, progress=progress), error, progress)
+        same = Design(design, self.text, self.file)
+        return Calibrations(tuple(Calibration(result, same) for result in computed))
+
+    def adjust(
+        self,
+        trials: str | PathLike[str] | Iterable[str | PathLike[str]],
+        *,
+        profile: str = "optimized",
+        point: str = "drive-wheel",
+        knobs: Iterable[str] = ("head", "start"),
+        noise_mm: float = 10.0,
+        division_um: float = 10.0,
+        progress: Progress = silent,
+    ) -> "Adjustment":
+        """Settings of micrometer head, key and start that bring the next run to its end, from trial runs.
+
+        Args:
+            trials: CSV files of measured points, in the order of driving (docs/how-to/adjust.md).
+            profile: of the cam on the car.
+            point: of the car that was measured: `drive-wheel`, `fork`, `idle-wheel`, or `path`, the point that is to
+                follow the waypoints.
+            knobs: what may be set: `head`, `key`, `start`.
+            noise_mm: standard deviation of a measured coordinate, mm, 0.1 to 1000.
+            division_um: of the micrometer head, µm, 0.1 to 1000.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: as `tolerance`, or no such point, knob, noise or division.
+            FileError: files that cannot be read or are no trial runs.
+        """
+        from cadgen.api.adjustment import adjusted
+
+        return adjusted(self._whole(), trials, profile, point, knobs, noise_mm, division_um, progress)
 
     def _whole(self) -> DesignValues:
         """The design, if it has all that a cam needs."""
         known = self.values
         return known if isinstance(known, DesignValues) else load.design_of(self.text, self.file, known.overrides)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Calibration:
-    """Result of `Design.calibrate`: the effects found in measured data of one car, and the design built from them.
-
-    Attributes:
-        computed: the whole result, for figures that are not named here.
-        text: of the design file.
-    """
-
-    computed: "calibrations.Calibration"
-    text: str
-
-    def __repr__(self) -> str:
-        return f"<Calibration of {self.computed.design.name}: {self.verdicts}>"
-
-    @property
-    def verdicts(self) -> dict[str, str]:
-        """Kind of data -> class of the verdict on it, such as `traced` or `ambiguous`."""
-        return {source.kind.code: self.computed.verdict(source.kind) for source in self.computed.sources}
-
-    @property
-    def effects(self) -> "tuple[calibrations.Built, ...]":
-        """Everything claimed, with its place in the design as built.
-
-        `claim.finding.effect` is its name, `claim.finding.values` its numbers with standard deviations, in the unit
-        that each name ends in.
-        """
-        return self.computed.built
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What does not fit, but was let pass, a sentence each."""
-        return self.computed.warnings
-
-    @cached_property
-    def as_built(self) -> Design:
-        """The design with what was measured in its [as_built]; the design as it was, if nothing was found."""
-        from cadgen.workflow.calibration.as_built_file import as_built_text
-
-        known = self.computed.design
-        if not self.computed.built:
-            return Design(known, self.text, Path(known.source))
-        return Design.from_toml(as_built_text(self.computed, self.text), f"{known.name}_as_built")
-
-    @property
-    def report(self) -> "list[Block]":
-        """Everything in paragraphs and tables; `str` of the result gives them as text."""
-        from cadgen.workflow.calibration.words import report
-
-        return report(self.computed)
-
-    def __str__(self) -> str:
-        from cadgen.report.text import plain
-
-        return plain(self.report, _REPORT_WIDTH)
-
-    def facts(self) -> dict[str, Any]:
-        """Everything as plain values, as in the JSON file."""
-        from cadgen.workflow.calibration.files import document
-
-        return document(self.computed)
-
-    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
-        """Write the report, pictures, JSON and the design as built, all together or none.
-
-        Args:
-            folder: where to; it is made if need be.
-            progress: told what is being done.
-
-        Raises:
-            FileError: a file cannot be written, or the design as built, read back, is not what was meant.
-        """
-        from cadgen.workflow.calibration.files import write_calibration
-
-        place = folder_of(folder)
-        written = write_calibration(self.computed, self.text, place, progress)
-        return Written.of(place, written.part, written.entry)
-
-
-@dataclass(frozen=True)
-class Calibrations:
-    """Result of `Design.calibrate_each`: a verdict on each measured file, judged alone.
-
-    Attributes:
-        each: one for each of the data, in their order.
-    """
-
-    each: tuple[Calibration, ...]
-
-    @property
-    def report(self) -> "list[Block]":
-        """One table with a row for each."""
-        from cadgen.workflow.calibration.words import summary
-
-        return summary([one.computed for one in self.each])
-
-    def facts(self) -> dict[str, Any]:
-        """Everything as plain values, as in the JSON file."""
-        from cadgen.workflow.calibration.files import documents
-
-        return documents([one.computed for one in self.each])
-
-    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
-        """Write the table and JSON; errors as in `Calibration.write`.
-
-        Args:
-            folder: where to; it is made if need be.
-            progress: told what is being done.
-        """
-        from cadgen.workflow.calibration.files import write_each
-
-        place = folder_of(folder)
-        progress("writing")
-        written = write_each([one.computed for one in self.each], place)
-        return Written.of(place, written.part, written.entry)

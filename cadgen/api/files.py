@@ -1,36 +1,30 @@
-"""What a job has written, and whether a folder still is what was written to it."""
+"""Files that a job has written, and the comparison of a folder with its manifest."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, overload
 
+from cadgen.api.values import Frozen, frozen
 from cadgen.errors import DesignError, brief
 
 if TYPE_CHECKING:
     from cadgen.check import Check
     from cadgen.export.verify import FolderState as FolderState
 
-Progress = Callable[[str], None]
-
-
-def silent(text: str) -> None:
-    """Tell nobody what is being done."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class WrittenFile:
-    """A file that was written, read back and found to hold what was meant.
+    """A file that was written and proved by reading it back.
 
     Attributes:
-        path: where it stands.
-        bytes: its size.
-        sha256: of its bytes, hexadecimal.
-        lift_error_um: how far the follower's lift on what was read back is off, µm; None for what no follower rolls on.
-        lift_limit_um: how far it may be off, µm.
-        facts: everything that the manifest says of it.
+        path: path of the file.
+        bytes: size of the file, bytes.
+        sha256: SHA-256 of its bytes, hexadecimal.
+        lift_error_um: error of the follower's lift on the file read back, µm; None for a file that is no profile.
+        lift_limit_um: greatest error allowed, µm.
+        facts: facts on the file in the manifest.
     """
 
     path: Path
@@ -42,14 +36,8 @@ class WrittenFile:
 
     @property
     def name(self) -> str:
-        """Its name without the folder."""
+        """Name of the file without the folder."""
         return self.path.name
-
-    def __getstate__(self) -> dict[str, Any]:  # for copies and other processes, to which no mapping proxy can go
-        return {**self.__dict__, "facts": dict(self.facts)}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state, facts=MappingProxyType(state["facts"]))
 
 
 @dataclass(frozen=True, repr=False)
@@ -57,10 +45,10 @@ class Written(Sequence[WrittenFile]):
     """The files that one job has written: a sequence of `WrittenFile`.
 
     Attributes:
-        folder: where they stand, with `manifest.json` beside them.
+        folder: folder of the files, with `manifest.json` beside them.
         part: name of their entry in the manifest.
-        entry: that entry, as plain values.
-        files: in the order written.
+        entry: content of that entry, as plain values that cannot be changed.
+        files: files in the order written.
     """
 
     folder: Path
@@ -73,10 +61,11 @@ class Written(Sequence[WrittenFile]):
         """The files of a manifest's entry.
 
         Args:
-            folder: that they were written to.
+            folder: folder of the files.
             part: name of the entry.
-            entry: its content.
+            entry: content of the entry.
         """
+        fixed = frozen(entry)
         files = tuple(
             WrittenFile(
                 path=folder / name,
@@ -84,27 +73,21 @@ class Written(Sequence[WrittenFile]):
                 sha256=facts["sha256"],
                 lift_error_um=facts.get("lift_error_um"),
                 lift_limit_um=facts.get("lift_limit_um"),
-                facts=MappingProxyType(facts),
+                facts=facts,
             )
-            for name, facts in entry["files"].items()
+            for name, facts in fixed["files"].items()
         )
-        return cls(folder, part, MappingProxyType(entry), files)
+        return cls(folder, part, fixed, files)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What the files give away, a sentence each."""
+        """Sentences on the gain that files give away."""
         return tuple(self.entry.get("warnings", ()))
 
     @property
     def omitted(self) -> Mapping[str, str]:
-        """Formats that could not be made of a part that was written although a check failed -> why."""
-        return MappingProxyType(self.entry.get("omitted", {}))
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "entry": dict(self.entry)}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state, entry=MappingProxyType(state["entry"]))
+        """Reasons, by format, why files could not be made of a part that was written although a check failed."""
+        return Frozen(self.entry.get("omitted", {}))
 
     def __repr__(self) -> str:
         names = ", ".join(file.name for file in self.files)
@@ -125,10 +108,13 @@ class Written(Sequence[WrittenFile]):
 
 
 def folder_of(folder: str | PathLike[str]) -> Path:
-    """The folder that files go to.
+    """Path of the folder for files.
+
+    Args:
+        folder: path as the caller has it.
 
     Raises:
-        DesignError: it is no path, an empty one, or one that no system has.
+        DesignError: it is no path, is empty, or is not possible on any system.
     """
     try:
         text = str(Path(folder)) if str(folder) else ""
@@ -140,7 +126,7 @@ def folder_of(folder: str | PathLike[str]) -> Path:
 
 
 def refusal(checks: "Sequence[Check]") -> str:
-    """Why nothing is written: each check that fails, with its limit and what to change."""
+    """Message on a failed export: each check that fails, with its limit and what to change."""
     parts = []
     for check in checks:
         if not check.passed:
@@ -155,8 +141,8 @@ def verify(folder: str | PathLike[str], *, restore: bool = False) -> "FolderStat
     """Compare the files of a folder with its manifest.
 
     Args:
-        folder: that a job has written to.
-        restore: first put back what killed runs have left half moved into it.
+        folder: folder that a job has written to.
+        restore: whether half-done moves of killed runs are undone first.
 
     Returns:
         State of every file; `is_true` if all that the manifest lists are as listed, and `restored`, the names of the

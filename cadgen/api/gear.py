@@ -1,6 +1,5 @@
 """One gear by its numbers, without a design file. Lengths are mm and angles rad."""
 
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -8,18 +7,19 @@ from math import radians
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Progress, Written, folder_of, silent
-from cadgen.api.values import real, whole, word
+from cadgen.api.files import Written, folder_of
+from cadgen.api.values import Frozen, optional, real, whole, word
+from cadgen.arrays import TURN
+from cadgen.design.names import name_fault
 from cadgen.errors import DesignError, brief
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, Lightening, Web
+from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Solid
-
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,19 +28,19 @@ class Gear:
 
     Attributes:
         teeth: number of teeth, 4 to 1000.
-        module: mm.
-        width: of the face, mm.
-        pressure_angle: rad.
-        profile_shift: x, in modules.
-        bore: diameter, mm; 0 for none.
-        keyway, hub, web, lightening: what else it has besides its teeth, mm; see their classes.
+        module: normal module, mm.
+        width: width of the face, mm.
+        pressure_angle: normal pressure angle, rad.
+        profile_shift: profile shift x, in modules.
+        bore: diameter of the bore, mm; 0 for none.
+        keyway, hub, web, lightening: features besides the teeth, mm; see their classes.
         grade: tolerance grade of ISO 1328, 3 to 12.
-        tolerances: symbol (f_pt, F_beta, F_r, b_r, F_i_radial) -> mm, in place of the standard's.
-        thickness_deviation: E_sn that the teeth are cut to, mm, negative for thinner teeth; None to leave it to the
-            pair, and nominal teeth for the gear alone.
-        addendum, dedendum, rack_tip_radius: of the basic rack, in modules.
+        tolerances: tolerances in place of the standard's, mm, by symbol (f_pt, F_beta, F_r, b_r, F_i_radial).
+        thickness_deviation: deviation E_sn of the tooth thickness as cut, mm, negative for thinner teeth; None leaves
+            it to the pair, with nominal teeth for the gear alone.
+        addendum, dedendum, rack_tip_radius: sizes of the basic rack, in modules.
         tip_chamfer: leg of the chamfer at the tips, mm.
-        name: of the gear and its files.
+        name: name of the gear and its files.
 
     Raises:
         DesignError: a number out of its range, a tooth that cannot be cut, or features that leave too thin a wall.
@@ -75,22 +75,29 @@ class Gear:
     def __post_init__(self) -> None:
         whole("teeth", self.teeth, 4, 1000)
         whole("grade", self.grade, 3, 12)
-        for name in ("module", "width", "pressure_angle", "profile_shift", "bore", "tip_chamfer"):
-            real(name, getattr(self, name))
-        for name in ("addendum", "dedendum", "rack_tip_radius"):
-            real(name, getattr(self, name), 0, 3, "modules")
+        real("module", self.module, 0, 10, "mm", above=True)
+        real("width", self.width, 0, 500, "mm", above=True)
+        real("pressure_angle", self.pressure_angle, radians(10), radians(35), "rad")
+        real("profile_shift", self.profile_shift, -2, 2, "modules")
+        real("bore", self.bore, 0, 500, "mm")
+        real("tip_chamfer", self.tip_chamfer, 0, 10, "mm")
+        for name, most in (("addendum", 3), ("dedendum", 3), ("rack_tip_radius", 1)):
+            real(name, getattr(self, name), 0, most, "modules", above=True)
         if self.thickness_deviation is not None:
             real("thickness_deviation", self.thickness_deviation, -10, 10, "mm")
         for name, kind in (("keyway", Keyway), ("hub", Hub), ("web", Web), ("lightening", Lightening)):
             if not isinstance(value := getattr(self, name), kind | None):
                 raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be a {kind.__name__}")
+        _require_features(self.keyway, self.hub, self.web, self.lightening)
         require_name(self.name)
         self.overrides  # noqa: B018
+        if self.tolerances is not None:  # a copy, so that no change of the caller's changes a gear that is made
+            object.__setattr__(self, "tolerances", Frozen(self.tolerances))
         self.part  # noqa: B018
 
     @cached_property
     def form(self) -> GearForm:
-        """The numbers of its teeth as they are cut."""
+        """Numbers of its teeth as they are cut."""
         return GearForm(
             teeth=int(self.teeth),
             normal_module=float(self.module),
@@ -106,7 +113,7 @@ class Gear:
 
     @cached_property
     def blank(self) -> Blank:
-        """What it has besides its teeth."""
+        """Features besides its teeth."""
         return Blank(bore_diameter=self.bore, key=self.keyway, hub=self.hub, web=self.web, lightening=self.lightening)
 
     @cached_property
@@ -118,34 +125,34 @@ class Gear:
 
     @cached_property
     def overrides(self) -> ToleranceOverrides:
-        """Its `tolerances`, checked."""
+        """The `tolerances` in place of the standard's, checked."""
         known = [field.name for field in fields(ToleranceOverrides)]
         if not isinstance(self.tolerances, Mapping | None):
             raise DesignError(f"tolerances is {brief(repr(self.tolerances), 60)}; it must map symbols to mm")
-        given = dict(self.tolerances or {})
-        for symbol, value in given.items():
+        tolerances = dict(self.tolerances or {})
+        for symbol, value in tolerances.items():
             word("a symbol of tolerances", symbol, known)
             real(f"tolerances[{symbol!r}]", value, 0, 10, "mm")
-        return ToleranceOverrides(**{symbol: float(value) for symbol, value in given.items()})
+        return ToleranceOverrides(**{symbol: float(value) for symbol, value in tolerances.items()})
 
     @property
     def reference_diameter(self) -> float:
-        """d, mm."""
+        """Reference diameter d, mm."""
         return self.form.reference_diameter
 
     @property
     def base_diameter(self) -> float:
-        """d_b, mm."""
+        """Base diameter d_b, mm."""
         return self.form.base_diameter
 
     @property
     def tip_diameter(self) -> float:
-        """d_a, mm."""
+        """Tip diameter d_a, mm."""
         return self.form.tip_diameter
 
     @property
     def root_diameter(self) -> float:
-        """d_f as cut, mm."""
+        """Root diameter d_f as cut, mm."""
         return self.form.root_diameter
 
     @property
@@ -184,13 +191,13 @@ class Gear:
         """Write files and compare every tooth read back with the exact one; all are published together or none.
 
         Args:
-            folder: where to; it is made if need be.
+            folder: folder for the files; it is made if need be.
             formats: some of step and stl; both if left out.
-            progress: told what is being done.
+            progress: function that is called with a few words on each step.
 
         Raises:
-            DesignError: there is no such format.
-            FileError: a file cannot be written, or what was read back is not what was meant.
+            DesignError: a format is unknown.
+            FileError: a file cannot be written, or holds something else when it is read back.
         """
         from cadgen.workflow.gears.numbers import write_gear
 
@@ -199,17 +206,38 @@ class Gear:
         return Written.of(place, written.part, written.entry)
 
 
+def _require_features(keyway: Keyway | None, hub: Hub | None, web: Web | None, lightening: Lightening | None) -> None:
+    """Refuse sizes that the design file refuses."""
+    if keyway:
+        real("keyway.width", keyway.width, 0, 100, "mm", above=True)
+        real("keyway.depth", keyway.depth, 0, 50, "mm", above=True)
+        real("keyway.angle", keyway.angle, -TURN, TURN, "rad")
+    if hub:
+        real("hub.diameter", hub.diameter, 0, 1000, "mm", above=True)
+        real("hub.length", hub.length, 0, 200, "mm")
+        word("hub.side", hub.side, ("outer", "inner"))
+        if hub.set_screw:
+            real("hub.set_screw.diameter", hub.set_screw.diameter, 0, 50, "mm", above=True)
+            real("hub.set_screw.height", hub.set_screw.height, 0, 200, "mm")
+            real("hub.set_screw.angle", hub.set_screw.angle, -TURN, TURN, "rad")
+    if web:
+        real("web.thickness", web.thickness, 0, 500, "mm", above=True)
+        real("web.rim_thickness", web.rim_thickness, 0, 500, "mm", above=True)
+    if lightening:
+        whole("lightening.count", lightening.count, 1, 360)
+        real("lightening.hole_diameter", lightening.hole_diameter, 0, 500, "mm", above=True)
+        optional("lightening.circle_diameter", lightening.circle_diameter, 0, 1000, "mm", above=True)
+        real("lightening.start_angle", lightening.start_angle, -TURN, TURN, "rad")
+
+
 def require_name(name: object) -> None:
     """Refuse a name that files cannot have on every system.
 
     Args:
-        name: as given.
+        name: name as the caller has it.
 
     Raises:
-        DesignError: it is none.
+        DesignError: the name is not allowed.
     """
-    if not (isinstance(name, str) and _NAME.fullmatch(name)):
-        raise DesignError(
-            f"name is {brief(repr(name), 60)}; it must be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and "
-            "underscores, and begin with a letter or digit"
-        )
+    if fault := name_fault(name if isinstance(name, str) else ""):
+        raise DesignError(f"name is {brief(repr(name), 60)}; it must {fault}")

@@ -14,10 +14,11 @@ from math import cos, pi
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal
 
-from cadgen.api.files import Progress, Written, folder_of, refusal, silent
+from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.gear import Gear, require_name
-from cadgen.api.values import real, several, word
+from cadgen.api.values import optional, real, several, word
 from cadgen.check import Check
+from cadgen.design.train import MOST_STAGES
 from cadgen.errors import CheckError, DesignError, brief
 from cadgen.gears import train as numeric
 from cadgen.gears.backlash import TrainPlay, train_play
@@ -27,6 +28,7 @@ from cadgen.gears.thinning import thinned, with_deviation, with_deviations
 from cadgen.gears.tooth import tooth_of
 from cadgen.meshes.train_checks import exact_play
 from cadgen.parts.blank import Blank
+from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import plan_facts
 from cadgen.workflow.gears.plan import GearsPlan as GearsPlan
 from cadgen.workflow.gears.plan import NotMadeError as NotMadeError
@@ -45,9 +47,9 @@ class ReturnError:
     """Free angle of the output while the drive stands still.
 
     Attributes:
-        least: with every tolerance used against it, rad; below 0 the teeth may jam.
-        as_cut: with every size in the middle, as drawn and as built in CAD, rad.
-        greatest: with every tolerance used for it, rad.
+        least: least return error within the tolerances, rad; below 0 the teeth may jam.
+        as_cut: return error with every size in the middle, as drawn and as built in CAD, rad.
+        greatest: greatest return error within the tolerances, rad.
     """
 
     least: float
@@ -56,12 +58,12 @@ class ReturnError:
 
 
 class Assembly(ABC):
-    """What a planned train gives, whether it comes from a design or from numbers."""
+    """A planned pair or train, from a design or from numbers."""
 
     @property
     @abstractmethod
     def computed(self) -> "GearsPlan | TrainPlan":
-        """The numeric plan."""
+        """Numeric plan."""
 
     @property
     def checks(self) -> tuple[Check, ...]:
@@ -75,7 +77,7 @@ class Assembly(ABC):
 
     @property
     def failed(self) -> tuple[Check, ...]:
-        """The checks that do not keep their limit."""
+        """Checks that do not keep their limit."""
         return tuple(check for check in self.checks if not check.passed)
 
     @property
@@ -91,7 +93,7 @@ class Assembly(ABC):
         return ReturnError(float(play.return_error_min), sum(free), float(play.return_error_max))
 
     def facts(self) -> dict[str, Any]:
-        """Everything as plain values, as in the manifest: every tolerance, play, part and inspection size."""
+        """All facts as plain values, as in the manifest: every tolerance, play, part and inspection size."""
         plan = self.computed
         return plan_facts(plan) if isinstance(plan, GearsPlan) else plan.facts()
 
@@ -117,15 +119,15 @@ class Assembly(ABC):
         """Write files, measure the play on the teeth read back, and publish all together or none.
 
         Args:
-            folder: where to; it is made if need be.
+            folder: folder for the files; it is made if need be.
             formats: some of step (the assembly and each part), stl and csv (the table of parts); all if left out.
-            force: write even if a check fails; the manifest says so.
-            progress: told what is being done.
+            force: whether files are written even if a check fails; the manifest then says so.
+            progress: function that is called with a few words on each step.
 
         Raises:
             CheckError: a check fails.
-            DesignError: there is no such format.
-            FileError: a file cannot be written, or what was read back is not what was meant.
+            DesignError: a format is unknown.
+            FileError: a file cannot be written, or holds something else when it is read back.
         """
         from cadgen.workflow.gears.files import write_train
 
@@ -145,12 +147,12 @@ class GearPair(Assembly):
 
     Attributes:
         pinion, wheel: the gears; a thickness deviation of their own is kept.
-        backlash: circumferential, mm: how far the wheel's working pitch circle can move while the pinion stands still.
-        centre_distance: of the axes, mm; None for that of nominal teeth without play.
-        bearing_span: between the bearings of a shaft, mm; needed without a backlash.
-        thinning: without a backlash, what the teeth are cut to in the zone of their grade.
-        centre_distance_deviation: ± of the axes, mm; None for the standard's.
-        name: of the pair and its files.
+        backlash: circumferential backlash, mm: travel of the wheel's working pitch circle while the pinion rests.
+        centre_distance: distance of the axes, mm; None for that of nominal teeth without play.
+        bearing_span: distance between the bearings of a shaft, mm; needed without a backlash.
+        thinning: without a backlash, place of the tooth thickness in the zone of its grade.
+        centre_distance_deviation: ± deviation of the distance of the axes, mm; None for the standard's.
+        name: name of the pair and its files.
 
     Raises:
         DesignError: gears that do not mesh, a number out of its range, or a tooth that cannot be cut so thin.
@@ -177,20 +179,19 @@ class GearPair(Assembly):
         for name in ("pinion", "wheel"):
             if not isinstance(value := getattr(self, name), Gear):
                 raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be a Gear")
-        for name, most in (("backlash", 100), ("centre_distance", 5000), ("bearing_span", 5000)):
-            if getattr(self, name) is not None:
-                real(name, getattr(self, name), 0, most, "mm")
-        if self.centre_distance_deviation is not None:
-            real("centre_distance_deviation", self.centre_distance_deviation, 0, 10, "mm")
+        optional("backlash", self.backlash, 0, 100, "mm")
+        optional("centre_distance", self.centre_distance, 0, 2000, "mm", above=True)
+        optional("bearing_span", self.bearing_span, 0, 5000, "mm", above=True)
+        optional("centre_distance_deviation", self.centre_distance_deviation, 0, 10, "mm")
         word("thinning", self.thinning, ("least", "middle", "greatest"))
         require_name(self.name)
-        given = [gear.thickness_deviation is not None for gear in (self.pinion, self.wheel)]
-        if self.backlash is not None and all(given):
+        fixed = [gear.thickness_deviation is not None for gear in (self.pinion, self.wheel)]
+        if self.backlash is not None and all(fixed):
             raise DesignError(
                 f"backlash is {self.backlash:g} mm and both gears have a thickness_deviation; leave one of the three "
                 "out, for two of them decide the third"
             )
-        if self.backlash is None and self.bearing_span is None and not all(given):
+        if self.backlash is None and self.bearing_span is None and not all(fixed):
             raise DesignError(
                 "backlash is not given; give it in mm, or bearing_span in mm, for which the teeth are then thinned by "
                 "their tolerance grade"
@@ -217,16 +218,17 @@ class GearPair(Assembly):
 
     def _thinning(self, pair: numeric.GearPair) -> tuple[float | Thinning, float | Thinning]:
         """Thickness of the pinion's and of the wheel's teeth: E_sn, mm, or a place in the zone of their grade."""
-        own = self.pinion.thickness_deviation, self.wheel.thickness_deviation
+        fixed = self.pinion.thickness_deviation, self.wheel.thickness_deviation
         if self.backlash is None:
-            pinion, wheel = (self.thinning if deviation is None else deviation for deviation in own)
+            pinion, wheel = (self.thinning if deviation is None else deviation for deviation in fixed)
             return pinion, wheel
         angle = self.backlash / pair.driven_pitch_radius
         along = angle * pair.driven.form.base_diameter / 2
         both = (pair.normal_backlash(pair.centre_distance) - along) / cos(pair.driver.form.transverse_pressure_angle)
-        known = [deviation for deviation in own if deviation is not None]
+        known = [deviation for deviation in fixed if deviation is not None]
         share = (both - sum(known)) / (2 - len(known))
-        return own[0] if own[0] is not None else share, own[1] if own[1] is not None else share
+        pinion, wheel = (share if deviation is None else deviation for deviation in fixed)
+        return pinion, wheel
 
     @cached_property
     def cut(self) -> numeric.GearPair:
@@ -259,7 +261,7 @@ class GearPair(Assembly):
 
     @property
     def working_pressure_angle(self) -> float:
-        """α_w, rad."""
+        """Working pressure angle α_w, rad."""
         return self.nominal.working_pressure_angle
 
     @property
@@ -294,11 +296,12 @@ class Train(Assembly):
     """A gear train: pairs in a row, the wheel of each and the pinion of the next one part on one shaft.
 
     Attributes:
-        stages: from the drive to the output. What a part between two of them has besides its teeth is given with
-            the wheel; its hub is the collar.
-        directions: of every stage's line of centres, rad, None for any; left out, the train is folded tightly.
+        stages: pairs from the drive to the output. The features of a part between two stages, besides its teeth, are
+            those of the wheel; its hub is the collar.
+        directions: direction of every stage's line of centres, rad, None for any; the train is folded tightly if left
+            out.
         clearance: least gap between bodies on different shafts, mm.
-        name: of the train and its files.
+        name: name of the train and its files.
 
     Raises:
         DesignError: no stage, or a pinion on a shaft with a wheel that has a bore of its own.
@@ -320,6 +323,8 @@ class Train(Assembly):
         stages = self.stages
         if not isinstance(stages, Sequence) or not all(isinstance(pair, GearPair) for pair in stages) or not stages:
             raise DesignError(f"stages is {brief(repr(stages), 60)}; it must hold at least one GearPair")
+        if len(stages) > MOST_STAGES:
+            raise DesignError(f"stages has {len(stages)} pairs; it must have at most {MOST_STAGES}")
         for number, (before, after) in enumerate(pairwise(stages), 2):
             if after.pinion.blank not in (Blank(), before.wheel.blank):
                 raise DesignError(
@@ -330,7 +335,7 @@ class Train(Assembly):
         for angle in directions or ():
             if angle is not None:
                 real("directions", angle, -2 * pi, 2 * pi, "rad")
-        real("clearance", self.clearance, 1e-3, 100, "mm")
+        real("clearance", self.clearance, 0, 100, "mm", above=True)
         require_name(self.name)
 
     @property
@@ -356,7 +361,7 @@ class GearTrain(Assembly):
     """The gear train of a design: what `Design.gears` gives.
 
     Attributes:
-        plan: the numeric plan, for figures that are not named here; mm and rad.
+        plan: numeric plan, with all other figures; mm and rad.
     """
 
     plan: GearsPlan
@@ -366,7 +371,7 @@ class GearTrain(Assembly):
 
     @property
     def computed(self) -> GearsPlan:
-        """The numeric plan; it names the trains that were passed over, too, and why."""
+        """Numeric plan, with the trains that were passed over and the reasons."""
         return self.plan
 
     @property
@@ -376,20 +381,20 @@ class GearTrain(Assembly):
 
     @property
     def order(self) -> str:
-        """What was asked for: `as-given`, `reordered` or `search`."""
+        """Order of the stages: `as-given`, `reordered` or `search`."""
         return self.plan.order
 
     @property
     def ranked(self) -> tuple[TrainPlay, ...]:
-        """The trains that the order calls for, least return error first; mm and rad."""
+        """Play of the trains that the order calls for, least return error first; mm and rad."""
         return self.plan.ranked
 
     @property
     def baseline(self) -> TrainPlay:
-        """What the ranked trains are compared with."""
+        """Play that the ranked trains are compared with; mm and rad."""
         return self.plan.baseline
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What to know of the train that is made, a sentence each."""
+        """Sentences on the train that is made."""
         return self.plan.notes

@@ -1,4 +1,4 @@
-"""Measured data as a caller gives them: files, or arrays in memory."""
+"""Measured data from a caller: files, or arrays in memory."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -6,8 +6,8 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Progress, silent
 from cadgen.errors import DesignError, brief
+from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Measured:
-    """Measured data in memory: what a CSV file of them would hold.
+    """Measured data in memory, with the content of a CSV file.
 
     Attributes:
-        columns: name with unit, as in a file's header (docs/measurement.md) -> values, each of shape (n,). Without a
-            column `run` (or `zone`) they are one run.
-        remarks: what the comment lines would say, such as `noise 2 um`.
-        name: of the data, for reports.
+        columns: values, shape (n,) each, by name with unit as in a file's header (docs/measurement.md). Without a
+            column `run` (or `zone`) all rows are one run.
+        remarks: comment lines, such as `noise 2 um`.
+        name: name of the data, for reports.
     """
 
     columns: "Mapping[str, ArrayLike]"
@@ -41,17 +41,17 @@ def sources_of(data: Data | Iterable[Data], *, each: bool = False, progress: Pro
     """Read measured data.
 
     Args:
-        data: one or several: paths of CSV files, mappings of columns to arrays, `Measured`.
-        each: every one will be judged alone.
-        progress: told what is being done.
+        data: paths of CSV files, mappings of columns to arrays, `Measured`, or several of these.
+        each: whether the data will be judged one by one.
+        progress: function that is called with a few words on each step.
 
     Raises:
-        DesignError: it is none of these.
-        FileError: data that cannot be read, the same twice, or more than can be judged.
+        DesignError: the data are none of these.
+        FileError: data cannot be read, stand twice, or are more than can be judged.
     """
     from cadgen.workflow.calibration.plan import gathered
 
-    sources = (_source(one, number, progress) for number, one in enumerate(_several(data), 1))
+    sources = (_source(item, number, progress) for number, item in enumerate(_several(data), 1))
     return gathered(sources, each=each)
 
 

@@ -13,10 +13,10 @@ def overrides_of(changes: Mapping[str, Any] | Iterable[str]) -> tuple[str, ...]:
     """Overrides as `--set` takes them.
 
     Args:
-        changes: key -> value, where None removes the key; or texts `key=value`, taken as they are.
+        changes: new value by key, where None removes the key; or texts `key=value`, taken as they are.
 
     Raises:
-        DesignError: it is neither, or a value has no form in TOML.
+        DesignError: the changes are neither, or a value has no form in TOML.
     """
     if isinstance(changes, Mapping):
         return tuple(f"{_key(key)}={'' if value is None else _toml(key, value)}" for key, value in changes.items())
@@ -57,7 +57,7 @@ def _toml(key: str, value: Any) -> str:
         return f"{{{inside}}}"
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(_toml(key, part) for part in value)}]"
-    what = "a date" if isinstance(value, (date, time)) else f"a {type(value).__name__}"
+    kind = "a date" if isinstance(value, (date, time)) else f"a {type(value).__name__}"
     raise DesignError(
-        f"{brief(key)} is given {what}; a value must be a number, a text, True or False, a list or a table of these"
+        f"{brief(key)} is given {kind}; a value must be a number, a text, True or False, a list or a table of these"
     )

@@ -7,13 +7,14 @@ from os import PathLike
 from typing import Any, Protocol
 
 from cadgen.api.cam import Cam
-from cadgen.api.files import Progress, Written, folder_of, silent
+from cadgen.api.files import Written, folder_of
 from cadgen.arrays import Array
 from cadgen.errors import DesignError, brief
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError
 from cadgen.optimize.evaluate import Evaluation
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
 from cadgen.workflow.cam.manifest import remedy_facts as remedy_facts
 from cadgen.workflow.cam.mechanics import joint_sentences
@@ -22,8 +23,8 @@ from cadgen.workflow.runs import files
 from cadgen.workflow.runs import simulation as simulations
 from cadgen.workflow.runs import tolerance as tolerances
 from cadgen.workflow.runs.budget import BudgetSheet as BudgetSheet
-from cadgen.workflow.runs.budget import shown as shown
 from cadgen.workflow.runs.budget import shown_half_width as shown_half_width
+from cadgen.workflow.runs.budget import shown_value as shown_value
 from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.workflow.runs.tolerance import Spread as Spread
 
@@ -40,7 +41,7 @@ class Simulation:
     """Runs of the car with play in its gears: what `Design.simulate` gives.
 
     Attributes:
-        computed: the numeric result, for figures that are not named here; mm and rad.
+        computed: numeric result, with all other figures; mm and rad.
     """
 
     computed: simulations.Simulation
@@ -60,27 +61,27 @@ class Simulation:
 
     @property
     def planned(self) -> Run:
-        """The run that is wanted."""
+        """Planned run, without play."""
         return self.computed.planned
 
     @property
     def before(self) -> Run:
-        """The run on the actual profile; of a car as built, on the cam that it was measured with."""
+        """Run on the actual profile; of a car as built, on the cam that it was measured with."""
         return self.computed.before
 
     @property
     def after(self) -> Run:
-        """The run on the cam's profile."""
+        """Run on the cam's profile."""
         return self.computed.after
 
     @property
     def before_error(self) -> RunError:
-        """How far the run before is off the planned one, mm and rad."""
+        """Errors of the run before against the planned run, mm and rad."""
         return self.computed.before_error
 
     @property
     def after_error(self) -> RunError:
-        """How far the run after is off the planned one, mm and rad."""
+        """Errors of the run after against the planned run, mm and rad."""
         return self.computed.after_error
 
     @property
@@ -90,7 +91,7 @@ class Simulation:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What of the car was assumed or was measured, a sentence each."""
+        """Sentences on what was assumed of the car, and what was measured."""
         return _notes(self.computed.plan.design, float(self.planned.motor[-1]))
 
     def facts(self) -> dict[str, Any]:
@@ -101,11 +102,11 @@ class Simulation:
         """Write tracks as CSV and pictures as PNG and SVG, all together or none.
 
         Args:
-            folder: where to; it is made if need be.
-            progress: told what is being done.
+            folder: folder for the files; it is made if need be.
+            progress: function that is called with a few words on each step.
 
         Raises:
-            FileError: a file cannot be written, or what was read back is not what was meant.
+            FileError: a file cannot be written, or holds something else when it is read back.
         """
         place = folder_of(folder)
         written = files.write_simulation(self.computed, place, progress)
@@ -118,7 +119,7 @@ class Comparison:
 
     Attributes:
         cam: the best profile that keeps every limit.
-        remedies: what else helps, and what to build for it; empty if the design says nothing of friction.
+        remedies: further remedies, with what to build for them; empty if the design has no [mechanics].
     """
 
     cam: Cam
@@ -136,8 +137,8 @@ class Comparison:
         """Write pictures of events and tracks, all together or none.
 
         Args:
-            folder: where to; it is made if need be.
-            progress: told what is being done.
+            folder: folder for the files; it is made if need be.
+            progress: function that is called with a few words on each step.
 
         Raises:
             FileError: a file cannot be written.
@@ -152,7 +153,7 @@ class ToleranceRun:
     """Many cars within the tolerances of a design: what `Design.tolerance` gives.
 
     Attributes:
-        computed: the numeric result, for figures that are not named here; mm and rad.
+        computed: numeric result, with all other figures; mm and rad.
     """
 
     computed: tolerances.ToleranceRun
@@ -177,17 +178,17 @@ class ToleranceRun:
 
     @property
     def sensitivities(self) -> tuple[Sensitivity, ...]:
-        """What each tolerance does to the end of the run, greatest share first; mm and rad."""
+        """Effect of each tolerance on the end of the run, greatest share first; mm and rad."""
         return self.computed.sensitivities
 
     @property
     def budget(self) -> BudgetSheet | None:
-        """Everything that may be off, ranked by mm at the finish; None if it was not asked for."""
+        """All deviations, ranked by their cost at the finish, mm; None if the budget was not asked for."""
         return self.computed.budget
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What of the car was assumed or was measured, a sentence each."""
+        """Sentences on what was assumed of the car, and what was measured."""
         return _notes(self.computed.plan.design, self.computed.plan.lift.blend_start)
 
     def facts(self) -> dict[str, Any]:
@@ -198,8 +199,8 @@ class ToleranceRun:
         """Write pictures of the distribution and the sensitivities, all together or none.
 
         Args:
-            folder: where to; it is made if need be.
-            progress: told what is being done.
+            folder: folder for the files; it is made if need be.
+            progress: function that is called with a few words on each step.
 
         Raises:
             FileError: a file cannot be written.
@@ -210,14 +211,17 @@ class ToleranceRun:
 
 
 def map_of(pool: Pool | Map | None) -> Map | None:
-    """The map function of a pool, or the function itself.
+    """Map function of a pool, or the function itself.
+
+    Args:
+        pool: object with a method `map`, function like the built-in `map`, or None.
 
     Raises:
-        DesignError: it is neither.
+        DesignError: the pool is none of these.
     """
-    found = getattr(pool, "map", pool)
-    if found is None or callable(found):
-        return found
+    function = getattr(pool, "map", pool)
+    if function is None or callable(function):
+        return function
     raise DesignError(f"map is {brief(repr(pool), 60)}; it must be a function such as map, or have a method map")
 
 

@@ -1,37 +1,46 @@
-"""Numbers and words that a caller gives, refused in one sentence that names them and says what is allowed."""
+"""Checks of a caller's numbers and words; each refusal is a sentence with the name and what is allowed."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import inf, isfinite, nan
 from numbers import Integral, Real
 from os import PathLike
 from pathlib import Path
+from typing import Any, NoReturn
 
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cadgen.arrays import Array
 from cadgen.errors import DesignError, brief
 
 
-def real(name: str, value: object, least: float = -inf, most: float = inf, unit: str = "") -> float:
-    """A finite number of a range.
+def real(
+    name: str, value: object, least: float = -inf, most: float = inf, unit: str = "", *, above: bool = False
+) -> float:
+    """Require a finite number of a range, and return it.
 
     Args:
-        name: of the argument.
-        value: as given.
-        least, most: bounds, which belong to the range.
-        unit: of the number, for the message.
+        name: name of the argument.
+        value: value of the argument.
+        least, most: bounds of the range, which belong to it.
+        unit: unit of the number, for the message.
+        above: whether the number must be greater than `least`, which then does not belong to the range.
 
     Raises:
-        DesignError: it is none.
+        DesignError: the value is no such number.
     """
     try:
         number = float(value) if isinstance(value, Real) and not isinstance(value, bool) else nan
     except OverflowError:  # a whole number beyond floats
         number = nan
-    if isfinite(number) and least <= number <= most:
+    if isfinite(number) and least <= number <= most and not (above and number == least):
         return number
-    raise DesignError(f"{name} is {_shown(value)}; it must be a number{_range(least, most)} {unit}".rstrip())
+    allowed = f", greater than {least:.10g} and at most {most:.10g}" if above else _range(least, most)
+    raise DesignError(f"{name} is {_shown(value)}; it must be a number{allowed} {unit}".rstrip())
 
 
 def whole(name: str, value: object, least: int, most: float = inf) -> int:
-    """A whole number of a range; arguments and errors as of `real`."""
+    """Require a whole number of a range, and return it; arguments and errors as of `real`."""
     if isinstance(value, Integral) and not isinstance(value, bool) and least <= int(value) <= most:
         return int(value)
     # `1e4` shown as 10000 would look like the whole number that it must be.
@@ -40,36 +49,59 @@ def whole(name: str, value: object, least: int, most: float = inf) -> int:
 
 
 def word(name: str, value: object, allowed: Sequence[str]) -> str:
-    """One of several words.
+    """Require one of several words, and return it.
 
     Args:
-        name: of the argument.
-        value: as given.
-        allowed: the words.
+        name: name of the argument.
+        value: value of the argument.
+        allowed: allowed words.
 
     Raises:
-        DesignError: it is none of them.
+        DesignError: the value is none of the words.
     """
     if isinstance(value, str) and value in allowed:
         return value
     raise DesignError(f"{name} is {_shown(value)}; it must be one of {', '.join(allowed)}")
 
 
-def optional(name: str, value: object, least: float = -inf, most: float = inf, unit: str = "") -> float | None:
-    """None, or a number; arguments and errors as of `real`."""
-    return None if value is None else real(name, value, least, most, unit)
+def optional(
+    name: str, value: object, least: float = -inf, most: float = inf, unit: str = "", *, above: bool = False
+) -> float | None:
+    """Require None or a number, and return it; arguments and errors as of `real`."""
+    return None if value is None else real(name, value, least, most, unit, above=above)
+
+
+def numbers(name: str, value: ArrayLike, unit: str) -> Array:
+    """Require finite numbers, of any shape, and return them as an array.
+
+    Args:
+        name: name of the argument.
+        value: value of the argument.
+        unit: unit of the numbers, for the message.
+
+    Raises:
+        DesignError: a value is no number, or not finite.
+    """
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise DesignError(f"{name} is {_shown(value)}; it must be a number or an array of numbers, {unit}") from None
+    if not np.isfinite(array).all():
+        worst = float(array[~np.isfinite(array)][0])
+        raise DesignError(f"{name} holds {worst:g}; all its numbers must be finite, {unit}")
+    return array
 
 
 def several(name: str, value: Iterable[float | None], count: int) -> list[float | None]:
-    """One value a stage.
+    """Require one value a stage, and return them.
 
     Args:
-        name: of the argument.
-        value: as given.
-        count: of stages.
+        name: name of the argument.
+        value: angles, rad, or None for any, one a stage.
+        count: number of stages.
 
     Raises:
-        DesignError: it cannot be counted up, or is of another length.
+        DesignError: the value is no sequence, or is of another length.
     """
     try:
         values = list(value)
@@ -81,14 +113,14 @@ def several(name: str, value: Iterable[float | None], count: int) -> list[float 
 
 
 def plain_text(name: str, value: object) -> str:
-    """A text.
+    """Require a text, and return it.
 
     Args:
-        name: of the argument.
-        value: as given.
+        name: name of the argument.
+        value: value of the argument.
 
     Raises:
-        DesignError: it is none.
+        DesignError: the value is no text.
     """
     if isinstance(value, str):
         return value
@@ -96,11 +128,37 @@ def plain_text(name: str, value: object) -> str:
 
 
 def name_or_path(name: str, value: str | PathLike[str] | None) -> str | Path | None:
-    """The name of a packaged design, the path of a file, or None; arguments and errors as of `plain_text`."""
+    """Require the name of a design, the path of a file, or None, and return it; errors as of `plain_text`."""
     try:
         return value if value is None or isinstance(value, str) else Path(value)
     except TypeError:
         raise DesignError(f"{name} is {_shown(value)}; it must be the name of a design or the path of a file") from None
+
+
+class Frozen(dict[str, Any]):
+    """A mapping that nobody can change, which has a hash and can be copied, pickled and written as JSON."""
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return hash(frozenset(self.items()))
+
+    def __reduce__(self) -> tuple[type["Frozen"], tuple[dict[str, Any]]]:
+        return Frozen, (dict(self),)
+
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
+        raise TypeError("this mapping cannot be changed: make a dict of it first")
+
+    __setitem__ = __delitem__ = __ior__ = update = setdefault = pop = popitem = clear = _refuse
+
+
+def frozen(value: Any) -> Any:
+    """Freeze a value: its mappings become `Frozen` and its lists tuples, all the way down.
+
+    Args:
+        value: plain values, such as the content of a JSON file.
+    """
+    if isinstance(value, Mapping):
+        return Frozen({key: frozen(inside) for key, inside in value.items()})
+    return tuple(map(frozen, value)) if isinstance(value, list | tuple) else value
 
 
 def _range(least: float, most: float) -> str:

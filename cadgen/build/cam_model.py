@@ -1,6 +1,6 @@
 """From a design to what the numeric rooms work on; the one place where degrees become radians and µm mm.
 
-Car, rod, lift and key are those of the car as it was built, if the design says so in [as_built].
+Car, rod, lift and key are those of the car as it was built, if the design has [as_built].
 """
 
 from math import degrees, radians
@@ -9,6 +9,8 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod, rod_of
+from cadgen.cam.followers.rod_kind import RodKeys
 from cadgen.cam.lift import LiftCurve, lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.design import blank as keys
@@ -22,8 +24,6 @@ from cadgen.path.track import Track, offset_track
 from cadgen.steering.car import Car, steering_jets
 from cadgen.steering.slip import by_rim, rim_travel
 
-# A rod this many times as long as the outer face is far reaches past it up to some 55 degrees of steering.
-_DEFAULT_REACH = 2.0
 # A closing blend shorter than the schema's shortest is none.
 LEAST_BLEND = radians(0.5)
 
@@ -47,16 +47,16 @@ def track(design: Design) -> Track:
 
 
 def as_built(design: Design) -> AsBuilt:
-    """What is known of the car as it was built; nothing without [as_built]."""
+    """Deviations of the car as it was built; none without [as_built]."""
     if design.as_built is None:
         return AS_DESIGNED
     placed = []
-    for one in design.as_built.effects:
-        if one.place != "noted":
-            known = one.known()
-            values = tuple(one.numbers[p.name] * p.scale for p in known.parameters)
-            sigma = (one.values[0].sigma or 0.0) * known.parameters[0].scale
-            placed.append(Placed(known, values, one.place, sigma, one.kind_of_data.rod_on))
+    for effect in design.as_built.effects:
+        if effect.place != "noted":
+            known = effect.known()
+            values = tuple(effect.numbers[p.name] * p.scale for p in known.parameters)
+            sigma = (effect.values[0].sigma or 0.0) * known.parameters[0].scale
+            placed.append(Placed(known, values, effect.place, sigma, effect.kind_of_data.rod_on))
     return AsBuilt(tuple(placed))
 
 
@@ -72,16 +72,34 @@ def car(design: Design) -> Car:
 
 
 def follower(design: Design) -> Follower:
-    """The rod and the planes in which the disc carries it.
+    """Follower that rides on the disc, of the kind in the design.
 
     Raises:
-        DesignError: as built, nothing would be left of the rod.
+        DesignError: as built, nothing would be left of the rod, or what [as_built] says is not of this follower.
     """
-    inner, outer = blank(design).carrying(*design.cam.faces_mm)
-    nominal = Follower(
-        base_radius=design.cam.base_radius_mm, inner=inner, outer=outer, radius=design.follower.radius_mm
-    )
-    return as_built(design).follower(nominal)
+    nominal = design.follower.registered.build(design.follower.keys, design.seat)
+    if design.as_built is None:
+        return nominal
+    return as_built(design).follower(rod_of(nominal, "what [as_built] says of a car", "remove [as_built]"))
+
+
+def rod(design: Design, job: str) -> LeaningRod:
+    """Follower of a design, for a job that is worked out for the leaning rod alone.
+
+    Args:
+        design: loaded design.
+        job: name of the job, as it begins a sentence.
+
+    Raises:
+        DesignError: the design has another follower, or as `follower`.
+    """
+    return rod_of(follower(design), job)
+
+
+def rod_keys(design: Design) -> RodKeys | None:
+    """Keys of the design's rod; None if it has another follower."""
+    keys = design.follower.keys
+    return keys if isinstance(keys, RodKeys) else None
 
 
 def travel(design: Design, driven: Track) -> float:
@@ -134,7 +152,7 @@ def lift(design: Design, driven: Track | None = None) -> LiftCurve:
 
 
 def blank(design: Design) -> Blank:
-    """What the disc has besides its profile.
+    """Features of the disc besides its profile.
 
     A key, and a set screw beside it, stand where they take out the phase that the cam has on the car as built.
     """
@@ -155,20 +173,14 @@ def has_key(design: Design) -> bool:
 
 
 def check_limits(design: Design) -> CheckLimits:
-    """What the checks allow."""
+    """Limits of the checks, mm and rad."""
     return CheckLimits(
         pressure_angle=PRESSURE_ANGLE_LIMITS[design.checks.pressure_angle_limit],
         lost_lift=design.checks.lost_lift_limit_um * 1e-3,
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
-        rod_length=_rod_length(design),
         wall=design.checks.min_wall_mm,
     )
-
-
-def _rod_length(design: Design) -> float:
-    given = design.follower.length_mm
-    return _DEFAULT_REACH * design.cam.faces_mm[1] if given is None else given
 
 
 def _key(given: keys.Blank, back: float) -> Keyway | DFlat | None:

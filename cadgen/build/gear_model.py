@@ -61,7 +61,7 @@ def train(design: TrainDesign) -> Train:
 
 
 def blanks(design: TrainDesign) -> Blanks:
-    """What the gears have besides their teeth, by their place in the train."""
+    """Features of the gears besides their teeth, by their place in the train."""
     keys = train_keys(design)
     return Blanks(drive=_blank(keys.drive), intermediate=_blank(keys.intermediate), output=_blank(keys.output))
 
@@ -165,7 +165,7 @@ def directions(design: TrainDesign) -> tuple[float | None, ...]:
 
 
 def search_limits(design: TrainDesign, given: Train) -> SearchLimits:
-    """Limits of the search: those of [train.search], and where it says nothing the sizes of the `given` train.
+    """Limits of the search: those of [train.search], and for keys left out the sizes of the `given` train.
 
     Raises:
         DesignError: limits that are empty or out of range.
@@ -244,7 +244,7 @@ def _gear(gear: GearKeys, train: TrainKeys) -> Gear:
 
 
 def _blank(keys: Blank) -> PartBlank:
-    """What a gear has besides its teeth: the set screw at half the hub's length."""
+    """Features of a gear besides its teeth, with the set screw at half the hub's length."""
     key, hub, web, holes = keys.keyway, keys.hub, keys.web, keys.lightening
     return PartBlank(
         bore_diameter=keys.bore_diameter_mm,

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN
 from cadgen.build import cam_model, gear_model
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.schema import Design
@@ -35,7 +36,7 @@ _STATIONS = 3600  # of the turn at which forces are looked at
 
 
 def play_bands(design: Design) -> dict[str, PlayBand]:
-    """What is known of the return error at the camshaft, by order of the train.
+    """Bands of the return error at the camshaft, rad, by order of the train.
 
     [play] says it of the car as built, and stands for what the tolerances of [train] leave. A return error that
     [as_built] traces to the car is a measured one, and comes before play.measured_deg, which is older. Empty if the
@@ -70,33 +71,37 @@ def measured_play(design: Design) -> float | None:
 def tabled_play(design: Design) -> float | None:
     """The greatest return error that a car of this design may have as far as nothing was measured on it, rad.
 
-    None if the design says nothing of play.
+    None if the design has no play.
     """
     band = play_bands(design.as_designed()).get(design.optimize.order)
     return None if band is None else band.ends[1]
 
 
-def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand | None:
-    """What is known of the forces on the cam; None if the design has no [mechanics].
+def mechanics(design: Design, follower: Follower, lift: LiftCurve) -> MechanicsBand | None:
+    """Range of the forces on the cam; None if the design has no [mechanics].
 
     Where `optimize.hardware` allows a brake, its drag is one that holds. A friction that [as_built] has comes before
     the band of [mechanics]; a return error that it has from a track without one was found without friction, and keeps
     that.
 
     Args:
-        design: the design.
-        rod: its follower.
-        lift: that is planned.
+        design: loaded design.
+        follower: follower of the design.
+        lift: planned lift.
 
     Raises:
-        DesignError: the rod's force is used up somewhere on the lift, or the drive cannot turn the cam.
+        DesignError: there are forces and the follower is not the rod, the rod's force is used up somewhere on the
+            lift, or the drive cannot turn the cam.
     """
     given, known = design.mechanics, cam_model.as_built(design)
-    hardware = design.optimize.hardware or ()
-    if given is None and (design.follower.material or design.blank.material):
+    hardware, keys = design.optimize.hardware or (), cam_model.rod_keys(design)
+    material = keys.material if keys else None
+    if given is None and (material or design.blank.material):
         given = Mechanics()  # their friction follows from the materials
     if given is None and known.friction is not None and not hardware:
-        return MechanicsBand(follower=rod, friction=_measured(known.friction))
+        return MechanicsBand(
+            follower=rod_of(follower, "friction", "remove [as_built]"), friction=_measured(known.friction)
+        )
     if given is None:
         if hardware:
             raise DesignError(
@@ -110,12 +115,11 @@ def mechanics(design: Design, rod: Follower, lift: LiftCurve) -> MechanicsBand |
     elif known.runs_free:
         friction = 0.0, 0.0
     elif given.friction_least is None or given.friction_greatest is None:
-        material = design.follower.material or "steel"
-        friction = friction_band(material, design.blank.material, greased=given.greased)
+        friction = friction_band(material or "steel", design.blank.material, greased=given.greased)
     else:
         friction = given.friction_least, given.friction_greatest
     band = MechanicsBand(
-        follower=rod,
+        follower=rod_of(follower, "friction", "remove [mechanics] and blank.material"),
         rod_force=given.rod_force_N,
         rod_rate=given.rod_rate_N_per_mm,
         friction=friction,
@@ -183,26 +187,26 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[str, float
 
     Args:
         design: a loaded design.
-        forces: what is known of the forces on its cam.
+        forces: range of the forces on its cam.
 
     Raises:
-        DesignError: a tolerance of what the design says nothing of.
+        DesignError: a tolerance of a quantity that the design lacks.
     """
-    given = design.tolerances
-    found = {}
+    tolerances = design.tolerances
+    halves = {}
     for name in TOLERANCES:
         unit = PARAMETERS[DIRECTED.get(name, (name,))[0]]
-        value = getattr(given, f"{name}_{_ENDINGS[unit]}", None) or 0.0
-        found[name] = radians(value) if unit == "rad" else value
+        value = getattr(tolerances, f"{name}_{_ENDINGS[unit]}", None) or 0.0
+        halves[name] = radians(value) if unit == "rad" else value
     if (fit := design.blank.bore_fit) is not None:
-        found["eccentricity"] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
+        halves["eccentricity"] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
     if forces is not None:
-        found["friction"], found["drag"] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
-    elif found["rod_force"] > 0:
+        halves["friction"], halves["drag"] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
+    elif halves["rod_force"] > 0:
         raise DesignError("tolerances.rod_force_N needs the force itself: add [mechanics] with rod_force_N")
-    if found["temperature"] > 0 and design.blank.material is None:
+    if halves["temperature"] > 0 and design.blank.material is None:
         raise DesignError("tolerances.temperature_K needs to know what the disc is made of: set blank.material")
-    return {name: half for name, half in found.items() if half > 0}
+    return {name: half for name, half in halves.items() if half > 0}
 
 
 def expansion(design: Design) -> Expansion:
@@ -242,8 +246,8 @@ def play_zones(design: Design) -> dict[str, float]:
         low, high = play_bands(design)[design.optimize.order].ends
         return {"play": (high - low) / 2}
     teeth = whole.teeth
-    own = {} if teeth is None else {"play of the teeth": (teeth.return_error_max - teeth.return_error_min) / 2}
-    return {**own, **{one.name: (one.greatest - one.least) / 2 for one in whole.loose}}
+    of_teeth = {} if teeth is None else {"play of the teeth": (teeth.return_error_max - teeth.return_error_min) / 2}
+    return {**of_teeth, **{joint.name: (joint.greatest - joint.least) / 2 for joint in whole.loose}}
 
 
 def wheel_radius(design: Design, length: float) -> float:

@@ -3,20 +3,22 @@
 Values here are for people: each carries its own unit (mm, degrees, micrometres).
 """
 
+from enum import StrEnum
 from math import inf, radians
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.clearance import chamfer_clearance, cutter_room, hub_clearance, rod_reach, thinnest_wall
-from cadgen.cam.contact import ROLLING_TOLERANCE, Contact, roll_curve
+from cadgen.cam.clearance import cutter_room, thinnest_wall
+from cadgen.cam.contact import roll_curve
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.loss import Loss, lost_lift
 from cadgen.cam.place import cam_place, polar_place
-from cadgen.cam.theoretical import theoretical_profile
+from cadgen.cam.rolled import Contact, RolledCam
 from cadgen.check import Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.parts.blank import Blank
@@ -36,6 +38,7 @@ CLOSURE_LIMIT = 1e-6
 # The checks that fail where the profile cannot give the lift wanted.
 LOST_LIFT = (CheckCode.LOST_LIFT_UNDERCUT, CheckCode.LOST_LIFT_CROSSING, CheckCode.LOST_LIFT_FACE_CHANGE)
 _WALL_POINTS = 200_000  # on the outline, to look for the thinnest wall
+_ORDER: dict[StrEnum, int] = {code: number for number, code in enumerate(CheckCode)}
 
 
 def cam_angles(lift: LiftCurve) -> Array:
@@ -54,16 +57,16 @@ def check_cam(
     *,
     cut: ClosedCurve | None = None,
 ) -> tuple[Check, ...]:
-    """All checks of a cam.
+    """All checks of a cam, in the order of their codes; what a follower adds under codes of its own comes last.
 
     Args:
-        lift: the steering wanted.
-        follower: the rod the profile is for; radius 0 for the theoretical profile.
-        curve: the profile.
-        trims: where the envelope was trimmed; empty for profiles that are not an envelope.
-        blank: what the disc has besides its profile.
-        limits: what is allowed.
-        cut: what the cutter follows, if that is another curve, which becomes the profile in its making.
+        lift: lift wanted, as tan(beta) by cam angle.
+        follower: follower that the profile is for; its point for the theoretical profile.
+        curve: profile, mm.
+        trims: places where the envelope was trimmed; empty for profiles that are not an envelope.
+        blank: features of the disc besides its profile.
+        limits: limits of the checks, mm and rad.
+        cut: curve that is cut, mm, if it differs from the profile that it becomes in its making.
     """
     theta = cam_angles(lift)
     contact, step = roll_curve(curve, follower, theta)
@@ -71,32 +74,41 @@ def check_cam(
     losses = lost_lift(lift, follower, trims, outline)
     driven = [loss for loss in losses if loss.driven]
     wanted = follower.lift(lift.tan_beta(theta))
-    # Where the blend does not give its lift the rod stands elsewhere, and must be held there as well.
+    # Where the blend does not give its lift the follower stands elsewhere, and must be held there as well.
     steering = np.stack([lift.tan_beta(theta), np.where(lift.in_blend(theta), contact.tan_beta, lift.tan_beta(theta))])
-    return (
+    trimmed = _trimmed(lift, theta, trims)
+    cam = RolledCam(lift=lift, contact=contact, trimmed=trimmed, steering=steering, blank=blank, limits=limits)
+    rows = (
         *_pressure(lift, contact, limits),
         *_curvature(lift, follower, curve, driven, max(limits.min_convex_radius, blank.edge_break), limits),
-        *_undercut(lift, driven, limits),
-        *_contact(lift, follower, contact, contact.lift - wanted, trims),
-        *_blend(lift, contact, contact.lift - wanted, losses, limits),
-        rod_reach(follower, theta, steering, blank, limits.rod_length),
-        *chamfer_clearance(theta, steering, blank),
-        *hub_clearance(follower, theta, steering, blank),
+        *_undercut(lift, follower, driven, limits),
+        *_contact(follower, contact, np.where(lift.in_blend(theta), 0.0, contact.lift - wanted), trimmed),
+        *_blend(lift, follower, contact, contact.lift - wanted, losses, limits),
         cutter_room(cut or curve, limits.cutter_radius),
         thinnest_wall(blank, curve.outline(max(step, curve.length() / _WALL_POINTS)), limits.wall),
         *_closure(lift),
+        *follower.checks(cam),
     )
+    return tuple(sorted(rows, key=lambda check: _ORDER.get(check.code, len(_ORDER))))
+
+
+def _trimmed(lift: LiftCurve, theta: Array, trims: tuple[Trim, ...]) -> NDArray[np.bool_]:
+    """Where the envelope is trimmed lift is lost, and the blend does not drive: both have checks of their own."""
+    trimmed = lift.in_blend(theta)
+    for trim in trims:
+        trimmed |= (theta - trim.before) % TURN <= (trim.after - trim.before) % TURN
+    return trimmed
 
 
 def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Check]:
     rising, driven = lift.tan_beta(contact.cam_angle, nu=1) >= 0, ~lift.in_blend(contact.cam_angle)
     angle = np.degrees(np.abs(contact.pressure_angle))
     checks = []
-    for code, name, mine, limit in (
+    for code, name, of_kind, limit in (
         (CheckCode.PRESSURE_ANGLE_RISE, "pressure angle, rise", rising & driven, limits.pressure_angle.rise),
         (CheckCode.PRESSURE_ANGLE_RETURN, "pressure angle, return", ~rising & driven, limits.pressure_angle.fall),
     ):
-        value = np.where(mine, angle, 0.0)
+        value = np.where(of_kind, angle, 0.0)
         worst = int(np.argmax(value))
         checks.append(
             Check(
@@ -122,33 +134,10 @@ def _curvature(
     allowed: float,
     limits: CheckLimits,
 ) -> list[Check]:
-    theoretical = theoretical_profile(lift, follower)
-    radius, point = _least_convex_radius(theoretical)
-    place = polar_place(point)
-    if lift.kinks.size:
-        corners = [c for c in theoretical.corners(1e-4) if c.turn > 0 and _near(c.point, lift.kinks)]
-        if corners:
-            sharpest = max(corners, key=lambda c: c.turn)
-            radius, point = 0.0, sharpest.point
-            place = f"{polar_place(point)}, corner {np.degrees(sharpest.turn):.1f}°"
-    # What is sharper than the rod is undercut; that is sized as lost lift, and bearable if the loss is.
-    lost = max((loss.lift for loss in losses if loss.trim.kind == "local"), default=0.0)
-    angle = float(np.arctan2(point[1], point[0])) % TURN
-    checks = [
-        Check(
-            CheckCode.CONVEX_RADIUS_THEORY,
-            "convex radius, theory",
-            radius,
-            "mm",
-            follower.radius if lost > limits.lost_lift else 0.0,
-            "min",
-            place,
-            f"a convex part sharper than the rod is undercut: {_soften(lift, angle)}, lower follower.radius_mm or "
-            "raise cam.base_radius_mm",
-        )
-    ]
+    pitch = follower.pitch_curve(lift)
+    checks = [] if pitch is None else [_pitch_radius(lift, follower, pitch, losses, limits)]
     radius, point = _least_convex_radius(curve)
-    milder = "lower follower.radius_mm or raise cam.base_radius_mm"
+    milder = follower.milder
     advice = f"a sharp ridge wears: {milder}"
     if allowed > limits.min_convex_radius:
         advice = f"the chamfers of the broken edges meet on a sharp ridge: lower blank.edge_break_mm, {milder}"
@@ -157,16 +146,47 @@ def _curvature(
     return checks
 
 
-def _undercut(lift: LiftCurve, losses: list[Loss], limits: CheckLimits) -> list[Check]:
+def _pitch_radius(
+    lift: LiftCurve, follower: Follower, pitch: ClosedCurve, losses: list[Loss], limits: CheckLimits
+) -> Check:
+    radius, point = _least_convex_radius(pitch)
+    place = polar_place(point)
+    if lift.kinks.size:
+        corners = [c for c in pitch.corners(1e-4) if c.turn > 0 and _near(c.point, lift.kinks)]
+        if corners:
+            sharpest = max(corners, key=lambda c: c.turn)
+            radius, point = 0.0, sharpest.point
+            place = f"{polar_place(point)}, corner {np.degrees(sharpest.turn):.1f}°"
+    # What is sharper than the follower is undercut; that is sized as lost lift, and bearable if the loss is.
+    lost = max((loss.lift for loss in losses if loss.trim.kind == "local"), default=0.0)
+    angle = float(np.arctan2(point[1], point[0])) % TURN
+    return Check(
+        CheckCode.CONVEX_RADIUS_THEORY,
+        "convex radius, theory",
+        radius,
+        "mm",
+        follower.radius if lost > limits.lost_lift else 0.0,
+        "min",
+        place,
+        f"a convex part sharper than the {follower.noun} is undercut: {_soften(lift, angle)}, {follower.milder}",
+    )
+
+
+def _undercut(lift: LiftCurve, follower: Follower, losses: list[Loss], limits: CheckLimits) -> list[Check]:
     checks = []
     for code, name, kind, reason in (
-        (CheckCode.LOST_LIFT_UNDERCUT, "lost lift, undercut", "local", "no profile gives this lift to this rod"),
+        (
+            CheckCode.LOST_LIFT_UNDERCUT,
+            "lost lift, undercut",
+            "local",
+            f"no profile gives this lift to this {follower.noun}",
+        ),
         (CheckCode.LOST_LIFT_CROSSING, "lost lift, crossing", "global", "two flanks cut each other off"),
         (CheckCode.LOST_LIFT_FACE_CHANGE, "lost lift, face change", "face change", ""),
     ):
-        mine = [loss for loss in losses if loss.trim.kind == kind]
-        worst = max(mine, key=lambda loss: loss.lift, default=None)
-        place = "none" if worst is None else f"{cam_place(worst.cam_angle)} ({len(mine)} in all)"
+        of_kind = [loss for loss in losses if loss.trim.kind == kind]
+        worst = max(of_kind, key=lambda loss: loss.lift, default=None)
+        place = "none" if worst is None else f"{cam_place(worst.cam_angle)} ({len(of_kind)} in all)"
         value = 0.0 if worst is None else worst.lift * 1e3
         softer = "" if worst is None else _soften(lift, worst.cam_angle)
         advice = f"{reason}: {softer}" if reason else f"make the disc thinner (cam.thickness_mm) or {softer}"
@@ -174,18 +194,11 @@ def _undercut(lift: LiftCurve, losses: list[Loss], limits: CheckLimits) -> list[
     return checks
 
 
-def _contact(
-    lift: LiftCurve, follower: Follower, contact: Contact, error: Array, trims: tuple[Trim, ...]
-) -> list[Check]:
-    # Where the envelope is trimmed lift is lost, and the blend does not drive: both have checks of their own.
-    trimmed = lift.in_blend(contact.cam_angle)
-    error = np.where(trimmed, 0.0, error)
-    for trim in trims:
-        trimmed |= (contact.cam_angle - trim.before) % TURN <= (trim.after - trim.before) % TURN
+def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArray[np.bool_]) -> list[Check]:
     checks = []
     for code, name, beyond in (
-        (CheckCode.ROD_PUSHED_OUT, "rod pushed out", error),
-        (CheckCode.ROD_FALLS_SHORT, "rod falls short", np.where(trimmed, 0.0, -error)),
+        (CheckCode.ROD_PUSHED_OUT, f"{follower.noun} pushed out", error),
+        (CheckCode.ROD_FALLS_SHORT, f"{follower.noun} falls short", np.where(trimmed, 0.0, -error)),
     ):
         worst = int(np.argmax(beyond))
         checks.append(
@@ -197,29 +210,16 @@ def _contact(
                 CONTACT_LIMIT_UM,
                 "max",
                 cam_place(contact.cam_angle[worst]),
-                "this profile is not the rod's envelope: use --profile actual",
+                f"this profile is not the {follower.noun}'s envelope: use --profile actual",
             )
         )
-    due = follower.contact_face(lift.tan_beta(contact.cam_angle))
-    wrong = (contact.face != due) & (contact.margin > ROLLING_TOLERANCE) & ~trimmed
-    inner = float(np.mean(contact.face == follower.inner)) * 100
-    checks.append(
-        Check(
-            CheckCode.WRONG_FACE,
-            "wrong face carries",
-            float(np.sum(wrong)),
-            "stations",
-            0.0,
-            "max",
-            f"inner {inner:.0f} %, outer {100 - inner:.0f} %",
-            "the rod rests on the other face than eq. 15 says: use --profile actual",
-        )
-    )
     return checks
 
 
-def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], limits: CheckLimits) -> list[Check]:
-    """What the closing blend does, where the car does not drive: refused only where the rod would lock."""
+def _blend(
+    lift: LiftCurve, follower: Follower, contact: Contact, error: Array, losses: list[Loss], limits: CheckLimits
+) -> list[Check]:
+    """Checks of the closing blend, where the car does not drive: refused only where the follower would lock."""
     within = lift.in_blend(contact.cam_angle)
     place, value = cam_place(lift.blend_start), 0.0
     # Corners lie between the stations.
@@ -232,11 +232,11 @@ def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], 
     rising = lift.tan_beta(contact.cam_angle, nu=1) >= 0
     angles = np.abs(contact.pressure_angle)
     rise, fall = CheckCode.BLEND_PRESSURE_ANGLE_RISE, CheckCode.BLEND_PRESSURE_ANGLE_RETURN
-    for code, name, mine, usual in (
+    for code, name, of_kind, usual in (
         (rise, "pressure angle, blend rise", within & rising, limits.pressure_angle.rise),
         (fall, "pressure angle, blend return", within & ~rising, limits.pressure_angle.fall),
     ):
-        size = np.where(mine, angles, 0.0)
+        size = np.where(of_kind, angles, 0.0)
         worst = int(np.argmax(size))
         checks.append(
             Check(
@@ -246,8 +246,8 @@ def _blend(lift: LiftCurve, contact: Contact, error: Array, losses: list[Loss], 
                 "°",
                 float(np.degrees(max(LOCKING_ANGLE, usual))),
                 "max",
-                cam_place(contact.cam_angle[worst]) if mine.any() else "none",
-                "on so steep a flank the rod locks when the cam is turned on to its start: "
+                cam_place(contact.cam_angle[worst]) if of_kind.any() else "none",
+                f"on so steep a flank the {follower.noun} locks when the cam is turned on to its start: "
                 f"{_soften(lift, lift.blend_start)} or raise cam.base_radius_mm",
             )
         )
@@ -307,7 +307,7 @@ def _near(point: Array, angles: Array) -> bool:
 
 
 def _soften(lift: LiftCurve, theta: float) -> str:
-    """What makes the lift milder at a cam angle."""
+    """Advice that makes the lift milder at a cam angle, in words."""
     if theta >= lift.blend_start:
         return "raise cam.blend_deg (the closing blend steers there)"
     return "widen the turn there (path.waypoints_mm)"

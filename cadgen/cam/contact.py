@@ -1,16 +1,12 @@
-"""Roll the rod on an outline: the steering, and so the lift, that a disc really gives.
+"""Roll a follower on an outline: the steering, and so the lift, that a disc really gives.
 
 This shares nothing with the envelope. At cam angle theta a point of the disc lies x ahead of the camshaft and y
-across. In the face plane w the rod, pressed on the disc by its spring, clears the point when
-    x <= a + w T - h sqrt(1 + T^2),  h^2 = r^2 - y^2,  T = tan(beta),
-so the least T that clears it is the greater root of a quadratic,
-    T = (w u + h sqrt(u^2 + w^2 - h^2)) / (w^2 - h^2),  u = x - a.
-The rod rests on the point, of both faces' outlines, that asks for the greatest T. Between the faces the bound is
-linear in w, so the faces decide.
+across. The follower, pressed on the disc by its spring, clears the point from some tan(beta) on (`Follower.least`),
+and rests on the point, of the outlines in all planes that carry it, that asks for the greatest.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -20,6 +16,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lowest import SAME
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.errors import DesignError
 
@@ -28,63 +25,33 @@ from cadgen.errors import DesignError
 COARSEST_STEP = 0.06
 FINEST_STEP = 5e-4
 ROLLING_TOLERANCE = 2e-5
-_POINTS_PER_RADIUS = 20  # of the rod at least, or two steps could agree by chance
-# What a disc of any size may take: points on its outline, and points under the rod. The least rod on the largest disc
-# that the schema allows still has some points under it.
+_POINTS_PER_RADIUS = 20  # of the follower at least, or two steps could agree by chance
+# What a disc of any size may take: points on its outline, and points under the follower. The least rod on the largest
+# disc that the schema allows still has some points under it.
 _MOST_POINTS = 1_500_000
 _MOST_UNDER = 10_000
 # Stations handled at once, so that a table of candidates stays within the processor's cache; fewer if it is wide.
 _BLOCK = 512
 _TABLE = 100_000
-# Every so many points one stands for those about it, and what is under the rod is narrowed down by these first.
+# Every so many points one stands for those about it, and what is under the follower is narrowed down by these first.
 _STRIDE = 8
 
 
-@dataclass(frozen=True)
-class Contact:
-    """Where the rod rests at each cam angle; all arrays have shape (n,).
-
-    Attributes:
-        cam_angle: rad.
-        tan_beta: of the steering angle that results.
-        lift: s, mm.
-        face: lateral distance of the face that carries the rod, mm.
-        margin: lift by which that face lifts the rod further than the other face alone would, mm; where it is no
-            more than `ROLLING_TOLERANCE` either face may be the one that carries.
-        across: y of the contact point, mm, ahead in the sense of growing polar angle.
-        pressure_angle: between the force on the rod and the velocity of its axis, rad; positive where the
-            outline rises under the rod. The axis moves horizontally and the force is square to it, so
-            sin(pressure angle) = across / r; for the rod's axis on its own curve tan = (dR/dphi) / R.
-    """
-
-    cam_angle: Array
-    tan_beta: Array
-    lift: Array
-    face: Array
-    margin: Array
-    across: Array
-    pressure_angle: Array
-
-    def at(self, rows: NDArray[np.intp]) -> "Contact":
-        """The contact at some of the cam angles."""
-        return Contact(*(getattr(self, field.name)[rows] for field in fields(self)))
-
-
 def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tuple[Contact, float]:
-    """Roll the rod on an exact curve, in steps halved until the lift no longer changes.
+    """Roll a follower on an exact curve, in steps halved until the lift no longer changes.
 
     Only the cam angles that still change, and those so steep that two steps may agree by chance, are rolled again: a
     cam that needs fine steps in one steep place is not sampled finely throughout.
 
     Returns:
-        The contact, and the finest step that was needed, mm: what is read back from a file needs it too.
+        The contact, and the finest step that was needed, mm: an outline read back from a file needs it too.
 
     Raises:
         DesignError: as `roll`.
     """
     cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
     step = rolling_step(curve, follower)
-    finest = max(FINEST_STEP, curve.length() / _MOST_POINTS, 2 * follower.radius / _MOST_UNDER)
+    finest = max(FINEST_STEP, curve.length() / _MOST_POINTS, 2 * follower.reach / _MOST_UNDER)
     contact = roll(curve.outline(step), follower, cam_angle)
     pending = np.arange(len(cam_angle))
     while pending.size and step > finest:
@@ -100,9 +67,9 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
 def _left(step: float, follower: Follower, pressure_angle: Array) -> Array:
     """The lift error that the parabola through points of an outline may leave, mm.
 
-    The rod's half-height h = sqrt(r^2 - y^2) has the third derivative -3 r^2 y / h^5, and a step along the outline is
-    step cos(alpha) across the rod, so the error goes with step^3 sin(alpha) / (r cos(alpha))^2. The factor was
-    measured on flanks of 74 to 76 degrees: 0.9 on fine steps, 1.5 on coarse ones.
+    The half-height h = sqrt(r^2 - y^2) of a round follower has the third derivative -3 r^2 y / h^5, and a step along
+    the outline is step cos(alpha) across it, so the error goes with step^3 sin(alpha) / (r cos(alpha))^2. The factor
+    was measured on flanks of 74 to 76 degrees: 0.9 on fine steps, 1.5 on coarse ones.
     """
     if follower.radius == 0:
         return np.zeros_like(pressure_angle)
@@ -111,27 +78,21 @@ def _left(step: float, follower: Follower, pressure_angle: Array) -> Array:
 
 
 def rolling_step(curve: ClosedCurve, follower: Follower, coarsest: float = COARSEST_STEP) -> float:
-    """The step of an outline at which a rod can be rolled on it, mm: the coarsest, or less for a thin rod."""
+    """The step of an outline at which a follower can be rolled on it, mm: the coarsest, or less for a thin one."""
     if follower.radius == 0:
         return coarsest
     return max(min(coarsest, follower.radius / _POINTS_PER_RADIUS), curve.length() / _MOST_POINTS)
 
 
-def _clearing(u: Array, h: Array, face: float) -> Array:
-    """The least tan(beta) at which the rod clears a point in a face plane (see the module's equation)."""
-    square = h * h
-    return np.asarray((face * u + h * np.sqrt(u * u + (face**2 - square))) / (face**2 - square))
-
-
 def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
-    """Turn the disc to each cam angle and let the rod down on it.
+    """Turn the disc to each cam angle and let the follower down on it.
 
     The best point of each smooth piece is refined by a parabola through it and its neighbours, so the error
     falls with the third power of the outline's step.
 
     Args:
         outline: dense points of the disc's outline about the camshaft.
-        follower: the rod and the faces; radius 0 follows the outline with the rod's axis.
+        follower: follower of any kind; radius 0 follows the outline with a point.
         cam_angle: shape (n,), rad.
 
     Raises:
@@ -142,7 +103,7 @@ def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
 
 @dataclass(frozen=True)
 class Ring:
-    """An outline sorted by polar angle, laid out for looking up all points under the rod at once.
+    """An outline sorted by polar angle, laid out for looking up all points under a follower at once.
 
     What rolls on one outline again and again lays it out once.
     """
@@ -164,11 +125,11 @@ class Ring:
             place = np.degrees(angle[int(np.argmin(np.diff(angle)))]) % 360
             raise DesignError(
                 f"the outline is not a closed curve run once round the camshaft: it overhangs near polar angle "
-                f"{place:.1f} degrees, where the rod cannot follow it; raise cam.base_radius_mm, widen the turn "
-                f"there, or raise cam.blend_deg if the closing blend steers there"
+                f"{place:.1f} degrees, where the {follower.noun} cannot follow it; raise cam.base_radius_mm, widen the "
+                f"turn there, or raise cam.blend_deg if the closing blend steers there"
             )
         radius = np.linalg.norm(outline.points, axis=1)
-        reach = np.arcsin(min(1.0, follower.radius / radius.min())) if follower.radius > 0 else 0.0
+        reach = np.arcsin(min(1.0, follower.reach / radius.min())) if follower.radius > 0 else 0.0
         # A little more than a turn on either side, so that a window never wraps.
         first = angle[0]
         offsets = np.array([-TURN, 0.0, TURN])
@@ -179,9 +140,9 @@ class Ring:
         return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], reach)
 
     def contact(self, cam_angle: Array) -> Contact:
-        """Let the rod down at cam angles, rad, shape (n,)."""
+        """Let the follower down at cam angles, rad, shape (n,)."""
         cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
-        best = self._axis(cam_angle) if self.follower.radius == 0 else self._rest(cam_angle)
+        best = self._point(cam_angle) if self.follower.radius == 0 else self._rest(cam_angle)
         tan_beta, face, across, pressure_angle, margin = best
         return Contact(cam_angle, tan_beta, self.follower.lift(tan_beta), face, margin, across, pressure_angle)
 
@@ -194,21 +155,27 @@ class Ring:
         off = self.points[:, about] - self.points[:, heads, None]
         return heads, np.sqrt(np.max(np.sum(off**2, axis=0), axis=1)) + SAME
 
+    @cached_property
+    def _inside(self) -> NDArray[np.bool_]:
+        """Whether a point and its neighbours are of one piece."""
+        same = np.diff(self.piece, prepend=-1, append=-1) == 0
+        return np.asarray(same[:-1] & same[1:])
+
     def _within(self, theta: Array) -> Array:
         """Cam angles of the turn that is laid out."""
         theta = self.angle[0] + (theta - self.angle[0]) % TURN
         return np.where(theta < self.angle[0] + self.window, theta + TURN, theta)
 
-    def _axis(self, theta: Array) -> Array:
-        """As `_rest`, for the rod's axis on its own curve."""
+    def _point(self, theta: Array) -> Array:
+        """As `_rest`, for a point that moves along the ray."""
         theta, follower = self._within(theta), self.follower
         u = np.interp(theta, self.angle, self.radius) - follower.base_radius
-        carrying = follower.contact_face(u)
+        tan_beta, carrying, margin = follower.of_lift(u)
         step = 1e-4  # rad; well above rounding, well below any feature
         ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
         slope = (ahead - behind) / (2 * step)
         angle = np.arctan2(slope, u + follower.base_radius)
-        return np.stack([u / carrying, carrying, np.zeros_like(u), angle, follower.land * np.abs(u / carrying)])
+        return np.stack([tan_beta, carrying, np.zeros_like(u), angle, margin])
 
     def _rest(self, theta: Array) -> Array:
         """tan(beta), carrying face, contact's y, pressure angle and margin at each cam angle, shape (5, n)."""
@@ -226,10 +193,9 @@ class Ring:
         return best
 
     def _narrowed(self, theta: Array, first: NDArray[np.intp], width: int) -> NDArray[np.intp]:
-        """Bounds of the points that the rod may rest on, shape (2, n): the first, and the one after the last.
+        """Bounds of the points that the follower may rest on, shape (2, n): the first, and the one after the last.
 
-        Points within `off` of a head ask for no more than one at u + off and |y| - off would. Where that is less than
-        what some head asks for, none of them carries.
+        Where the points within `off` of a head ask for less than what some head asks for, none of them carries.
 
         Args:
             theta: cam angles, shape (n,), rad.
@@ -241,13 +207,9 @@ class Ring:
         first = np.clip(first, 0, len(heads) - width)
         x, y = _turned_back(self.points[:, heads], theta, first, width)
         off = sliding_window_view(away, width)[first]
-        u = x - follower.base_radius
-        under, h = _under(y, follower.radius)
-        near, most = _under(np.maximum(np.abs(y) - off, 0.0), follower.radius)
-        candidates = np.zeros(u.shape, dtype=bool)
-        for face in (follower.inner, follower.outer):
-            least = np.where(under, _clearing(u, h, face), -np.inf).max(axis=1)
-            candidates |= near & (_clearing(u + off, most, face) >= least[:, None])
+        candidates = np.zeros(x.shape, dtype=bool)
+        for asked, bound in zip(follower.least(x, y), follower.most(x, y, off), strict=True):
+            candidates |= (bound >= asked.max(axis=1)[:, None]) & (bound > -np.inf)
         # The heads' own neighbours, and those that a parabola takes.
         reach = _STRIDE // 2 + 4
         begin = heads[first + np.argmax(candidates, axis=1)] - reach
@@ -259,38 +221,40 @@ class Ring:
         follower = self.follower
         begin = np.clip(begin, 0, len(self.angle) - width)
         x, y = _turned_back(self.points, theta, begin, width)
-        u = x - follower.base_radius
-        under, h = _under(y, follower.radius)
-        inner, outer = (
-            self._refine(np.where(under, _clearing(u, h, face), -np.inf), y, begin, face)
-            for face in (follower.inner, follower.outer)
+        best, *others = (
+            self._refine(asked, y, begin, face)
+            for face, asked in zip(follower.planes, follower.least(x, y), strict=True)
         )
-        best = np.where(inner[0] >= outer[0], inner, outer)
-        return np.vstack([best, best[1] * np.abs(inner[0] - outer[0])])
+        apart = np.full(len(theta), np.inf)
+        for other in others:
+            apart = np.minimum(apart, np.abs(best[0] - other[0]))
+            best = np.where(best[0] >= other[0], best, other)
+        return np.vstack([best, follower.margin(apart, best[1])])
 
     def _refine(self, needed: Array, y: Array, first: NDArray[np.intp], face: float) -> Array:
         """The greatest tan(beta) between the samples: parabolas through three neighbours of one piece."""
         last = needed.shape[1] - 1
-        rows = np.arange(len(needed))[:, None]
-        top = np.argmax(needed, axis=1)[:, None]
+        row = np.arange(len(needed))
+        top = np.argmax(needed, axis=1)
         # A joint stands twice, and the contact may lie just beside it: look two points to either side.
-        centre = np.clip(top + np.arange(-2, 3), 1, last - 1)
-        before, at, after = (needed[rows, centre + k] for k in (-1, 0, 1))
-        piece = self.piece[first[:, None, None] + centre[..., None] + np.arange(-1, 2)]
-        fits = (piece == piece[..., 1:2]).all(axis=2) & np.isfinite(before) & np.isfinite(after)
-        before, at, after = (np.where(fits, f, 0.0) for f in (before, at, after))
+        middle = np.clip(top, 3, last - 3)
+        seven = needed[row[:, None], middle[:, None] + np.arange(-3, 4)]
+        centre = middle[:, None] + np.arange(-2, 3)
+        fits = self._inside[first[:, None] + centre] & np.isfinite(seven[:, :-2]) & np.isfinite(seven[:, 2:])
+        before, at, after = (np.where(fits, seven[:, k : k + 5], 0.0) for k in range(3))
         slope, bend = (after - before) / 2, np.minimum(before - 2 * at + after, -1e-300)
         shift = np.clip(-slope / bend, -1.0, 1.0)
         value = np.where(fits, at + slope * shift + bend * shift**2 / 2, -np.inf)
-        row, best = np.arange(len(needed)), np.argmax(value, axis=1)
+        best = np.argmax(value, axis=1)
         refined, chosen, shift = value[row, best], centre[row, best], shift[row, best]
-        sampled = needed[row, top[:, 0]]
+        sampled = needed[row, top]
         use = refined >= sampled
-        chosen, shift = np.where(use, chosen, top[:, 0]), np.where(use, shift, 0.0)
+        chosen, shift = np.where(use, chosen, top), np.where(use, shift, 0.0)
         beside = np.clip(chosen + np.where(shift >= 0, 1, -1), 0, last)
         across = y[row, chosen] + np.abs(shift) * (y[row, beside] - y[row, chosen])
-        angle = np.arcsin(np.clip(across / self.follower.radius, -1.0, 1.0))
-        return np.stack([np.maximum(refined, sampled), np.full(len(needed), face), across, angle])
+        tan_beta = np.maximum(refined, sampled)
+        angle = self.follower.pressure_angle(tan_beta, across)
+        return np.stack([tan_beta, np.full(len(needed), face), across, angle])
 
 
 def _blocks(width: NDArray[np.intp]) -> Iterator[slice]:
@@ -307,12 +271,6 @@ def _turned_back(points: Array, theta: Array, first: NDArray[np.intp], width: in
 
     Whole rows are copied and turned by products: single look-ups and sines of all angles would take longer.
     """
-    ahead, left = (sliding_window_view(values, width)[first] for values in points)
+    ahead, left = sliding_window_view(points, width, axis=1)[:, first]
     c, s = np.cos(theta)[:, None], np.sin(theta)[:, None]
     return ahead * c + left * s, left * c - ahead * s
-
-
-def _under(y: Array, radius: float) -> tuple[NDArray[np.bool_], Array]:
-    """Whether points lie under the rod, and the rod's half-height h there, mm; 0 beside it."""
-    under = np.abs(y) < radius
-    return under, np.sqrt(np.where(under, radius**2 - y**2, 0.0))

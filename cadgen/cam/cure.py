@@ -1,7 +1,7 @@
 """The smallest single change that brings lost lift within its limit."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from math import exp, log
 
@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.follower import Follower
+from cadgen.cam.follower import Follower, Remedy
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.loss import lost_lift
 from cadgen.errors import DesignError
@@ -57,28 +57,30 @@ def worst_loss(lift: LiftCurve, follower: Follower) -> float:
 
 
 def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[Change, ...]:
-    """Try a thinner rod and a larger base circle, each alone, and return what cures, smallest change first.
+    """Try each remedy of the follower alone, and return what cures, smallest change first.
 
-    The loss falls with both (r / (cos(delta/2)) - r at a corner of angle delta, and delta falls as the base
-    grows), so a root search on the factor finds the smallest change; every answer has been computed, not estimated.
+    The loss of the rod falls with its radius and with the base circle (r / (cos(delta/2)) - r at a corner of angle
+    delta, and delta falls as the base grows), so a root search on the factor finds the smallest change; every answer
+    has been computed, not estimated.
 
     Args:
         lift: the steering wanted.
-        follower: the rod.
+        follower: follower of any kind.
         limit: lift that may be lost, mm.
     """
     limit = max(limit, _ROUNDING)
-    thinner, larger = follower.radius, follower.base_radius
     now = worst_loss(lift, follower)
-    if now <= limit:  # the envelope loses less: what is lost is the doing of another curve, which no rod mends
+    if now <= limit:  # the envelope loses less: what is lost is the doing of another curve, which no follower mends
         return ()
     cures = []
-    factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, radius=thinner / f)), now, limit)
-    if factor is not None:
-        cures.append(Change("follower.radius_mm", thinner, thinner / factor))
-    factor = _smallest_factor(lambda f: worst_loss(lift, replace(follower, base_radius=larger * f)), now, limit)
-    if factor is not None:
-        cures.append(Change("cam.base_radius_mm", larger, larger * factor))
+    for remedy in follower.remedies():
+
+        def loss(factor: float, remedy: Remedy = remedy) -> float:
+            return worst_loss(lift, remedy.follower(remedy.value(factor)))
+
+        factor = _smallest_factor(loss, now, limit)
+        if factor is not None:
+            cures.append(Change(remedy.key, remedy.now, remedy.value(factor)))
     return tuple(sorted(cures, key=lambda cure: cure.factor))
 
 
@@ -86,7 +88,7 @@ def _smallest_factor(loss: Callable[[float], float], now: float, limit: float) -
     """The factor at which the loss meets its limit, rounded to the safe side; None if no factor in reach does.
 
     Args:
-        loss: by the factor, mm.
+        loss: function of the factor that returns the loss, mm.
         now: loss at the factor 1, mm; more than the limit.
         limit: mm.
     """

@@ -1,4 +1,4 @@
-"""How far two outlines lift the rod apart: the greatest difference over the turn, not only at some stations."""
+"""How far two outlines lift a follower apart: the greatest difference over the turn, not only at some stations."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -6,8 +6,9 @@ from functools import cached_property
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.contact import Contact, Ring
+from cadgen.cam.contact import Ring
 from cadgen.cam.follower import Follower
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import Outline
 
 # The contact runs along a hollow that is hardly wider than the rod within little angle. Stations are put in so that it
@@ -26,7 +27,7 @@ _WITHIN = 9
 def dense_stations(follower: Follower, contact: Contact) -> Array:
     """Cam angles of a contact and more where it travels far between two of them, rad, shape (n,)."""
     theta = contact.cam_angle
-    ahead = follower.base_radius + contact.face * contact.tan_beta
+    ahead = follower.distance(contact.tan_beta, contact.face)
     place = theta + np.arcsin(np.clip(contact.across / ahead, -1.0, 1.0))
     travel = np.abs(np.diff(place)) * ahead[:-1]
     count = np.clip(np.ceil(travel / _TRAVEL), 1, _MOST_BETWEEN).astype(int)
@@ -37,11 +38,11 @@ def dense_stations(follower: Follower, contact: Contact) -> Array:
 
 @dataclass(frozen=True)
 class Exact:
-    """The lift that files are held against.
+    """Exact lift, for comparison with the lift of files.
 
     Attributes:
-        outline: of the exact curve.
-        follower: the rod.
+        outline: outline of the exact curve, mm.
+        follower: follower that rolls on it.
         stations: increasing cam angles, close enough together that every hump of a difference shows, rad, shape (n,).
     """
 
@@ -62,7 +63,7 @@ class Exact:
         """The greatest difference of lift of another outline, in size, mm: within a hundredth and what rolling errs.
 
         Returns:
-            The difference, and how the rod rests on the other outline at the stations.
+            The difference, and how the follower rests on the other outline at the stations.
 
         Raises:
             DesignError: the outline does not enclose the camshaft or is not star-shaped about it.

@@ -1,15 +1,10 @@
-"""The actual profile: the exact envelope of the leaning rod over both faces.
+"""The actual profile: the exact envelope of a follower over all planes that carry it.
 
-In a face plane w the rod's section at cam angle theta is the ellipse
-    X(theta, eta) = (d - A cos eta) e_r(theta) - r sin eta e_t(theta),
-    d = a + w T(theta),  A = r sqrt(1 + T^2),  T = tan(beta).
-It touches its neighbours where dX/dtheta is parallel to dX/deta (Litvin, Gear Geometry and Applied Theory,
-sec. 6.1):
-    (d' - A' cos eta + r sin eta) r cos eta + (d - A cos eta) A sin eta = 0.
-At a kink of the lift that is hollow, the rod's own section joins the two envelopes; at one that is convex the two
-cross and the part beyond the crossing is lost. The disc that no section cuts is the smallest of all branches at
-each polar angle (`cadgen.cam.lowest`). Where beta is zero over a stretch both faces' envelopes coincide, and neither
-is left for the other by rounding alone.
+A follower gives its envelope between the kinks of the lift in closed form (`Follower.piece`). At a kink of the lift
+that is hollow, its own section joins two of these pieces; at one that is convex the two cross and the part beyond the
+crossing is lost. The disc that the follower nowhere cuts is the smallest of all branches at each polar angle
+(`cadgen.cam.lowest`). Where the envelopes of two planes coincide, as those of the leaning rod do where beta is zero
+over a stretch, neither is left for the other by rounding alone.
 """
 
 from dataclasses import dataclass, replace
@@ -19,107 +14,24 @@ from typing import Literal
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.cam.branch import Branch, Swept
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.lowest import SAME, Radii, Reach, Run, lowest_branches
-from cadgen.cam.theoretical import rod_half_width, span_jets
-from cadgen.curves.closed import ByAngle, ClosedCurve, Jet, cross, polar_angle
+from cadgen.curves.closed import ByAngle, ClosedCurve, polar_angle
 from cadgen.errors import DesignError
 
 _SAMPLES = 3600  # of a turn: folds and crossings closer together than 0.1 degree count as one
+# A cusp between two samples is narrowed down to rounding: 16^13 steps of a sample.
+_CUSP_ZOOM = 16
+_CUSP_ZOOMS = 13
 _NEWTON_STEPS = 20
 _ZOOM, _ZOOMS = 33, 4  # polar angles at a time, and rounds: from 0.1 degree to 2e-9 rad
 _CONVERGED = 1e-13  # rad; Newton's method has doubled its digits past rounding
 _JOINT = 1e-9  # rad; two branches that end and begin within this meet, they do not cross
-# rad; between cam angles closer together than this no lift can be lost that would show: the curvature of the lift
-# times the square of it, 1e-10 mm.
-_NO_TRIM = 1e-6
-
-
-@dataclass(frozen=True)
-class EnvelopePiece:
-    """The envelope in one face plane, by cam angle, over a span without kinks."""
-
-    lift: LiftCurve
-    follower: Follower
-    face: float
-    start: float
-    stop: float
-
-    def touch(self, theta: Array) -> Array:
-        """The section's parameter eta at which it touches the envelope, rad."""
-        return self._touch(self._section(theta))
-
-    def _touch(self, section: tuple[Array, Array, Array, Array, Array, Array]) -> Array:
-        d, d1, _, A, A1, _ = section
-        r, square = self.follower.radius, A**2
-        eta = np.arctan2(-r * (d1 - A1), A * (d - A) + r**2)
-        for _ in range(_NEWTON_STEPS):
-            c, s = np.cos(eta), np.sin(eta)
-            rc = r * c
-            across, along = (d1 - A1 * c + r * s) * r, (d - A * c) * A
-            f = across * c + along * s
-            f_eta = (A1 * s + rc) * r * c - across * s + square * s**2 + along * c
-            step = f / f_eta
-            eta = eta - step
-            if np.abs(step).max() < _CONVERGED:
-                break
-        return eta
-
-    def jet(self, t: Array) -> Jet:
-        """Point, velocity by cam angle, and curvature; on a swallowtail the velocity points backwards."""
-        d, d1, d2, A, A1, A2 = section = self._section(t)
-        r = self.follower.radius
-        eta = self._touch(section)
-        c, s = np.cos(eta), np.sin(eta)
-        p, q = d - A * c, -r * s
-        p1 = d1 - A1 * c
-        f_eta = (A1 * s + r * c) * r * c - (p1 - q) * r * s + A**2 * s**2 + p * A * c
-        f_theta = (d2 - A2 * c) * r * c + p1 * A * s + p * A1 * s
-        eta1 = -f_theta / f_eta
-        # Derivative along the envelope in the turning frame, and the angle of the tangent (A sin, -r cos) in it.
-        As, rc = A * s, r * c
-        ahead, aside = p1 - q + As * eta1, p - rc * eta1
-        size2 = As**2 + rc**2
-        turn = 1.0 + (As * r * s * eta1 + rc * (A * c * eta1 + A1 * s)) / size2
-        speed = (ahead * -As + aside * rc) / np.sqrt(size2)
-        with np.errstate(divide="ignore"):
-            curvature = turn / speed
-        return Jet(_turned(p, q, t), _turned(ahead, aside, t), curvature)
-
-    def advance(self, theta: Array) -> Array:
-        """Rate of the tangential travel along the envelope, mm/rad; negative on a swallowtail."""
-        jet = self.jet(theta)
-        return np.asarray(cross(jet.point, jet.velocity) / np.linalg.norm(jet.point, axis=1))
-
-    def _section(self, theta: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
-        T, T1, T2 = span_jets(self.lift, theta, self.start, self.stop)
-        d = self.follower.base_radius + self.face * T
-        return d, self.face * T1, self.face * T2, *rod_half_width(self.follower.radius, T, T1, T2)
-
-
-@dataclass(frozen=True)
-class RodArc:
-    """The rod's own section at a hollow kink of the lift, by t = -eta."""
-
-    distance: float
-    half_width: float
-    follower: Follower
-    face: float
-    theta: float
-    start: float
-    stop: float
-
-    def jet(self, t: Array) -> Jet:
-        """Point, velocity by t, and curvature (negative: the disc is hollow here)."""
-        A, r = self.half_width, self.follower.radius
-        c, s = np.cos(t), np.sin(t)
-        theta = np.full(len(t), self.theta)
-        return Jet(
-            _turned(self.distance - A * c, r * s, theta),
-            _turned(A * s, r * c, theta),
-            -A * r / (A**2 * s**2 + r**2 * c**2) ** 1.5,
-        )
+# Folds of all envelopes; their parts are joined in some 6 s of processor time for each profile that is made.
+_MOST_FOLDS = 1000
+_NO_TRIM = 1e-6  # rad; its square times the lift's curvature is 1e-10 mm: no lift that is lost within it would show
 
 
 @dataclass(frozen=True)
@@ -148,20 +60,20 @@ class ActualProfile:
     trims: tuple[Trim, ...]
 
 
-Branch = EnvelopePiece | RodArc
-
-
 def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
-    """Return the largest disc that no section of the rod cuts, in either face plane.
+    """Return the largest disc that the follower nowhere cuts, in any plane that carries it.
+
+    Args:
+        lift: the steering wanted.
+        follower: follower of any kind.
 
     Raises:
-        DesignError: the rod is too thick for the cam's smallest radius, so that no disc remains, or a flank
+        DesignError: the follower is too large for the cam's smallest radius, so that no disc remains, or a flank
             overhangs.
     """
-    _refuse_thick_rod(lift, follower)
+    follower.refuse(lift)
     branches = _branches(lift, follower)
-    starts = np.array([_angle(b, b.start) for b in branches])
-    spans = np.array([_travel(b) for b in branches])
+    starts, spans = np.array([[_angle(b, b.start), _travel(b)] for b in branches]).T
     by_angle = [ByAngle(b) for b in branches]
 
     # Cells between all places where a branch begins or ends, and an even grid; each has one lowest branch.
@@ -201,7 +113,7 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
                 # The next branch of the face before may be the lowest for less than a cell.
                 between = _next_of_face(branches, left.branch)
                 if between == run.branch or len(runs) > len(branches):
-                    raise _overhang(lift, after, enter)
+                    raise _overhang(lift, follower, after, enter)
                 runs.insert(len(begins), Run(run.cell, between))
                 continue
             if (trim := _trim(lift, before, after, leave, enter)) is not None:
@@ -225,41 +137,44 @@ def _continuations(branches: list[Branch], starts: Array, spans: Array) -> dict[
     # Turned on by whole turns, so that those about an end lie together on either side of the seam.
     places = ((starts % TURN)[order] + TURN * np.arange(-1, 2)[:, None]).ravel()
     numbers = np.tile(order, 3)
-    found = {}
+    following = {}
     first = np.searchsorted(places, ends - 2 * _JOINT, side="left").tolist()
     last = np.searchsorted(places, ends + 2 * _JOINT, side="right").tolist()
     for number, (a, b) in enumerate(zip(first, last, strict=True)):
-        after = [int(other) for other in numbers[a:b] if branches[other].face == branches[number].face]
+        after = [int(index) for index in numbers[a:b] if branches[index].face == branches[number].face]
         if after:
-            found[number] = max(after)
-    return found
+            following[number] = max(after)
+    return following
 
 
 def _next_of_face(branches: list[Branch], number: int) -> int:
     """The branch of the same face that comes after one round the turn."""
-    same = [other for other, branch in enumerate(branches) if branch.face == branches[number].face]
+    same = [index for index, branch in enumerate(branches) if branch.face == branches[number].face]
     return same[(same.index(number) + 1) % len(same)]
 
 
 def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
-    """Every part of both envelopes that runs forward, and the rod's section at every hollow kink."""
+    """Every part of all envelopes that runs forward, and the follower's section at every hollow kink."""
     joints = np.unique(np.concatenate([[0.0], lift.kinks, [TURN]]))
-    branches: list[Branch] = []
-    for face in (follower.inner, follower.outer):
-        spans = [EnvelopePiece(lift, follower, face, float(a), float(b)) for a, b in pairwise(joints)]
+    branches, folds = list[Branch](), 0
+    for face in follower.planes:
+        spans = [follower.piece(lift, face, float(a), float(b)) for a, b in pairwise(joints)]
         for number, span in enumerate(spans):
-            branches.extend(_forward_parts(span))
-            after = spans[(number + 1) % len(spans)]
-            eta_before, eta_after = span.touch(np.array([span.stop]))[0], after.touch(np.array([after.start]))[0]
-            if eta_after < eta_before - _JOINT:
-                T = float(lift.tan_beta(after.start))
-                distance, half = follower.base_radius + face * T, follower.radius * float(np.sqrt(1 + T**2))
-                arc = RodArc(distance, half, follower, face, after.start, -eta_before, -eta_after)
-                branches.append(arc)
+            branches.extend(parts := _forward_parts(span))
+            folds += max(len(parts) - 1, 0)
+            section = follower.section(span, spans[(number + 1) % len(spans)])
+            if section is not None:
+                branches.append(section)
+    if folds > _MOST_FOLDS:
+        raise DesignError(
+            f"the path ripples so closely that the {follower.noun}'s contact turns back at {folds} places, "
+            f"{_MOST_FOLDS} at most are followed: keep one in {-(-folds // _MOST_FOLDS)} of path.waypoints_mm, or give "
+            "them with more digits"
+        )
     return branches
 
 
-def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
+def _forward_parts(span: Swept) -> list[Swept]:
     """Cut a span at its cusps and folds and keep what runs forward."""
     count = max(9, int(_SAMPLES * (span.stop - span.start) / TURN))
     # Between two nodes of the lift it may turn back, too, however close they are.
@@ -271,10 +186,12 @@ def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
         return [span]
     flips = np.flatnonzero(forward[1:] != forward[:-1])
     low, high = theta[flips], theta[flips + 1]
-    for _ in range(50):  # bisection to rounding
-        middle = (low + high) / 2
-        same = (span.advance(middle) > 0) == forward[flips]
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    column = np.arange(len(flips))
+    for _ in range(_CUSP_ZOOMS):
+        steps = low + (high - low) * np.linspace(0.0, 1.0, _CUSP_ZOOM + 1)[:, None]
+        turned = ((span.advance(steps.ravel()) > 0).reshape(steps.shape) != forward[flips])[1:-1]
+        first = np.where(turned.any(axis=0), np.argmax(turned, axis=0) + 1, _CUSP_ZOOM)
+        low, high = steps[first - 1, column], steps[first, column]
     edges = np.concatenate([[span.start], (low + high) / 2, [span.stop]])
     keep = np.concatenate([forward[flips], forward[-1:]])
     return [replace(span, start=float(a), stop=float(b)) for a, b, k in zip(edges, edges[1:], keep, strict=False) if k]
@@ -283,10 +200,9 @@ def _forward_parts(span: EnvelopePiece) -> list[EnvelopePiece]:
 def _crossing(
     before: Branch, after: Branch, by_angle: tuple[ByAngle, ByAngle], bracket: tuple[float, float], near: float
 ) -> tuple[float, float]:
-    """Parameters at which two branches meet between two polar angles.
+    """Parameters at which two branches meet between two polar angles, by Newton's method.
 
-    Newton's method, or, where that fails because they are nearly parallel, narrowing in on the difference of their
-    radii; where there is no crossing either, the end of the bracket at which they are closest.
+    Where that fails because they are nearly parallel, by `_closest`.
     """
     t = np.array([one.parameters(np.array([near]))[0] for one in by_angle])
     for _ in range(_NEWTON_STEPS):
@@ -330,20 +246,20 @@ def _meet(before: Branch, after: Branch, leave: float, enter: float) -> bool:
     return bool(np.abs(points[0] - points[1]).max() < 2 * SAME)
 
 
-def _overhang(lift: LiftCurve, after: Branch, enter: float) -> DesignError:
-    """Branches that do not meet leave a wall along the ray between them, which no rod can climb."""
-    theta = (after.theta if isinstance(after, RodArc) else enter) % TURN
+def _overhang(lift: LiftCurve, follower: Follower, after: Branch, enter: float) -> DesignError:
+    """Branches that do not meet leave a wall along the ray between them, which no follower can climb."""
+    theta = after.cam_angle(enter) % TURN
     in_blend = theta >= lift.blend_start
     softer = "raise cam.blend_deg (the closing blend steers there)" if in_blend else "widen the turn there"
     return DesignError(
         f"the cam's flank at cam angle {np.degrees(theta):.1f} degrees would be steeper than radial, with a pressure "
-        f"angle beyond 90 degrees, so the rod cannot follow it: {softer} or raise cam.base_radius_mm"
+        f"angle beyond 90 degrees, so the {follower.noun} cannot follow it: {softer} or raise cam.base_radius_mm"
     )
 
 
 def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> Trim | None:
     """The trim at a crossing; None where nothing is lost because the branches coincide."""
-    angles = [b.theta if isinstance(b, RodArc) else t for b, t in ((before, leave), (after, enter))]
+    angles = [before.cam_angle(leave), after.cam_angle(enter)]
     width = (angles[1] - angles[0] + np.pi) % TURN - np.pi
     if width < _NO_TRIM:
         return None
@@ -351,28 +267,13 @@ def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: f
     kind: Literal["face change", "local", "global"] = "local"
     if before.face != after.face:
         kind = "face change"
-    elif isinstance(before, EnvelopePiece):
+    elif isinstance(before, Swept):
         lost = angles[0] + np.linspace(0, 1, 201) * ((angles[1] - angles[0]) % TURN)
         kinked = np.any((lift.kinks - angles[0]) % TURN <= (angles[1] - angles[0]) % TURN)
         whole = replace(before, start=float(lost[0]), stop=float(lost[-1]))
         if not kinked and whole.jet(lost).curvature.min() > 0:
             kind = "global"
     return Trim(point, angles[0] % TURN, angles[1] % TURN, kind)
-
-
-def _refuse_thick_rod(lift: LiftCurve, follower: Follower) -> None:
-    theta = np.linspace(0, TURN, _SAMPLES, endpoint=False)
-    T = lift.tan_beta(theta)
-    room = follower.base_radius + follower.lift(T) - follower.radius * np.sqrt(1 + T**2)
-    worst = int(np.argmin(room))
-    if room[worst] <= 0:
-        reach = follower.base_radius + follower.lift(T)[worst]
-        raise DesignError(
-            f"at cam angle {np.degrees(theta[worst]):.1f} degrees the rod's axis is {abs(reach):.2f} mm "
-            f"{'from' if reach >= 0 else 'beyond'} the camshaft, but the rod's radius is "
-            f"{follower.radius:g} mm, so nothing is left of the disc: lower follower.radius_mm or raise "
-            f"cam.base_radius_mm"
-        )
 
 
 def _angle(branch: Branch, t: float) -> float:
@@ -384,9 +285,3 @@ def _travel(branch: Branch) -> float:
     points = branch.jet(np.linspace(branch.start, branch.stop, 65)).point
     angles = np.unwrap(polar_angle(points))
     return float(angles[-1] - angles[0])
-
-
-def _turned(radial: Array, around: Array, theta: Array) -> Array:
-    """Components along and across the ray, as points of the cam frame."""
-    c, s = np.cos(theta), np.sin(theta)
-    return np.stack([radial * c - around * s, radial * s + around * c], axis=1)

@@ -57,7 +57,7 @@ class LiftCurve:
 
     @cached_property
     def derived(self) -> dict[tuple[str, float], Array]:
-        """What other rooms have worked out for this lift and need again, by name and parameter."""
+        """Results of other rooms for this lift, kept for use again, by name and parameter."""
         return {}
 
     @cached_property
@@ -74,10 +74,10 @@ class LiftCurve:
         angle, height = np.concatenate([nodes[:-1], nodes + TURN]), np.concatenate([value[:-1], value])
         across = np.searchsorted(angle, angle[: len(nodes) - 1] + _LEVEL_ANGLE)
         close = np.flatnonzero(np.abs(height[across] - height[: len(across)]) <= _LEVEL_RANGE)
-        found: list[list[float]] = []
+        stretches: list[list[float]] = []
         for first in close:
             last = across[first]
-            if found and angle[last] <= found[-1][1]:
+            if stretches and angle[last] <= stretches[-1][1]:
                 continue
             if np.ptp(height[first : last + 1]) > _LEVEL_RANGE:
                 continue
@@ -85,14 +85,14 @@ class LiftCurve:
             rest = height[first : first + len(nodes)]
             outside = np.maximum.accumulate(rest) - np.minimum.accumulate(rest) > _LEVEL_RANGE
             last = first + (int(np.argmax(outside)) if outside.any() else len(rest)) - 1
-            if found and angle[first] <= found[-1][1]:
-                found[-1][1] = float(angle[last])
+            if stretches and angle[first] <= stretches[-1][1]:
+                stretches[-1][1] = float(angle[last])
             else:
-                found.append([float(angle[first]), float(angle[last])])
+                stretches.append([float(angle[first]), float(angle[last])])
         # A stretch across the start is found once from 0 and once from where it really begins.
-        if len(found) > 1 and found[-1][1] >= found[0][0] + TURN:
-            found = found[1:]
-        return np.array([[a, min(b, a + TURN)] for a, b in found]).reshape(-1, 2)
+        if len(stretches) > 1 and stretches[-1][1] >= stretches[0][0] + TURN:
+            stretches = stretches[1:]
+        return np.array([[a, min(b, a + TURN)] for a, b in stretches]).reshape(-1, 2)
 
     @cached_property
     def mirrored(self) -> "LiftCurve":
@@ -135,7 +135,7 @@ def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftC
     Args:
         arc: arc length at the nodes, shape (n,), mm; a kink stands twice.
         jets: tan(beta) and two derivatives by arc length, shape (n, 3).
-        length: of the whole track, mm.
+        length: length of the whole track, mm.
         blend: angle of the closing blend, rad.
 
     Raises:

@@ -1,4 +1,4 @@
-"""What the checks of a cam allow, and the limits of the pressure angle that textbooks give, by name."""
+"""Limits of the checks of a cam, and the limits of the pressure angle in textbooks, by name."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -11,10 +11,10 @@ PressureAngleLimitName = Literal["norton_translating", "norton_oscillating", "ch
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PressureAngleLimit:
-    """What the pressure angle of the true contact may reach, in size.
+    """Limits of the size of the pressure angle at the true contact.
 
     Attributes:
-        rise: limit while the cam drives the rod outwards (the working stroke), rad.
+        rise: limit while the cam drives the follower outwards (the working stroke), rad.
         fall: limit while the spring drives the rod back (the return stroke), rad.
         source: who recommends it, and for which follower.
     """
@@ -26,22 +26,20 @@ class PressureAngleLimit:
 
 @dataclass(frozen=True, kw_only=True)
 class CheckLimits:
-    """What the checks allow; angles in rad, lengths in mm.
+    """Limits of the checks; angles in rad, lengths in mm.
 
     Attributes:
-        pressure_angle: limits while the cam drives the rod outwards and while the spring drives it back.
-        lost_lift: how much lift the trimmed profile may miss.
-        min_convex_radius: of the actual profile, away from its corners.
-        cutter_radius: of the cutter that will cut the part.
-        rod_length: from the fork axis to the rod's end.
-        wall: between the profile and every hole.
+        pressure_angle: limits while the cam drives the follower outwards and while the spring drives it back.
+        lost_lift: greatest lift that the trimmed profile may lose.
+        min_convex_radius: least convex radius of the actual profile, away from its corners.
+        cutter_radius: radius of the cutter that will cut the part.
+        wall: least wall between the profile and every hole.
     """
 
     pressure_angle: PressureAngleLimit
     lost_lift: float
     min_convex_radius: float
     cutter_radius: float
-    rod_length: float
     wall: float
 
 

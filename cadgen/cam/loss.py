@@ -1,4 +1,4 @@
-"""What trimming the envelope costs: lift that no disc can give, where the path steers and in the closing blend."""
+"""Loss by trimming the envelope: lift that no disc can give, where the path steers and in the closing blend."""
 
 from dataclasses import dataclass
 from math import inf
@@ -18,9 +18,9 @@ class Loss:
     """Lift that the profile cannot give near a trim.
 
     Attributes:
-        trim: where the envelope was trimmed.
-        lift: that is missing at the worst cam angle, mm.
-        cam_angle: the worst one, rad.
+        trim: place where the envelope was trimmed.
+        lift: lift lost at the worst cam angle, mm.
+        cam_angle: worst cam angle, rad.
         driven: whether the path steers there, and not the closing blend.
     """
 
@@ -31,15 +31,15 @@ class Loss:
 
 
 def lost_lift(lift: LiftCurve, follower: Follower, trims: tuple[Trim, ...], outline: Outline) -> list[Loss]:
-    """The greatest lift missing between the two cam angles of each trim, by rolling the rod there.
+    """The greatest lift missing between the two cam angles of each trim, by rolling the follower there.
 
     A trim that reaches from the path into the closing blend counts in each of the two.
 
     Args:
-        lift: the steering wanted.
-        follower: the rod.
-        trims: where the envelope was trimmed.
-        outline: of the trimmed envelope; a corner is one of its points, so the rod rests on it exactly.
+        lift: lift wanted, as tan(beta) by cam angle.
+        follower: follower of any kind.
+        trims: places where the envelope was trimmed.
+        outline: trimmed envelope in points, mm; a corner is one of them, so the follower rests on it exactly.
     """
     if not trims:
         return []

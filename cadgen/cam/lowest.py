@@ -76,7 +76,7 @@ def lowest_branches(radii: Radii, continuation: Mapping[int, int]) -> list[Run]:
     """Walk once round the cells and return the runs of the lowest branches, by cell.
 
     Args:
-        radii: of the branches in the cells.
+        radii: polar radii of the branches in the cells, mm.
         continuation: for a branch, the branch that begins where it ends; it is preferred to others that coincide
             with it.
 

@@ -8,11 +8,13 @@
 | `simulate`  | `cadgen simulate`: the car's run with play                         |
 | `optimize`  | `cadgen optimize`: the methods against play                        |
 | `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
-| `calibrate` | `cadgen calibrate`: measured files -> what the design lacks        |
-| `verify`    | `cadgen verify`: whether a folder is what its manifest says        |
+| `calibrate` | `cadgen calibrate`: measured files -> effects missing in the design |
+| `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
+| `verify`    | `cadgen verify`: a folder against its manifest                     |
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
 | `show_play` | tables of profiles, runs, remedies and budgets                     |
+| `show_adjustment` | what to set after trial runs                                |
 | `output`    | standard output and sentences on standard error                    |
 | `interrupt` | signals                                                            |
 
@@ -28,7 +30,11 @@ from typing import NoReturn
 
 import click
 
+# Before numpy is loaded: threads that wait for each other over small matrices cost more than they bring.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 from cadgen.cli import interrupt, output
+from cadgen.cli.adjust import adjust
 from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam
 from cadgen.cli.check import check
@@ -68,6 +74,7 @@ cli.add_command(simulate)
 cli.add_command(optimize)
 cli.add_command(tolerance)
 cli.add_command(calibrate)
+cli.add_command(adjust)
 cli.add_command(verify)
 
 
@@ -77,7 +84,7 @@ def main() -> NoReturn:
     output.tell_warnings()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")  # for terminals that know no µ
+            stream.reconfigure(errors="replace")  # for terminals without µ
     code: int | str | None
     try:
         _require_epoch()
@@ -122,7 +129,7 @@ def _fail(message: str, code: int) -> int:
 
 
 def _flushed(code: int | str | None) -> int | str | None:
-    """Hand over what is still to be printed, while it can still be told if that fails."""
+    """Flush standard output, while a failure can still be reported; return the exit code."""
     try:
         if sys.stdout:
             sys.stdout.flush()
@@ -132,7 +139,7 @@ def _flushed(code: int | str | None) -> int | str | None:
 
 
 def _unwritable(error: OSError, code: int | str | None) -> int | str | None:
-    """Give up printing; a reader that has gone wants to hear no more."""
+    """Stop printing; report the reason unless the reader of the output has closed it."""
     output.hush()
     if isinstance(error, BrokenPipeError):
         return code

@@ -1,11 +1,10 @@
-"""`cadgen calibrate`: from measured files to what the design lacks."""
+"""`cadgen calibrate`: from measured files to the effects that the design lacks."""
 
-import os
 from pathlib import Path
 
 import click
 
-from cadgen.cli.options import PROFILES, Number, out_option
+from cadgen.cli.options import PROFILES, Number, design_and_files, out_option
 from cadgen.optimize.profiles.actual import ACTUAL
 
 
@@ -17,18 +16,18 @@ from cadgen.optimize.profiles.actual import ACTUAL
     metavar="PROFILE",
     default=ACTUAL.code,
     show_default=True,
-    help=f"Of the cam that was measured, or was on the car. One of {', '.join(PROFILES)}.",
+    help=f"Profile of the cam that was measured, or was on the car. One of {', '.join(PROFILES)}.",
 )
 @click.option(
     "--form-error-um",
     type=Number(0.01, 1000),
-    help="Form error of the disc to be expected, rms.  [default: 2, or 30 if a file says that it is printed]",
+    help="Form error to expect on the disc, µm rms.  [default: 2, or 30 if a file says that the disc is printed]",
 )
 @click.option(
     "--each",
     is_flag=True,
-    help="Judge every file alone, as of a car of its own, and print one table; with --out, no pictures and no as-built "
-    "design are written.",
+    help="Judge each file alone, as if each came from another car. Prints one table; with --out, no pictures and no "
+    "as-built design are written.",
 )
 @click.option(
     "--set",
@@ -50,25 +49,19 @@ def calibrate(
 ) -> None:
     """Trace measured data to the effects that the design lacks.
 
-    FILE is a CSV file of measured lifts, profile, transmission, track, zones, or a track with its steering logged: its
-    columns say which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument if
-    it names a packaged design or ends in .toml.
+    FILE is a CSV file of measured lifts, profile, transmission, track, zones, or a track with its steering logged. Its
+    columns decide which. Several files and kinds are judged together, as data of one car. DESIGN is the first argument
+    if it names a packaged design or ends in .toml.
     """
-    # Threads that wait for each other over small matrices cost more than they bring.
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    from cadgen.api.design import Calibration, Calibrations, Design
+    from cadgen.api.calibration import Calibration, Calibrations
+    from cadgen.api.design import Design
     from cadgen.cli import show
     from cadgen.design.load import packaged_designs
     from cadgen.report.text import write
 
-    designs = [text for text in arguments if text in packaged_designs() or text.endswith(".toml")]
-    if designs and (len(designs) > 1 or arguments[0] != designs[0]):
-        raise click.UsageError(f"{designs[-1]} is a design and not measured data: name one design, before the files")
-    design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
-    if not files:
-        raise click.UsageError("no measured file was given: name at least one CSV file")
+    design, files = design_and_files(arguments, packaged_designs())
     loaded = Design.load(design, overrides)
-    result: Calibration | Calibrations
+    result: Calibration[Design] | Calibrations[Design]
     with show.progress(not as_json) as progress:
         judge = loaded.calibrate_each if each else loaded.calibrate
         result = judge(files, profile=profile, form_error_um=form_error_um, progress=progress)

@@ -29,21 +29,21 @@ def cam(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
-    from cadgen.export.formats import CAM_FORMATS, chosen
+    from cadgen.export.formats import CAM_FORMATS, chosen_formats
 
     loaded = Design.load(design, overrides)
-    chosen(formats, CAM_FORMATS)  # before anything that takes time
+    chosen_formats(formats, CAM_FORMATS)  # before anything that takes time
     with show.progress(not as_json) as progress:
-        made = loaded.cam(profile, progress=progress)
-        cures = made.find_cures(progress)
-        written = made.write(out, formats, force=force, progress=progress) if made.passed or force else None
+        plan = loaded.cam(profile, progress=progress)
+        cures = plan.find_cures(progress)
+        written = plan.write(out, formats, force=force, progress=progress) if plan.passed or force else None
     if as_json:
-        show.document(made.facts() if written is None else written.entry)
+        show.document(plan.facts() if written is None else written.entry)
     else:
-        show.checks(made, cures)
-        show_play.against(made)
+        show.checks(plan, cures)
+        show_play.against(plan)
         if written is not None:
             show.files(written, out)
         else:
             click.echo("cadgen: a check failed, so nothing was exported (--force exports all the same)", err=True)
-    sys.exit(0 if made.passed or force else 1)
+    sys.exit(0 if plan.passed or force else 1)

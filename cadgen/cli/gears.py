@@ -50,10 +50,10 @@ def gears(
     from cadgen.api.design import Design
     from cadgen.api.gears import NotMadeError
     from cadgen.cli import show
-    from cadgen.export.formats import TRAIN_FORMATS, chosen
+    from cadgen.export.formats import TRAIN_FORMATS, chosen_formats
 
     loaded = Design.load(design, overrides, train_only=True)
-    chosen(formats, TRAIN_FORMATS)  # before anything that takes time
+    chosen_formats(formats, TRAIN_FORMATS)  # before anything that takes time
     try:
         with show.progress(not as_json) as progress:
             train = loaded.gears(order, progress=progress)
@@ -77,7 +77,7 @@ def gears(
 
 
 def _return_errors(plan: "GearsPlan") -> None:
-    """Play and return error of every stage and of the train, as made and by the standard alone."""
+    """Print play and return error of every stage and of the train, as made and by the standard alone."""
     from cadgen.cli.show import Output, plain_table
     from cadgen.meshes.train_checks import exact_play
 
@@ -101,8 +101,8 @@ def _return_errors(plan: "GearsPlan") -> None:
         rows.append(("train, as given", plan.given))
     if plan.baseline is not plan.given:
         rows.append(("as given, by the standard", plan.baseline))
-    for label, found in rows:
-        table.add_row(label, "", "", "", *_return_error(found))
+    for label, play_of_train in rows:
+        table.add_row(label, "", "", "", *_return_error(play_of_train))
     for joint in plan.whole.loose:
         table.add_row(joint.name, "", "", "", *_angles(joint.least, (joint.least + joint.greatest) / 2, joint.greatest))
     if plan.whole.loose:
@@ -149,19 +149,19 @@ def _ranking(ranked: "Sequence[TrainPlay]", baseline: "TrainPlay") -> None:
 
 
 def _each(values: list[str], between: str = " ") -> str:
-    """Values of all stages, or one that they share."""
+    """Values of all stages in one text; a single value if they share it."""
     return values[0] if len(set(values)) == 1 else between.join(values)
 
 
 def _choice(plan: "GearsPlan") -> None:
-    """Which train is made, why not those before it, and what the searched ones do not have."""
+    """Print which train is made, why not those before it, and what the searched trains lack."""
     from cadgen.cli.show import Output
     from cadgen.gears.backlash import teeth_of
 
     console = Output()
     reasons: dict[str, list[str]] = {}
-    for one in plan.skipped:
-        reasons.setdefault(one.reason, []).append(teeth_of(one.play))
+    for skipped in plan.skipped:
+        reasons.setdefault(skipped.reason, []).append(teeth_of(skipped.play))
     for reason, trains in list(reasons.items())[:REASONS_SHOWN]:
         others = f" and {len(trains) - 1} more" if len(trains) > 1 else ""
         console.print(f"Not made: {trains[0]}{others}: {reason}.")
@@ -176,7 +176,7 @@ def _choice(plan: "GearsPlan") -> None:
 
 
 def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
-    """Each file with its size and what was measured on it."""
+    """Print each file with its size and the errors measured on it."""
     from cadgen.cli.show import Output, plain_table
 
     table = plain_table(f"\n{out}{'' if str(out).endswith('/') else '/'}")
@@ -186,14 +186,14 @@ def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
     for name, facts in written.entry["files"].items():
         if "play_error_um" in facts:
             errors = facts["play_error_um"]
-            said = f"play off by {max(map(abs, errors)):.3f} µm" if errors else "no play to measure: see the checks"
+            reading = f"play off by {max(map(abs, errors)):.3f} µm" if errors else "no play to measure: see the checks"
         elif "flank_error_um" in facts:
-            said = f"flank {facts['flank_error_um']:.5f} root {facts['root_error_um']:.4f} µm"
+            reading = f"flank {facts['flank_error_um']:.5f} root {facts['root_error_um']:.4f} µm"
         elif "triangles" in facts:
-            said = f"watertight, {facts['triangles']} triangles"
+            reading = f"watertight, {facts['triangles']} triangles"
         else:
-            said = f"{facts['rows']} rows"
-        table.add_row(name, f"{facts['bytes'] / 1000:.0f} kB", said)
+            reading = f"{facts['rows']} rows"
+        table.add_row(name, f"{facts['bytes'] / 1000:.0f} kB", reading)
     console = Output()
     console.print(table)
     chords = sorted({facts["chord_um"] for facts in written.entry["files"].values() if "chord_um" in facts})

@@ -1,4 +1,4 @@
-"""What a signal does: the unfinished run is cleared away, one sentence is said, and the process ends.
+"""Handling of signals: clear away the unfinished run, print one sentence, and end the process.
 
 No exception is raised for it, since many a library swallows one or takes it for a fault of its own.
 """
@@ -22,7 +22,7 @@ _ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP"
 
 
 def install() -> None:
-    """Handle what ends a process, but for what the caller has chosen to ignore, as `nohup` does."""
+    """Handle the signals that end a process, except those that the caller ignores, as `nohup` does."""
     handler = partial(_interrupted, os.getpid())
     for number in _ENDING:
         if signal.getsignal(number) is not signal.SIG_IGN:

@@ -1,4 +1,4 @@
-"""`cadgen optimize`: what the methods against play do, alone and combined."""
+"""`cadgen optimize`: comparison of the methods against play, alone and combined."""
 
 import sys
 from pathlib import Path
@@ -14,8 +14,8 @@ from cadgen.cli.options import design_options, out_option
 def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out: Path | None) -> None:
     """Compare the methods against play, alone and combined, and choose the best that keeps every limit.
 
-    Each profile is judged as it would be cut: rolled on its outline, with play, over the band of return errors. The
-    exit code is 1 if even the best fails a check.
+    Each profile is judged as it would be cut: the follower rolls on its outline, with play, over the band of return
+    errors. The exit code is 1 if even the best fails a check.
     """
     from cadgen.api.design import Design
     from cadgen.api.runs import remedy_facts

@@ -1,6 +1,6 @@
 """Arguments and options that several commands share."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,7 @@ Command = Callable[..., Any]
 
 
 def design_options(command: Command) -> Command:
-    """DESIGN, --set and --json."""
+    """Add DESIGN, --set and --json."""
     for decorate in (
         click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables."),
         click.option(
@@ -33,7 +33,7 @@ def design_options(command: Command) -> Command:
 
 
 def profile_option(command: Command) -> Command:
-    """--profile of a cam that is to be made or checked."""
+    """Add --profile for a cam that is to be made or checked."""
     return click.option(
         "--profile",
         type=click.Choice(PROFILES),
@@ -43,7 +43,7 @@ def profile_option(command: Command) -> Command:
 
 
 def play_profile_option(*more: str, meaning: str) -> Callable[[Command], Command]:
-    """--profile of a cam that is to run with play: those against it, and others."""
+    """Add --profile for a cam that runs with play: profiles against play, and `more`."""
     profiles = (*PLAY_PROFILES, *more)
     return click.option(
         "--profile",
@@ -56,29 +56,48 @@ def play_profile_option(*more: str, meaning: str) -> Callable[[Command], Command
 
 
 def out_option(**settings: Any) -> Callable[[Command], Command]:
-    """--out, with its default and help."""
+    """Add --out, with its default and help."""
     return click.option("--out", type=_Folder(file_okay=False, path_type=Path), **settings)
 
 
 def formats_option(endings: str) -> Callable[[Command], Command]:
-    """--formats, some of these endings."""
+    """Add --formats, for some of these endings."""
     return click.option(
         "--formats", metavar="LIST", help=f"Files to write, by their endings, such as step,stl.  [default: {endings}]"
     )
 
 
+def design_and_files(arguments: tuple[str, ...], packaged: Collection[str]) -> tuple[str | None, tuple[str, ...]]:
+    """A design, if the first argument names one, and measured files.
+
+    Args:
+        arguments: of the command line.
+        packaged: names of the packaged designs.
+
+    Raises:
+        click.UsageError: no file, or a design among them.
+    """
+    designs = [text for text in arguments if text in packaged or text.endswith(".toml")]
+    if designs and (len(designs) > 1 or arguments[0] != designs[0]):
+        raise click.UsageError(f"{designs[-1]} is a design and not measured data: name one design, before the files")
+    design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
+    if not files:
+        raise click.UsageError("no measured file was given: name at least one CSV file")
+    return design, files
+
+
 class Number(click.FloatRange):
-    """A number of a range; NaN is in none, though no comparison finds it outside."""
+    """Option of a finite number in a range; click alone would take NaN."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """The number; click's own message if it is in no range."""
+        """Convert to a number, with click's own message outside the range."""
         if not isfinite(number := super().convert(value, param, ctx)):
             self.fail(f"{number} is not a finite number", param, ctx)
         return number
 
 
 class _Folder(click.Path):
-    """A folder, which is not the current one just because a shell's variable was empty."""
+    """Option of a folder; an empty text, as from an unset shell variable, is refused."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if value == "":

@@ -1,4 +1,4 @@
-"""What goes out: standard output, given up quietly when its reader has gone, and sentences on standard error."""
+"""Standard output, given up quietly when its reader has gone, and sentences on standard error."""
 
 import logging
 import os
@@ -14,7 +14,7 @@ _LONGEST_LINE = 1000  # of a message; our own are shorter
 
 
 def hush() -> None:
-    """Let everything printed from now on, and what still waits to be, go nowhere."""
+    """Discard everything printed from now on, and all that is not yet flushed."""
     with suppress(OSError, ValueError):  # it is no file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
@@ -26,11 +26,11 @@ def tell(message: str) -> None:
 
 
 def sentence(message: str, arguments: Sequence[str]) -> str:
-    """A message that repeats no more than a line of any argument, and no control characters.
+    """Shorten a message: at most one line of any argument is repeated, without control characters.
 
     Args:
-        message: one or more lines.
-        arguments: those of the command.
+        message: text of one or more lines.
+        arguments: arguments of the command.
     """
     pieces = {piece for argument in arguments for piece in (argument, argument.partition("=")[2])}
     for piece in sorted(pieces, key=len, reverse=True):
@@ -46,7 +46,7 @@ class _Warnings(logging.Handler):
 
 
 def tell_warnings() -> None:
-    """Print what the program warns of while it works, such as that it waits for another run."""
+    """Print the program's warnings while it works, such as that it waits for another run."""
     logger = logging.getLogger("cadgen")
     if not logger.handlers:
         logger.addHandler(_Warnings(logging.WARNING))

@@ -1,9 +1,9 @@
-"""What a command prints: progress on standard error, tables or one JSON document on standard output."""
+"""Printing of results: progress on standard error, tables or one JSON document on standard output."""
 
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from math import isinf
 from pathlib import Path
@@ -15,6 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from cadgen.cli.output import hush
+from cadgen.progress import Progress
 from cadgen.report.table import FittedTable
 
 if TYPE_CHECKING:
@@ -41,8 +42,8 @@ class Output(Console):
 
 
 @contextmanager
-def progress(enabled: bool) -> Iterator[Callable[[str], None]]:
-    """Yield a function that shows what is being done now; silent unless standard error is a terminal."""
+def progress(enabled: bool) -> Iterator[Progress]:
+    """Yield a function that shows the current step; silent unless standard error is a terminal."""
     console = Output(stderr=True)
     if not enabled or not console.is_terminal:
         yield lambda text: None
@@ -60,29 +61,29 @@ def document(facts: Mapping[str, Any]) -> None:
 
 
 def checks(cam: "Cam", cures: "Cures") -> None:
-    """Print the checks as a table, then what to change for each that failed, and what would cure lost lift."""
+    """Print the checks as a table, then the advice for each that failed, and the cures of lost lift."""
     if cam.expected:
         Output().print(cam.expected)
     friction(cam)
-    figures(f"{cam.design.name}, {cam.profile} profile", (*cam.checks, cam.edges))
+    figures(f"{cam.design.name}, {cam.profile} profile", (*cam.checks, *filter(None, [cam.edges])))
     for line in cures.sentences():
         Output().print(line)
 
 
 def friction(cam: "Cam") -> None:
-    """Print what a rod that rubs would make of the result, if it was reckoned without friction."""
+    """Print the effect that friction would have on the result, if it was computed without friction."""
     if cam.against is not None and cam.against.rubbing:
         Output().print(Text(cam.against.rubbing, "yellow"))
 
 
 def failed(cam: "Cam") -> None:
-    """Print the checks that fail, with what to change; nothing if none does."""
+    """Print the checks that fail, with their advice; nothing if all pass."""
     if cam.failed:
         figures(f"\n{cam.design.name}: the {cam.profile} profile fails its checks", cam.failed)
 
 
-def figures(title: str, found: "Sequence[Check]") -> None:
-    """Print checks as a table, then what to change for each that failed."""
+def figures(title: str, checks: "Sequence[Check]") -> None:
+    """Print checks as a table, then the advice for each that failed."""
     console = Output()
     narrow = console.width < _NARROW
     table = plain_table(title)
@@ -92,7 +93,7 @@ def figures(title: str, found: "Sequence[Check]") -> None:
     table.add_column("", no_wrap=True)
     if not narrow:
         table.add_column("where", overflow="fold")
-    for check in found:
+    for check in checks:
         verdict = Text("ok", "green") if check.passed else Text("FAIL", "red")
         if isinf(check.limit):  # a figure, not a verdict
             verdict = Text("")
@@ -107,7 +108,7 @@ def figures(title: str, found: "Sequence[Check]") -> None:
     console.print(table)
     # One advice may serve several checks.
     advice: dict[str, list[str]] = {}
-    for check in found:
+    for check in checks:
         if not check.passed and check.advice:
             advice.setdefault(check.advice, []).append(check.name)
     for text, names in advice.items():
@@ -115,9 +116,9 @@ def figures(title: str, found: "Sequence[Check]") -> None:
 
 
 def files(written: "Written", out: Path) -> None:
-    """Print each file with its size, its error at the follower's lift, and where it takes a car with play.
+    """Print each file with its size, its error at the follower's lift, and the end of a run with play on it.
 
-    What their names have in common stands above the table, so that it fits a narrow terminal.
+    The common start of their names stands above the table, so that it fits a narrow terminal.
     """
     entries = written.entry["files"]
     stem = written.part if all(name.startswith(written.part) for name in entries) else ""

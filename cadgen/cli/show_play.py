@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def against(cam: "Cam") -> None:
-    """Print what the profile does about play, beside the one before, and why it was chosen."""
+    """Print the effect of the profile against play, beside the profile before, and the reasons of the choice."""
     if cam.against is not None:
         methods(cam)
         return
@@ -103,7 +103,7 @@ def _share(value: float | None, digits: int = 1) -> str:
 
 
 def remedies(sheet: "Sequence[Remedy]") -> None:
-    """Print what each remedy against play leaves of the error, and what to build for it."""
+    """Print the error that each remedy against play leaves, and what to build for it."""
     if not sheet:
         return
     console = Output()
@@ -123,7 +123,7 @@ def remedies(sheet: "Sequence[Remedy]") -> None:
 
 
 def runs(simulation: "Simulation") -> None:
-    """Print the events and where the runs end."""
+    """Print the events and the ends of the runs."""
     console = Output()
     friction(simulation.cam)
     before, chosen = simulation.computed.against.before, simulation.computed.against.chosen
@@ -168,37 +168,39 @@ def runs(simulation: "Simulation") -> None:
 
 
 def fleet(run: "ToleranceRun") -> None:
-    """Print where the cars end, how many pass, and what matters most."""
-    from cadgen.api.runs import shown
+    """Print the ends of the cars, how many pass, and the sensitivities."""
+    from cadgen.api.runs import shown_value
 
     console = Output()
-    found = run.computed
+    result = run.computed
     friction(run.cam)
-    design = found.plan.design
+    design = result.plan.design
     for text in run.notes:
         console.print(text)
     console.print(
-        f"{design.name}, {found.plan.profile} profile: {found.samples} cars, seed {found.seed}, "
+        f"{design.name}, {result.plan.profile} profile: {result.samples} cars, seed {result.seed}, "
         f"{design.tolerances.law} law",
         style="bold",
     )
-    position, heading = found.end_position, found.end_heading_deg
+    position, heading = result.end_position, result.end_heading_deg
     for label, values, unit in (
         ("position", {"mean": position.mean, **_parts(position), "greatest": position.greatest}, " mm"),
         ("heading", {"mean of size": heading.mean, **_parts(heading)}, "°"),
     ):
         texts = ", ".join(f"{name} {value:.3g}{unit}" for name, value in values.items())
         console.print(f"{label} error at the end: {texts}")
-    console.print(f"{100 * found.passed:.2f} % pass all {found.gates} gates of {design.tolerances.gate_width_mm:g} mm")
+    console.print(
+        f"{100 * result.passed:.2f} % pass all {result.gates} gates of {design.tolerances.gate_width_mm:g} mm"
+    )
     table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
     for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
         table.add_column(column, justify="left" if column == "tolerance" else "right")
-    for sensitivity in found.sensitivities:
+    for sensitivity in result.sensitivities:
         name = sensitivity.name
         table.add_row(
             name.replace("_", " "),
-            shown(name, found.half_width(name)),
-            shown(name, sensitivity.step),
+            shown_value(name, result.half_width(name)),
+            shown_value(name, sensitivity.step),
             f"{sensitivity.distance:.3f} mm",
             f"{degrees(sensitivity.heading):.4f}°",
             f"{100 * sensitivity.share:.1f} %",
@@ -211,7 +213,7 @@ def _parts(spread: "Spread") -> dict[str, float]:
 
 
 def budget(sheet: "BudgetSheet") -> None:
-    """Print what everything that may be off costs, before and after a trim, and what to hold tighter."""
+    """Print the cost of every deviation, before and after a trim, and what to hold tighter."""
     from cadgen.api.runs import shown_half_width
 
     console = Output()

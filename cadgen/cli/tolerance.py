@@ -15,17 +15,17 @@ from cadgen.optimize.profiles.actual import ACTUAL
 @click.option(
     "--samples", type=click.IntRange(1, 10_000_000), default=10_000, show_default=True, help="Number of cars."
 )
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the random numbers.")
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of the random numbers.")
 @click.option(
     "--processes",
     type=click.IntRange(1, 256),
     default=lambda: min(2, os.cpu_count() or 1),
-    help="How many run at once; the numbers do not depend on it.  [default: 2]",
+    help="Number of processes that run at once; the results do not depend on it.  [default: 2]",
 )
 @click.option(
     "--budget",
     is_flag=True,
-    help="Rank everything that may be off by what it costs at the end of the run, before and after a trim.",
+    help="Rank all deviations by their cost at the end of the run, before and after a trim.",
 )
 @out_option(help="Folder for a picture; without it no file is written.")
 def tolerance(

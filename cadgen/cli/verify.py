@@ -16,13 +16,13 @@ UNLISTED_SHOWN = 20
 
 @click.command()
 @click.argument("folder", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path))
-@click.option("--restore", is_flag=True, help="First put back what killed runs have left half moved into the folder.")
+@click.option("--restore", is_flag=True, help="First undo half-done moves of runs that were killed in the folder.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a table.")
 def verify(folder: Path, restore: bool, as_json: bool) -> None:
     """Compare the files in DIR with its manifest.
 
-    Each is as listed, changed, missing, unreadable or not listed. The exit code is 1 if one that the manifest lists is
-    not as listed, or if a run was killed while it moved its files into DIR; the next command that writes there, or
+    Each file is as listed, changed, missing, unreadable or not listed. The exit code is 1 if a listed file is not as
+    listed, or if a run was killed while it moved its files into DIR; the next command that writes there, or
     --restore, undoes that.
     """
     from cadgen.api.files import verify as verified

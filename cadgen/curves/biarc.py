@@ -9,11 +9,11 @@ from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 _SAMPLES = 16  # of a span: eight to an arc, whose error is a single hump
 _QUARTER = np.pi / 2  # a span turns by less, so that its two arcs exist and never double back
-_ONE = 1e-9  # mm; arcs of one span that lie on one circle, or on a line, within this are one
+_SAME = 1e-9  # mm; arcs of one span that lie on one circle, or on a line, within this are joined
 
 
 def arcs(curve: ClosedCurve, tolerance: float) -> Contour:
-    """Return a chain of arcs that is nowhere further than `tolerance` mm from the curve.
+    """Return a chain of lines and arcs that is nowhere further than `tolerance` mm from the curve.
 
     Each smooth piece becomes biarcs: two arcs that meet each other with a common tangent, halfway between
     their control points, and meet the curve at both ends of the span with its exact point and tangent. Their
@@ -60,19 +60,19 @@ class _Biarcs:
         return np.asarray(np.abs(np.where(begins, ahead, behind)).max(axis=1))
 
     def chain(self) -> tuple[Array, Array]:
-        """Vertices and bulges; two arcs of one circle joined to one."""
+        """Vertices and bulges; two arcs of the same circle become a single arc."""
         first, second = self.joint - self.start, self.stop - self.joint
         sweeps = np.stack([2 * _angle(self.leaving, first), 2 * _angle(second, self.arriving)], axis=1)
         off_joint = _off_circle(self.joint[:, None], self.start, self.leaving, self.stop)[:, 0]
-        one = np.abs(off_joint) < _ONE
-        sweeps[one, 0] += sweeps[one, 1]
+        joined = np.abs(off_joint) < _SAME
+        sweeps[joined, 0] += sweeps[joined, 1]
         vertices = np.stack([self.start, self.joint], axis=1)
         bulges = np.tan(sweeps / 4)
         keep = np.ones(bulges.shape, dtype=bool)
-        keep[one, 1] = False
+        keep[joined, 1] = False
         vertices, bulges = vertices[keep], bulges[keep]
         chords = np.linalg.norm(np.diff(np.vstack([vertices, self.stop[-1:]]), axis=0), axis=1)
-        return vertices, np.where(np.abs(bulges) * chords / 2 < _ONE, 0.0, bulges)
+        return vertices, np.where(np.abs(bulges) * chords / 2 < _SAME, 0.0, bulges)
 
 
 def _off_circle(points: Array, start: Array, tangent: Array, stop: Array) -> Array:

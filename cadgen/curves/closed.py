@@ -44,23 +44,23 @@ class Piece(Protocol):
 
 @dataclass(frozen=True)
 class Span:
-    """A share of a smooth piece."""
+    """Part of a smooth piece, between two of its parameters."""
 
     piece: Piece
     start: float
     stop: float
 
     def jet(self, t: Array) -> Jet:
-        """The piece's own."""
+        """Point, velocity and curvature of the piece at parameters t."""
         return self.piece.jet(t)
 
 
 @dataclass(frozen=True)
 class DerivedPiece:
-    """What pieces made from another one share: its parameters.
+    """A piece made from another piece, with the same parameters.
 
     Attributes:
-        piece: the one it is made from.
+        piece: original piece.
     """
 
     piece: Piece
@@ -81,7 +81,7 @@ class Outline:
     """A closed curve as points, dense enough that three neighbours in one piece lie on a parabola.
 
     Attributes:
-        points: shape (n, 2), mm, counterclockwise; a joint between two pieces stands twice.
+        points: points in counterclockwise order, shape (n, 2), mm; a joint between two pieces stands twice.
         piece: number of the smooth piece that each point belongs to, shape (n,).
     """
 
@@ -99,7 +99,7 @@ class Corner:
     """A joint at which the direction jumps.
 
     Attributes:
-        point: shape (2,), mm.
+        point: place of the corner, shape (2,), mm.
         turn: jump of the tangent's direction, rad; positive where the curve is convex.
         after: index of the piece that begins at the corner.
     """
@@ -154,11 +154,11 @@ class ClosedCurve:
         return sum(_swept(piece) for piece in self.pieces)
 
     def radius(self, angle: Array) -> Array:
-        """Polar radius at given polar angles, shape (n,), mm."""
+        """Polar radius at polar angles (rad), shape (n,), mm."""
         return np.asarray(np.linalg.norm(self.at_angle(angle)[0].point, axis=1))
 
     def at_angle(self, angle: Array) -> tuple[Jet, NDArray[np.intp]]:
-        """The curve at given polar angles, by Newton's method, and the number of the piece that covers each.
+        """Jets of the curve at polar angles (rad), by Newton's method, and the number of the piece at each angle.
 
         The velocity is by the piece's own parameter.
         """
@@ -173,21 +173,21 @@ class ClosedCurve:
                 column[mine] = values
         return jet, owner
 
-    def corners(self, least: float = 1e-6) -> tuple[Corner, ...]:
-        """Joints at which the direction turns by more than `least` rad."""
-        found = []
+    def corners(self, least_turn: float = 1e-6) -> tuple[Corner, ...]:
+        """Joints at which the direction turns by more than `least_turn` rad."""
+        corners = []
         for number, piece in enumerate(self.pieces):
             before = self.pieces[number - 1]
             arriving = before.jet(np.array([before.stop])).velocity
             leaving = piece.jet(np.array([piece.start]))
             turn = np.arctan2(cross(arriving, leaving.velocity)[0], float(np.sum(arriving * leaving.velocity)))
-            if abs(turn) > least:
-                found.append(Corner(leaving.point[0], float(turn), number))
-        return tuple(found)
+            if abs(turn) > least_turn:
+                corners.append(Corner(leaving.point[0], float(turn), number))
+        return tuple(corners)
 
 
 class ByAngle:
-    """A piece that runs forward, by polar angle: its parameters there, by Newton's method from a table."""
+    """Parameters of a counterclockwise piece by polar angle, found by Newton's method from a table."""
 
     def __init__(self, piece: Piece) -> None:
         self._piece = piece
@@ -197,14 +197,14 @@ class ByAngle:
     def parameters(self, angle: Array) -> Array:
         """Parameters at polar angles, rad."""
         piece, turned = self._piece, self._turned
-        # The angle meant is the one nearest the piece's middle: right for any piece up to a whole turn.
+        # The angle sought is the one nearest the piece's middle: right for any piece up to a whole turn.
         middle = (turned[0] + turned[-1]) / 2
-        want = middle + (angle - middle + np.pi) % TURN - np.pi
-        guess = np.interp(want, turned, self._t)
+        target = middle + (angle - middle + np.pi) % TURN - np.pi
+        guess = np.interp(target, turned, self._t)
         for _ in range(_NEWTON_STEPS):
             jet = piece.jet(guess)
             rate = cross(jet.point, jet.velocity) / np.sum(jet.point**2, axis=1)
-            miss = (polar_angle(jet.point) - want + np.pi) % TURN - np.pi
+            miss = (polar_angle(jet.point) - target + np.pi) % TURN - np.pi
             before, guess = guess, np.clip(guess - miss / rate, piece.start, piece.stop)
             if np.array_equal(guess, before):
                 break

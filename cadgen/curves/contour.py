@@ -1,4 +1,4 @@
-"""A closed chain of lines and circular arcs: what a laser, a wire EDM, a mill and a drill understand."""
+"""A closed chain of lines and circular arcs: the form of outline for a laser, a wire EDM, a mill and a drill."""
 
 from dataclasses import dataclass
 from math import sqrt
@@ -16,8 +16,8 @@ class Contour:
     """A closed chain of sides; side i runs from vertex i to vertex i + 1, the last one back to the first.
 
     Attributes:
-        vertices: shape (n, 2), mm.
-        bulges: shape (n,), tan(sweep / 4) of each side: 0 is a line, +1 a counterclockwise half circle,
+        vertices: corners in order, shape (n, 2), mm.
+        bulges: tan(sweep / 4) of each side, shape (n,): 0 is a line, +1 a counterclockwise half circle,
             negative a clockwise arc (the DXF reference's LWPOLYLINE, group code 42).
     """
 
@@ -26,7 +26,7 @@ class Contour:
 
     @property
     def chords(self) -> Array:
-        """From the start to the end of each side, shape (n, 2), mm."""
+        """Vector from the start to the end of each side, shape (n, 2), mm."""
         return np.roll(self.vertices, -1, axis=0) - self.vertices
 
     @property
@@ -69,7 +69,7 @@ class Contour:
         return np.hypot(self.chords[:, 0], self.chords[:, 1])
 
     def area(self) -> float:
-        """Enclosed area, mm^2, positive if run counterclockwise: the polygon's and the segments' together."""
+        """Enclosed area, mm^2, positive if run counterclockwise: that of the polygon and of the circular segments."""
         following = np.roll(self.vertices, -1, axis=0)
         polygon = float(np.sum(cross(self.vertices, following))) / 2
         curved = self.bulges != 0
@@ -146,9 +146,9 @@ def keyway_bore(diameter: float, width: float, depth: float, angle: float) -> Co
     """A bore about the origin with a keyway in its wall.
 
     Args:
-        diameter: of the bore, mm.
-        width: of the keyway, mm.
-        depth: from the bore's wall, at the keyway's centre line, to its floor, mm.
+        diameter: diameter of the bore, mm.
+        width: width of the keyway, mm.
+        depth: depth of the keyway from the bore's wall to its floor, along its centre line, mm.
         angle: polar angle of the centre line, rad.
 
     Raises:
@@ -171,8 +171,8 @@ def d_bore(diameter: float, flat_depth: float, angle: float) -> Contour:
     """A bore about the origin with a flat that leaves material in it.
 
     Args:
-        diameter: of the bore, mm.
-        flat_depth: how far the flat stands inside the circle at its middle, mm.
+        diameter: diameter of the bore, mm.
+        flat_depth: distance of the flat from the circle, inwards, at its middle, mm.
         angle: polar angle of the flat's normal, rad.
 
     Raises:

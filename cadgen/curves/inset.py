@@ -25,7 +25,7 @@ _GAUSS_POINTS, _GAUSS_STEPS = 6, 360  # per radian
 
 @dataclass(frozen=True)
 class Apex:
-    """A point in the place of a piece."""
+    """A piece that has shrunk to a point."""
 
     point: Array
     start: float = 0.0
@@ -61,11 +61,11 @@ class HollowArc:
 
 @dataclass(frozen=True)
 class Strip:
-    """A smooth share of a chamfer: straight lines join points at equal shares of both pieces' parameters.
+    """Smooth part of a chamfer: straight lines join points at equal shares of both pieces' parameters.
 
     Attributes:
-        outer: of the outline; an `Apex` at a hollow corner.
-        inner: of the curve inside it; an `Apex` where the outline's piece is so short that nothing of it is left there.
+        outer: piece of the outline; an `Apex` at a hollow corner.
+        inner: piece of the curve inside it; an `Apex` where nothing of a short outer piece is left there.
     """
 
     outer: Piece
@@ -103,27 +103,27 @@ def chamfer_strips(curve: ClosedCurve, leg: float) -> tuple[Strip, ...]:
             number += 1
             continue
         # The neighbours meet each other now: begin again at their joint.
-        for other in (before, after):
-            if other != dead:
-                spans[other] = [strips[other].inner.start, strips[other].inner.stop]
+        for neighbour in (before, after):
+            if neighbour != dead:
+                spans[neighbour] = [strips[neighbour].inner.start, strips[neighbour].inner.stop]
         alive.remove(dead)
         number = 0
     if not alive:
         raise CheckError(_too_narrow(leg))
-    found = []
+    chamfer = []
     for index, strip in enumerate(strips):
         if index in alive:
-            found.append(Strip(strip.outer, Span(strip.inner, *spans[index])))
+            chamfer.append(Strip(strip.outer, Span(strip.inner, *spans[index])))
         elif not isinstance(strip.outer, Apex):
-            follower = next((k for k in alive if k > index), alive[0])
-            meeting = strips[follower].inner.jet(np.array([spans[follower][0]])).point[0]
-            found.append(Strip(strip.outer, Apex(meeting)))
-    _refuse_folds(found, leg)
-    return tuple(found)
+            following = next((k for k in alive if k > index), alive[0])
+            meeting = strips[following].inner.jet(np.array([spans[following][0]])).point[0]
+            chamfer.append(Strip(strip.outer, Apex(meeting)))
+    _refuse_folds(chamfer, leg)
+    return tuple(chamfer)
 
 
 def inner_curve(strips: Sequence[Strip]) -> ClosedCurve:
-    """The curve that a chamfer leaves of a face."""
+    """Edge of the face that a chamfer leaves, as a closed curve."""
     return ClosedCurve(tuple(strip.inner for strip in strips if not isinstance(strip.inner, Apex)))
 
 
@@ -142,7 +142,7 @@ def chamfered_off(curve: ClosedCurve, leg: float) -> float:
 
 
 def _moved_inwards(curve: ClosedCurve, leg: float) -> list[Strip]:
-    """Every piece with its moved one, and the arcs about hollow corners, before anything is cut off."""
+    """Every piece with its parallel piece, and the arcs about hollow corners, before anything is cut off."""
     corners = {corner.after: corner for corner in curve.corners()}
     strips = []
     for number, piece in enumerate(curve.pieces):
@@ -157,13 +157,13 @@ def _moved_inwards(curve: ClosedCurve, leg: float) -> list[Strip]:
 
 
 def _trim(strips: list[Strip], spans: list[list[float]], before: int, after: int) -> int | None:
-    """Cut two neighbours off where they cross; the number of the one of which nothing would be left."""
-    one, other = strips[before].inner, strips[after].inner
-    s, t = one.stop, other.start
-    gap = _extended(one, s)[0] - _extended(other, t)[0]
+    """Cut two neighbours off where they cross; return the number of the neighbour of which nothing is left, if any."""
+    first, second = strips[before].inner, strips[after].inner
+    s, t = first.stop, second.start
+    gap = _extended(first, s)[0] - _extended(second, t)[0]
     if np.hypot(*gap) > _SNAP:
         for _ in range(_NEWTON_STEPS):
-            (p, u), (q, v) = _extended(one, s), _extended(other, t)
+            (p, u), (q, v) = _extended(first, s), _extended(second, t)
             if np.hypot(*(p - q)) < _CONVERGED:
                 break
             det = u[1] * v[0] - u[0] * v[1]

@@ -19,9 +19,9 @@ class MovedPiece(DerivedPiece):
     """A smooth piece with a shift of its points, known at some of its parameters.
 
     Attributes:
-        piece: as it was.
-        at: parameters, shape (n,), increasing, from its start to its stop.
-        by: shift there, shape (n, 2), mm.
+        piece: original piece.
+        at: parameters of the piece, increasing from its start to its stop, shape (n,).
+        by: shift at these parameters, shape (n, 2), mm.
     """
 
     at: Array
@@ -37,15 +37,15 @@ class MovedPiece(DerivedPiece):
 
     def jet(self, t: Array) -> Jet:
         """Point, velocity and curvature; the curvature is continuous where the piece's own is."""
-        was = self.piece.jet(t)
-        speed = np.linalg.norm(was.velocity, axis=1)[:, None]
-        inward = left_normal(was.velocity)
-        # A piece tells its curvature, not its acceleration: that along it is the change of its speed.
-        along = self._speed(t, nu=1)[:, None] * was.velocity / speed
-        acceleration = along + was.curvature[:, None] * speed**2 * inward + self._shift(t, nu=2)
-        velocity = was.velocity + self._shift(t, nu=1)
+        before = self.piece.jet(t)
+        speed = np.linalg.norm(before.velocity, axis=1)[:, None]
+        inward = left_normal(before.velocity)
+        # A jet has no acceleration: across the piece it follows from curvature, along it from the change of speed.
+        along = self._speed(t, nu=1)[:, None] * before.velocity / speed
+        acceleration = along + before.curvature[:, None] * speed**2 * inward + self._shift(t, nu=2)
+        velocity = before.velocity + self._shift(t, nu=1)
         curvature = cross(velocity, acceleration) / np.linalg.norm(velocity, axis=1) ** 3
-        return Jet(was.point + self._shift(t), velocity, curvature)
+        return Jet(before.point + self._shift(t), velocity, curvature)
 
 
 def moved(curve: ClosedCurve, at: tuple[Array, ...], by: tuple[Array, ...]) -> ClosedCurve:
@@ -55,9 +55,9 @@ def moved(curve: ClosedCurve, at: tuple[Array, ...], by: tuple[Array, ...]) -> C
     cross, as the sides of a corner do that is cut with another offset.
 
     Args:
-        curve: closed.
-        at: for each piece, parameters from its start to its stop.
-        by: for each piece, the shift there, mm.
+        curve: any closed curve.
+        at: parameters of each piece, from its start to its stop, shape (n,).
+        by: shift of each piece at these parameters, shape (n, 2), mm.
     """
     pieces, slid = curve.pieces, [part.copy() for part in by]
     for number, piece in enumerate(pieces):

@@ -47,7 +47,7 @@ def polyline(corners: Array, step: float) -> Outline:
     """The closed chain of straight lines through points, each a piece of at least five points.
 
     Args:
-        corners: counterclockwise, the first not repeated, shape (n, 2), mm.
+        corners: points in counterclockwise order, the first not repeated, shape (n, 2), mm.
         step: greatest distance between the points of the result, mm.
     """
     chords = np.roll(corners, -1, axis=0) - corners
@@ -77,7 +77,7 @@ def _even(sides: Sequence[Piece], tolerance: float) -> Array:
 
 
 def _sagittas(piece: Piece, nodes: Array) -> Array:
-    """How far the chord of each span strays from the piece, mm."""
+    """Greatest distance of the chord of each span from the piece, shape (n,), mm."""
     points = piece.jet(inside_spans(nodes, _SAMPLES)).point
     chords = np.diff(points[::_SAMPLES], axis=0)
     inside = points[:-1].reshape(-1, _SAMPLES, 2)

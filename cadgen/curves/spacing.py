@@ -28,19 +28,19 @@ def even_nodes(
 ) -> Array:
     """Return about the fewest nodes between which no span's error exceeds the tolerance.
 
-    A span of error e wants to become (e / tolerance)^(1 / order) spans; laying these shares end to end and
+    A span of error e is due to be cut into (e / tolerance)^(1 / order) spans; laying these shares end to end and
     cutting the sum evenly gives the next nodes (equidistribution: de Boor, A Practical Guide to Splines,
     chapter XII).
 
     Args:
-        errors: nodes, shape (n + 1,) -> largest error in each span, shape (n,), on eight samples of each hump
-            or more.
+        errors: function of nodes, shape (n + 1,), that returns the largest error in each span, shape (n,), on eight
+            samples of each hump or more.
         ends: first and last node.
         tolerance: allowed error, in the unit of `errors`.
         order: power of the span's width with which the error falls.
         at_least: least number of spans.
-        local: whether a span's error is its own affair. If not, as in a spline, the widths of neighbours must
-            change gently, or the order is lost.
+        local: whether the error of a span depends on that span alone. If not, as in a spline, the widths of
+            neighbours must change gently, or the order is lost.
 
     Raises:
         DesignError: the tolerance is not reached, because it is finer than rounding.

@@ -27,9 +27,9 @@ class SplineArc:
     """A B-spline clamped at both ends, by a parameter close to its arc length.
 
     Attributes:
-        degree: of the polynomials.
-        knots: shape (n + degree + 1,), mm, the first and the last degree + 1 of them equal.
-        control_points: shape (n, 2), mm; the first and the last lie on the curve.
+        degree: degree of the polynomials.
+        knots: knots of the spline, shape (n + degree + 1,), mm, the first and the last degree + 1 of them equal.
+        control_points: control points, shape (n, 2), mm; the first and the last lie on the curve.
     """
 
     degree: int

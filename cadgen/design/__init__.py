@@ -4,6 +4,7 @@
 |-------------|--------------------------------------------------------------------------|
 | `section`   | what all sections have in common                                         |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
+| `follower`  | section of the follower, with the keys of its kind                       |
 | `joint`     | what holds a wheel on its shaft                                          |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
 | `mechanics` | section of what turns the cam ahead of its gears, and what holds it      |
@@ -13,6 +14,7 @@
 | `schema`    | all other sections; ranges, defaults, how keys must fit each other       |
 | `keys`      | the schema as a list of keys, their units and ranges in words            |
 | `explain`   | what is wrong with a design, as sentences                                |
+| `names`     | names that files can have on every system                                |
 | `override`  | `--set key=value`                                                        |
 | `load`      | name or file -> `Design`                                                 |
 | `reference` | the schema as a page of documentation                                    |

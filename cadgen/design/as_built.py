@@ -72,7 +72,7 @@ class Effect(Section):
     @property
     def numbers(self) -> dict[str, float]:
         """Values by their names, in the units of these."""
-        return {one.name: one.value for one in self.values}
+        return {value.name: value.value for value in self.values}
 
     @property
     def kind_of_data(self) -> "KindOfData":
@@ -85,7 +85,7 @@ class Effect(Section):
         """The effect of the catalogue.
 
         Raises:
-            DesignError: there is none of that name.
+            DesignError: no effect has that name.
         """
         return self.kind_of_data.named(self.effect, self.numbers)
 
@@ -105,8 +105,8 @@ class Effect(Section):
 
     def _has_its_numbers(self, known: "Known", where: str) -> None:
         wanted = [p.name for p in known.parameters] + [name for name, _ in known.given]
-        if sorted(one.name for one in self.values) != sorted(wanted):
-            have = listed([one.name for one in self.values], "and")
+        if sorted(value.name for value in self.values) != sorted(wanted):
+            have = listed([value.name for value in self.values], "and")
             raise ValueError(f"{where} values has {have}; it must have {listed(wanted, 'and')}, once each")
         for p in known.parameters:
             value, slack = self.numbers[p.name], _ROUNDING * (p.upper - p.lower)
@@ -152,14 +152,14 @@ class AsBuilt(Section):
     def _each_thing_is_set_once(self) -> "AsBuilt":
         for name, effects in (("effects", self.effects), ("cut_for", self.cut_for)):
             seen: dict[str, Effect] = {}
-            for one in effects:
-                for value in one.values if one.place == "car" else ():
+            for effect in effects:
+                for value in effect.values if effect.place == "car" else ():
                     if value.name in seen:
-                        other = seen[value.name]
+                        earlier = seen[value.name]
                         raise ValueError(
-                            f"as_built.{name} has {value.name} of the car twice, from {other.effect} of kind "
-                            f'{other.kind} and from {one.effect} of kind {one.kind}: set place = "noted" in one of '
-                            "them"
+                            f"as_built.{name} has {value.name} of the car twice, from {earlier.effect} of kind "
+                            f'{earlier.kind} and from {effect.effect} of kind {effect.kind}: set place = "noted" '
+                            "in one of them"
                         )
-                    seen[value.name] = one
+                    seen[value.name] = effect
         return self

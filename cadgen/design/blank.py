@@ -88,7 +88,7 @@ class Lightening(Section):
 
 
 class Blank(Held):
-    """What the disc has besides its profile. Polar angles are those of the profile."""
+    """Features of the disc besides its profile. Polar angles are those of the profile."""
 
     bore_diameter_mm: float = Field(default=8.0, gt=0, le=200, description="of the hole for the camshaft")
     edge_break_mm: float | None = Field(

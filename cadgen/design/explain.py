@@ -1,10 +1,12 @@
-"""What is wrong with a design's values, as sentences: the key, its value, what is allowed."""
+"""Faults of a design's values, as sentences: the key, its value, and what is allowed."""
 
 from collections.abc import Mapping
 from typing import Any
 
 from pydantic import ValidationError
 
+from cadgen.cam.followers.kind import FollowerKind
+from cadgen.cam.followers.rod_kind import ROD
 from cadgen.design.keys import dotted, elsewhere, is_unit_slip, keys, last, nearest, shown, tables
 from cadgen.design.section import HERE, listed
 from cadgen.errors import brief
@@ -16,37 +18,37 @@ _WRONG_TYPE = {"float_type", "int_type", "int_from_float", "string_type", "tuple
 _MOST_COMPARED = 100  # unknown keys with the known ones: nobody mistypes more
 
 
-def explain(error: ValidationError, most: int) -> tuple[list[tuple[Place, str]], int]:
+def explain(error: ValidationError, most: int, follower: FollowerKind = ROD) -> tuple[list[tuple[Place, str]], int]:
     """Return the places of the first errors, with one sentence about each, and how many more there are.
 
     Unknown keys come first. What only follows from another error is left out: a required key that stands there under
     a wrong name, and a list that counts as too short because its items are wrong. Several missing sections make one
     sentence.
     """
-    found = error.errors(include_url=False)
-    unknown = [item["loc"] for item in found if item["type"] == "extra_forbidden"]
-    holders = {item["loc"][:-1] for item in found}
+    errors = error.errors(include_url=False)
+    unknown = [item["loc"] for item in errors if item["type"] == "extra_forbidden"]
+    holders = {item["loc"][:-1] for item in errors}
     inside = {place[:depth] for place in holders for depth in range(len(place) + 1)}
-    meant = {nearest(section(place[:-1]), str(place[-1])) for place in unknown[:_MOST_COMPARED]}
-    missing = [item["loc"] for item in found if item["type"] == "missing" and len(item["loc"]) == 1]
-    absent = [place for place in missing if section(place) in tables() and section(place) not in meant]
+    meant = {nearest(section(place[:-1]), str(place[-1]), follower) for place in unknown[:_MOST_COMPARED]}
+    missing = [item["loc"] for item in errors if item["type"] == "missing" and len(item["loc"]) == 1]
+    absent = [place for place in missing if section(place) in tables(follower) and section(place) not in meant]
     if len(absent) < 2:
         absent = []
     rest = [
         item
-        for item in found
+        for item in errors
         if item["type"] != "extra_forbidden"
         and item["loc"] not in absent
         and not (item["type"] == "missing" and dotted(*item["loc"]) in meant)
         and not (item["type"] == "too_short" and item["loc"] in inside)
     ]
-    sentences = [(place, unknown_key(place)) for place in unknown[:most]]
+    sentences = [(place, unknown_key(place, follower)) for place in unknown[:most]]
     if absent:
-        headings = listed([tables()[section(place)].heading for place in absent], "and")
+        headings = listed([tables(follower)[section(place)].heading for place in absent], "and")
         text = f"the sections {headings} are missing: add them (`cadgen gears` needs [train] alone)"
         sentences.append((absent[0], text))
     sentences += [
-        (item["loc"], _sentence(item["type"], item["loc"], item["input"], item.get("ctx", {})))
+        (item["loc"], _sentence(item["type"], item["loc"], item["input"], item.get("ctx", {}), follower))
         for item in rest[: max(most - len(sentences), 0)]
     ]
     return sentences[:most], len(unknown) + bool(absent) + len(rest) - len(sentences[:most])
@@ -57,17 +59,17 @@ def section(place: Place) -> str:
     return dotted(*(part for part in place if isinstance(part, str)))
 
 
-def unknown_key(place: Place) -> str:
+def unknown_key(place: Place, follower: FollowerKind = ROD) -> str:
     """Say that there is no such key, which one was most likely meant, and what its section takes."""
     parent, wrong = section(place[:-1]), str(place[-1])
-    right = nearest(parent, wrong)
+    right = nearest(parent, wrong, follower)
     name = dotted(spoken(place[:-1]), brief(wrong) or '""')
     if right and is_unit_slip(wrong, right):
-        return f"{name} is not a key: write {right}, in {keys()[right].unit}"
-    meant = [right] if right else elsewhere(parent, wrong)
+        return f"{name} is not a key: write {right}, in {keys(follower)[right].unit}"
+    meant = [right] if right else elsewhere(parent, wrong, follower)
     hint = f"did you mean {listed(meant, 'or')}? " if meant else ""
     where = f"[{parent}]" if parent else "a design"
-    return f"{name} is not a key: {hint}{where} takes {listed(tables()[parent].names, 'and')}"
+    return f"{name} is not a key: {hint}{where} takes {listed(tables(follower)[parent].names, 'and')}"
 
 
 def spoken(place: Place) -> str:
@@ -88,7 +90,7 @@ def _of_item(place: Place) -> str:
     return f" in {spoken(place[: numbers[-1] + 1])}" if numbers else ""
 
 
-def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any]) -> str:
+def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], follower: FollowerKind) -> str:
     if kind == "value_error":
         return str(context["error"]).replace(HERE, spoken(place))
     if kind == "missing" and isinstance(place[-1], int):  # of a pair, whose value pydantic gives
@@ -96,15 +98,16 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any]) -
     name, path = spoken(place), section(place)
     if kind == "too_long" and context["max_length"] > 2:  # a list, and not a pair
         return f"{name} has {len(value)} items; it can have at most {context['max_length']}: remove some"
-    if path in tables():
-        heading = tables()[path].heading
-        needs = listed([last(key.name) for key in tables()[path].keys if key.required], "and")
+    if path in tables(follower):
+        table = tables(follower)[path]
+        heading = table.heading
+        needs = listed([last(key.name) for key in table.keys if key.required], "and")
         if kind == "missing":
             return f"the section {heading} is missing{_of_item(place)}: add it, with at least {needs}"
-        if tables()[path].many and not isinstance(place[-1], int):
+        if table.many and not isinstance(place[-1], int):
             return f"{name} is {shown(value)}; it must be sections: write {heading} before the keys of each"
         return f"{name} is {shown(value)}; it must be a section: write {heading} and its keys below it"
-    key = keys()[path]
+    key = keys(follower)[path]
     depth = depth_in_key(place)
     wanted = f"{key.kinds[depth]} in {key.unit}" if key.unit else key.kinds[depth]
     if kind == "missing" and depth == 0:

@@ -45,11 +45,11 @@ class Held(Section):
     def _joint_is_whole(self: S) -> S:
         loose = self.joint is not None and self.joint not in TIGHT
         names = ("joint_clearance_least_um", "joint_clearance_greatest_um", "joint_fit", "joint_across_mm")
-        given = [name for name in names if getattr(self, name) is not None]
-        if given and not loose:
+        clearances = [name for name in names if getattr(self, name) is not None]
+        if clearances and not loose:
             raise ValueError(
-                f'{HERE}.{given[0]} is for a wheel with joint = "keyed" or "d_flat", and this one has '
-                f"{self.joint or 'none'}: set joint, or remove {given[0]}"
+                f'{HERE}.{clearances[0]} is for a wheel with joint = "keyed" or "d_flat", and this one has '
+                f"{self.joint or 'none'}: set joint, or remove {clearances[0]}"
             )
         least, greatest = self.joint_clearance_least_um, self.joint_clearance_greatest_um
         if loose and greatest is None and self.joint_fit is None:

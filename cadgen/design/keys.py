@@ -11,6 +11,9 @@ from typing import Annotated, Any, Literal, get_args, get_origin
 from annotated_types import Ge, Gt, Le, Lt, MinLen
 from pydantic.fields import FieldInfo
 
+from cadgen.cam.followers.kind import FollowerKind
+from cadgen.cam.followers.rod_kind import ROD
+from cadgen.design.follower import Follower, section_of
 from cadgen.design.schema import DesignFile
 from cadgen.design.section import OneOf, Section, listed
 from cadgen.errors import escaped
@@ -46,13 +49,13 @@ class Key:
     """One key of a design file.
 
     Attributes:
-        name: dotted, from the top.
-        unit: of its numbers; empty if it has none.
-        kinds: what its value must be, what an item of that must be, and so on: `a pair [x, y]`, `a number`.
+        name: dotted name, from the top.
+        unit: unit of its numbers; empty if it has none.
+        kinds: kind of its value, of an item of that, and so on: `a pair [x, y]`, `a number`.
         allowed: range or choices, as they read after "must be"; empty if anything of its kind will do.
-        allowed_inside: the same of the numbers in a list or pair.
-        required: True if a section that is given must have it.
-        default: None if it has none.
+        allowed_inside: range or choices of the numbers in a list or pair.
+        required: whether a section must have the key.
+        default: default value; None if it has none.
         meaning: a phrase.
     """
 
@@ -92,36 +95,36 @@ class Table:
 
 
 @cache
-def tables() -> dict[str, Table]:
-    """Every section by its dotted name, from the top down."""
-    return {table.name: table for table in _walk("", DesignFile, required=True, many=False)}
+def tables(follower: FollowerKind = ROD) -> dict[str, Table]:
+    """Every section of a design with some kind of follower by its dotted name, from the top down."""
+    return {table.name: table for table in _walk("", DesignFile, follower, required=True, many=False)}
 
 
 @cache
-def keys() -> dict[str, Key]:
-    """Every key by its dotted name."""
-    return {key.name: key for table in tables().values() for key in table.keys}
+def keys(follower: FollowerKind = ROD) -> dict[str, Key]:
+    """Every key of a design with some kind of follower by its dotted name."""
+    return {key.name: key for table in tables(follower).values() for key in table.keys}
 
 
-def nearest(parent: str, wrong: str) -> str | None:
+def nearest(parent: str, wrong: str, follower: FollowerKind = ROD) -> str | None:
     """Dotted name of the key or section, in the same section, that an unknown one was most likely meant for."""
-    names = tables()[parent].names
+    names = tables(follower)[parent].names
     stem = _stem(wrong)
-    found = [name for name in names if _stem(name) == stem] or get_close_matches(wrong.lower(), names, 1)
-    return dotted(parent, found[0]) if found else None
+    near = [name for name in names if _stem(name) == stem] or get_close_matches(wrong.lower(), names, 1)
+    return dotted(parent, near[0]) if near else None
 
 
-def elsewhere(parent: str, wrong: str) -> list[str]:
+def elsewhere(parent: str, wrong: str, follower: FollowerKind = ROD) -> list[str]:
     """Dotted names of keys and sections of exactly this name in other sections, where they can be meant.
 
     With its section left out, a key may be that of any section of the first rank. In a wrong section it is meant for
     another only if no third has it: the width of a car is not that of a keyway.
     """
-    holders = [table.name for table in tables().values() if table.name and wrong in table.names]
+    holders = [table.name for table in tables(follower).values() if table.name and wrong in table.names]
     first = [dotted(holder, wrong) for holder in holders if "." not in holder]
     if not parent:
         return first
-    sole = len(first) == 1 and (len(holders) == 1 or first[0] in tables())
+    sole = len(first) == 1 and (len(holders) == 1 or first[0] in tables(follower))
     return first if sole else []
 
 
@@ -155,10 +158,12 @@ def _stem(name: str) -> str:
     return _UNIT_ENDING.sub("", name).lower()
 
 
-def _walk(name: str, section: type[Section], *, required: bool, many: bool) -> Iterator[Table]:
+def _walk(name: str, section: type[Section], follower: FollowerKind, *, required: bool, many: bool) -> Iterator[Table]:
     own, below = [], []
     for part, info in section.model_fields.items():
         inner = _section_in(info.annotation)
+        if inner is Follower:
+            inner = section_of(follower)
         if inner:
             below.append((part, inner, info.is_required(), get_origin(info.annotation) is tuple))
         else:
@@ -166,11 +171,12 @@ def _walk(name: str, section: type[Section], *, required: bool, many: bool) -> I
     meaning = " ".join((section.__doc__ or "").split())
     yield Table(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
     for part, inner, needed, repeated in below:
-        yield from _walk(dotted(name, part), inner, required=needed, many=repeated)
+        yield from _walk(dotted(name, part), inner, follower, required=needed, many=repeated)
 
 
 def _section_in(annotation: Any) -> type[Section] | None:
     candidates = (annotation, *get_args(annotation))
+    candidates += tuple(inner for arm in candidates if get_origin(arm) is Annotated for inner in get_args(arm))
     return next((c for c in candidates if isinstance(c, type) and issubclass(c, Section)), None)
 
 
@@ -193,14 +199,14 @@ def _key(name: str, info: FieldInfo) -> Key:
 
 
 def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
-    """What a type and its items are called in a sentence, and the limits written inside the type."""
+    """Names of a type and of its items for a sentence, and the limits inside the type."""
     arguments = get_args(annotation)
     if get_origin(annotation) is Annotated:
         kinds, limits = _kinds(arguments[0])
         return kinds, [*limits, *arguments[1:]]
-    given = [arm for arm in arguments if arm is not type(None)]
-    if type(None) in arguments and len(given) == 1:  # a key that may be left out
-        return _kinds(given[0])
+    arms = [arm for arm in arguments if arm is not type(None)]
+    if type(None) in arguments and len(arms) == 1:  # a key that may be left out
+        return _kinds(arms[0])
     if get_origin(annotation) is tuple:
         kinds, limits = _kinds(arguments[0])
         return (f"a list of {_PLURALS[kinds[0]]}" if arguments[1] is ... else _PAIR, *kinds), limits
@@ -211,7 +217,7 @@ def _choices_inside(annotation: Any) -> str:
     """The choices for the items of a list, as they read after "must be"; empty if it is not one of choices."""
     if get_origin(annotation) is tuple and get_origin(get_args(annotation)[0]) is Literal:
         return listed([shown(choice) for choice in get_args(get_args(annotation)[0])], "or")
-    return next((found for arm in get_args(annotation) if (found := _choices_inside(arm))), "")
+    return next((choices for arm in get_args(annotation) if (choices := _choices_inside(arm))), "")
 
 
 def _phrases(limits: Iterable[Any]) -> str:

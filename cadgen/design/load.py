@@ -8,13 +8,16 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.explain import Place, explain
+from cadgen.design.follower import named_kind
+from cadgen.design.names import usable_name
 from cadgen.design.override import override, quoted
 from cadgen.design.parse import DeepError, parse
 from cadgen.design.schema import Design, DesignFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
-from cadgen.reading import read_given
+from cadgen.reading import read_regular
 
 DEFAULT_DESIGN = "carbon_free_car"
 MAX_ERRORS_SHOWN = 5
@@ -56,7 +59,7 @@ def design_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design:
 
     Args:
         text: TOML.
-        file: that it stands in or could stand in, for messages.
+        file: path of the file, real or not, for messages.
         overrides: as for `load_design`.
 
     Raises:
@@ -83,11 +86,11 @@ def with_overrides(design: Design, overrides: Sequence[str]) -> Design:
 def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overrides: Sequence[str]) -> dict[str, Any]:
     """The values after the overrides, checked, with their source."""
     applied = [(override(values, text), text) for text in overrides]
-    values.setdefault("name", re.sub(r"[^A-Za-z0-9._-]+", "_", Path(source).stem).lstrip("._-")[:64] or "design")
+    values.setdefault("name", usable_name(Path(source).stem))
     try:
         checked = schema.model_validate(values)
     except ValidationError as error:
-        raise DesignError(_report(error, source, applied)) from None
+        raise DesignError(_report(error, source, applied, named_kind(values))) from None
     return {**dict(checked), "source": source}
 
 
@@ -95,7 +98,7 @@ def design_file(source: str | Path | None = None) -> Path:
     """The file that `load_design` reads.
 
     Raises:
-        DesignError: there is no packaged design of that name.
+        DesignError: no packaged design has that name.
     """
     source = DEFAULT_DESIGN if source is None else source
     if isinstance(source, Path) or source.endswith(".toml") or Path(source).name != source:
@@ -123,7 +126,7 @@ def read_design(source: str | Path | None = None) -> tuple[str, Path]:
     file = design_file(source)
     name = brief(str(file))
     try:
-        return read_given(file, MOST_BYTES).decode("utf-8-sig"), file
+        return read_regular(file, MOST_BYTES).decode("utf-8-sig"), file
     except FileNotFoundError:
         raise DesignError(
             f"there is no design file {name}: correct the path, or name a packaged design "
@@ -153,20 +156,20 @@ def _parsed(text: str, file: Path) -> dict[str, Any]:
 def _syntax(problem: str, file: str, text: str) -> str:
     """Turn tomllib's message into file, line, column, problem and the line's own text."""
     lines = text.replace("\r\n", "\n").rstrip("\n").split("\n")
-    found = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", problem, re.DOTALL)
-    if not found:  # Python's own limit on the digits of a whole number
+    match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", problem, re.DOTALL)
+    if not match:  # Python's own limit on the digits of a whole number
         return f"{file}: a whole number has more digits than can be read: correct the file"
-    line, column = (int(found[2]), int(found[3])) if found[2] else (len(lines), len(lines[-1]) + 1)
+    line, column = (int(match[2]), int(match[3])) if match[2] else (len(lines), len(lines[-1]) + 1)
     quoted_line = brief(lines[min(line, len(lines)) - 1].strip()[:80])
     where = f"{file}, line {line}, column {column}"
     if problem.startswith(("Cannot overwrite", "Cannot declare")):
         return f"{where}: `{quoted_line}` is given a second time: remove one of the two"
-    return f"{where}: not TOML ({brief(found[1][:1].lower() + found[1][1:])}): correct `{quoted_line}`"
+    return f"{where}: not TOML ({brief(match[1][:1].lower() + match[1][1:])}): correct `{quoted_line}`"
 
 
-def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]]) -> str:
+def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]], follower: FollowerKind) -> str:
     """One line for each error, after the file or the override that it comes from."""
-    sentences, more = explain(error, MAX_ERRORS_SHOWN)
+    sentences, more = explain(error, MAX_ERRORS_SHOWN, follower)
     lines = [f"{_blame(place, source, applied)}: {sentence}" for place, sentence in sentences]
     return "\n".join([*lines, *([f"and {more} more like these"] if more else [])])
 

@@ -122,7 +122,7 @@ class Tolerances(Section):
 
 
 class Optimize(Section):
-    """What the profile against play must keep. A limit that is left out allows anything."""
+    """Limits for the profile against play. A limit that is left out allows anything."""
 
     order: StageOrder = Field(
         default="as-given",

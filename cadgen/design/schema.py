@@ -1,4 +1,4 @@
-"""What a design file may say: its sections, keys, ranges and defaults.
+"""Schema of a design file: its sections, keys, ranges and defaults.
 
 A unit stands at the end of a key's name; numbers here are as the file has them (mm, degrees, micrometres). A
 new section is a class and one line in `DesignFile`. Checks that compare keys stand in the section that holds
@@ -7,22 +7,21 @@ them all; their messages are sentences for the user.
 
 import hashlib
 import json
-import re
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_validator, model_validator
 
+from cadgen.cam.followers.kind import Seat
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
+from cadgen.design.follower import Follower, by_kind
 from cadgen.design.mechanics import Mechanics
+from cadgen.design.names import name_fault
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train
-from cadgen.motion.friction import FollowerMaterial
 from cadgen.path.names import SplineKind
 
-# What may be part of a file's name on every system, and of STEP's product data.
-_FILE_NAME = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 THINNEST_DISC_MM = 0.1
 LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the rod, and no shop can hold it
 # Chord error of the cam's mesh where the design gives none.
@@ -47,7 +46,9 @@ class Path(Section):
         description="how far to the right of the drive wheel the waypoints' path runs",
     )
     waypoints_mm: Points = Field(
-        min_length=4, description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000"
+        min_length=4,
+        description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000, and so smooth that "
+        "the rod's contact turns back at 1000 places at most",
     )
 
     @model_validator(mode="after")
@@ -56,13 +57,13 @@ class Path(Section):
         most = MOST_WAYPOINTS[self.spline]
         if count <= most:
             return self
-        why, other = "of which the lift is made piece by piece", ""
+        why, remedy = "of which the lift is made piece by piece", ""
         if self.spline == "cubic":
             why = "and at each a cubic spline has a kink, where the profile is joined anew"
-            other = ', or set path.spline = "quintic"'
+            remedy = ', or set path.spline = "quintic"'
         raise ValueError(
             f"path.waypoints_mm has {count} waypoints, {why}; at most {most} can be followed: keep one in "
-            f"{-(-count // most)}{other}"
+            f"{-(-count // most)}{remedy}"
         )
 
 
@@ -157,36 +158,6 @@ class Cam(Section):
         return self
 
 
-class Follower(Section):
-    """The straight round rod on the fork that rides on the disc."""
-
-    radius_mm: float = Field(
-        ge=0.05, le=100, description="r_t, of the rod: half its diameter; a thinner one would bend, and is not followed"
-    )
-    length_mm: float | None = Field(
-        default=None,
-        gt=0,
-        le=2000,
-        description="fork axis to the rod's end; left out, twice the distance of the outer face",
-    )
-    material: FollowerMaterial | None = Field(
-        default=None,
-        description="of the rod; or a ball bearing on it, whose outer radius is then `radius_mm`: it rolls, with "
-        "friction below 0.02",
-    )
-    width_mm: float | None = Field(
-        default=None, gt=0, le=500, description="of a ball bearing, which must span all places at which it touches"
-    )
-
-    @model_validator(mode="after")
-    def _width_is_a_bearing_s(self) -> "Follower":
-        if self.width_mm is not None and self.material != "ball_bearing":
-            raise ValueError(
-                'follower.width_mm is the width of a ball bearing: set follower.material = "ball_bearing", or remove it'
-            )
-        return self
-
-
 class Machining(Section):
     """How the outline is milled (G-code)."""
 
@@ -203,7 +174,7 @@ class Machining(Section):
 
 
 class Checks(Section):
-    """What a cam must keep to be exported."""
+    """Limits that a cam must keep to be exported."""
 
     pressure_angle_limit: PressureAngleLimitName = Field(
         default="norton_oscillating",
@@ -256,7 +227,7 @@ class TrainFile(Section):
     field: Arena | None = None
     car: Car | None = None
     cam: Cam | None = None
-    follower: Follower | None = None
+    follower: SerializeAsAny[Follower] | None = None
     blank: Blank = Blank()
     machining: Machining = Machining()
     checks: Checks = Checks()
@@ -268,14 +239,16 @@ class TrainFile(Section):
     optimize: Optimize = Optimize()
     as_built: AsBuilt | None = None
 
+    @field_validator("follower", mode="wrap")
+    @classmethod
+    def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Follower | None:
+        return by_kind(value, usual)
+
     @field_validator("name")
     @classmethod
     def _name_suits_files(cls, name: str) -> str:
-        if not re.fullmatch(_FILE_NAME, name):
-            raise ValueError(
-                f'name is "{name[:80]}"; it must be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and '
-                "underscores, and begin with a letter or digit"
-            )
+        if fault := name_fault(name):
+            raise ValueError(f'name is "{name[:80]}"; it must {fault}')
         return name
 
 
@@ -285,27 +258,17 @@ class DesignFile(TrainFile):
     path: Path
     car: Car
     cam: Cam
-    follower: Follower
+    follower: SerializeAsAny[Follower]
+
+    @property
+    def seat(self) -> Seat:
+        """Disc and place that the follower is built on."""
+        (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm or 0.0
+        return Seat(base_radius=self.cam.base_radius_mm, faces=(inner, outer), carrying=(inner + leg, outer - leg))
 
     @model_validator(mode="after")
-    def _rod_fits_the_disc(self) -> "DesignFile":
-        (inner, outer), rod = self.cam.faces_mm, self.follower
-        # A face nearer than this the rod cannot swing clear of (the divisor w^2 - h^2 in `cam.contact`).
-        if rod.radius_mm >= inner:
-            raise ValueError(
-                f"follower.radius_mm is {rod.radius_mm:g}; it must be less than the distance of the disc's "
-                f"inner face from the fork axis, {inner:g} mm: lower it, or move the disc outwards"
-            )
-        if rod.radius_mm >= self.cam.base_radius_mm:
-            raise ValueError(
-                f"follower.radius_mm is {rod.radius_mm:g}; it must be less than cam.base_radius_mm, which "
-                f"is {self.cam.base_radius_mm:g}: lower it, or raise cam.base_radius_mm"
-            )
-        if rod.length_mm is not None and rod.length_mm <= outer:
-            raise ValueError(
-                f"follower.length_mm is {rod.length_mm:g}; it must be greater than the distance of the "
-                f"disc's outer face from the fork axis, {outer:g} mm"
-            )
+    def _follower_fits_the_disc(self) -> "DesignFile":
+        self.follower.registered.refuse(self.follower.keys, self.seat)
         return self
 
     @model_validator(mode="after")
@@ -345,12 +308,12 @@ class TrainDesign(TrainFile):
     overrides: tuple[str, ...] = ()
 
     def values(self) -> dict[str, object]:
-        """What the file would say with every default written out, as plain TOML or JSON values."""
+        """Values of all keys, defaults included, as plain TOML or JSON values."""
         return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude_none=True)
 
     @property
     def content_hash(self) -> str:
-        """SHA-256 of the canonical JSON of `values()`: of what the design says, not of how it is written."""
+        """SHA-256 of the canonical JSON of `values()`: it depends on the values, not on the way they are written."""
         canonical = json.dumps(self.values(), sort_keys=True, separators=(",", ":"), allow_nan=False)
         return hashlib.sha256(canonical.encode()).hexdigest()
 
@@ -363,6 +326,6 @@ class Design(DesignFile, TrainDesign):
         return self.model_copy(update={"as_built": None})
 
     def as_cut(self) -> "Design":
-        """What the measured cam was made from: this design with what was known of the car by then."""
+        """Design that the measured cam was made from: this one with the deviations known by then."""
         known = self.as_built.cut_for if self.as_built else ()
         return self.model_copy(update={"as_built": AsBuilt(effects=known) if known else None})

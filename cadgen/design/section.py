@@ -1,4 +1,4 @@
-"""What all sections of a design file have in common."""
+"""Base of all sections of a design file."""
 
 import json
 from collections.abc import Callable, Sequence

@@ -94,7 +94,7 @@ class GearLightening(Section):
 
 
 class Blank(Held):
-    """What the gear of a shaft has besides its teeth; on an intermediate shaft, the driven gear of its two.
+    """Features of a shaft's gear besides its teeth; on an intermediate shaft, the driven gear of its two.
 
     A joint on an intermediate shaft is that between its wheel and its pinion, which are one piece without it.
     """

@@ -1,4 +1,4 @@
-"""What a deviation does: the effects by which a real disc, mount, lever, train or car differs from its design.
+"""Effects of deviations, by which a real disc, mount, lever, train or car differs from its design.
 
 | module         | what it holds                                                                   |
 |----------------|---------------------------------------------------------------------------------|

@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.contact import Contact, roll
-from cadgen.cam.follower import Follower
+from cadgen.cam.contact import roll
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.curves.moved import moved
 from cadgen.deviations import quantities
@@ -75,7 +76,7 @@ class AsBuilt:
             slip=self._of_car("slip_percent"),
         )
 
-    def follower(self, nominal: Follower) -> Follower:
+    def follower(self, nominal: LeaningRod) -> LeaningRod:
         """The rod and the faces.
 
         Raises:
@@ -141,24 +142,24 @@ class AsBuilt:
         """Rises and falls of the lift that waves and steps of the outline may make, mm: they are no events of a path.
 
         Args:
-            measured: of the disc that was measured, or else of a new one.
+            measured: whether the disc is the one that was measured, or else a new one.
         """
         places: tuple[Place, ...] = ("part", "process") if measured else ("process",)
-        found = 0.0
+        height = 0.0
         for placed in self.effects:
             uneven = placed.effect.quantity in (quantities.AXIS_REVERSAL, quantities.UNDULATION)
             if placed.place in places and uneven:
-                found += 2 * float(np.hypot(placed.values[0], placed.values[1]))
-        return found
+                height += 2 * float(np.hypot(placed.values[0], placed.values[1]))
+        return height
 
-    def roll_measured(self, curve: ClosedCurve, follower: Follower, cam_angle: Array, step: float) -> Contact:
-        """The rod on the cam that was measured.
+    def roll_measured(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
+        """Contact of the rod with the cam that was measured.
 
         Args:
-            curve: its profile as designed.
-            follower: as built.
-            cam_angle: of the shaft, shape (n,), rad; the contact is told at these.
-            step: of the outline, mm.
+            curve: profile of that cam as designed, mm.
+            follower: rod as built.
+            cam_angle: angles of the shaft for the contact, shape (n,), rad.
+            step: step of the outline, mm.
 
         Raises:
             DesignError: as `roll`, or a worn nose that the profile does not have.
@@ -175,7 +176,7 @@ class AsBuilt:
         contact = roll(_outline_of(disc), follower, cam_angle + self.phase)
         return replace(contact, cam_angle=cam_angle)
 
-    def roll_new(self, curve: ClosedCurve, follower: Follower, cam_angle: Array, step: float) -> Contact:
+    def roll_new(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
         """The rod on a new cam that is cut to `curve`; arguments as for `roll_measured`.
 
         Raises:
@@ -186,7 +187,7 @@ class AsBuilt:
         return roll(_outline_of(self._of_new(nominal_disc(curve, step))), follower, cam_angle)
 
     def finished(self, outline: Outline) -> Outline:
-        """What becomes of an outline that is cut, such as one read back from a file, on this car's shaft."""
+        """Outline on this car's shaft of a disc cut to an outline, such as one read back from a file, mm."""
         if not self.shapes_discs:
             return outline
         return _outline_of(self._of_new(_disc_of(outline)))
@@ -224,7 +225,7 @@ class AsBuilt:
         return moved(wanted, at, tuple(np.split(cut.points - points, np.cumsum([len(t) for t in at])[:-1])))
 
     def _of_new(self, disc: Disc, reversal: _Act = lost_motion, at: Array | None = None) -> Disc:
-        """What becomes of a new disc in its making and on the shaft."""
+        """Deviations of a new disc in its making and on the shaft."""
         return self._acted(disc, ("process", "car"), self.phase, reversal, at)
 
     def _acted(

@@ -21,9 +21,9 @@ class Family:
     """Effects of which there are many, one for each order, nose, shaft or stage.
 
     Attributes:
-        examples: that stand for all of them on the page of effects.
-        pattern: of their names.
-        member: the effect of a matched name and the numbers written with it; None if there is none.
+        examples: effects that stand for all of them on the page of effects.
+        pattern: regular expression of their names.
+        member: function of a matched name and the numbers with it that returns the effect; None if there is none.
     """
 
     examples: tuple[Effect, ...]
@@ -35,7 +35,7 @@ class Catalogue:
     """The effects of one kind of data.
 
     Attributes:
-        families: of which the forward model offers the members that its data resolve.
+        families: families of effects; the forward model adds the members that its data resolve.
     """
 
     def __init__(self, *effects: Effect, families: tuple[Family, ...] = ()) -> None:
@@ -58,7 +58,7 @@ class Catalogue:
         """Add an effect, which is then looked for, claimed, written and read back like any other.
 
         Raises:
-            ValueError: there is one of that name.
+            ValueError: an effect of that name exists.
         """
         if self.named(effect.name) is not None:
             raise ValueError(f'there is an effect "{effect.name}" already: give another name')

@@ -52,8 +52,8 @@ def joined_normals(points: Array, normal: Array) -> Array:
     """Normals of which the two points of a joint share one, so that a moved outline stays closed there.
 
     Args:
-        points: of an outline, a joint between two pieces twice, shape (n, 2), mm.
-        normal: of each point's own piece, shape (n, 2).
+        points: points of an outline, a joint between two pieces twice, shape (n, 2), mm.
+        normal: unit normal of each point's own piece, shape (n, 2).
     """
     joint = np.flatnonzero(np.linalg.norm(np.diff(points, axis=0, append=points[:1]), axis=1) < _JOINT)
     after = (joint + 1) % len(normal)

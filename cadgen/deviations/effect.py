@@ -1,4 +1,4 @@
-"""What an effect is: a named change at one stage of a forward model, with parameters, bounds and rivals."""
+"""An effect: a named change at one stage of a forward model, with parameters, bounds and rivals."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -36,13 +36,13 @@ class Parameter:
     """One number of an effect.
 
     Attributes:
-        name: with the unit in it, as written to a design (`eccentric_x_um`).
+        name: name with the unit in it, as in a design file (`eccentric_x_um`).
         unit: key of `UNITS`; bounds and step are in it.
-        lower, upper: what is physically possible.
-        step: a small but visible value, for differences.
-        start: where a search begins.
-        meaning: of a positive value, or of the number; empty only for forms without a name.
-        stepwise: whether what is expected answers in steps, so that it is sought by trial instead of by slopes.
+        lower, upper: bounds of physically possible values.
+        step: small but visible value, for differences.
+        start: value at which a search begins.
+        meaning: meaning of a positive value, or of the number; empty only for forms without a name.
+        stepwise: whether the expected readings change in steps, so that it is found by trial instead of by slopes.
     """
 
     name: str
@@ -65,14 +65,14 @@ class Effect:
     """One entry of the catalogue, or (with `shape`) an anonymous form that competes with the entries.
 
     Attributes:
-        name: as it is claimed.
-        stage: of the forward model at which it acts.
+        name: name of the effect in claims.
+        stage: stage of the forward model at which it acts.
         parameters: their internal values, in order, are the array `act` receives.
         act: (what passes the stage, values, stations) -> the same changed; exact, not linearised.
-        quantity: what it is physically; None for what no other kind of data shows.
+        quantity: physical quantity; None for an effect that no other kind of data shows.
         family: effects of one family are never combined with each other unless it is empty.
         twins: causes that no data of this kind can tell from this one.
-        confused_with: what looks like it.
+        confused_with: causes that look like it.
         separated_by: the measurement that tells them apart.
         shape: True for a form without a name in the catalogue.
         numerous: True if it is one of many of its sort (orders, places): they enter a subset one at a time.

@@ -1,4 +1,4 @@
-"""What the effects of sliding friction in tracks and in transmissions share."""
+"""Common parts of the effects of sliding friction in tracks and in transmissions."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -34,9 +34,9 @@ def rubbing(play: Effect, friction: Effect, act: Callable[[Any, Array, Any], Any
     """Play and friction as one, for a search to begin from: at no play friction does nothing that could be seen.
 
     Args:
-        play, friction: that it stands for.
-        act: of both together.
-        start: friction to begin from.
+        play, friction: effects that it stands for.
+        act: function by which both act together.
+        start: coefficient of friction to begin from.
     """
     (number,) = friction.parameters
     return Effect(

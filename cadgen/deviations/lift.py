@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.deviations import quantities
 from cadgen.deviations.disc import ECCENTRIC_BORE
 from cadgen.deviations.effect import READING, Effect, Parameter, Stage
@@ -18,7 +18,7 @@ from cadgen.deviations.rows import Rows
 
 @dataclass(frozen=True, kw_only=True)
 class Readings(Rows):
-    """What is known of each reading; arrays of shape (n,).
+    """Nominal state at each reading; arrays of shape (n,).
 
     Attributes:
         direction: +1 while the cam turns forward, -1 in reverse.
@@ -35,7 +35,7 @@ class Readings(Rows):
 class Setting:
     """The rod and how far the disc's faces stand off by cam angle: cos and sin amplitude, mm."""
 
-    follower: Follower
+    follower: LeaningRod
     wobble: tuple[float, float] = (0.0, 0.0)
 
 

@@ -1,4 +1,4 @@
-"""What effects are physically, whatever they are called in each kind of data.
+"""Physical quantities behind the effects, whose names differ between kinds of data.
 
 Play is *backlash* in a track and a *return error* in a train; a run-out of the camshaft shows as an
 *eccentric bore* in a lift.

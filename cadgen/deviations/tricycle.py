@@ -15,7 +15,7 @@ from cadgen.deviations.rows import Rows
 
 @dataclass(frozen=True, kw_only=True)
 class Log(Rows):
-    """What was logged at each row: time since the run's start, s, and logged steering angle, rad, shape (n,)."""
+    """Log of a run, by row: time since the run's start, s, and logged steering angle, rad, shape (n,)."""
 
     time: Array
     steering: Array

@@ -1,4 +1,4 @@
-"""Files for a shop: one module per format, each with its own reader, so that what was written can be proved.
+"""Files for a shop: one module per format, each with its own reader, so that every file can be proved.
 
 | module         | what it does                                                                |
 |----------------|-----------------------------------------------------------------------------|
@@ -8,11 +8,11 @@
 | `gcode_reader` | an interpreter of milling programs, and the outline that the cutter leaves  |
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
 | `tracks`       | the three wheels' tracks as a table                                         |
-| `formats`      | which of a job's files are wanted, by their endings                         |
+| `formats`      | choice among a job's files, by their endings                                |
 | `folder`       | files appear all together and complete, or not at all                         |
 | `lock`         | one run at a time moves files into a folder                                  |
-| `verify`       | whether a folder still is what its manifest says                             |
+| `verify`       | comparison of a folder with its manifest                                    |
 | `manifest`     | `manifest.json`: hashes, versions, checks, measured errors                    |
 
-STEP is written and read in `cadgen.solids`, since only the CAD kernel knows it.
+STEP is written and read in `cadgen.solids`, since that needs the CAD kernel.
 """

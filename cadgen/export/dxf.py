@@ -33,11 +33,11 @@ def write_dxf(
     """Write a drawing of the disc, each kind of contour on its own layer; equal input gives equal bytes.
 
     Args:
-        path: the file to write.
-        profile: a chain of arcs, which becomes one closed LWPOLYLINE, or splines end to end, each a SPLINE.
-        bore: with its keyway or flat.
-        holes: the lightening holes.
-        note: a line of text under the outline, on a layer of its own that is not plotted; none if empty.
+        path: file to write.
+        profile: chain of arcs, which becomes one closed LWPOLYLINE, or splines end to end, each a SPLINE; mm.
+        bore: bore with its keyway or flat, mm.
+        holes: lightening holes, mm.
+        note: line of text under the outline, on a layer of its own that is not plotted; none if empty.
     """
     with _fixed_dates():
         drawing = ezdxf.new("R2000", units=_MM)
@@ -87,7 +87,7 @@ def _fixed_dates() -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Drawing:
-    """What stands in a drawing.
+    """Content of a drawing.
 
     Attributes:
         profile: points of the CAM_PROFILE layer, one piece an arc or a spline.
@@ -106,7 +106,7 @@ def read_dxf(path: Path, step: float = 0.05) -> Drawing:
     """Read a drawing of lines, arcs, circles and splines.
 
     Args:
-        path: the file.
+        path: file to read.
         step: distance between the points of the profile, mm.
 
     Raises:

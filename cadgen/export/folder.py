@@ -4,7 +4,7 @@ A run writes into a staging folder of its own inside the output folder. When all
 folder's lock and moves its files into place, in an order in which the folder's manifest is true after every step:
 
 1. a record of what is to be moved, with a copy of the manifest as it was, appears in the staging folder;
-2. the manifest without the parts that are about to be replaced takes the manifest's place;
+2. the manifest without the files that are about to be replaced takes the manifest's place;
 3. file by file, what was there is moved into the staging folder, and the new one into its place;
 4. the new manifest takes the manifest's place. From here on the run is done.
 
@@ -41,17 +41,17 @@ _MOST_TRIES = 10
 
 @dataclass
 class _Run:
-    """What a run has made so far, for whoever must clear it away.
+    """Folders that a run has made so far, to be cleared away if it fails.
 
     Attributes:
-        staging: the folder that its files are written to.
-        made: folders on the way to `out` that were not there, the innermost first.
+        staging: folder that its files are written to.
+        created: folders on the way to `out` that were not there, the innermost first.
         alive: descriptor of the staging folder's lock.
         settled: True once files are being moved into place: from then on the run must be let to finish.
     """
 
     staging: Path
-    made: tuple[Path, ...]
+    created: tuple[Path, ...]
     alive: int | None = None
     settled: bool = False
 
@@ -62,7 +62,7 @@ class _Run:
             self.alive = None
         if not _is_half_moved(self.staging):
             shutil.rmtree(self.staging, ignore_errors=True)
-        for folder in self.made:
+        for folder in self.created:
             with suppress(OSError):
                 folder.rmdir()
 
@@ -94,11 +94,11 @@ def publishing(out: Path) -> Iterator[Path]:
     """
     global _run
     try:
-        made = tuple(folder for folder in (out, *out.parents) if not folder.exists())
+        created = tuple(folder for folder in (out, *out.parents) if not folder.exists())
     except OSError as error:
         raise FileError(_why(error, out)) from error
     # Known before anything is made, so that no moment is left in which it could not be cleared away.
-    _run = run = _Run(out / f"{_PREFIX}{secrets.token_hex(8)}", made)
+    _run = run = _Run(out / f"{_PREFIX}{secrets.token_hex(8)}", created)
     try:
         _begin(run, out)
         yield run.staging
@@ -138,23 +138,23 @@ def left_by_killed(out: Path) -> tuple[list[Path], list[Path]]:
         OSError: `out` cannot be read.
     """
     half: list[Path] = []
-    other: list[Path] = []
+    unmoved: list[Path] = []
     for folder in sorted(out.iterdir()):
         if not _STAGING.fullmatch(folder.name) or folder.is_symlink() or not folder.is_dir():
             continue
         with suppress(OSError):
             if held(folder / _ALIVE):
                 continue
-        (half if _is_half_moved(folder) else other).append(folder)
-    return half, other
+        (half if _is_half_moved(folder) else unmoved).append(folder)
+    return half, unmoved
 
 
 def undo_killed(out: Path, *, sure: bool) -> list[str]:
     """Undo the half-done moves of killed runs, and remove what they have left; call it with the folder locked.
 
     Args:
-        out: the output folder.
-        sure: True if no other run can be at work in it: then whatever is left was left by runs that were killed.
+        out: output folder.
+        sure: whether no other run can be at work in it, so that every staging folder in it is of a killed run.
 
     Returns:
         Names of the files that were put back or removed by that.
@@ -163,18 +163,18 @@ def undo_killed(out: Path, *, sure: bool) -> list[str]:
         FileError: a half-done move is another user's, or may be still under way.
         OSError: a file cannot be moved.
     """
-    half, other = left_by_killed(out)
+    half, unmoved = left_by_killed(out)
     back: list[str] = []
     for folder in half:
         if not sure or not _is_own(folder):
             whose = "of another user" if sure else "that may still be at work, since this folder cannot be locked"
             raise FileError(
                 f"{brief(str(out))} holds the half of what a run {whose} was to move there ({folder.name}): when no "
-                f"run is at work, let that user run cadgen verify --restore on it, or choose another --out"
+                f"run is at work, let that user run cadgen verify --restore on it, or choose another folder"
             )
         back += _undo(folder, out)
         shutil.rmtree(folder, ignore_errors=True)
-    for folder in other:
+    for folder in unmoved:
         if sure and _is_own(folder):
             shutil.rmtree(folder, ignore_errors=True)
     return back
@@ -200,14 +200,13 @@ def _publish(staging: Path, out: Path) -> None:
         raise ValueError("a run writes files that its manifest does not list")
     for name in (*files, MANIFEST):
         if (out / name).is_dir() and not (out / name).is_symlink():
-            raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another --out")
-    kept = {
-        name: entry
-        for name, entry in sound_parts(out / MANIFEST).items()
-        if name not in new
-        and not set(entry["files"]) & set(files)
-        and all(unchanged(out / file, facts) for file, facts in entry["files"].items())
-    }
+            raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another folder")
+    kept = {}
+    for name, entry in sound_parts(out / MANIFEST).items():
+        # An earlier entry stays for those of its files that are not replaced.
+        staying = {file: facts for file, facts in entry["files"].items() if file not in files}
+        if name not in new and staying and all(unchanged(out / file, facts) for file, facts in staying.items()):
+            kept[name] = {**entry, "files": staying}
     _prepare(staging, out, files, manifest_text(kept))
     _write(staging / MANIFEST, manifest_text({**kept, **new}))
     (staging / _PREPARED).rename(staging / _REPLACED)
@@ -268,15 +267,15 @@ def _write(file: Path, text: str) -> None:
 
 def _why(error: OSError, out: Path) -> str:
     reasons = {
-        errno.ENOSPC: "the disk is full: free some space or choose another --out",
-        errno.EDQUOT: "your disk quota is used up: free some space or choose another --out",
-        errno.EFBIG: "a file would be larger than this system allows: choose another --out",
-        errno.EACCES: "there is no permission to write there: choose another --out",
-        errno.EPERM: "there is no permission to write there: choose another --out",
-        errno.EROFS: "that disk is read-only: choose another --out",
-        errno.EEXIST: "a file stands where the folder must go: choose another --out",
-        errno.ENOTDIR: "a file stands where a folder must go: choose another --out",
-        errno.ENAMETOOLONG: "the path is too long: choose a shorter --out",
+        errno.ENOSPC: "the disk is full: free some space or choose another folder",
+        errno.EDQUOT: "your disk quota is used up: free some space or choose another folder",
+        errno.EFBIG: "a file would be larger than this system allows: choose another folder",
+        errno.EACCES: "there is no permission to write there: choose another folder",
+        errno.EPERM: "there is no permission to write there: choose another folder",
+        errno.EROFS: "that disk is read-only: choose another folder",
+        errno.EEXIST: "a file stands where the folder must go: choose another folder",
+        errno.ENOTDIR: "a file stands where a folder must go: choose another folder",
+        errno.ENAMETOOLONG: "the path is too long: choose a shorter one",
     }
-    reason = reasons.get(error.errno or 0, f"{error.strerror or error}: choose another --out")
+    reason = reasons.get(error.errno or 0, f"{error.strerror or error}: choose another folder")
     return f"nothing was written to {brief(str(out))}: {reason}"

@@ -1,4 +1,4 @@
-"""Which of the files that a job can write are wanted. A format is named by the ending of its files."""
+"""Choice among the files that a job can write. A format is named by the ending of its files."""
 
 from collections.abc import Iterable, Sequence
 
@@ -10,12 +10,12 @@ TRAIN_FORMATS = ("step", "stl", "csv")
 GEAR_FORMATS = ("step", "stl")
 
 
-def chosen(wanted: str | Iterable[str] | None, offered: Sequence[str]) -> tuple[str, ...]:
-    """The formats to be written, in the order in which they are offered.
+def chosen_formats(wanted: str | Iterable[str] | None, offered: Sequence[str]) -> tuple[str, ...]:
+    """Formats to be written, in the order in which they are offered.
 
     Args:
         wanted: endings such as `step` and `dxf`, or one text with commas between them; None for all.
-        offered: every ending that the job can write.
+        offered: endings of all files that the job can write.
 
     Raises:
         DesignError: an ending that is not offered, or none at all.
@@ -35,10 +35,10 @@ def chosen(wanted: str | Iterable[str] | None, offered: Sequence[str]) -> tuple[
 
 
 def entry_name(stem: str, formats: Sequence[str], offered: Sequence[str]) -> str:
-    """Name of a manifest's entry: a part of the files has one of its own, which can stand beside that of others."""
+    """Name of a manifest's entry: some of the formats get an entry of their own, beside that of the others."""
     return stem if len(formats) == len(offered) else "_".join([stem, *formats])
 
 
 def entry_formats(formats: Sequence[str], offered: Sequence[str]) -> dict[str, list[str]]:
-    """What a manifest's entry says of the choice: nothing if every format is there."""
+    """Facts on the chosen formats for a manifest's entry; empty if every format is there."""
     return {} if len(formats) == len(offered) else {"formats": list(formats)}

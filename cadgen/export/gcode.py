@@ -15,7 +15,7 @@ from cadgen.curves.offset import parallel
 from cadgen.design.schema import Machining
 from cadgen.errors import CheckError
 
-DECIMALS = 4  # of a coordinate: what hobby controllers read and 0.05 um of rounding at most
+DECIMALS = 4  # of a coordinate: hobby controllers read as many, and rounding is 0.05 um at most
 # An arc that bulges less than the rounding is a line; so none is left whose rounded ends coincide, which a
 # controller would take for a full circle.
 _STRAIGHT = 10.0**-DECIMALS / 2
@@ -30,10 +30,10 @@ def cutter_path(curve: ClosedCurve, cutter_radius: float, limit: CutterLimit, to
     point, so an arc that leaves it outwards along the tangent cannot take the cutter into the disc.
 
     Args:
-        curve: the profile, counterclockwise.
-        cutter_radius: mm.
-        limit: the largest cutter of the profile, from `cadgen.cam.cutter.largest_cutter`.
-        tolerance: what the arcs may stray from the exact path, mm.
+        curve: profile, counterclockwise, mm.
+        cutter_radius: radius of the cutter, mm.
+        limit: largest cutter for the profile, from `cadgen.cam.cutter.largest_cutter`.
+        tolerance: greatest distance of the arcs from the exact path, mm.
 
     Raises:
         CheckError: the cutter is too large for a hollow of the profile, or a corner of it is hollow.
@@ -64,13 +64,13 @@ def write_gcode(
     the teeth enter at full chip and leave at the finished wall.
 
     Args:
-        path: the file to write.
-        centre: the cutter's path, clockwise, from `cutter_path`.
-        machining: cutter, speeds and heights.
-        thickness: of the disc, mm.
-        name: of the design, for the first comment.
-        hub_height: how far a hub stands above the disc's outer face, mm; rapid moves pass above it.
-        notes: more comments, for what the shop must know of this outline.
+        path: file to write.
+        centre: path of the cutter's centre, clockwise, from `cutter_path`, mm.
+        machining: cutter, speeds and heights, units in the names.
+        thickness: thickness of the disc, mm.
+        name: name of the design, for the first comment.
+        hub_height: height of a hub above the disc's outer face, mm; rapid moves pass above it.
+        notes: further comments for the shop on this outline.
     """
     depth = thickness + machining.break_through_mm
     passes = ceil(depth / machining.step_down_mm - 1e-9)

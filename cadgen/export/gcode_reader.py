@@ -1,7 +1,7 @@
 """An interpreter of milling programs, and the outline that the cutter leaves.
 
-It knows the words of RS274/NGC that a profile needs, refuses what a machine would refuse or regret, and
-shares nothing with the writer.
+It reads the words of RS274/NGC that a profile needs, refuses programs that a machine would refuse or that would damage
+the part, and shares nothing with the writer.
 """
 
 import re
@@ -76,7 +76,7 @@ class _Machine:
     ended: bool = False
 
     def run(self, number: int, words: list[tuple[str, str]]) -> None:
-        """Obey one line."""
+        """Run one line."""
         if self.ended:
             raise _RefusedError("stands after the program's end")
         values = {letter: float(text) for letter, text in words if letter in _VALUES}
@@ -126,7 +126,7 @@ class _Machine:
 
 
 class _RefusedError(Exception):
-    """What is wrong with a line."""
+    """Fault of a line, in words."""
 
 
 def read_gcode(path: Path, machining: Machining, thickness: float, step: float = 0.06) -> Outline:
@@ -136,9 +136,9 @@ def read_gcode(path: Path, machining: Machining, thickness: float, step: float =
     and plunges included, so whatever cuts into the part shows.
 
     Args:
-        path: the program.
-        machining: cutter and what it is allowed.
-        thickness: of the disc, mm.
+        path: program to read.
+        machining: cutter, with its greatest feeds and depth.
+        thickness: thickness of the disc, mm.
         step: distance between the points of the outline, mm.
 
     Raises:
@@ -193,7 +193,7 @@ def _checked_cuts(moves: list[Move], machining: Machining, thickness: float) -> 
         np.array([[*move.start[:2], *move.end[:2], *move.centre, move.sweep] for move in level])
         for level in levels.values()
     ]
-    if any(not np.array_equal(passes[0], other) for other in passes[1:]):
+    if any(not np.array_equal(passes[0], following) for following in passes[1:]):
         raise _RefusedError("has passes that differ, so the disc's faces would too")
     return next(iter(levels.values())) + [move for move in cuts if move.plunges]
 
@@ -203,10 +203,11 @@ class _Swept:
     """Places that stand for the cutter's path, by polar angle.
 
     Attributes:
-        angle: polar angle, shape (m,), rad, in order.
-        distance: from the origin, shape (m,), mm.
-        beside: the places before and after each one along its move, by number, shape (2, m); itself at the move's ends.
-        radius: of the cutter, mm.
+        angle: polar angle of each place, in order, shape (m,), rad.
+        distance: distance from the origin, shape (m,), mm.
+        beside: numbers of the places before and after each place along its move, shape (2, m); its own number at the
+            ends of the move.
+        radius: radius of the cutter, mm.
     """
 
     angle: Array
@@ -236,7 +237,7 @@ class _Swept:
         return cls(angle[order], distance[order], beside, radius)
 
     def depths(self, ray: Array) -> tuple[Array, Array]:
-        """Where rays first meet the cutter, and the direction of the cutter's centre from there.
+        """Distance at which rays first meet the cutter, mm, and direction of the cutter's centre from there, rad.
 
         Between the places the depth is that of a parabola through the three nearest of one move.
 
@@ -258,7 +259,7 @@ class _Swept:
             best = np.argmin(near, axis=1)
             rows = np.arange(len(block))
             place, nearest = index[rows, best], near[rows, best]
-            before, after = (self._met(other, ray[block])[0] for other in self.beside[:, place])
+            before, after = (self._met(neighbour, ray[block])[0] for neighbour in self.beside[:, place])
             with np.errstate(invalid="ignore"):
                 bend = before - 2 * nearest + after
                 fits = np.isfinite(bend) & (bend > 0) & (self.beside[:, place] != place).all(axis=0)
@@ -270,7 +271,7 @@ class _Swept:
         return depth, normal
 
     def _met(self, place: NDArray[np.intp], ray: Array) -> tuple[Array, Array]:
-        """How far along a ray the cutter at a place is met, infinite if it is not, and how far aside it stands, mm."""
+        """Distance along a ray to the cutter at a place, infinite if it is not met, and its distance aside, mm."""
         # By products of a few sines: those of all angles between places and rays would take three times as long.
         x, y = self._centres
         c, s = np.cos(ray), np.sin(ray)
@@ -293,7 +294,7 @@ class _Swept:
 
 
 def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
-    """What stays of the stock inside the cutter's sweep, by rays from the origin."""
+    """Outline of the stock that is left inside the cutter's sweep, by rays from the origin."""
     swept = _Swept.of([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts], radius)
     count = ceil(TURN * (swept.distance.max() - radius) / step)
     spacing = TURN / count

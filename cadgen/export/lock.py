@@ -36,7 +36,7 @@ _taken: Path | None = None
 def locked(folder: Path, patience_s: float = PATIENCE_S) -> Iterator[bool]:
     """Hold a folder's lock; its file is there only as long as a run holds the lock or waits for it.
 
-    Yields False, after a warning, where the file system knows no locks.
+    Yields False, after a warning, where the file system has no locks.
 
     Raises:
         FileError: another run kept the lock for longer than `patience_s`, or something else has the lock's name.
@@ -60,7 +60,7 @@ def drop() -> None:
 
 
 def hold(file: Path) -> int | None:
-    """Make a file and lock it for as long as the returned descriptor is open; None if locks are not known there."""
+    """Make a file and lock it for as long as the returned descriptor is open; None if the file system has no locks."""
     descriptor = os.open(file, _OPEN | os.O_EXCL, 0o666)
     try:
         _lock(descriptor, wait=False)
@@ -73,7 +73,7 @@ def hold(file: Path) -> int | None:
 
 
 def held(file: Path) -> bool:
-    """Whether a process holds the lock of a file; a file that is not there nobody holds."""
+    """Whether a process holds the lock of a file; False if there is no such file."""
     try:
         descriptor = os.open(file, _OPEN & ~os.O_CREAT)
     except FileNotFoundError:
@@ -150,21 +150,21 @@ def _wait(descriptor: int, file: Path, deadline: float) -> None:
     left = deadline - time.monotonic()
     _log.warning("another run is moving its files into %s: waiting for it, at most %.0f s", file.parent, max(left, 0.0))
     done = threading.Event()
-    own = os.dup(descriptor)  # of the same lock, and still open if the wait is given up
+    duplicate = os.dup(descriptor)  # of the same lock, and still open if the wait is given up
 
     def acquire() -> None:
         try:
-            while not _lock(own, wait=True):
+            while not _lock(duplicate, wait=True):
                 pass
             done.set()
         finally:
-            os.close(own)
+            os.close(duplicate)
 
     threading.Thread(target=acquire, daemon=True).start()
     if not done.wait(left):
         raise FileError(
             f"another run still holds {file} after the wait, so nothing was written: end that run, or choose another "
-            "--out"
+            "folder"
         )
 
 

@@ -1,16 +1,15 @@
-"""`manifest.json`: what stands in an output folder, and what was measured on it."""
+"""`manifest.json`: list of the files in an output folder, with their hashes and what was measured on them."""
 
 import hashlib
 import json
 import stat
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
 from cadgen.errors import brief
-from cadgen.reading import read_given
+from cadgen.reading import read_regular
 from cadgen.version import __version__
 
 NAME = "manifest.json"
@@ -35,7 +34,7 @@ class Written:
 
     Attributes:
         part: name of the entry.
-        entry: its content; `entry["files"]` maps names to facts.
+        entry: content of the entry; `entry["files"]` maps names to facts.
     """
 
     part: str
@@ -49,39 +48,41 @@ def file_hash(file: Path) -> str:
 
 
 def file_facts(file: Path) -> dict[str, Any]:
-    """Size and hash of a file, as entries have them."""
+    """Size (bytes) and hash of a file, as in a manifest's entry."""
     return {"bytes": file.stat().st_size, "sha256": file_hash(file)}
 
 
 def versions() -> dict[str, str]:
     """This program's version and those of the libraries that make and read the files."""
-    found = {"cadgen": __version__}
+    from importlib.metadata import PackageNotFoundError, version  # a twentieth of a second that most commands save
+
+    installed = {"cadgen": __version__}
     for name in _LIBRARIES:
         try:
-            found[name] = version(name)
+            installed[name] = version(name)
         except PackageNotFoundError:
             continue
-    return found
+    return installed
 
 
 def write_manifest(staging: Path, part: str, entry: dict[str, Any]) -> None:
     """Write the entry of a run's part into its staging folder; `publishing` adds those of earlier parts.
 
     Args:
-        staging: where the files are.
+        staging: folder with the files.
         part: name of the part, the key of its entry.
-        entry: its facts; `entry["files"]` maps the name of every staged file to facts with a `sha256`.
+        entry: facts of the part; `entry["files"]` maps the name of every staged file to facts with a `sha256`.
     """
     (staging / NAME).write_text(manifest_text({part: entry}), encoding="utf-8")
 
 
 def manifest_text(parts: Mapping[str, Any]) -> str:
-    """Content of a manifest with these parts."""
+    """Text of a manifest with these parts."""
     return json.dumps({"format": FORMAT, "parts": dict(parts)}, indent=2, allow_nan=False) + "\n"
 
 
 def sound_parts(manifest: Path) -> dict[str, Any]:
-    """The sound entries of a manifest; a file that is not ours, or is damaged, has none."""
+    """Sound entries of a manifest; none if the file is damaged or was not written by cadgen."""
     try:
         return {name: part for name, part in read_parts(manifest).items() if _sound(part)}
     except (OSError, ValueError):
@@ -89,14 +90,14 @@ def sound_parts(manifest: Path) -> dict[str, Any]:
 
 
 def read_parts(manifest: Path) -> dict[str, Any]:
-    """The entries of a manifest as they stand.
+    """Entries of a manifest, unchecked.
 
     Raises:
-        OSError: it cannot be read.
-        ValueError: it is no manifest of this format.
+        OSError: the file cannot be read.
+        ValueError: the file is no manifest of this format.
     """
     try:
-        content = json.loads(read_given(manifest, MOST_BYTES).decode("utf-8"))
+        content = json.loads(read_regular(manifest, MOST_BYTES).decode("utf-8"))
         if content["format"] != FORMAT:
             raise ValueError(f"its format is {brief(str(content['format']), 40)}, not {FORMAT}")
         return dict(content["parts"].items())
@@ -105,7 +106,7 @@ def read_parts(manifest: Path) -> dict[str, Any]:
 
 
 def is_plain_name(name: str) -> bool:
-    """Whether a name means a file in the folder itself."""
+    """Whether a name is that of a file in the folder itself, without a path."""
     return name not in ("", ".", "..") and not set(name) & {"/", "\\", "\0"} and Path(name).name == name
 
 
@@ -126,7 +127,7 @@ def unchanged(file: Path, facts: dict[str, Any]) -> bool:
 
 
 def _sound(part: Any) -> bool:
-    """Whether an entry has the facts of its files, and could be written again: JSON as read here may hold NaN."""
+    """Whether an entry has the facts of its files and can be written again; JSON as read here may hold NaN."""
     try:
         json.dumps(part, allow_nan=False)
     except ValueError:

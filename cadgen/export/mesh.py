@@ -29,7 +29,7 @@ _CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 
 
 def stl_bytes(mesh: Mesh, name: str) -> bytes:
-    """Return a binary STL file; STL knows no unit, so the header says that it is mm."""
+    """Return a binary STL file; STL has no unit, so the header says mm."""
     data = export_stl(trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False))
     # Not "solid": readers take a file that begins so for text.
     header = f"cadgen: {name}; mm".encode("ascii", "replace")[:_STL_HEADER].ljust(_STL_HEADER)
@@ -74,7 +74,7 @@ def threemf_bytes(mesh: Mesh, name: str, description: str) -> bytes:
 
 
 def _dated(package: bytes) -> bytes:
-    """The same package with a date that exists: lib3mf leaves month and day at 0."""
+    """A 3MF package with valid dates: lib3mf leaves month and day at 0."""
     file = io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(package)) as old, zipfile.ZipFile(file, "w") as new:
         for entry in old.infolist():

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import Contact, roll, roll_curve
+from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.follower import Follower
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
@@ -57,9 +58,9 @@ def write_xyz(path: Path, curve: ClosedCurve, count: int) -> None:
     micrometre are one, that of a joint if one is among them.
 
     Args:
-        path: the file to write.
-        curve: the profile.
-        count: about how many points.
+        path: file to write.
+        curve: profile, mm.
+        count: approximate number of points.
     """
     tables = [_arc_length(curve, number) for number in range(len(curve.pieces))]
     even = sum(float(arc[-1]) for _, arc in tables) / count
@@ -81,7 +82,7 @@ def read_xyz(path: Path, step: float = 0.05) -> Outline:
     """Read a cloud as a CAD system does: a closed cubic spline through the points, by their chord lengths.
 
     Args:
-        path: the file.
+        path: file to read.
         step: greatest distance between the points of the result, mm.
 
     Raises:
@@ -106,15 +107,15 @@ def read_xyz(path: Path, step: float = 0.05) -> Outline:
 
 
 def contact_rows(curve: ClosedCurve, follower: Follower, count: int, tolerance: float) -> Contact:
-    """The rod's contacts at even cam angles, and more of them where straight lines between would leave the profile.
+    """Contacts of the follower at even cam angles, and more where straight lines between would leave the profile.
 
     Where the rod's own section rounds a hollow corner, the contact runs along it at one cam angle.
 
     Args:
-        curve: the profile.
-        follower: the rod.
-        count: of even cam angles.
-        tolerance: distance that a straight line from contact to contact may stray from the profile, mm.
+        curve: profile, mm.
+        follower: follower on the profile.
+        count: number of even cam angles.
+        tolerance: greatest distance of a straight line from contact to contact from the profile, mm.
 
     Returns:
         Contacts by increasing polar angle.
@@ -148,13 +149,12 @@ def _places(rows: Contact, follower: Follower) -> Array:
 
 
 def _ahead(rows: Contact, follower: Follower) -> Array:
-    """How far ahead of the camshaft the contacts lie, mm."""
-    half = np.sqrt(np.maximum(follower.radius**2 - rows.across**2, 0.0) * (1 + rows.tan_beta**2))
-    return np.asarray(follower.base_radius + rows.face * rows.tan_beta - half)
+    """Distance of the contacts ahead of the camshaft, mm."""
+    return follower.ahead(rows.tan_beta, rows.face, rows.across)
 
 
 def _stray(curve: ClosedCurve, start: Array, stop: Array) -> Array:
-    """How far the curve strays from straight lines between pairs of its polar angles, shape (n,), mm."""
+    """Greatest distance of the curve from straight lines between pairs of its polar angles, shape (n,), mm."""
     inside = (start[:, None] + (stop - start)[:, None] * _ALONG).ravel()
     points = curve.at_angle(inside)[0].point.reshape(len(start), -1, 2)
     chords = points[:, -1] - points[:, 0]
@@ -163,10 +163,10 @@ def _stray(curve: ClosedCurve, start: Array, stop: Array) -> Array:
 
 
 def _on_section(curve: ClosedCurve, follower: Follower, before: Contact, place: Array) -> Contact:
-    """The contacts at polar angles that the rod touches together with given ones, its section lying on the curve."""
+    """Contacts at polar angles that the rod touches together with those of `before`, its section on the curve."""
     points = curve.at_angle(place)[0].point
     across = points[:, 1] * np.cos(before.cam_angle) - points[:, 0] * np.sin(before.cam_angle)
-    angle = np.arcsin(np.clip(across / follower.radius, -1.0, 1.0)) if follower.radius else before.pressure_angle
+    angle = follower.pressure_angle(before.tan_beta, across) if follower.radius else before.pressure_angle
     return replace(before, across=across, pressure_angle=angle)
 
 
@@ -179,7 +179,7 @@ def _inserted(rows: Contact, more: Contact, after: NDArray[np.intp]) -> Contact:
 
 
 def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, tolerance: float) -> Contact:
-    """The even rows and those of the others without which a line between two rows would stray too far."""
+    """The even rows, and those others without which a line between two rows would leave the profile."""
     even = np.isclose((rows.cam_angle * count / TURN + 0.5) % 1, 0.5, rtol=0, atol=1e-7)
     kept = [0]
     for number in range(1, len(even)):
@@ -190,16 +190,16 @@ def _needed(rows: Contact, place: Array, curve: ClosedCurve, count: int, toleran
 
 
 def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Contact) -> None:
-    """Write one row per contact: where the rod touches the profile, and how.
+    """Write one row per contact of the follower with the profile.
 
     The normal points out of the disc; the radius of curvature is positive where the profile is convex and
     empty where it is straight. Where the rod rests on a corner, both are those of one of its sides.
 
     Args:
-        path: the file to write.
-        curve: the profile.
-        follower: the rod.
-        contact: the rod rolled on the profile.
+        path: file to write.
+        curve: profile, mm.
+        follower: follower on the profile.
+        contact: contacts of the follower rolled on the profile.
     """
     T, y = contact.tan_beta, contact.across
     jet, _ = curve.at_angle(contact.cam_angle + np.arctan2(y, _ahead(contact, follower)))
@@ -220,7 +220,8 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
             radius,
         ]
     )
-    faces = np.where(contact.face == follower.inner, "inner", "outer").tolist()
+    first, *others = follower.planes
+    faces = np.where(contact.face == first, "inner", "outer").tolist() if others else ["whole"] * len(T)
     rows = (
         ",".join([f"{x:.6f}" if x == x else "" for x in row]) + f",{face}"
         for row, face in zip((numbers.round(6) + 0.0).tolist(), faces, strict=True)
@@ -229,7 +230,9 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
 
 
 def read_csv(path: Path) -> dict[str, Array]:
-    """Read the table's numbers by column; an empty field is not a number. `face` is 0 for inner, 1 for outer.
+    """Read the table's numbers by column; an empty field is not a number.
+
+    `face` is 0 for inner, 1 for outer, and 2 for the whole rim, on which a follower rests that does not lean.
 
     Raises:
         FileError: a column is missing or a field cannot be read.
@@ -241,7 +244,7 @@ def read_csv(path: Path) -> dict[str, Array]:
             raise ValueError("cut short")
         if tuple(header) != COLUMNS:
             raise FileError(f"{path.name} has columns {', '.join(header)}: write it again")
-        values = {"": "nan", "inner": "0", "outer": "1"}
+        values = {"": "nan", "inner": "0", "outer": "1", "whole": "2"}
         table = np.array([[float(values.get(text, text)) for text in row] for row in rows])
         return dict(zip(COLUMNS, table.T, strict=True))
     except (ValueError, UnicodeDecodeError, csv.Error) as error:
@@ -249,10 +252,10 @@ def read_csv(path: Path) -> dict[str, Array]:
 
 
 def contact_outline(table: dict[str, Array], step: float) -> Outline:
-    """The contacts joined by straight lines, as a reader of the table joins them.
+    """Outline of straight lines from contact to contact, as a reader of the table joins them.
 
     Args:
-        table: as `read_csv` gives it.
+        table: columns of numbers, from `read_csv`.
         step: greatest distance between the points of the result, mm.
     """
     points = np.stack([table["x_mm"], table["y_mm"]], axis=1)
@@ -261,7 +264,7 @@ def contact_outline(table: dict[str, Array], step: float) -> Outline:
 
 
 def _jumps(curve: ClosedCurve) -> list[bool]:
-    """Whether direction or curvature jumps where each piece begins."""
+    """Whether direction or curvature jumps at the start of each piece."""
     corners = {corner.after for corner in curve.corners()}
     ends = [piece.jet(np.array([piece.start, piece.stop])).curvature for piece in curve.pieces]
     return [
@@ -271,7 +274,7 @@ def _jumps(curve: ClosedCurve) -> list[bool]:
 
 
 def _arc_length(curve: ClosedCurve, number: int) -> tuple[Array, Array]:
-    """Parameters of a piece, and the length up to each."""
+    """Parameters of a piece, and the arc length up to each, mm."""
     piece = curve.pieces[number]
     t = np.linspace(piece.start, piece.stop, _TABLE)
     chords = np.linalg.norm(np.diff(piece.jet(t).point, axis=0), axis=1)

@@ -11,7 +11,7 @@ from cadgen.motion.drive import Run
 
 _WHEELS = ("drive", "front", "idle")
 _DECIMALS = 4  # 0.1 um of place and 1e-4 degrees
-# Half of the last decimal, and what adding to it rounds.
+# Half of the last decimal, and the rounding of a sum.
 _READ_TOLERANCE = 0.51 * 10.0**-_DECIMALS
 
 
@@ -19,7 +19,7 @@ def track_table(runs: Mapping[str, Run]) -> dict[str, Array]:
     """Columns by name, in degrees and mm: `motor_deg`, then for each run cam angle, steering, heading and wheels.
 
     Args:
-        runs: name -> run; all at the same motor positions.
+        runs: runs by name, all at the same motor positions.
     """
     table = {"motor_deg": np.degrees(next(iter(runs.values())).motor)}
     for name, run in runs.items():
@@ -36,7 +36,7 @@ def write_tracks(file: Path, runs: Mapping[str, Run]) -> None:
     """Write the table as CSV, and read it back.
 
     Raises:
-        FileError: what was read back is not what was meant.
+        FileError: the file, read back, holds other values.
     """
     table = track_table(runs)
     rows = np.column_stack(list(table.values()))
@@ -49,7 +49,7 @@ def write_tracks(file: Path, runs: Mapping[str, Run]) -> None:
 
 
 def read_tracks(file: Path) -> dict[str, Array]:
-    """Columns of such a table by name."""
+    """Columns of a table of tracks by name, degrees and mm."""
     with file.open(encoding="utf-8") as text:
         names = text.readline().strip().split(",")
         return dict(zip(names, np.loadtxt(text, delimiter=",", ndmin=2).T, strict=True))

@@ -1,4 +1,4 @@
-"""Whether an output folder still is what its manifest says."""
+"""Comparison of an output folder with its manifest."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,10 +24,10 @@ class FileState:
 
 @dataclass(frozen=True)
 class FolderState:
-    """What was found in a folder.
+    """State of a folder against its manifest.
 
     Attributes:
-        files: the listed ones, part by part, then those that no part lists.
+        files: state of each listed file, part by part, then of the files that no part lists.
         half_moved: staging folders of runs that were killed while they moved their files into place.
         left: staging folders of runs that were killed before that.
         restored: files that were put back first.
@@ -44,7 +44,7 @@ class FolderState:
         return not self.half_moved and all(file.state in ("as listed", "not listed") for file in self.files)
 
     def facts(self, folder: Path) -> dict[str, Any]:
-        """As one JSON document."""
+        """The state as plain values, for JSON."""
         return {
             "folder": str(folder),
             "true": self.is_true,

@@ -150,7 +150,7 @@ def _least_hub(blank: Blank) -> float:
 
 
 def _check_kinds(blank: Blank, form: GearForm) -> None:
-    """What only a disc may have; keyway and set screw stand at the angle 0, under a tooth."""
+    """Refuse features for a disc alone; keyway and set screw stand at the angle 0, under a tooth."""
     _require(not isinstance(blank.key, DFlat), f"{form} has a D-flat in its bore; give a keyway, or none")
     _require(blank.edge_break == 0, f"{form} has broken edges; give the teeth a tip chamfer instead")
     _require(not blank.hub or blank.hub.side == "outer", f"{form} has its hub on the inner face; give the outer one")

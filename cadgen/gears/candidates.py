@@ -165,7 +165,7 @@ def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float)
 
 
 def _length_of_hubs(blanks: Blanks, stages: int, clearance: float) -> float:
-    """What hubs and collars take of the bearing span, in mm."""
+    """Share of the bearing span that hubs and collars take, in mm."""
     ends = sum(blank.hub.length for blank in (blanks.drive, blanks.output) if blank.hub)
     collar = blanks.intermediate.hub
     return ends + (stages - 1) * (collar.length if collar else collar_length(clearance))

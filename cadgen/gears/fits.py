@@ -1,4 +1,4 @@
-"""What holds a wheel on a shaft: the free angle that a key or a D-flat leaves, and clearances of fits by name.
+"""Joints of a wheel and a shaft: the free angle that a key or a D-flat leaves, and clearances of fits by name.
 
 **Key.** It goes from one wall of its groove to the other, by the clearance c, and passes the force on where shaft and
 hub meet, at half the shaft's diameter d: the wheel turns freely by c / (d / 2). A key of 25 um of clearance on a shaft

@@ -55,7 +55,7 @@ class PinMeasurement:
 
 @dataclass(frozen=True, slots=True)
 class Inspection:
-    """What the shop measures on one gear; None where the flanks are too short for that measurement."""
+    """Sizes that the shop measures on a gear; None where the flanks are too short for that measurement."""
 
     span: SpanMeasurement | None
     pins: PinMeasurement | None

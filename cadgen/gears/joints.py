@@ -40,7 +40,7 @@ class Loose:
 
 
 def bearings(train: Train, clearance: float) -> tuple[Loose, ...]:
-    """What the clearance of the shafts' bearings, mm, adds to every mesh."""
+    """Free angle that the clearance of the shafts' bearings, mm, adds in every mesh."""
     if clearance <= 0:
         return ()
     ratios = [float(ratio) for ratio in train.output_ratios]

@@ -43,7 +43,7 @@ ONE_AXIS = 1e-6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Blanks:
-    """What the gears have besides their teeth: on the drive's shaft, the shafts between, and the output's."""
+    """Features of the gears besides their teeth, on the drive's shaft, the shafts between, and the output's."""
 
     drive: Blank
     intermediate: Blank

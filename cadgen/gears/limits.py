@@ -1,4 +1,4 @@
-"""What a searched train may be: sizes, ratios, contact ratio and undercut, with what holds if nothing is asked for."""
+"""Limits of a search for trains: sizes, ratios, contact ratio and undercut, with their defaults."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ UNDERCUT = 0.5
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SearchLimits:
-    """What a searched train may be, lengths in mm.
+    """Limits of a search for trains, lengths in mm.
 
     The total `ratio` is met exactly, or within the relative `ratio_tolerance`. Every stage has `teeth`, a
     `centre_distance` and a `stage_ratio` between the least and the greatest given, one of `modules`, one of

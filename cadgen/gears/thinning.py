@@ -69,7 +69,7 @@ def _deviation(gear: Gear, limits: GearPlay[float], pair: GearPair, found: Stage
 
 
 def _source(gear: Gear, limits: GearPlay[float], pair: GearPair, found: StagePlay[float]) -> str:
-    """What thins most by eq. 7-9, with its values, and what would lessen it."""
+    """The term of eq. 7-9 that thins most, with its values, and how to lessen it, in words."""
     alpha_n, alpha_w = pair.driver.form.normal_pressure_angle, pair.working_pressure_angle
     own = limits.tolerances
     parts = {

@@ -6,8 +6,6 @@ from numpy.typing import NDArray
 from cadgen.errors import FileError
 from cadgen.measurement.record import Method, Record
 
-LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
-
 
 def refuse_impossible(record: Record) -> None:
     """Check a record of whatever kind, and by its kind's own rule.
@@ -29,8 +27,8 @@ def refuse_impossible(record: Record) -> None:
             )
     wide = [(column, record[column.name]) for column in record.kind.columns if column.least_span]
     for run, mine in enumerate(runs):
-        if (rows := mine.stop - mine.start) < LEAST_ROWS:
-            raise FileError(f"{record.source}: run {run + 1} has {rows} rows; give at least {LEAST_ROWS} in each run")
+        if (rows := mine.stop - mine.start) < (least := record.kind.least_rows):
+            raise FileError(f"{record.source}: run {run + 1} has {rows} rows; give at least {least} in each run")
         for column, values in wide:
             if (span := float(np.ptp(values[mine]))) < column.least_span:
                 raise FileError(

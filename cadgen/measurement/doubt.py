@@ -1,4 +1,4 @@
-"""What speaks against a verdict: values on a bound or within their error, what is left, no noise, too little data."""
+"""Doubts about a verdict: values on a bound or within their error, what is left, no noise, too little data."""
 
 from dataclasses import replace
 
@@ -146,7 +146,7 @@ def _no_noise(record: Record, model: Model, noise: Noise) -> str:
 
 
 def _too_little(record: Record, model: Model) -> list[str]:
-    """What these rows cannot show, whatever they say."""
+    """Effects that these rows cannot show, in words."""
     rows, limits = model.rows, []
     if "direction" in record.columns and len(set(record.columns["direction"].tolist())) == 1:
         limits.append("measured in one direction only: backlash and friction cannot be told from an offset or a phase")

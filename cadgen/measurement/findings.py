@@ -1,4 +1,4 @@
-"""What is found in a record: effects with their numbers, the candidates compared, what they leave.
+"""Findings in a record: effects with their numbers, the candidates compared, and the residual.
 
 Two methods choose effects (`record.Method`), and each has a diagnosis of its own: by the evidence of residuals there is
 noise, and a form error that repeats; by runs left out there are path errors alone.
@@ -129,7 +129,7 @@ class PathErrors:
 
 @dataclass(frozen=True, kw_only=True)
 class Diagnosis:
-    """What one record shows, by whatever method.
+    """Diagnosis of one record, by any method.
 
     Attributes:
         source, kind, unit: of the record; residuals are in the unit.
@@ -184,7 +184,7 @@ class Likely:
 
 @dataclass(frozen=True, kw_only=True)
 class EvidenceDiagnosis(Diagnosis):
-    """What a record shows by the evidence of its residuals.
+    """Diagnosis of a record by the evidence of its residuals.
 
     Attributes:
         datum: fitted freedoms, never claimed; those of each run in order.
@@ -221,7 +221,7 @@ class EvidenceDiagnosis(Diagnosis):
 
 @dataclass(frozen=True, kw_only=True)
 class PathDiagnosis(Diagnosis):
-    """What logged runs show by path errors on runs left out.
+    """Diagnosis of logged runs by path errors on runs left out.
 
     Attributes:
         residual: path errors before and after.

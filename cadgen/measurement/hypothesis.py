@@ -61,7 +61,7 @@ class Hypothesis:
 
     @property
     def key(self) -> frozenset[str]:
-        """What makes it another subset than the next."""
+        """Identity of the subset: the keys of its effects."""
         return frozenset(effect.key for effect in self.effects)
 
     @property
@@ -107,7 +107,7 @@ class Hypothesis:
 
 @dataclass(frozen=True)
 class Search:
-    """What was searched, for the penalty.
+    """Size of the search, for the penalty.
 
     Attributes:
         rows: measured numbers.
@@ -251,7 +251,7 @@ def _tried(
 
 
 class _Prior:
-    """What is known of some values beforehand, as rows of a least-squares problem."""
+    """Prior knowledge of some values, as rows of a least-squares problem."""
 
     def __init__(self, chosen: tuple[Effect, ...], known: Mapping[str, tuple[float, float]]) -> None:
         starts = np.cumsum([0, *(len(e.parameters) for e in chosen)])

@@ -59,7 +59,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class LeftOut:
-    """What predicting runs left out says.
+    """Result of predicting runs that were left out.
 
     Attributes:
         before: path error rms of each run of the bare design, registered, mm.

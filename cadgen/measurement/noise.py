@@ -21,7 +21,7 @@ SLIP_RATIO = 6.0
 
 @dataclass(frozen=True)
 class Noise:
-    """What remains between runs.
+    """Noise that remains between runs.
 
     Attributes:
         sigma: standard deviation of each row, shape (n,), internal units.

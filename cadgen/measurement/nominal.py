@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import pi
 
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.disc import Disc, nominal_disc
@@ -25,7 +25,7 @@ TRAIN_DEG = 0.01
 
 @dataclass(frozen=True, kw_only=True)
 class Nominal:
-    """What the design says of the part.
+    """Nominal part by its design.
 
     Attributes:
         lift, follower, profile: of the cam; the profile is the one that was made.
@@ -40,7 +40,7 @@ class Nominal:
     """
 
     lift: LiftCurve
-    follower: Follower
+    follower: LeaningRod
     profile: ClosedCurve
     car: Car
     track: Track

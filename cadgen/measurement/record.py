@@ -19,6 +19,7 @@ from cadgen.measurement.models.base import Model
 
 # Of one kind: the catalogue has some 2000 columns of them, and must fit into memory.
 MOST_ROWS = 20_000
+LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
 MOST_RUNS = 100  # each brings columns of its own, such as its start pose; real cars are driven ten times
 MOST_ENTRIES = 500_000  # rows times runs, in columns of runs and their products: 0.9 GB
 
@@ -32,7 +33,7 @@ class Method(Enum):
 
 
 class Abscissa(Enum):
-    """What a picture shows the residual over: its label."""
+    """Label of the axis over which a picture shows the residual."""
 
     CAM_ANGLE = "cam angle (°)"
     TRAVEL = "travel of the drive wheel (m)"
@@ -74,7 +75,7 @@ DatumFit = Callable[[Any, Array, Array, Active, list[tuple[Effect, Array, Array]
 
 @dataclass(frozen=True, kw_only=True)
 class Datum:
-    """What is fitted to each run and never claimed.
+    """Freedoms that are fitted to each run and never claimed.
 
     Attributes:
         words: as in "fitted and never claimed: the start pose of each run".
@@ -118,6 +119,7 @@ class Kind:
         check: refuses a record that cannot be, beside what is checked of all kinds.
         spans: (record, the same) -> what betrays numbers of another unit.
         most_rows: of all files of the kind together.
+        least_rows: of each run.
         around: whether it is to show the whole turn of the cam, as few and far points cannot.
         absences: quantities of which a sound verdict that does not name them says that there is little.
         nearness: among kinds that show one quantity, the least is nearest to what the car drives with.
@@ -139,6 +141,7 @@ class Kind:
     check: Callable[["Record"], None] = _no_check
     spans: Callable[["Record", Any], Iterable[Span]] = _no_spans
     most_rows: int = MOST_ROWS
+    least_rows: int = LEAST_ROWS
     around: bool = False
     absences: tuple[Quantity, ...] = ()
     nearness: int
@@ -166,7 +169,7 @@ class Kind:
         return self.readings[0].rpartition("_")[2]
 
     def quantity(self, effect: str) -> Quantity:
-        """What an effect of the catalogue is physically; one that no other kind shows is a quantity of its own."""
+        """Physical quantity of a catalogue's effect; an effect of this kind alone is a quantity of its own."""
         known = self.catalogue.named(effect)
         return (known and known.quantity) or Quantity(f"{effect} ({self.code})")
 

@@ -27,7 +27,7 @@ def printed(record: Record) -> bool:
 
 
 def said(record: Record, pattern: str) -> tuple[str, ...]:
-    """What the comment lines say in so many words: the groups of a pattern's first match, or nothing."""
+    """Groups of a pattern's first match in the comment lines; empty without a match."""
     for remark in record.remarks:
         if match := re.search(pattern, remark):
             return match.groups()

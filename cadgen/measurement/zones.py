@@ -34,7 +34,7 @@ class Compared:
 
 @dataclass(frozen=True, slots=True)
 class Zones:
-    """What the zones say; degrees.
+    """Return error from mean turns over zones; degrees.
 
     Attributes:
         return_error_deg, sigma_deg: B and its standard error.
@@ -57,7 +57,7 @@ class Zones:
 
 @dataclass(frozen=True, slots=True)
 class Shortfall:
-    """What each single cause would have to be if it alone explained the smooth zone's turn.
+    """Size of each single cause that would alone explain the smooth zone's turn.
 
     Attributes:
         expected_deg: motor speed times time over ratio.

@@ -1,4 +1,4 @@
-"""What a mesh is, measured: closed, bodies, volume, and the rim of a disc."""
+"""A mesh measured: whether it is closed, its bodies, volume, and the rim of a disc."""
 
 from dataclasses import dataclass
 
@@ -18,15 +18,15 @@ _LEVEL = 1e-5  # mm; what the single precision of a file leaves of a height
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class MeshContent:
-    """What a mesh is, measured.
+    """Measurements of a mesh.
 
     Attributes:
         rim: outline of the disc at its carrying planes, each chord one piece: at z = 0, or where the edges are broken
             at either edge of the land between the chamfers, which are found to be alike.
         watertight: whether trimesh and manifold3d both find it closed, oriented and free of faults.
         bodies: number of connected parts.
-        volume: mm^3.
-        wall_area: of all faces that are not horizontal, mm^2; the volume misses the true one by no more than
+        volume: enclosed volume, mm^3.
+        wall_area: area of all faces that are not horizontal, mm^2; the volume misses the true one by no more than
             the chord tolerance times this.
     """
 
@@ -41,7 +41,7 @@ def inspect(mesh: Mesh, step: float, land: tuple[float, float] | None = None) ->
     """Measure a mesh, as read from a file.
 
     Args:
-        mesh: with vertices joined.
+        mesh: mesh with vertices joined.
         step: largest distance of two points of the rim, mm.
         land: heights of the edges of the land between broken edges, mm; None for a rim with sharp edges.
 
@@ -73,14 +73,14 @@ def _land(mesh: Mesh, heights: tuple[float, float]) -> Array:
     """Corners of the outline at both edges of the land, as `_rim`.
 
     Raises:
-        FileError: there is none at one of them, or the two are not alike.
+        FileError: an edge of the land has no outline, or the two outlines differ.
     """
     loops = []
-    for height, other in zip(heights, heights[::-1], strict=True):
+    for height, opposite in zip(heights, heights[::-1], strict=True):
         z = mesh.vertices[mesh.triangles][:, :, 2]
         at = np.abs(z - height) < _LEVEL
         # The walls of the land have two corners at one of its edges and the third at the other.
-        wall = (at.sum(axis=1) == 2) & (np.abs(z - other) < _LEVEL).any(axis=1)
+        wall = (at.sum(axis=1) == 2) & (np.abs(z - opposite) < _LEVEL).any(axis=1)
         apex = np.argmin(at[wall], axis=1)
         ends = np.stack([(apex + 1) % 3, (apex + 2) % 3], axis=1)
         loops.append(_loop(mesh, np.take_along_axis(mesh.triangles[wall], ends, axis=1), height))

@@ -21,12 +21,12 @@ def cam_mesh(
     """Return the disc with its bore, holes and hub; z = 0 is the inner face, z = thickness the outer one.
 
     Args:
-        profile: of the rim, mm.
-        blank: what else the disc has.
-        thickness: of the disc, mm.
-        chord_tolerance: what bore, holes and hub may stray from the true shape, mm.
-        rim_share: of that, what the rim may stray along its normal; the lift strays by as much over the cosine of
-            the pressure angle.
+        profile: profile of the rim, mm.
+        blank: features of the disc besides its profile.
+        thickness: thickness of the disc, mm.
+        chord_tolerance: greatest distance of bore, holes and hub from the true shape, mm.
+        rim_share: share of chord_tolerance allowed to the rim along its normal; the error of the lift is that over the
+            cosine of the pressure angle.
 
     Raises:
         DesignError: a hole cuts into another one, into the hub or through the profile.

@@ -1,4 +1,4 @@
-"""A closed mesh of triangles, and the same as a solid of manifold3d."""
+"""A closed mesh of triangles, and its conversion to a solid of manifold3d and back."""
 
 from typing import NamedTuple
 
@@ -20,15 +20,15 @@ class Mesh(NamedTuple):
     triangles: Triangles
 
     def manifold(self) -> Manifold:
-        """The mesh as a solid; its `status` tells whether it is closed, oriented and free of faults."""
+        """The mesh as a solid; its `status` shows whether it is closed, oriented and free of faults."""
         # Copies: manifold3d takes no array that is read-only or out of order.
         return Manifold(Mesh64(np.array(self.vertices, order="C"), self.triangles.astype(np.uint64, order="C")))
 
     def solid(self) -> Manifold:
-        """The mesh as a solid that is closed.
+        """The mesh as a closed solid.
 
         Raises:
-            FileError: it is not.
+            FileError: the mesh is not closed.
         """
         solid = self.manifold()
         if solid.status() != Error.NoError:
@@ -43,10 +43,10 @@ def mesh_of(solid: Manifold) -> Mesh:
 
 
 def drill(hole: RadialHole, section: Array) -> Manifold:
-    """The prism that a radial hole takes away, from the z axis outwards.
+    """Prism that a radial hole takes away, from the z axis outwards.
 
     Args:
-        hole: in mm and rad.
+        hole: radial hole, in mm and rad.
         section: corners of the hole's section about its own axis, counterclockwise, shape (n, 2), mm.
     """
     c, s = np.cos(hole.angle), np.sin(hole.angle)

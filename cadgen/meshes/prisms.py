@@ -50,12 +50,12 @@ def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
 
 def _strip(low: int, high: int, count: int) -> NDArray[np.int64]:
     """Triangles of the wall between two equal counter-clockwise rings of corners, seen from outside them."""
-    here = np.arange(count)
-    there = np.roll(here, -1)
+    corner = np.arange(count)
+    following = np.roll(corner, -1)
     return np.concatenate(
         [
-            np.column_stack([low + here, low + there, high + there]),
-            np.column_stack([low + here, high + there, high + here]),
+            np.column_stack([low + corner, low + following, high + following]),
+            np.column_stack([low + corner, high + following, high + corner]),
         ]
     )
 

@@ -1,7 +1,7 @@
 """Play and clearances measured on the teeth themselves, by overlapping their transverse sections.
 
 A section is a polygon whose corners lie on the tooth curves; two of them overlap where the teeth do, which
-manifold3d finds exactly. Nothing here knows an involute: the figures of the formulas can fail.
+manifold3d finds exactly. No formula of the involute is used here, so the figures of the formulas can fail.
 
 Error of a measured play: a chord lies inside a convex flank by at most its tolerance ε, so both gears together
 seem to have up to 2 ε more room along the normal on each side, 4 ε / cos α_w on the pitch circle: 0.04 µm at
@@ -97,7 +97,7 @@ class MeasuredPair:
         return self.overlap(driver_angle, self.middle(driver_angle) + pi / self.driven.teeth)
 
     def limit(self, driver_angle: float, side: int) -> float:
-        """Angle at which the driven gear, turned from the middle to `side` (±1), begins to overlap the driver.
+        """Angle in rad at which the driven gear, turned from the middle to `side` (±1), begins to overlap the driver.
 
         Raises `CheckError` if it overlaps already, or not even half a pitch from the middle.
         """
@@ -126,10 +126,9 @@ class MeasuredPair:
             self.centre_distance - self.driven.tip_radius - self.driver.root_radius,
         )
 
-    def _fault(self, what: str) -> str:
-        return (
-            f"the sections with {self.driver.teeth} and {self.driven.teeth} teeth at {self.centre_distance:g} mm {what}"
-        )
+    def _fault(self, fault: str) -> str:
+        teeth = f"{self.driver.teeth} and {self.driven.teeth} teeth"
+        return f"the sections with {teeth} at {self.centre_distance:g} mm {fault}"
 
 
 def section_of(form: GearForm, chord_tolerance: float = CHORD_TOLERANCE) -> Section:
@@ -140,8 +139,8 @@ def section_of(form: GearForm, chord_tolerance: float = CHORD_TOLERANCE) -> Sect
 
 def measured_pair(pair: GearPair, centre_distance: float | None = None) -> MeasuredPair:
     """A pair by its exact curves, as cut, at its own centre distance or at another one."""
-    apart = pair.centre_distance if centre_distance is None else centre_distance
-    return MeasuredPair(section_of(pair.driver.form), section_of(pair.driven.form), apart)
+    distance = pair.centre_distance if centre_distance is None else centre_distance
+    return MeasuredPair(section_of(pair.driver.form), section_of(pair.driven.form), distance)
 
 
 def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> float:

@@ -1,9 +1,10 @@
-"""The checks of a gear train: its teeth in mesh, as cut and at the limits of the tolerances, and its parts at rest."""
+"""Checks of a gear train: its teeth in mesh, as cut and at the limits of the tolerances, and its parts at rest."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from enum import StrEnum
 from functools import cache
 from math import pi
 from typing import NamedTuple
@@ -17,16 +18,16 @@ from cadgen.gears.train import GearPair, Train
 from cadgen.meshes.prisms import body_mesh
 from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, measured_pair, return_error
 
-# What a measured play may differ from the computed one, µm of arc on the driven gear's pitch circle.
+# Greatest difference of a measured play from the computed play, µm of arc on the driven gear's pitch circle.
 PLAY_LIMIT_UM = 0.5
-# What the contact ratio found on the curves may differ from that of the formula.
+# Greatest difference of the contact ratio measured on the curves from that of the formula.
 CONTACT_RATIO_ERROR = 0.01
 # Positions of the driver over one pitch at which the teeth are set against each other.
 POSITIONS = 8
 # Parts of which a volume in mm³ below this is common only touch: the rounding of the meshes.
 OVERLAP_LIMIT = 1e-6
 
-# What to do about a figure that only an error of the program can spoil.
+# Advice for a figure that only an error of the program can spoil.
 CONTRADICTION = "the teeth contradict the formulas: report this design"
 
 
@@ -45,7 +46,13 @@ class State(NamedTuple):
 
 
 def gear_checks(layout: TrainLayout, plays: Sequence[StagePlay[float]], chords: Sequence[float]) -> tuple[Check, ...]:
-    """Every check of a train that is laid out, of `plays` by stage; `chords` (mm) are those of the parts' meshes."""
+    """Every check of a train that is laid out.
+
+    Args:
+        layout: train with its parts at their places.
+        plays: play of each stage.
+        chords: chord tolerance of each part's mesh, mm.
+    """
     cut = layout.train.stages
     checks = [*_bodies(layout, chords), *_worst([_of_stage(pair, play) for pair, play in zip(cut, plays, strict=True)])]
     if meshes(cut):
@@ -106,16 +113,16 @@ def cycle(pair: GearPair, built: MeasuredPair) -> tuple[float, float]:
     return max(within), min(past)
 
 
-def limit_states(pair: GearPair, found: StagePlay[float]) -> tuple[State, State]:
-    """Where the pair's play is greatest, and where it is least.
+def limit_states(pair: GearPair, play: StagePlay[float]) -> tuple[State, State]:
+    """States of a pair with the greatest and with the least play.
 
     Greatest: teeth at E_sni, axes opened by f_a and by both composite errors F_i''. Least: teeth at E_sns, axes
     closer by f_a. This is what eq. 1-11 add up.
     """
-    opened = found.f_a + found.driver.tolerances.F_i_radial + found.driven.tolerances.F_i_radial
+    opened = play.f_a + play.driver.tolerances.F_i_radial + play.driven.tolerances.F_i_radial
     return (
-        State(with_deviations(pair, found.driver.E_sni, found.driven.E_sni), pair.centre_distance + opened),
-        State(with_deviations(pair, found.driver.E_sns, found.driven.E_sns), pair.centre_distance - found.f_a),
+        State(with_deviations(pair, play.driver.E_sni, play.driven.E_sni), pair.centre_distance + opened),
+        State(with_deviations(pair, play.driver.E_sns, play.driven.E_sns), pair.centre_distance - play.f_a),
     )
 
 
@@ -130,13 +137,13 @@ def _engages(state: State) -> bool:
 
 
 @cache  # equal stages of a train have equal figures
-def _of_stage(pair: GearPair, found: StagePlay[float]) -> tuple[Check, ...]:
+def _of_stage(pair: GearPair, play: StagePlay[float]) -> tuple[Check, ...]:
     """The teeth of one stage in mesh: as cut over a whole pitch, and at the limits of the tolerances."""
     built = _built(pair, pair.centre_distance)
     module = pair.driver.form.normal_module
     ratio = found_contact_ratio(pair)
     wider = "lower addendum_factor or the profile shifts"
-    greatest, least = limit_states(pair, found)
+    greatest, least = limit_states(pair, play)
     states = {"as cut": State(pair, pair.centre_distance), "greatest": greatest, "least": least}
     jam, jammed = max((_built(*state).overlap_midway(0.0), name) for name, state in states.items())
     hold, loose = min((_built(*state).overlap_tooth_on_tooth(0.0), name) for name, state in states.items())
@@ -207,9 +214,9 @@ def _bodies(layout: TrainLayout, chords: Sequence[float]) -> list[Check]:
         for part, chord in zip(layout.parts, chords, strict=True)
     ]
     shared = [
-        ((one ^ two).volume(), f"{layout.parts[i].name}, {layout.parts[j].name}")
-        for i, one in enumerate(solids)
-        for j, two in enumerate(solids)
+        ((first ^ second).volume(), f"{layout.parts[i].name}, {layout.parts[j].name}")
+        for i, first in enumerate(solids)
+        for j, second in enumerate(solids)
         if i < j
     ]
     worst, place = max(shared)
@@ -219,15 +226,15 @@ def _bodies(layout: TrainLayout, chords: Sequence[float]) -> list[Check]:
 
 
 def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
-    """Of every check the stage that comes nearest to its limit, or oversteps it most.
+    """Each check at the stage that comes nearest to its limit, or oversteps it most.
 
     A stage that does not mesh has fewer checks than others.
     """
-    found: dict[CheckCode, Check] = {}
+    worst: dict[StrEnum, Check] = {}
     for number, checks in enumerate(stages, 1):
         for check in checks:
-            here = replace(check, place=", ".join(filter(None, (f"stage {number}", check.place))))
-            best = found.setdefault(check.code, here)
-            if (check.value > best.value) if check.bound == "max" else (check.value < best.value):
-                found[check.code] = here
-    return list(found.values())
+            placed = replace(check, place=", ".join(filter(None, (f"stage {number}", check.place))))
+            nearest = worst.setdefault(check.code, placed)
+            if (check.value > nearest.value) if check.bound == "max" else (check.value < nearest.value):
+                worst[check.code] = placed
+    return list(worst.values())

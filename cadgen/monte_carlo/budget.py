@@ -1,4 +1,4 @@
-"""The whole error budget: what everything that may be off costs at the end of the run, before and after a trim.
+"""The whole error budget: cost of every deviation at the end of the run, before and after a trim.
 
 A trim is a constant turn of the steering, set after a trial run so that the end is met as closely as it goes. It takes
 out what repeats from run to run, as far as a turn of the steering can; what does not repeat, and how closely the base
@@ -19,9 +19,9 @@ from cadgen.monte_carlo.robust import MOST_STEERING, ONE_SIDED, steering_effect
 
 Complex = NDArray[np.complex128]
 
-# A new run finds these anew, or the trim itself sets them no closer (the base radius, by which it is set).
+# These differ from run to run, or the trim itself sets them no closer (the base radius, by which it is set).
 FLEETING = ("base_radius", "cam_phase", "start_x", "start_y", "start_heading", "steering_lost_motion", "temperature")
-_DIRECTIONS = 24  # of what has one, looked at for the worst
+_DIRECTIONS = 24  # of a deviation that has one, searched for the worst
 _TRIM_STEPS = 4  # of Newton's method
 _TRIM_PROBE = radians(0.01)
 _COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
@@ -29,16 +29,16 @@ _COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
 
 @dataclass(frozen=True, kw_only=True)
 class Cost:
-    """What one thing that may be off costs.
+    """Cost of one deviation at the end of the run.
 
     Attributes:
-        name: a tolerance, or where play is.
-        parameter: tolerance that it acts as: one of `robust.TOLERANCES`, or `play`.
-        half_width: how far off it may be, in the unit of the parameter.
-        before: how far the end of the run is moved at most, mm.
-        after: the same after a trim; of what does not repeat, as before.
-        repeats: whether the next run has the same, so that a trim can take it out.
-        rough: whether it is beyond what first order is good for.
+        name: name of the tolerance, or place of the play.
+        parameter: parameter that deviates: one of `robust.TOLERANCES`, or `play`.
+        half_width: half of the tolerance zone, in the unit of the parameter.
+        before: greatest distance by which the end of the run is moved, mm.
+        after: that distance after a trim, mm; equal to `before` for a deviation that does not repeat.
+        repeats: whether the next run has the same deviation, so that a trim can take it out.
+        rough: whether the deviation is too large for an estimate to first order.
     """
 
     name: str
@@ -58,48 +58,48 @@ class Budget:
 
     @property
     def before(self) -> float:
-        """All of them together, as the root of the sum of squares, mm."""
+        """All costs before a trim together, as the root of the sum of squares, mm."""
         return float(np.sqrt(sum(cost.before**2 for cost in self.costs)))
 
     @property
     def after(self) -> float:
-        """The same after a trim, mm."""
+        """All costs after a trim together, as the root of the sum of squares, mm."""
         return float(np.sqrt(sum(cost.after**2 for cost in self.costs)))
 
 
 def error_budget(fleet: Fleet, half_widths: Mapping[str, float], plays: Mapping[str, float]) -> Budget:
-    """Rank everything that may be off by what it costs at the end of the run.
+    """Rank all deviations by their cost at the end of the run.
 
     Args:
-        fleet: the nominal car.
-        half_widths: of tolerances, as in `robust.Tolerances`.
-        plays: place of play -> half of its zone, rad.
+        fleet: nominal car.
+        half_widths: half widths of the tolerances, as in `robust.Tolerances`.
+        plays: half of the zone of each play, rad, by the place of the play.
     """
-    wanted = [(name, name, half) for name, half in half_widths.items() if half > 0]
-    wanted += [(name, "play", half) for name, half in plays.items() if half > 0]
-    if not wanted:
+    deviations = [(name, name, half) for name, half in half_widths.items() if half > 0]
+    deviations += [(name, "play", half) for name, half in plays.items() if half > 0]
+    if not deviations:
         return Budget(())
     fleet = replace(
         fleet,
         stations=fleet.stations[-1:],
         planned=replace(fleet.planned, heading=fleet.planned.heading[:, -1:], position=fleet.planned.position[:, -1:]),
     )
-    tables = [_cases(parameter, half) for _, parameter, half in wanted]
+    tables = [_cases(parameter, half) for _, parameter, half in deviations]
     cases = np.concatenate(tables)
     first = np.concatenate([[0], np.cumsum([len(table) for table in tables])])[:-1]
     before, after = _moved(fleet, cases)
     costs = []
-    for number, (name, parameter, half) in enumerate(wanted):
-        own = slice(first[number], first[number] + len(tables[number]))
+    for number, (name, parameter, half) in enumerate(deviations):
+        rows = slice(first[number], first[number] + len(tables[number]))
         repeats = name not in FLEETING
-        worst = float(before[own].max())
+        worst = float(before[rows].max())
         costs.append(
             Cost(
                 name=name,
                 parameter=parameter,
                 half_width=half,
                 before=worst,
-                after=float(after[own].max()) if repeats else worst,
+                after=float(after[rows].max()) if repeats else worst,
                 repeats=repeats,
                 rough=parameter != "play" and half * steering_effect(fleet, parameter) > MOST_STEERING,
             )
@@ -116,19 +116,19 @@ def _cases(parameter: str, half: float) -> Array:
     """Cars at the limits of one tolerance, in every direction if it has one; shape (k, columns)."""
     if parameter in DIRECTED:
         angle = TURN / _DIRECTIONS * np.arange(_DIRECTIONS)
-        found = np.zeros((_DIRECTIONS, len(PARAMETERS)))
-        found[:, [_COLUMN[part] for part in DIRECTED[parameter]]] = half * np.stack(
+        cars = np.zeros((_DIRECTIONS, len(PARAMETERS)))
+        cars[:, [_COLUMN[part] for part in DIRECTED[parameter]]] = half * np.stack(
             [np.cos(angle), np.sin(angle)], axis=1
         )
-        return found
+        return cars
     ends = [half] if parameter in ONE_SIDED else [-half, half]
-    found = np.zeros((len(ends), len(PARAMETERS)))
-    found[:, _COLUMN[parameter]] = ends
-    return found
+    cars = np.zeros((len(ends), len(PARAMETERS)))
+    cars[:, _COLUMN[parameter]] = ends
+    return cars
 
 
 def _moved(fleet: Fleet, cases: Array) -> tuple[Array, Array]:
-    """How far the ends of the runs of cars are from the nominal car's, before and after a trim, mm, shape (m,)."""
+    """Distances of the ends of cars' runs from the nominal car's, before and after a trim, shape (m,) each, mm."""
 
     def ends(turn: Array) -> Complex:
         turned = cases.copy()

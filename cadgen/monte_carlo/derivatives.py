@@ -1,4 +1,4 @@
-"""How the steering changes, to first order, with everything about the disc and the rod that may be a little off.
+"""Change of the steering, to first order, with small deviations of the disc and the rod.
 
 The rod, at T = tan(beta), rests on a point of the disc at
     x = a + w T - h sqrt(1 + T^2),  h^2 = r^2 - y^2,
@@ -27,8 +27,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.cam.contact import Contact
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.rolled import Contact
 
 # The rows, in order.
 STEERING = (
@@ -42,8 +42,8 @@ class OtherEdge:
     """The edge that does not carry the nominal rod, at n cam angles.
 
     Attributes:
-        below: by which tan(beta) would be less if it alone did, shape (n,).
-        rising: how much faster tan(beta) grows on it with `PARTS`, shape (3, n).
+        below: amount by which tan(beta) would be less if this edge alone carried the rod, shape (n,).
+        rising: excess of its derivatives of tan(beta) by `PARTS` over those of the carrying edge, shape (3, n).
     """
 
     below: Array
@@ -52,24 +52,24 @@ class OtherEdge:
     PARTS: ClassVar[tuple[str, ...]] = ("taper", "wobble_0", "wobble_90")
 
     @classmethod
-    def of(cls, contact: Contact, follower: Follower) -> "OtherEdge":
-        """Beside a contact of the nominal rod on the nominal disc."""
-        other = replace(contact, face=follower.inner + follower.outer - contact.face)
-        here, there = (steering_derivatives(one, follower) for one in (contact, other))
+    def of(cls, contact: Contact, follower: LeaningRod) -> "OtherEdge":
+        """The edge opposite a contact of the nominal rod on the nominal disc."""
+        opposite = replace(contact, face=follower.inner + follower.outer - contact.face)
+        carrying, other = (steering_derivatives(edge, follower) for edge in (contact, opposite))
         rows = [STEERING.index(name) for name in cls.PARTS]
         # Both edges have one outline, so the lift would be the same, further out or further in.
-        below = np.abs(contact.tan_beta * (1 - contact.face / other.face))
-        return cls(below=below, rising=there[rows] - here[rows])
+        below = np.abs(contact.tan_beta * (1 - contact.face / opposite.face))
+        return cls(below=below, rising=other[rows] - carrying[rows])
 
     def raised(self, deviations: Array, columns: NDArray[np.intp]) -> tuple[NDArray[np.intp], Array]:
-        """Where cars ride on it, and by how much that turns the rod.
+        """Cam angles at which cars ride on this edge, and the angle by which it turns the rod.
 
         Args:
-            deviations: of `PARTS`, shape (m, 3).
-            columns: which cam angles are asked for, shape (j,).
+            deviations: deviations in `PARTS`, shape (m, 3).
+            columns: indices of cam angles, shape (j,).
 
         Returns:
-            Places in `columns` at which some car may, shape (q,), and what is added to tan(beta), shape (m, q).
+            Places in `columns` at which some car may ride on it, shape (q,), and increase of tan(beta), shape (m, q).
         """
         most = np.abs(deviations).max(axis=0) @ np.abs(self.rising)
         near = np.flatnonzero((most > self.below)[columns])
@@ -82,7 +82,7 @@ class Expansion:
     """Coefficients of linear thermal expansion, per K.
 
     Attributes:
-        disc, frame, rod: of the parts that they name.
+        disc, frame, rod: coefficient of that part, 1/K.
     """
 
     disc: float = 0.0
@@ -91,17 +91,17 @@ class Expansion:
 
 
 def steering_derivatives(
-    contact: Contact, follower: Follower, gain: float = 1.0, expansion: Expansion | None = None
+    contact: Contact, follower: LeaningRod, gain: float = 1.0, expansion: Expansion | None = None
 ) -> Array:
-    """How tan(beta) at each cam angle changes with the cam's and the rod's dimensions.
+    """Derivatives of tan(beta) at each cam angle by the dimensions of cam and rod.
 
     The wheel turned against the rod adds to the angle behind the lever, whose tangent is g T.
 
     Args:
-        contact: of the nominal rod on the nominal disc, n cam angles.
+        contact: contact of the nominal rod with the nominal disc, at n cam angles.
         follower: the rod and the faces.
-        gain: g, of the lever.
-        expansion: of disc and frame; none if left out.
+        gain: gain g of the lever.
+        expansion: thermal expansion of disc and frame; none if left out.
 
     Returns:
         Shape (13, n), rows as `STEERING`: per mm, but steering_zero and the wobbles per rad, temperature per K. The

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import Contact
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
 from cadgen.errors import DesignError
 from cadgen.monte_carlo.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
 from cadgen.monte_carlo.stretches import Forces, Stretches, behind_a_brake, stretches
@@ -27,7 +27,7 @@ from cadgen.steering.car import Car, pace, wheel_tangent
 
 Complex = NDArray[np.complex128]
 
-# What may deviate, and in what unit. The order is that of the columns of a table of deviations.
+# Quantities that may deviate, with their units. The order is that of the columns of a table of deviations.
 PARAMETERS: dict[str, str] = {
     "base_radius": "mm",  # a, camshaft to fork axis
     "inner_face": "mm",  # of the disc from the fork axis
@@ -59,17 +59,17 @@ PARAMETERS: dict[str, str] = {
     "wheel_runout_90": "mm",
     "temperature": "K",
 }
-# What is drawn as a size and a direction: half a width stands for both.
+# Deviations drawn as a size and a direction: half a width stands for both.
 DIRECTED: dict[str, tuple[str, str]] = {
     name: (f"{name}_0", f"{name}_90") for name in ("eccentricity", "wobble", "wheel_runout")
 }
 _ALWAYS = 6  # rows of `STEERING` that every car has
-_MARGIN = 2  # cells of the grid beyond the cam angles that are met
+_MARGIN = 2  # cells of the grid beyond the cam angles of the run
 
 
 @dataclass(frozen=True)
 class Poses:
-    """Where m cars stand at g stations; heading in rad and position of the drive wheel in mm, shape (m, g).
+    """Poses of m cars at g stations; heading in rad and position of the drive wheel in mm, shape (m, g).
 
     Both are counted from the nominal start: x along the planned heading there, y to its left.
     """
@@ -84,17 +84,17 @@ class Fleet:
 
     Attributes:
         tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
-        derivatives: of it, shape (13, n); see `steering_derivatives`.
-        other: the edge of the disc that does not carry the nominal rod.
-        falls: where the nominal lift falls, shape (k, 2), rad.
+        derivatives: derivatives of tan_beta, shape (13, n); see `steering_derivatives`.
+        other: edge of the disc that does not carry the nominal rod.
+        falls: cam angles between which the nominal lift falls, shape (k, 2), rad.
         car: nominal dimensions.
         length: travel of the drive wheel in one turn of the cam, mm.
-        wheel_radius: of the drive wheel, mm.
+        wheel_radius: radius of the drive wheel, mm.
         play: nominal return error B, rad.
-        stations: motor positions at which poses are wanted, shape (g,), increasing, rad.
-        planned: poses of the planned run there, one car.
-        expansion: of disc and frame with heat.
-        forces: what turns the cam ahead and what holds it; None if it leads on every fall.
+        stations: motor positions at which poses are computed, increasing, shape (g,), rad.
+        planned: poses of the planned run there, for one car.
+        expansion: thermal expansion of disc and frame.
+        forces: torques that turn the cam ahead or hold it; None if it leads on every fall.
     """
 
     tan_beta: Array
@@ -113,7 +113,7 @@ class Fleet:
 
 def make_fleet(
     contact: Contact,
-    follower: Follower,
+    follower: LeaningRod,
     car: Car,
     length: float,
     lift: LiftCurve,
@@ -122,25 +122,25 @@ def make_fleet(
     wheel_radius: float,
     play: float,
     stations: Sequence[int] = (-1,),
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     mechanics: Mechanics | None = None,
     expansion: Expansion | None = None,
 ) -> Fleet:
     """Prepare a nominal car.
 
     Args:
-        contact: the nominal rod rolled on the disc that is cut, on an even grid of one turn from cam angle 0.
-        follower: the nominal rod and faces.
+        contact: contact of the nominal rod with the disc that is cut, on an even grid of one turn from cam angle 0.
+        follower: nominal rod and faces.
         car: nominal dimensions.
         length: travel of the drive wheel in one turn of the cam, mm.
-        lift: the lift that the disc was cut for; its peaks and valleys are the events.
-        planned: the run that is wanted.
-        wheel_radius: of the drive wheel, mm; only the effect of its deviation depends on it.
+        lift: lift that the disc was cut for; its peaks and valleys are the events.
+        planned: planned run.
+        wheel_radius: radius of the drive wheel, mm; only the effect of its deviation depends on it.
         play: nominal return error B, rad.
-        stations: which of the planned run's motor positions count, in order; the last is the end of the run.
-        least: rises and falls of tan(beta) smaller than this are noise, not events.
-        mechanics: friction and drag of the nominal car; left out, the rod slides freely.
-        expansion: of disc and frame with heat; none if left out.
+        stations: indices of motor positions of the planned run, in order; the last is the end of the run.
+        least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
+        mechanics: friction and drag of the nominal car; the rod slides freely if left out.
+        expansion: thermal expansion of disc and frame; none if left out.
 
     Raises:
         DesignError: the cam angles are not an even grid of a turn, or the stations are none or not in order.
@@ -158,7 +158,7 @@ def make_fleet(
         tan_beta=contact.tan_beta,
         derivatives=steering_derivatives(contact, follower, car.steering_gain, expansion),
         other=OtherEdge.of(contact, follower),
-        falls=falls(lift, least),
+        falls=falls(lift, least_swing),
         car=car,
         length=length,
         wheel_radius=wheel_radius,
@@ -166,7 +166,7 @@ def make_fleet(
         stations=motor,
         planned=Poses(planned.heading[chosen][None] - heading, (x + 1j * y)[None] * np.exp(-1j * heading)),
         expansion=expansion or Expansion(),
-        forces=None if mechanics is None else Forces.of(mechanics, lift, least),
+        forces=None if mechanics is None else Forces.of(mechanics, lift, least_swing),
     )
 
 
@@ -177,8 +177,8 @@ def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
     the poses err with the square of its step.
 
     Args:
-        fleet: the nominal car.
-        deviations: shape (m, 29), columns as in `PARAMETERS`.
+        fleet: nominal car.
+        deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
     """
     column = dict(zip(PARAMETERS, deviations.T, strict=True))
     column = {**column, **_combined(fleet, column)}
@@ -197,7 +197,7 @@ def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
     motor = fleet.stations + phase[:, None]
     # Car by car: of thousands of stations and stretches, a table of all with all would take gigabytes.
     begins = zip(stretch.motor[:, :-1], motor, strict=True)
-    at = np.stack([np.searchsorted(own, wanted, side="right") for own, wanted in begins]) - 1
+    at = np.stack([np.searchsorted(starts, positions, side="right") for starts, positions in begins]) - 1
     rows = np.arange(len(play))[:, None]
     turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[rows, at])
     position = position[rows, at] + np.exp(1j * heading[rows, at]) * moved
@@ -206,7 +206,7 @@ def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
 
 
 def _combined(fleet: Fleet, column: dict[str, Array]) -> dict[str, Array]:
-    """Deviations that stand for others: broken and worn edges, play in the steering, a frame that heat makes larger."""
+    """Columns that combine several deviations: broken and worn edges, play in the steering, a frame grown by heat."""
     edges = column["edge_break"] + column["edge_wear"]
     growth = fleet.expansion.frame * column["temperature"]
     return {
@@ -278,10 +278,10 @@ class _Track:
         Where `waits` is set the cam stands, and the car runs on a circle.
         """
         heading, position, turning, going = self._at(cam)
-        later, there, _, _ = self._at(cam + np.where(waits, 0.0, travel))
+        later, end, _, _ = self._at(cam + np.where(waits, 0.0, travel))
         arc = turning * travel
         circle = going * travel * np.sinc(arc / TURN) * np.exp(0.5j * arc)
-        chord = (there - position) * np.exp(-1j * heading)
+        chord = (end - position) * np.exp(-1j * heading)
         return np.where(waits, arc, later - heading), np.where(waits, circle, chord)
 
     def _at(self, cam: Array) -> tuple[Array, Complex, Array, Array]:

@@ -1,7 +1,7 @@
-"""What processes usually hold, and how materials grow with heat: typical values, in one place.
+"""Usual tolerances of manufacturing processes, and thermal expansion of materials: typical values, in one place.
 
-Half widths of what a process decides on a disc of some 150 mm, 3 mm thick, in mm and rad. They are what the sources
-call normal for it; a shop's own figures are better, and go into [tolerances].
+Half widths, in mm and rad, of the deviations that a process makes on a disc of some 150 mm, 3 mm thick. The sources
+call them normal for it; a shop's own figures are better, and go into [tolerances].
 
 - **milled**: an end mill in one clamping holds 0.025 mm (tables of process capability: 0.025 to 0.13 mm; Machinery's
   Handbook: milling IT 10, reaming and boring IT 7 to 8, which for a bore of 8 mm is 15 um); the mill gives way by some

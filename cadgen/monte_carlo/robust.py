@@ -1,4 +1,4 @@
-"""What the tolerances of a design do to its runs: Monte Carlo, yield within a gate, and what matters most."""
+"""Effect of a design's tolerances on its runs: Monte Carlo, yield within a gate, and sensitivities."""
 
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
@@ -15,7 +15,7 @@ from cadgen.gears.names import Law
 from cadgen.monte_carlo.derivatives import STEERING
 from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, run_fleet
 
-# As the built-in `map`, or a pool's: it may run the calls anywhere, but gives their results in order.
+# Type of the built-in `map` and of a pool's: calls may run anywhere, but results come in order.
 Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
 _OF_A_MAP = "it must give every result once, in order, as the built-in map does"
 Sampler = Callable[[np.random.Generator, int], Array]
@@ -25,10 +25,10 @@ Sampler = Callable[[np.random.Generator, int], Array]
 CHUNK = 100
 _BLOCK = 8  # chunks that a foreign pool is given at once
 _SPREAD_SAMPLES = 20_000  # they give a standard deviation to half a percent
-# A tolerance may turn the front wheel by so much, rad. First order then misses at most 2 % of what it does to the end
-# of the run on the paper's cars, and in proportion less of smaller ones.
+# Greatest angle by which a tolerance may turn the front wheel, rad. First order then misses at most 2 % of its effect
+# on the end of the run on the paper's cars, and in proportion less of smaller tolerances.
 MOST_STEERING = 0.004
-MOST_SHARE = 0.1  # that a tolerance may be of a length itself
+MOST_SHARE = 0.1  # greatest tolerance of a length, as a share of that length
 # The steps that sensitivities are stated for.
 UNITS = {"mm": 0.01, "rad": radians(0.1), "1": 0.01, "Nmm": 1.0, "N": 0.1, "K": 10.0}
 _FIRST = tuple(PARAMETERS)[:13]  # drawn for every car, before its play; others only where they vary
@@ -41,15 +41,15 @@ TOLERANCES = (
 
 @dataclass(frozen=True, kw_only=True)
 class Tolerances:
-    """How the cars of a fleet may differ.
+    """Tolerances within which the cars of a fleet differ.
 
     Attributes:
-        half_widths: one of `TOLERANCES` -> half its tolerance zone, in the unit of `PARAMETERS`. What is not named
-            does not vary. Of what has a direction, the size in it, and the direction is any; what is `ONE_SIDED`
-            lies between nothing and that.
-        law: `normal`, clipped at the limits, which are its 3 sigma; or `uniform`.
+        half_widths: half of the tolerance zone by name, one of `TOLERANCES`, in the unit of `PARAMETERS`. A parameter
+            without an entry does not vary. A deviation with a direction has this size, in any direction; one that is
+            `ONE_SIDED` lies between 0 and this.
+        law: distribution: `normal`, clipped at the limits, which are its 3 sigma; or `uniform`.
         play: return errors B of random cars, rad: a function of a generator and a number, such as a train's
-            `sample`; or least and greatest, evenly spread. None keeps the nominal one.
+            `sample`; or least and greatest, evenly spread. None keeps the nominal play.
     """
 
     half_widths: Mapping[str, float]
@@ -68,28 +68,28 @@ class Tolerances:
     def draw(self, generator: np.random.Generator, count: int, nominal_play: float) -> Array:
         """Deviations of random cars, shape (count, 29), columns as in `PARAMETERS`."""
         half = np.array([self.half_widths.get(name, 0.0) for name in _FIRST])
-        own = ZoneSum(_FIRST, -half, half, self.law).sample_contributions(generator, count)
+        drawn = ZoneSum(_FIRST, -half, half, self.law).sample_contributions(generator, count)
         if self.play is None:
             play = np.full(count, nominal_play)
         elif callable(self.play):
             play = np.asarray(self.play(generator, count), dtype=float)
         else:
             play = generator.uniform(*self.play, count)
-        found = np.zeros((count, len(PARAMETERS)))
-        found[:, : len(_FIRST)] = own
-        found[:, _COLUMN["play"]] = play - nominal_play
+        deviations = np.zeros((count, len(PARAMETERS)))
+        deviations[:, : len(_FIRST)] = drawn
+        deviations[:, _COLUMN["play"]] = play - nominal_play
         for name in TOLERANCES[len(_FIRST) :]:
             if self.half_widths.get(name, 0.0) > 0:
                 size = self.zone(name).sample(generator, count)
                 if name in DIRECTED:
                     angle = generator.uniform(0.0, TURN, count)
-                    found[:, _columns(name)] = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+                    deviations[:, _columns(name)] = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
                 else:
-                    found[:, _COLUMN[name]] = size
-        return found
+                    deviations[:, _COLUMN[name]] = size
+        return deviations
 
     def zone(self, name: str) -> ZoneSum:
-        """Distribution of one tolerance about the nominal value; of what has a direction, of its size in it."""
+        """Distribution of one tolerance about the nominal value; of its size if the deviation has a direction."""
         half = self.half_widths.get(name, 0.0)
         return ZoneSum((name,), np.array([0.0 if name in ONE_SIDED else -half]), np.array([half]), self.law)
 
@@ -99,12 +99,12 @@ _COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
 
 
 def _parts(name: str) -> tuple[str, ...]:
-    """The parameters that a tolerance acts on."""
+    """Parameters that a tolerance acts on."""
     return DIRECTED.get(name, (name,))
 
 
 def _columns(name: str) -> list[int]:
-    """Their columns in a table of deviations."""
+    """Columns of a tolerance's parameters in a table of deviations."""
     return [_COLUMN[part] for part in _parts(name)]
 
 
@@ -113,9 +113,9 @@ class FleetErrors:
     """Errors of m cars at g stations against the planned run.
 
     Attributes:
-        heading: error, shape (m, g), rad, positive to the left.
+        heading: heading error, shape (m, g), rad, positive to the left.
         along: position error of the drive wheel along the planned heading, shape (m, g), mm.
-        across: the same to the left of it, shape (m, g), mm.
+        across: position error to the left of the planned heading, shape (m, g), mm.
     """
 
     heading: Array
@@ -125,12 +125,12 @@ class FleetErrors:
 
 @dataclass(frozen=True, kw_only=True)
 class FleetEnds:
-    """What is kept of m random cars, so that millions fit into memory: their errors at the end, and the widest.
+    """Errors of m random cars at the end, and the widest on the run: little enough that millions fit into memory.
 
     Attributes:
-        heading: error at the last station, shape (m,), rad, positive to the left.
+        heading: heading error at the last station, shape (m,), rad, positive to the left.
         along: position error of the drive wheel there along the planned heading, shape (m,), mm.
-        across: the same to the left of it, shape (m,), mm.
+        across: position error there to the left of the planned heading, shape (m,), mm.
         widest: greatest size of `across` over all stations, shape (m,), mm.
     """
 
@@ -145,21 +145,21 @@ class FleetEnds:
         return np.hypot(self.along, self.across)
 
     def yield_within(self, gate_width: float) -> float:
-        """Share of the cars that pass every station within half the gate's width to either side."""
+        """Share of the cars that pass every station within half of gate_width (mm) to either side."""
         return float(np.mean(self.widest <= gate_width / 2))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Sensitivity:
-    """What one parameter does to the end of the run.
+    """Effect of one parameter on the end of the run.
 
     Attributes:
-        name: one of `TOLERANCES`, or `play`.
-        step: change that the figures are for, as in `UNITS`; of what has a direction, in the worst one.
-        heading: error per step, rad.
+        name: name of the parameter, one of `TOLERANCES`, or `play`.
+        step: change that the figures are for, as in `UNITS`; if it has a direction, in the worst direction.
+        heading: heading error per step, rad.
         along: position error per step along the planned heading, mm.
-        across: the same to the left of it, mm.
-        share: of the variance of the position error at the end, 0 to 1, to first order.
+        across: position error per step to the left of the planned heading, mm.
+        share: share of the variance of the position error at the end, 0 to 1, to first order.
     """
 
     name: str
@@ -176,11 +176,11 @@ class Sensitivity:
 
 
 def fleet_errors(fleet: Fleet, deviations: Array) -> FleetErrors:
-    """Errors of cars with given deviations, all at once.
+    """Errors of cars with known deviations, all at once.
 
     Args:
-        fleet: the nominal car.
-        deviations: shape (m, 29), columns as in `PARAMETERS`.
+        fleet: nominal car.
+        deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
     """
     poses = run_fleet(fleet, deviations)
     off = (poses.position - fleet.planned.position) * np.exp(-1j * fleet.planned.heading)
@@ -203,17 +203,18 @@ def tolerance_run(
     the number of processes, and a longer run begins with the cars of a shorter one, but for its last chunk.
 
     Args:
-        fleet: the nominal car.
-        tolerances: how the cars may differ.
+        fleet: nominal car.
+        tolerances: tolerances within which the cars differ.
         samples: number of cars.
-        seed: of the random numbers.
-        processes: how many run at once.
-        map_with: runs the blocks of cars instead, such as the `map` of a pool; the numbers do not depend on it.
-        done: told how many cars have run.
+        seed: seed of the random numbers.
+        processes: number of processes that run at once.
+        map_with: function that runs the blocks of cars instead, such as the `map` of a pool; the numbers do not depend
+            on it.
+        done: function that is called with the number of cars that have run.
 
     Raises:
-        DesignError: fewer than one sample, a tolerance beyond what first order is good for, or a map that does not
-            give every result once.
+        DesignError: fewer than one sample, a tolerance too large for first order, or a map that does not give every
+            result once.
     """
     if samples < 1:
         raise DesignError(f"a tolerance run of {samples} samples says nothing: ask for at least 1")
@@ -222,13 +223,13 @@ def tolerance_run(
     chunks = range(-(-samples // CHUNK))
     if map_with is not None:
         blocks = range(-(-len(chunks) // _BLOCK))
-        found = _gathered(map_with(partial(_block, run, len(chunks)), blocks), samples, done)
+        rows = _gathered(map_with(partial(_block, run, len(chunks)), blocks), samples, done)
     elif processes > 1:
         with ProcessPoolExecutor(processes) as pool:
-            found = _gathered(pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes))), samples, done)
+            rows = _gathered(pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes))), samples, done)
     else:
-        found = _gathered(map(run, chunks), samples, done)
-    return FleetEnds(heading=found[0], along=found[1], across=found[2], widest=found[3])
+        rows = _gathered(map(run, chunks), samples, done)
+    return FleetEnds(heading=rows[0], along=rows[1], across=rows[2], widest=rows[3])
 
 
 def _block(run: Callable[[int], Array], chunks: int, number: int) -> Array:
@@ -246,21 +247,21 @@ def _chunk(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number
 
 
 def _gathered(parts: Iterable[Array], samples: int, done: Callable[[int], None]) -> Array:
-    found, filled = np.empty((4, samples)), 0
+    gathered, filled = np.empty((4, samples)), 0
     for part in parts:
         rows = np.asarray(part)
-        if rows.ndim != 2 or len(rows) != len(found) or filled + rows.shape[1] > samples:
+        if rows.ndim != 2 or len(rows) != len(gathered) or filled + rows.shape[1] > samples:
             raise DesignError(f"map gave something else than its function, after {filled} cars; {_OF_A_MAP}")
-        found[:, filled : filled + rows.shape[1]] = rows
+        gathered[:, filled : filled + rows.shape[1]] = rows
         filled += rows.shape[1]
         done(filled)
     if filled < samples:
         raise DesignError(f"map gave the results of {filled} of {samples} cars; {_OF_A_MAP}")
-    return found
+    return gathered
 
 
 def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
-    """Refuse tolerances that are no longer small beside the car, or beyond what first order is good for."""
+    """Refuse tolerances that are no longer small beside the car, or too large for first order."""
     for name, size in (
         ("wheelbase", fleet.car.wheelbase),
         ("wheel_radius", fleet.wheel_radius),
@@ -285,7 +286,7 @@ def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
 
 
 def steering_effect(fleet: Fleet, name: str) -> float:
-    """How far one unit of a tolerance turns the front wheel at most, rad."""
+    """Greatest angle by which one unit of a tolerance turns the front wheel, rad."""
     row = dict(zip(STEERING, fleet.derivatives, strict=True))
     if name in ("edge_break", "edge_wear"):
         return float(np.abs(row["inner_face"] - row["outer_face"]).max())
@@ -302,7 +303,7 @@ def _below(value: float) -> float:
 
 
 def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ...]:
-    """What each varying parameter does to the end of the run, by central differences, greatest share first."""
+    """Effect of each varying parameter on the end of the run, by central differences, greatest share first."""
     spreads = _spreads(fleet, tolerances)
     names = [name for name, spread in spreads.items() if spread > 0]
     if not names:
@@ -316,7 +317,7 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
     moved = np.stack(
         [np.diff(e[:, -1].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1
     )
-    found = []
+    effects = []
     for name in names:
         rows = [row for row, (owner, _) in enumerate(parts) if owner == name]
         step = float(steps[rows[0]])
@@ -324,11 +325,11 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
         worst = np.linalg.svd(moved[rows, 1:].T)[2][0] if len(rows) > 1 else np.ones(1)
         heading, along, across = worst @ moved[rows]
         variance = float((moved[rows, 1:] ** 2).sum() / len(rows) * (spreads[name] / step) ** 2)
-        found.append((variance, name, step, float(heading), float(along), float(across)))
-    whole = float(np.sum([one[0] for one in found]))
+        effects.append((variance, name, step, float(heading), float(along), float(across)))
+    whole = float(np.sum([effect[0] for effect in effects]))
     return tuple(
         Sensitivity(name=name, step=step, heading=heading, along=along, across=across, share=variance / whole)
-        for variance, name, step, heading, along, across in sorted(found, key=lambda one: -one[0])
+        for variance, name, step, heading, along, across in sorted(effects, key=lambda effect: -effect[0])
     )
 
 

@@ -1,8 +1,8 @@
 """Runs of many cars cut where their cams jump, stop or go on; each car with its own friction, drag and rod force.
 
-What turns a cam ahead of its gears is linear in the rod's force, in friction and in drag, with the same levers for all
-cars. So where it is above nothing is found for many cars at once, on stations over the falls of the lift, and between
-two of them by a straight line.
+The torque that turns a cam ahead of its gears is linear in the rod's force, in friction and in drag, with the same
+lever arms for all cars. So the places where it is above 0 are found for many cars at once, on stations over the falls
+of the lift, and between two stations by a straight line.
 """
 
 from dataclasses import dataclass, replace
@@ -24,8 +24,10 @@ _HALVINGS = 30  # of a step, in the search for a change of face
 class Stretches:
     """A run cut where the cam jumps, stops or goes on, for m cars and s stretches.
 
-    `motor` has shape (m, s + 1); `cam`, the cam angle at the start of each, (m, s); `waits`, (m, s), says where the
-    cam stands still.
+    Attributes:
+        motor: motor positions at the ends of the stretches, shape (m, s + 1), rad.
+        cam: cam angle at the start of each stretch, shape (m, s), rad.
+        waits: whether the cam stands still on the stretch, shape (m, s).
     """
 
     motor: Array
@@ -35,15 +37,15 @@ class Stretches:
 
 @dataclass(frozen=True, kw_only=True)
 class Forces:
-    """What turns the nominal cam ahead, ready to be varied.
+    """Torque that turns the nominal cam ahead, in parts that vary from car to car.
 
     Attributes:
-        mechanics: of the nominal car.
+        mechanics: friction and drag of the nominal car.
         cut: lift that the cam was cut for.
         angle: stations over its falls, shape (n,), rad.
-        ends: which of them are ends of falls, shape (e,).
-        parts: what the torque is made of at each station, shape (6, n): of the force at zero lift, that times
-            friction, of its growth with the lift, that times friction, of drag, and that times friction.
+        ends: indices of the stations that are ends of falls, shape (e,).
+        parts: parts of the torque at each station, shape (6, n): of the force at zero lift, that times friction, of its
+            growth with the lift, that times friction, of drag, and that times friction.
     """
 
     mechanics: Mechanics
@@ -53,9 +55,9 @@ class Forces:
     parts: Array
 
     @classmethod
-    def of(cls, mechanics: Mechanics, cut: LiftCurve, least: float) -> "Forces":
-        """Levers over the falls of a lift; rises and falls of tan(beta) smaller than `least` are passed over."""
-        pieces = [np.linspace(p, v, int((v - p) / _STEP) + 9) for p, v in falls(cut, least).tolist()]
+    def of(cls, mechanics: Mechanics, cut: LiftCurve, least_swing: float) -> "Forces":
+        """Lever arms over the falls of a lift; swings of tan(beta) smaller than `least_swing` are passed over."""
+        pieces = [np.linspace(p, v, int((v - p) / _STEP) + 9) for p, v in falls(cut, least_swing).tolist()]
         pieces = [np.union1d(piece, _sides(cut, piece)) for piece in pieces]
         last = np.cumsum([len(piece) for piece in pieces], dtype=int)
         angle = np.concatenate(pieces) if pieces else np.empty(0)
@@ -93,10 +95,10 @@ class Forces:
         count = np.bincount(rows[::2], minlength=len(force))
         most = int(count.max(initial=0))
         number = np.arange(len(rows) // 2) - np.repeat(np.cumsum(count) - count, count)
-        found = np.full((2, len(force), most), self.angle[-1] if self.angle.size else 0.0)
+        leads = np.full((2, len(force), most), self.angle[-1] if self.angle.size else 0.0)
         for side in (0, 1):
-            found[side, rows[side::2], number] = place[side::2]
-        return found[0], found[1]
+            leads[side, rows[side::2], number] = place[side::2]
+        return leads[0], leads[1]
 
 
 def _sides(lift: LiftCurve, angle: Array) -> Array:
@@ -117,8 +119,8 @@ def stretches(peak: Array, valley: Array, play: Array, phase: Array, last: float
     Args:
         peak, valley: cam angles of one turn, shape (m, k), or (1, k) for all cars, rad.
         play: return error of each car, shape (m,), rad.
-        phase: motor position of each at its start, shape (m,), rad.
-        last: motor position that no station is beyond, rad.
+        phase: motor position of each car at its start, shape (m,), rad.
+        last: greatest motor position of a station, rad.
     """
     turns = TURN * np.arange(-1, np.ceil(last / TURN) + 1)
     peak, valley = (np.reshape(side[:, None, :] + turns[:, None], (len(side), -1)) for side in (peak, valley))
@@ -141,19 +143,19 @@ def stretches(peak: Array, valley: Array, play: Array, phase: Array, last: float
 def behind_a_brake(forces: Forces, deviations: dict[str, Array], play: Array, phase: Array, last: float) -> Stretches:
     """Runs of cams with play on a shaft that is braked: car by car, for there shaft and cam lead in turn."""
     friction, drag, force = forces.of_cars(deviations)
-    found = []
-    for car, (own, start) in enumerate(zip(play, phase, strict=True)):
+    cars = []
+    for car, (car_play, start) in enumerate(zip(play, phase, strict=True)):
         mechanics = replace(forces.mechanics, friction=friction[car], drag=drag[car], rod_force=force[car])
-        following = mechanics.leads(forces.cut).follow(forces.cut, float(own))
+        following = mechanics.leads(forces.cut).follow(forces.cut, float(car_play))
         motor = np.concatenate([[start], following.joints(float(start), last), [last]])
         middle, width = (motor[1:] + motor[:-1]) / 2, np.diff(motor)
         cam = following.cam_angle(middle)
         waits = following.cam_angle(middle + width / 4) - cam < width / 8
-        found.append((motor, np.where(waits, cam, cam - width / 2), waits))
-    most = max(len(motor) for motor, _, _ in found)
+        cars.append((motor, np.where(waits, cam, cam - width / 2), waits))
+    most = max(len(motor) for motor, _, _ in cars)
     # What a run has less than the longest are stretches of no length at its end.
     return Stretches(
-        np.stack([np.pad(motor, (0, most - len(motor)), mode="edge") for motor, _, _ in found]),
-        np.stack([np.pad(cam, (0, most - 1 - len(cam)), mode="edge") for _, cam, _ in found]),
-        np.stack([np.pad(waits, (0, most - 1 - len(waits)), mode="edge") for _, _, waits in found]),
+        np.stack([np.pad(motor, (0, most - len(motor)), mode="edge") for motor, _, _ in cars]),
+        np.stack([np.pad(cam, (0, most - 1 - len(cam)), mode="edge") for _, cam, _ in cars]),
+        np.stack([np.pad(waits, (0, most - 1 - len(waits)), mode="edge") for _, _, waits in cars]),
     )

@@ -6,7 +6,7 @@
 | `drive`   | cam angle -> steering -> heading and the tracks of the three wheels (eq. 20-24): the one |
 |           | integration of a run, for simulation, profiles and measured tracks alike                 |
 | `friction` | bands of sliding friction, by pairs of materials                                       |
-| `mechanics` | what turns the cam ahead of its gears and what holds it: rod force, friction, drag    |
+| `mechanics` | forces that turn the cam ahead of its gears or hold it: rod force, friction, drag     |
 | `errors`  | deflection errors of the events (eq. 28, 30); heading and position errors along the run  |
 | `sampled` | steering known at sampled cam angles, such as a rolled outline's -> a lift curve         |
 """

@@ -54,7 +54,7 @@ TWO_STAGE = Rule(
 
 @dataclass(frozen=True, kw_only=True)
 class Pose:
-    """Where the drive wheel stands, mm, and where the car heads, rad."""
+    """Position of the drive wheel, mm, and heading of the car, rad."""
 
     x: float = 0.0
     y: float = 0.0
@@ -66,9 +66,9 @@ class Run:
     """A run of the car; n motor positions.
 
     Attributes:
-        motor: position of the motor in cam units, phi, shape (n,), rad.
-        cam_angle: theta, shape (n,), rad.
-        tan_beta: of the steering angle, shape (n,).
+        motor: position phi of the motor in cam units, shape (n,), rad.
+        cam_angle: angle theta of the cam, shape (n,), rad.
+        tan_beta: tangent of the steering angle, shape (n,).
         heading: direction of travel, shape (n,), rad, not wrapped.
         drive_wheel: position of the left rear wheel, shape (n, 2), mm.
         front_wheel: position of the fork axis, shape (n, 2), mm.
@@ -86,12 +86,12 @@ class Run:
 
 @dataclass(frozen=True, kw_only=True)
 class Running:
-    """A car as it runs: what the effects of a track change.
+    """A car as it runs, with the quantities that the effects in a track change.
 
     Attributes:
-        car: its dimensions, lever and slip.
+        car: dimensions, lever and slip.
         length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
-        phase: by which the cam stands ahead on its shaft, rad.
+        phase: angle by which the cam stands ahead on its shaft, rad.
         play: return error B at the camshaft, rad.
         friction: sliding, between rod and disc.
         wear: share of the travel that is lost at the end of the turn, growing evenly from its start.
@@ -106,7 +106,7 @@ class Running:
 
 
 def start_pose(track: Track) -> Pose:
-    """Where the drive wheel's track begins."""
+    """Pose of the car at the start of the drive wheel's track."""
     x, y = track.position(0.0)
     return Pose(x=float(x), y=float(y), heading=float(track.heading(np.array([0.0]))[0]))
 
@@ -115,8 +115,8 @@ def wheel_radius(length: float, ratio: float) -> float:
     """Radius R_h of the drive wheel whose travel in one turn of the cam is `length`, mm (eq. 20).
 
     Args:
-        length: of the drive wheel's track, mm.
-        ratio: i, turns of the drive wheel per turn of the cam.
+        length: length of the drive wheel's track, mm.
+        ratio: transmission ratio i, turns of the drive wheel per turn of the cam.
     """
     return length / (TURN * ratio)
 
@@ -135,7 +135,7 @@ def driven(
         length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm; where it changes
             along the run, on each step, shape (n - 1, 1).
         start: pose at the first node.
-        rule: of integration on each step, with s nodes.
+        rule: integration rule on each step, with s nodes.
 
     Returns:
         Heading, rad, not wrapped, and position x + iy, mm, each of shape (n,).
@@ -167,7 +167,7 @@ def drive(
     start: Pose | None = None,
     steps: int = STEPS,
     stop: float | None = None,
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     following: Following | None = None,
 ) -> Run:
     """Run the car on a cam.
@@ -175,14 +175,14 @@ def drive(
     Steps end where the cam jumps, stops, goes on or meets a kink, so the rule keeps its fourth order.
 
     Args:
-        lift: the cam's.
-        car: its dimensions.
+        lift: lift of the cam.
+        car: dimensions of the car.
         length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
         play: return error B, rad.
         start: pose at motor position 0; the origin along x if left out.
-        steps: even steps of the result.
+        steps: number of even steps of the result.
         stop: last motor position, rad; the start of the lift's closing blend if left out.
-        least: rises and falls of tan(beta) smaller than this are noise, not events.
+        least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
         following: how the cam follows the motor, with friction and drag; if given, it stands for lift and play.
 
     Raises:
@@ -192,7 +192,7 @@ def drive(
         raise DesignError(f"a run of {steps} steps goes nowhere: ask for at least 1")
     start = start or Pose()
     stop = lift.blend_start if stop is None else stop
-    following = following or follow(lift, play, least=least)
+    following = following or follow(lift, play, least_swing=least_swing)
     motor = np.linspace(0.0, stop, steps + 1)
     nodes = np.union1d(motor, following.joints(0.0, stop))
     heading, position = driven(

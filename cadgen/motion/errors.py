@@ -1,4 +1,4 @@
-"""What play costs: deflection errors of the events, and heading and position errors of the run.
+"""Errors due to play: deflection errors of the events, and heading and position errors of the run.
 
 The paper's figures for its events (table 4) cannot be had without its trajectory. Its program, besides, steps the
 spline's parameter, so that its nine points are not 0.96 degrees of cam angle everywhere as eq. 20 asks; it sums the
@@ -27,10 +27,10 @@ class Event:
     """A peak, where the cam jumps, or a valley, where it waits (the paper's reverse).
 
     Attributes:
-        kind: `jump` or `reverse`.
-        cam_angle: of the peak or valley, rad.
-        lift: there, mm.
-        deflection: heading that the event adds, rad, positive to the left (eq. 28, 30).
+        kind: kind of event, `jump` or `reverse`.
+        cam_angle: cam angle of the peak or valley, rad.
+        lift: lift there, mm.
+        deflection: change of heading by the event, rad, positive to the left (eq. 28, 30).
     """
 
     kind: Literal["jump", "reverse"]
@@ -60,26 +60,26 @@ def deflections(
     length: float,
     play: float,
     *,
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     leads: Array | None = None,
 ) -> tuple[Event, ...]:
-    """The events up to the start of the closing blend, in order, each with its deflection error.
+    """Events up to the start of the closing blend, in order, each with its deflection error.
 
     A jump skips the cam from the peak p to p + B (eq. 28); a reverse repeats it from v - B to the valley v (eq.
     29-30). Both integrals run over the whole of B, or over the whole fall if that is shorter. The wait in the valley
     really adds B kappa(v), which differs from eq. 30 in the third power of B; `drive` has it so.
 
     Args:
-        lift: the cam's.
-        follower: for the lift of the events.
-        car: its dimensions.
+        lift: lift of the cam.
+        follower: follower, for the lift of the events.
+        car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         play: return error B, rad.
-        least: rises and falls of tan(beta) smaller than this are noise, not events.
+        least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
         leads: where the cam leads with friction and drag, shape (k, 2), rad; on every fall if left out.
 
     Returns:
-        None of them if the lift does not fall before its closing blend: then play does nothing.
+        No events if the lift does not fall before its closing blend: then play does nothing.
 
     Raises:
         DesignError: the play is negative or no number.
@@ -90,14 +90,14 @@ def deflections(
         return Event(kind=kind, cam_angle=angle, lift=height, deflection=deflection)
 
     events = []
-    for peak, valley in follow(lift, play, least=least, leads=leads).leads.tolist():
+    for peak, valley in follow(lift, play, least_swing=least_swing, leads=leads).leads.tolist():
         skipped = min(play, valley - peak)
         events += [
             event("jump", peak, -turning(lift, car, length, peak, peak + skipped)),
             event("reverse", valley % TURN, turning(lift, car, length, valley - skipped, valley)),
         ]
-    events = [one for one in events if one.cam_angle < lift.blend_start]
-    return tuple(sorted(events, key=lambda one: one.cam_angle))
+    events = [item for item in events if item.cam_angle < lift.blend_start]
+    return tuple(sorted(events, key=lambda item: item.cam_angle))
 
 
 def deflection_sum(events: tuple[Event, ...]) -> float:
@@ -106,16 +106,16 @@ def deflection_sum(events: tuple[Event, ...]) -> float:
 
 
 def deflected(run: Run, events: Iterable[Event]) -> Run:
-    """The run that results if events turn the car, each where it happens, and nothing else is off (fig. 10, 18, 19).
+    """Run that results if events turn the car, each where it happens, and nothing else is off (fig. 10, 18, 19).
 
     This shows what jumps alone, or reverses alone, do to the path. Neither happens without the other, so `drive` with
     play gives no such run. An event turns the car at the next of the run's motor positions.
 
     Args:
-        run: without play.
-        events: with their deflections.
+        run: run without play.
+        events: events with their deflections, rad.
     """
-    turned = sum((one.deflection * (run.motor >= one.cam_angle) for one in events), np.zeros_like(run.motor))
+    turned = sum((event.deflection * (run.motor >= event.cam_angle) for event in events), np.zeros_like(run.motor))
     drive_wheel, front, idle = (wheel @ [1, 1j] for wheel in (run.drive_wheel, run.front_wheel, run.idle_wheel))
     ahead = np.exp(1j * turned)
     moved = drive_wheel[0] + np.append(0.0, np.cumsum(np.diff(drive_wheel) * ahead[:-1]))
@@ -127,13 +127,13 @@ def deflected(run: Run, events: Iterable[Event]) -> Run:
 
 @dataclass(frozen=True, kw_only=True)
 class RunError:
-    """How far a run is from the planned one at the same motor positions; all arrays have shape (n,).
+    """Errors of a run against the planned run at the same motor positions; all arrays have shape (n,).
 
     Attributes:
-        motor: rad.
-        heading: rad, positive to the left.
+        motor: position of the motor in cam units, rad.
+        heading: heading error, rad, positive to the left.
         along: position error of the drive wheel along the planned heading, mm.
-        across: the same to the left of it, mm.
+        across: position error of the drive wheel to the left of the planned heading, mm.
     """
 
     motor: Array
@@ -158,7 +158,7 @@ class RunError:
 
 
 def run_error(run: Run, planned: Run) -> RunError:
-    """Compare a run with the planned one.
+    """Compare a run with the planned run.
 
     Raises:
         DesignError: the two were not taken at the same motor positions.

@@ -11,7 +11,8 @@ sliding; with its seals it holds the cam as friction below 0.02 would, an estima
 
 from typing import Literal
 
-FollowerMaterial = Literal["steel", "ball_bearing"]
+from cadgen.cam.followers.rod_kind import RodMaterial
+
 DiscMaterial = Literal["aluminium", "steel", "brass", "acrylic", "PLA", "POM"]
 
 # Least and greatest sliding friction of a steel rod on a disc: dry, and greased.
@@ -30,8 +31,8 @@ USUAL = (0.05, 0.30)
 USUAL_DRY = (0.15, 0.60)
 
 
-def friction_band(follower: FollowerMaterial, disc: DiscMaterial | None, *, greased: bool) -> tuple[float, float]:
-    """Least and greatest sliding friction of a pair; `USUAL`, or dry `USUAL_DRY`, for a rod on an unknown disc."""
+def friction_band(follower: RodMaterial, disc: DiscMaterial | None, *, greased: bool) -> tuple[float, float]:
+    """Least and greatest coefficient of sliding friction; `USUAL`, or dry `USUAL_DRY`, for a rod on an unknown disc."""
     if follower == "ball_bearing":
         return BEARING
     if disc is None:

@@ -1,4 +1,4 @@
-"""What turns the cam ahead of its gears and what holds it: the rod's force, friction and drag.
+"""Forces that turn the cam ahead of its gears or hold it: the rod's force, friction and drag.
 
 On a fall the rod turns the cam ahead, and friction at the contact and drag hold it. The rod touches the edge of a
 face, at w from the fork axis, and the fork turns with the cam. The normal n at the contact P is square to the rod, and
@@ -9,7 +9,7 @@ s = w T, s' = w dT/dtheta, d = a + s, k = sqrt(1 + T^2 cos^2(alpha)) and the rod
     v = the disc's velocity at P less the rod's, per radian of the cam.
 With friction mu against v, the rod, pressed by the force F along the lift, is in balance if the normal force is
     N = F / (n . u + mu v . u / |v|),  u = the rod's velocity at P per mm of lift,
-and what F gives and friction does not take turns the cam ahead: M = -F s' - mu N |v|. For a rod that does not lean
+and the torque of F that friction does not take turns the cam ahead: M = -F s' - mu N |v|. For a rod that does not lean
 this is M = N (d sin(alpha) - mu (d cos(alpha) - r)) with N = F / (cos(alpha) + mu sin(alpha)).
 
 Leaning makes N greater by 1 / cos(beta), and by w / (w - r sin(beta)), since the contact's normal meets the rod's axis
@@ -27,9 +27,10 @@ from dataclasses import dataclass
 from math import radians
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.play import LEAST_SWING, Following, falls, follow
 
@@ -44,16 +45,16 @@ _FINE_FRICTION = 0.01  # step of friction where the worst may lie within the ban
 
 @dataclass(frozen=True, kw_only=True)
 class Levers:
-    """Lengths by which the normal force of the rod acts on the cam, and what of it the rod's force holds, n cam angles.
+    """Lever arms of the rod's normal force on the cam, and its shares along the lift, at n cam angles.
 
     The torque ahead is N (driving - mu holding), and N = F / (along + mu across).
 
     Attributes:
-        driving: lever of the normal, shape (n,), mm; negative on a rise.
-        holding: lever of the friction, shape (n,), mm.
-        along: share of the normal along the lift, shape (n,).
+        driving: lever arm of the normal force, shape (n,), mm; negative on a rise.
+        holding: lever arm of the friction, shape (n,), mm.
+        along: share of the normal force along the lift, shape (n,).
         across: share of the friction along the lift, shape (n,); negative on a rise.
-        lift: s, shape (n,), mm.
+        lift: lift s, shape (n,), mm.
     """
 
     driving: Array
@@ -63,7 +64,7 @@ class Levers:
     lift: Array
 
 
-def levers(lift: LiftCurve, follower: Follower, theta: Array) -> Levers:
+def levers(lift: LiftCurve, follower: LeaningRod, theta: Array) -> Levers:
     """Levers of the rod's force on a cam at cam angles, rad."""
     T, slope = lift.tan_beta(theta), lift.tan_beta(theta, nu=1)
     w, r = follower.contact_face(T), follower.radius
@@ -90,8 +91,8 @@ def levers(lift: LiftCurve, follower: Follower, theta: Array) -> Levers:
     )
 
 
-def holding_friction(lift: LiftCurve, follower: Follower) -> tuple[float, float]:
-    """Sliding friction from which on a cam without drag never leads, and the cam angle that takes it, rad."""
+def holding_friction(lift: LiftCurve, follower: LeaningRod) -> tuple[float, float]:
+    """Least coefficient of friction with which a cam without drag never leads, and the cam angle (rad) that decides."""
     theta = np.arange(0.0, TURN, _STEP)
     at = levers(lift, follower, theta)
     needed = np.where(at.driving > 0, at.driving / at.holding, 0.0)
@@ -105,14 +106,14 @@ class Mechanics:
 
     Attributes:
         follower: the rod and the faces.
-        rod_force: F at zero lift, along the lift, N: the spring's, less what fork and wheel hold back on a fall.
-        rod_rate: by which it grows with the lift, N/mm.
-        friction: sliding, between rod and disc.
+        rod_force: force F along the lift at zero lift, N: the spring's, less what fork and wheel hold back on a fall.
+        rod_rate: rate by which the force grows with the lift, N/mm.
+        friction: coefficient of sliding friction between rod and disc.
         drag: torque against the motion of the cam, N mm.
-        behind: play between what brakes and the cam, rad: 0 if the disc itself is braked.
+        behind: play between brake and cam, rad; 0 if the disc itself is braked.
     """
 
-    follower: Follower
+    follower: LeaningRod
     rod_force: float = 1.0
     rod_rate: float = 0.0
     friction: float = 0.0
@@ -138,57 +139,54 @@ class Mechanics:
         """Torque that the gears must give the cam at cam angles (rad), drag included, N mm; negative where it leads."""
         return self.drag - self.torque(lift, theta)
 
-    def leads(self, lift: LiftCurve, least: float = LEAST_SWING) -> "Leads":
-        """Where the cam leads its gears if their play allows: stretches of falls on which M is above the drag.
+    def leads(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> "Leads":
+        """Stretches on which the cam leads its gears if their play allows: parts of falls where M is above the drag.
 
         If a brake acts on the shaft and the cam has play on it (`behind`), the cam leads the shaft wherever friction
         lets it, and takes the shaft along where M is above the drag too.
 
         Args:
-            lift: that the cam was cut for. The slope of a rolled or meshed outline is too rough for this, and facets
-                that would hold the rod wear off.
-            least: rises and falls of tan(beta) smaller than this are passed over.
+            lift: lift that the cam was cut for. The slope of a rolled or meshed outline is too rough for this, and
+                facets that would hold the rod wear off.
+            least_swing: rises and falls of tan(beta) smaller than this are passed over.
         """
-        pairs = falls(lift, least)
-        stretches = self._stretches(lift, pairs, self.drag, least)
+        pairs = falls(lift, least_swing)
+        stretches = self._stretches(lift, pairs, self.drag, least_swing)
         if self.behind == 0 or self.drag == 0:
             return Leads(stretches)
-        return Leads(self._stretches(lift, pairs, 0.0, least), stretches, self.behind)
+        return Leads(self._stretches(lift, pairs, 0.0, least_swing), stretches, self.behind)
 
-    def _stretches(self, lift: LiftCurve, pairs: Array, drag: float, least: float) -> Array:
+    def _stretches(self, lift: LiftCurve, pairs: Array, drag: float, least_swing: float) -> Array:
         if self.friction == 0 and drag == 0:
             return pairs
 
         def surplus(theta: Array) -> Array:
             return self.torque(lift, theta) - drag
 
-        stretches = []
-        for peak, valley in pairs.tolist():
-            theta = np.linspace(peak, valley, int((valley - peak) / _STEP) + 9)
-            ahead = surplus(theta[1:-1]) > 0  # at its ends the lift is level, but for a kink on the other side
-            ahead = np.concatenate([[False], ahead, [False]])
-            flips = np.flatnonzero(ahead[1:] != ahead[:-1])
-            if not flips.size:
-                continue
-            # Each change of sign is looked at again between its two stations.
-            fine = theta[flips, None] + (theta[flips + 1] - theta[flips])[:, None] * np.linspace(0, 1, _ZOOM + 1)
-            value = surplus(fine)
-            changed = (value[:, 1:] > 0) != (value[:, :-1] > 0)
-            rows, cell = np.arange(len(flips)), np.argmax(changed, axis=1)
-            low, high = value[rows, cell], value[rows, cell + 1]
-            share = np.clip(low / np.where(low == high, 1.0, low - high), 0.0, 1.0)
-            place = fine[rows, cell] + (fine[rows, cell + 1] - fine[rows, cell]) * share
-            # Next to a peak or valley no change may show: the stretch then reaches up to it.
-            place = np.where(changed.any(axis=1), place, np.where(ahead[flips], fine[:, -1], fine[:, 0]))
-            stretches.append(place.reshape(-1, 2))
-        found = np.concatenate(stretches) if stretches else np.empty((0, 2))
-        fallen = lift.tan_beta(found[:, 0]) - lift.tan_beta(found[:, 1])
-        return _in_order(found[fallen >= least])
+        if not len(pairs):
+            return pairs
+        theta, first = _stations(pairs)
+        ahead = surplus(theta) > 0
+        ahead[first] = ahead[first - 1] = False  # at a fall's ends the lift is level, but for a kink on the other side
+        flips = np.flatnonzero(ahead[1:] != ahead[:-1])
+        # Each change of sign is looked at again between its two stations.
+        fine = theta[flips, None] + (theta[flips + 1] - theta[flips])[:, None] * np.linspace(0, 1, _ZOOM + 1)
+        value = surplus(fine)
+        changed = (value[:, 1:] > 0) != (value[:, :-1] > 0)
+        rows, cell = np.arange(len(flips)), np.argmax(changed, axis=1)
+        low, high = value[rows, cell], value[rows, cell + 1]
+        share = np.clip(low / np.where(low == high, 1.0, low - high), 0.0, 1.0)
+        place = fine[rows, cell] + (fine[rows, cell + 1] - fine[rows, cell]) * share
+        # Next to a peak or valley no change may show: the stretch then reaches up to it.
+        place = np.where(changed.any(axis=1), place, np.where(ahead[flips], fine[:, -1], fine[:, 0]))
+        stretches = place.reshape(-1, 2)
+        fallen = lift.tan_beta(stretches[:, 0]) - lift.tan_beta(stretches[:, 1])
+        return _in_order(stretches[fallen >= least_swing])
 
 
 @dataclass(frozen=True)
 class Leads:
-    """Where a cam leads what drives it, for any play.
+    """Stretches on which a cam leads its shaft or gears, for any play.
 
     Attributes:
         stretches: cam angles at which each begins, in [0, 2 pi), and ends, perhaps beyond 2 pi; shape (k, 2), rad, in
@@ -205,8 +203,8 @@ class Leads:
         """Let a cam follow gears with a return error.
 
         Args:
-            lift: that the rod gets.
-            play: B with what lies behind the brake, rad.
+            lift: lift that the follower gets.
+            play: return error B, the play behind the brake included, rad.
 
         Raises:
             DesignError: the play is negative or no number.
@@ -218,7 +216,7 @@ class Leads:
         return follow(lift, joint, leads=self.stretches, shaft=shaft)
 
     def _taken(self, braked: Array, joint: float) -> Array:
-        """Shaft angles between which the cam, ahead by the joint, takes the shaft along, shape (m, 2), rad.
+        """Shaft angles between which the cam, ahead by the play of its joint, drives the shaft, shape (m, 2), rad.
 
         The cam must lead already: where it begins to within the joint of a stretch, it takes the shaft along at once,
         and where it then stops beyond one, not at all.
@@ -231,15 +229,15 @@ class Leads:
 
 @dataclass(frozen=True, kw_only=True)
 class MechanicsBand:
-    """What is known of the forces on the cam of a car that may be built.
+    """Range of the forces on the cam, over the cars that may be built.
 
     Attributes:
-        follower, rod_force, rod_rate, behind: as in `Mechanics`.
-        friction: least and greatest.
-        drag: least and greatest, N mm.
+        follower, rod_force, rod_rate, behind: same as in `Mechanics`.
+        friction: least and greatest coefficient of sliding friction.
+        drag: least and greatest drag, N mm.
     """
 
-    follower: Follower
+    follower: LeaningRod
     rod_force: float = 1.0
     rod_rate: float = 0.0
     friction: tuple[float, float] = (0.0, 0.0)
@@ -271,7 +269,7 @@ class MechanicsBand:
 
     @property
     def cases(self) -> tuple[Mechanics, ...]:
-        """Cars across the band, at which its worst is looked for."""
+        """Cars across the band, among which the worst is searched for."""
         return self._across(_FRICTIONS if self.friction[0] < self.friction[1] else 1)
 
     @property
@@ -282,6 +280,16 @@ class MechanicsBand:
     def _across(self, count: int) -> tuple[Mechanics, ...]:
         frictions = np.linspace(*self.friction, count)
         return tuple(self.at(float(friction), drag) for drag in dict.fromkeys(self.drag) for friction in frictions)
+
+
+def _stations(pairs: Array) -> tuple[Array, NDArray[np.intp]]:
+    """Evenly spaced cam angles from the start to the end of each fall, in a row, and the place of each fall's first."""
+    counts = ((pairs[:, 1] - pairs[:, 0]) / _STEP).astype(np.intp) + 9
+    first = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    place = np.arange(counts.sum()) - np.repeat(first, counts)
+    theta = place * np.repeat((pairs[:, 1] - pairs[:, 0]) / (counts - 1), counts) + np.repeat(pairs[:, 0], counts)
+    theta[first + counts - 1] = pairs[:, 1]
+    return theta, first
 
 
 def _in_order(stretches: Array) -> Array:

@@ -34,8 +34,8 @@ LEAST_SWING = 4e-7
 _ROUNDING = 1e-15  # of tan(beta): a stretch that falls by less is level
 
 
-def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
-    """Where the lift falls: cam angles of the peak that begins and of the valley that ends each fall.
+def falls(lift: LiftCurve, least_swing: float = LEAST_SWING) -> Array:
+    """Falls of the lift: cam angles of the peak that begins and of the valley that ends each fall.
 
     A fall begins where a level stretch at its peak ends, for nothing pulls the cam off that; it ends where one in
     its valley begins; and a level stretch within it ends one fall and begins another. Level is what `lift.level` says
@@ -43,7 +43,7 @@ def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
 
     Args:
         lift: any closed lift.
-        least: rises and falls of tan(beta) smaller than this are passed over.
+        least_swing: rises and falls of tan(beta) smaller than this are passed over.
 
     Returns:
         Shape (k, 2), rad, in order; starts lie in [0, 2 pi), the last stop may lie beyond 2 pi. Empty if the lift
@@ -51,12 +51,12 @@ def falls(lift: LiftCurve, least: float = LEAST_SWING) -> Array:
     """
     # Found once for each lift: its runs with many plays and frictions ask again and again.
     known = lift.derived
-    if ("falls", least) not in known:
-        known["falls", least] = _falls(lift, least)
-    return known["falls", least].copy()
+    if ("falls", least_swing) not in known:
+        known["falls", least_swing] = _falls(lift, least_swing)
+    return known["falls", least_swing].copy()
 
 
-def _falls(lift: LiftCurve, least: float) -> Array:
+def _falls(lift: LiftCurve, least_swing: float) -> Array:
     nodes, value = lift.stations
     falling = np.diff(value) < -_ROUNDING
     begins = np.flatnonzero(falling & ~np.roll(falling, 1))
@@ -66,7 +66,7 @@ def _falls(lift: LiftCurve, least: float) -> Array:
     # Turning points in turn, peak first: even places are peaks, and swing j leads from point j to the next.
     angle = np.stack([nodes[begins], nodes[ends]], axis=1).ravel()
     height = np.stack([value[begins], value[ends]], axis=1).ravel()
-    kept = _without_small_swings(height, least)
+    kept = _without_small_swings(height, least_swing)
     angle = angle[kept]
     pairs = angle.reshape(-1, 2) % TURN
     pairs[:, 1] = pairs[:, 0] + (pairs[:, 1] - pairs[:, 0]) % TURN
@@ -75,21 +75,21 @@ def _falls(lift: LiftCurve, least: float) -> Array:
     return pairs[np.argsort(pairs[:, 0])]
 
 
-def _without_small_swings(height: Array, least: float) -> NDArray[np.intp]:
-    """Turning points that stay when the smallest swing is passed over again and again until none is below `least`.
+def _without_small_swings(height: Array, least_swing: float) -> NDArray[np.intp]:
+    """Turning points that stay when the smallest swing is passed over until none is below `least_swing`.
 
     With a swing both its points go, and their neighbours become one another's; so each round costs the logarithm of
     their number, and not the number, of which a rough path has thousands.
 
     Args:
-        height: of the turning points round the turn, peak first, shape (2 k,).
-        least: of a swing that stays.
+        height: tan(beta) at the turning points round the turn, peak first, shape (2 k,).
+        least_swing: least swing of tan(beta) that stays.
 
     Returns:
         Indices of those that stay, from a peak on.
     """
     count = len(height)
-    if not count or np.abs(np.roll(height, -1) - height).min() >= least:
+    if not count or np.abs(np.roll(height, -1) - height).min() >= least_swing:
         return np.arange(count)
     heights = height.tolist()
     before, after = [place - 1 for place in range(count)], [*range(1, count), 0]
@@ -102,7 +102,7 @@ def _without_small_swings(height: Array, least: float) -> NDArray[np.intp]:
         swing, rank, low, high = heappop(swings)
         if not (stays[low] and after[low] == high and rank == place[low]):
             continue  # of before one of its points went
-        if swing >= least:
+        if swing >= least_swing:
             break
         stays[low] = stays[high] = False
         left -= 2
@@ -125,9 +125,12 @@ def _without_small_swings(height: Array, least: float) -> NDArray[np.intp]:
 def _without_level(pairs: Array, level: Array) -> Array:
     """Falls less their level stretches; both of shape (n, 2), rad."""
     for begin, end in level:
-        left = []
-        for peak, valley in pairs:
-            # The stretch as it lies from the peak on, perhaps begun before it.
+        # The stretch as it lies from each peak on, perhaps begun before it.
+        ahead = (begin - pairs[:, 0]) % TURN
+        long = pairs[:, 1] - pairs[:, 0]
+        meets = (ahead < long) | (ahead + (end - begin) - TURN > 0)
+        left = [pairs[~meets]]
+        for peak, valley in pairs[meets].tolist():
             start = peak + (begin - peak) % TURN
             spans = [(start, start + end - begin), (start - TURN, start - TURN + end - begin)]
             parts = [(peak, valley)]
@@ -138,20 +141,20 @@ def _without_level(pairs: Array, level: Array) -> Array:
                     for part in ([(p, v)] if b <= p or a >= v else [(p, min(a, v)), (max(b, p), v)])
                     if part[1] > part[0]
                 ]
-            left += parts
-        pairs = np.array(left).reshape(-1, 2)
+            left.append(np.array(parts).reshape(-1, 2))
+        pairs = np.concatenate(left)
     return pairs
 
 
 @dataclass(frozen=True)
 class Following:
-    """How a cam follows the motor.
+    """Motion of a cam that follows the motor with play.
 
     Attributes:
-        lift: the cam's own.
-        play: B, rad.
+        lift: lift of the cam.
+        play: return error B, rad.
         leads: cam angles between which the cam leads, as `falls` gives them, shape (k, 2), rad.
-        shaft: how the shaft follows the motor, if the cam has its play on a shaft that follows by itself.
+        shaft: motion of the shaft, if the cam has its play on a shaft that itself follows the motor.
     """
 
     lift: LiftCurve
@@ -173,7 +176,7 @@ class Following:
         return motor + np.where(base < valley, ahead, 0.0)
 
     def tan_beta(self, motor: Array) -> Array:
-        """Steering that results at motor positions."""
+        """Tangent of the steering angle at motor positions (rad)."""
         return self.lift.tan_beta(self.cam_angle(motor))
 
     def joints(self, start: float, stop: float) -> Array:
@@ -192,23 +195,23 @@ def follow(
     lift: LiftCurve,
     play: float,
     *,
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     leads: Array | None = None,
     shaft: Following | None = None,
 ) -> Following:
     """Let a cam follow gears with a return error.
 
     Args:
-        lift: the cam's own.
-        play: B, rad.
-        least: rises and falls of tan(beta) smaller than this are noise; for a meshed or measured outline, its
+        lift: lift of the cam.
+        play: return error B, rad.
+        least_swing: rises and falls of tan(beta) smaller than this are noise; for a meshed or measured outline, its
             tolerance over the faces' distance.
         leads: where the cam leads, shape (k, 2), rad, starts in [0, 2 pi) and in order; on every fall if left out.
-        shaft: that the cam has this play on; the motor's itself if left out.
+        shaft: motion of the shaft on which the cam has this play; that of the motor if left out.
 
     Raises:
         DesignError: the play is negative or no number.
     """
     if not play >= 0:
         raise DesignError(f"the return error is {degrees(play):g} degrees; it must be 0 or more")
-    return Following(lift, play, falls(lift, least) if leads is None else leads, shaft)
+    return Following(lift, play, falls(lift, least_swing) if leads is None else leads, shaft)

@@ -4,8 +4,8 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator, PPoly
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import Contact
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
 from cadgen.errors import DesignError
 
 MIN_SAMPLES = 16  # fewer cannot show the events of a path
@@ -20,10 +20,10 @@ def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float, level
     not have; peaks and valleys stand on samples, and its error there falls with the square of the step.
 
     Args:
-        cam_angle: shape (n,), rad, increasing, within less than one turn.
-        tan_beta: steering there, shape (n,).
+        cam_angle: cam angles, increasing, within less than one turn, shape (n,), rad.
+        tan_beta: tangent of the steering angle there, shape (n,).
         blend_start: cam angle from which the path no longer steers, rad.
-        level: where the lift is known to be level, shape (m, 2), rad; what the samples show if left out.
+        level: cam angles between which the lift is known to be level, shape (m, 2), rad; from the samples if left out.
 
     Raises:
         DesignError: too few samples, not increasing, over more than a turn, or not finite.
@@ -57,11 +57,11 @@ def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float, level
 
 
 def rolled_lift(contact: Contact, wanted: LiftCurve, *, blend_start: float) -> LiftCurve:
-    """Lift that a disc really gives: of the rod rolled on its outline.
+    """Lift that a disc really gives, from the follower rolled on its outline.
 
     Args:
-        contact: the rod on the outline, at increasing cam angles of one turn.
-        wanted: the lift that the outline was made for; where that is level, what rolling or facets leave is noise.
+        contact: contact of the follower with the outline, at increasing cam angles of one turn.
+        wanted: lift that the outline was made for; where it is level, what rolling or facets leave is noise.
         blend_start: cam angle from which the path no longer steers, rad.
 
     Raises:

@@ -7,9 +7,9 @@
 | `dilation`     | the dilation of any lift by the window of the play                             |
 | `compensation` | the profile that takes play out: the dilation, made fit to cut                 |
 | `band`         | the play to cut it for within a band, and the bound that no profile can better |
-| `task`         | what is wanted, and on a train the window that is best for a lift              |
+| `task`         | the lift and run wanted, and on a train the best window for a lift             |
 | `profiles`     | every profile that a cam can have, by its code                                 |
 | `evaluate`     | a profile evaluated as it is cut: rolled and run with play                     |
 | `choice`       | the best of several profiles under limits, with the reasons                    |
-| `remedies`     | what a brake, a trim or a bearing leaves of the error where the rod rubs       |
+| `remedies`     | error that is left with a brake, a trim or a bearing, where the rod rubs       |
 """

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.drive import drive
@@ -35,12 +35,12 @@ _DIRECTIONS = 720  # in which the bound is taken; each alone is a bound
 
 @dataclass(frozen=True, kw_only=True)
 class PlayBand:
-    """What is known of a train's return error, rad.
+    """Return error of a train, as far as it is known, rad.
 
     Attributes:
-        least: of the cars that may be built.
-        greatest: of them.
-        measured: on the car that the cam is for; None if it has not been.
+        least: least return error of the cars that may be built, rad.
+        greatest: greatest return error of these cars, rad.
+        measured: return error measured on the car that the cam is for, rad; None if it was not measured.
     """
 
     least: float
@@ -49,7 +49,7 @@ class PlayBand:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Least and greatest; a measured value beyond them widens the band."""
+        """Least and greatest return error, rad; a measured value beyond them widens the band."""
         known = [self.least, self.greatest, *([] if self.measured is None else [self.measured])]
         return min(known), max(known)
 
@@ -59,13 +59,13 @@ class BandResult:
     """A profile and its errors over a band of plays.
 
     Attributes:
-        lift: of the profile.
-        made_for: the play it is cut for, rad.
-        plays: across the band, shape (n,), rad.
-        heading: error at the end of the run at each play, with the friction and drag at which it is greatest, shape
-            (n,), rad.
+        lift: lift of the profile.
+        made_for: play that the profile is cut for, rad.
+        plays: plays across the band, shape (n,), rad.
+        heading: heading error at the end of the run at each play, with the friction and drag that make it greatest,
+            shape (n,), rad.
         distance: position error at the end, likewise, shape (n,), mm.
-        worst: friction and drag of the greatest position error of all; None where none are reckoned with.
+        worst: friction and drag with the greatest position error; None where they are left out.
     """
 
     lift: LiftCurve
@@ -88,7 +88,7 @@ class BandResult:
 
 @dataclass(frozen=True, kw_only=True)
 class Bound:
-    """What the worst end of run over a band is at least, for profiles with the wanted peaks and valleys: rad and mm."""
+    """Lower bound of the worst end of run over a band, for profiles with the wanted peaks and valleys: rad and mm."""
 
     heading: float
     distance: float
@@ -96,7 +96,7 @@ class Bound:
 
 def best_for_band(
     lift: LiftCurve,
-    follower: Follower,
+    follower: LeaningRod,
     car: Car,
     length: float,
     band: tuple[float, float],
@@ -104,7 +104,7 @@ def best_for_band(
     wanted: LiftCurve | None = None,
     mechanics: Sequence[Mechanics] = (),
 ) -> BandResult:
-    """The compensated profile whose worst position error at the end of the run, over a band of plays, is least.
+    """Compensated profile with the least worst position error at the end of the run, over a band of plays.
 
     For a single play the error falls, then grows, with the play the cam is cut for. So the error at the band's lower
     end grows with it and that at the upper end falls, and where the two are equal the worse of them is least. A lift
@@ -115,16 +115,16 @@ def best_for_band(
     then the play to cut for may lie below the band, and what is made least is the worst end over plays and frictions.
 
     Args:
-        lift: that is compensated.
-        follower: the rod and the faces.
-        car: its dimensions.
+        lift: lift that is compensated.
+        follower: follower of the car.
+        car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         band: least and greatest return error B, rad; the two may be equal.
-        wanted: the lift that the run is compared with; `lift` itself if left out.
-        mechanics: friction and drag of the cars that may be built; left out, there are none.
+        wanted: lift that the run is compared with; `lift` itself if left out.
+        mechanics: friction and drag of the cars that may be built; without them the rod slides freely.
 
     Raises:
-        DesignError: the band is not one.
+        DesignError: the band does not run upwards from 0 or more.
     """
     low, high = _checked(band)
     if mechanics:
@@ -159,7 +159,7 @@ def best_for_band(
 
 def _best_with_friction(
     lift: LiftCurve,
-    follower: Follower,
+    follower: LeaningRod,
     car: Car,
     length: float,
     band: tuple[float, float],
@@ -192,7 +192,7 @@ def over_band(
     plays: Array,
     made_for: float = 0.0,
     *,
-    least: float = LEAST_SWING,
+    least_swing: float = LEAST_SWING,
     mechanics: Sequence[Mechanics] = (),
     cut: LiftCurve | None = None,
 ) -> BandResult:
@@ -200,22 +200,22 @@ def over_band(
 
     Args:
         cam: lift of the cam.
-        wanted: lift that is wanted by motor position.
-        car: its dimensions.
+        wanted: lift wanted by motor position.
+        car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         plays: return errors, shape (n,), rad.
-        made_for: the play the cam is cut for, rad; only passed on.
-        least: rises and falls of the cam's tan(beta) smaller than this are noise, not events.
-        mechanics: friction and drag of the cars that may be built, of which the worst counts; left out, there are
-            none.
-        cut: lift that the cam was cut for, which says where it leads with friction; `cam` if left out.
+        made_for: play that the cam is cut for, rad; only passed on.
+        least_swing: rises and falls of the cam's tan(beta) smaller than this are noise, not events.
+        mechanics: friction and drag of the cars that may be built, of which the worst counts; without them the rod
+            slides freely.
+        cut: lift that the cam was cut for, which decides where it leads with friction; `cam` if left out.
     """
     planned = drive(wanted, car, length, steps=_STEPS)
     cases = tuple(case.leads(cut or cam) for case in mechanics) or (None,)
     heading, distance = np.empty((2, len(cases), len(plays)))
     for row, leads in enumerate(cases):
         for column, play in enumerate(np.asarray(plays).tolist()):
-            following = follow(cam, play, least=least) if leads is None else leads.follow(cam, play)
+            following = follow(cam, play, least_swing=least_swing) if leads is None else leads.follow(cam, play)
             run = drive(cam, car, length, steps=_STEPS, stop=wanted.blend_start, following=following)
             error = run_error(run, planned)
             heading[row, column], distance[row, column] = error.end_heading, error.end_distance
@@ -249,7 +249,7 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     it would shake the rod, and a rod of any thickness cannot follow it on a falling flank.
 
     Raises:
-        DesignError: the band is not one.
+        DesignError: the band does not run upwards from 0 or more.
     """
     low, high = _checked(band)
     run = drive(lift, car, length)
@@ -274,18 +274,30 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
 
 
 def _events(lift: LiftCurve, play: float) -> Array:
-    """Where the lift falls once the dips narrower than a play are filled, shape (k, 2), rad."""
+    """Falls of the lift once the dips narrower than a play are filled, shape (k, 2), rad."""
     events = falls(lift)
-    while any(whole := [dip.whole for dip in lost_dips(lift, play, events)]) and len(events) > 1:
+    while len(events) > 1 and (filled := _apart([dip.whole for dip in lost_dips(lift, play, events)])):
         # A filled dip takes the lower of its two peaks with it.
-        number = whole.index(True)
-        after = (number + 1) % len(events)
-        first, second = lift.tan_beta(events[[number, after], 0])
-        turn = TURN if after == 0 else 0.0
-        joined = (events[number, 0], events[after, 1] + turn) if first >= second else events[after]
-        events = np.delete(np.where(np.arange(len(events))[:, None] == after, joined, events), number, axis=0)
+        after = (np.array(filled) + 1) % len(events)
+        first, second = lift.tan_beta(events[filled, 0]), lift.tan_beta(events[after, 0])
+        stop = events[after, 1] + np.where(after == 0, TURN, 0.0)
+        joined = np.stack([events[filled, 0], stop], axis=1)
+        events[after] = np.where((first >= second)[:, None], joined, events[after])
+        events = np.delete(events, filled, axis=0)
         events = events[np.argsort(events[:, 0])]
     return events
+
+
+def _apart(whole: Sequence[bool]) -> list[int]:
+    """Numbers of filled dips of which none is beside another: that one has other peaks once its neighbour is gone."""
+    chosen: list[int] = []
+    taken: set[int] = set()
+    for number in np.flatnonzero(whole).tolist():
+        beside = {number, (number + 1) % len(whole)}
+        if not beside & taken:
+            chosen.append(number)
+            taken |= beside
+    return chosen
 
 
 def _checked(band: tuple[float, float]) -> tuple[float, float]:

@@ -9,12 +9,12 @@ from cadgen.errors import CheckError
 
 @dataclass(frozen=True, kw_only=True)
 class Limit:
-    """The most that a figure may be.
+    """Greatest value allowed for a figure.
 
     Attributes:
-        figure: its name.
+        figure: name of the figure.
         most: greatest value allowed, in `unit`.
-        unit: of the figure, for messages.
+        unit: unit of the figure, for messages.
     """
 
     figure: str
@@ -38,50 +38,53 @@ class Choice:
     reasons: tuple[str, ...]
 
 
-def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, least: str) -> Choice:
+def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, objective: str) -> Choice:
     """Choose the candidate that keeps every limit and has the least value of a figure.
 
     Args:
-        candidates: at least one, each with a value for every figure named.
-        limits: what must be kept; a figure that is not a number keeps none.
-        least: name of the figure that decides.
+        candidates: at least one candidate, each with a value for every figure named.
+        limits: limits to be kept; a figure that is not a number keeps no limit.
+        objective: name of the figure that is to be least.
 
     Raises:
-        CheckError: nothing keeps the limits: names the one that binds on the candidate that comes nearest, and by
-            how much.
+        CheckError: no candidate keeps the limits. The message has the limit that binds on the nearest candidate, and
+            by how much it is exceeded.
     """
-    broken = [[limit for limit in limits if not one.figures[limit.figure] <= limit.most] for one in candidates]
-    kept = [one for one, breaks in zip(candidates, broken, strict=True) if not breaks]
+    broken = [
+        [limit for limit in limits if not candidate.figures[limit.figure] <= limit.most] for candidate in candidates
+    ]
+    kept = [candidate for candidate, breaks in zip(candidates, broken, strict=True) if not breaks]
     if not kept:
-        nearest = min(candidates, key=lambda one: max(_excess(one, limit) for limit in limits))
+        nearest = min(candidates, key=lambda candidate: max(_excess(candidate, limit) for limit in limits))
         binding = max(limits, key=lambda limit: _excess(nearest, limit))
         raise CheckError(
             f"none of the profiles compared keeps the design's limits: the nearest, {nearest.name}, "
             f"{_beyond(nearest, binding)}: raise the limit in [optimize], or take a train with less backlash"
         )
-    best = min(kept, key=lambda one: one.figures[least])
+    best = min(kept, key=lambda candidate: candidate.figures[objective])
     reasons = []
-    for one, breaks in zip(candidates, broken, strict=True):
-        if one is best:
-            what = f"chosen: the least {least}, {one.figures[least]:.4g}, of {len(kept)} that keep every limit"
+    for candidate, breaks in zip(candidates, broken, strict=True):
+        if candidate is best:
+            figure = f"{candidate.figures[objective]:.4g}"
+            verdict = f"chosen: the least {objective}, {figure}, of {len(kept)} that keep every limit"
         elif breaks:
-            what = "refused: it " + ", and ".join(_beyond(one, limit) for limit in breaks)
+            verdict = "refused: it " + ", and ".join(_beyond(candidate, limit) for limit in breaks)
         else:
-            what = f"not chosen: its {least} is {one.figures[least]:.4g}"
-        reasons.append(f"{one.name} {what}")
+            verdict = f"not chosen: its {objective} is {candidate.figures[objective]:.4g}"
+        reasons.append(f"{candidate.name} {verdict}")
     return Choice(best=best, reasons=tuple(reasons))
 
 
-def _excess(one: Candidate, limit: Limit) -> float:
-    """How far beyond its limit a figure is, as a share of the limit; what is no number is infinitely far."""
-    value = one.figures[limit.figure]
+def _excess(candidate: Candidate, limit: Limit) -> float:
+    """Excess of a figure over its limit, as a share of the limit; infinite for a figure that is no number."""
+    value = candidate.figures[limit.figure]
     if isnan(value):
         return inf
     return (value - limit.most) / max(abs(limit.most), 1e-300)
 
 
-def _beyond(one: Candidate, limit: Limit) -> str:
-    value = one.figures[limit.figure]
+def _beyond(candidate: Candidate, limit: Limit) -> str:
+    value = candidate.figures[limit.figure]
     return (
         f"has a {limit.figure} of {value:.4g} {limit.unit}, {value - limit.most:.4g} {limit.unit} more than the "
         f"{limit.most:.4g} allowed"

@@ -21,7 +21,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.play import falls
@@ -46,13 +46,13 @@ _LEAST_LEVEL = np.radians(0.6)
 
 @dataclass(frozen=True)
 class _Valley:
-    """How the profile goes from a peak over its plateau, down the shifted fall and up again.
+    """Course of the profile from a peak over its plateau, down the shifted fall and up again.
 
     Attributes:
-        plateau: its nodes and jets.
+        plateau: nodes and jets of the plateau.
         joined: cam angle from which on the profile is the shifted fall, rad.
         crossing: cam angle at which the shifted fall meets the rise, rad.
-        next_peak: rad.
+        next_peak: cam angle of the next peak, rad.
     """
 
     plateau: tuple[Array, Array]
@@ -63,7 +63,7 @@ class _Valley:
 
 def compensated_lift(
     lift: LiftCurve,
-    follower: Follower,
+    follower: LeaningRod,
     play: float,
     *,
     plateau_fall: float = PLATEAU_FALL,
@@ -76,10 +76,10 @@ def compensated_lift(
     closing blend is treated like the rest of the turn, so the result closes as smoothly as `lift` does.
 
     Args:
-        lift: the lift wanted, by motor position.
-        follower: for the plateau's fall in lift.
-        play: B that the cam is made for, rad; 0 gives `lift` itself, and so does a lift that never falls.
-        plateau_fall: how far the lift falls over each plateau, mm.
+        lift: lift wanted by motor position.
+        follower: follower, for the plateau's fall in lift.
+        play: return error B that the cam is made for, rad; 0 gives `lift` itself, and so does a lift that never falls.
+        plateau_fall: fall of the lift over each plateau, mm.
         valley_blend: half the angle over which a quintic rounds each valley, rad; a quarter of the play if left
             out, and 0 leaves a hollow kink where there is room for one.
 
@@ -115,7 +115,7 @@ def compensated_lift(
 
 
 def _valley(
-    lift: LiftCurve, follower: Follower, play: float, pairs: Array, number: int, fall: float, blend: float
+    lift: LiftCurve, follower: LeaningRod, play: float, pairs: Array, number: int, fall: float, blend: float
 ) -> _Valley | None:
     """The profile around a valley, from the peak before it to the one after it; None if there is no room."""
     peak, valley = (float(angle) for angle in pairs[number])
@@ -145,7 +145,7 @@ def _crossing(lift: LiftCurve, play: float, peak: float, valley: float, next_pea
 
 
 def _plateau(
-    lift: LiftCurve, follower: Follower, play: float, peak: float, valley: float, fall: float
+    lift: LiftCurve, follower: LeaningRod, play: float, peak: float, valley: float, fall: float
 ) -> tuple[float, tuple[Array, Array], bool]:
     """Cam angle at which the shifted fall takes over, nodes of the plateau, and whether it falls enough.
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from math import radians
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
@@ -23,6 +24,7 @@ _GREATEST_HALF_WIDTH = radians(0.5)
 _SAMPLES = 48  # over the half width: at a kink the sampled mean then errs by some 2 nm of lift
 _NODES = 4  # of the rounded lift over the half width; between them a quintic errs by less than rounding
 _LEAST_TILT = 4e-4  # of a plateau, by rad; well above what is level (`LiftCurve.level`)
+_FEW = 16  # samples apart are those of a plateau that are looked at first
 _LEVEL = 1e-6  # of tan(beta): a plateau that changes by more is not the one of its peak
 
 
@@ -31,8 +33,8 @@ class LostDip:
     """Lift that no cam gives back in a valley, because the cam stands still there for the whole of the play.
 
     Attributes:
-        cam_angle: of the valley, rad.
-        tan_beta: by which the least that a cam with this play can reach lies above the valley.
+        cam_angle: cam angle of the valley, rad.
+        tan_beta: height, in tan(beta), above the valley of the lowest point that a cam with this play can reach.
         whole: True if nothing of the dip is left: it is narrower than the play.
     """
 
@@ -42,12 +44,12 @@ class LostDip:
 
 
 def lost_dips(lift: LiftCurve, play: float, pairs: Array | None = None) -> tuple[LostDip, ...]:
-    """What the morphological closing of a lift by a play adds in each of its valleys.
+    """Lift lost in each valley: the height that the morphological closing by the play adds there.
 
     Args:
         lift: any closed lift.
-        play: B, rad.
-        pairs: peaks and valleys to look at, shape (k, 2), rad; where the lift falls if left out.
+        play: return error B, rad.
+        pairs: cam angles of peaks and valleys, shape (k, 2), rad; where the lift falls if left out.
     """
     pairs = falls(lift) if pairs is None else pairs
     if not len(pairs):
@@ -72,8 +74,8 @@ def rounded_dilation(lift: LiftCurve, play: float, *, fall: float, half_width: f
     Args:
         lift: any closed lift.
         play: B, width of the window, rad, above 0.
-        fall: of tan(beta) over each plateau; less where the dip after it is shallower.
-        half_width: of the mean that rounds kinks, rad; kept between 0.1 and 0.5 degrees.
+        fall: fall of tan(beta) over each plateau; less where the dip after it is shallower.
+        half_width: half the width of the mean that rounds kinks, rad; kept between 0.1 and 0.5 degrees.
     """
     half_width = float(np.clip(half_width, _LEAST_HALF_WIDTH, _GREATEST_HALF_WIDTH))
     count = int(np.ceil(TURN / (half_width / _NODES)))
@@ -108,10 +110,33 @@ def rounded_dilation(lift: LiftCurve, play: float, *, fall: float, half_width: f
 def _dilation(lift: LiftCurve, pairs: Array, play: float, theta: Array) -> Array:
     """Greatest tan(beta) over [theta - B, theta]: at an end of the window or at a peak in it."""
     height = np.maximum(lift.tan_beta(theta), lift.tan_beta(theta - play))
-    for peak in pairs[:, 0]:
-        inside = (theta - peak) % TURN <= play
-        height[inside] = np.maximum(height[inside], float(lift.tan_beta(peak)))
-    return np.asarray(height)
+    if not len(pairs):
+        return np.asarray(height)
+    # Twice round, so that a window across the start holds a row of peaks too.
+    places = np.concatenate([pairs[:, 0] - TURN, pairs[:, 0]])
+    highest = _Greatest(np.tile(lift.tan_beta(pairs[:, 0]), 2))
+    end = theta % TURN
+    first = np.searchsorted(places, end - min(play, TURN), side="left")
+    return np.maximum(height, highest.between(first, np.searchsorted(places, end, side="right")))
+
+
+class _Greatest:
+    """The greatest of any stretch of a row of values, from the greatest of all stretches of 1, 2, 4, 8, ... of them."""
+
+    def __init__(self, values: Array) -> None:
+        rows = [values]
+        while (half := 2 ** (len(rows) - 1)) < len(values):
+            longer = rows[-1].copy()
+            longer[:-half] = np.maximum(longer[:-half], rows[-1][half:])
+            rows.append(longer)
+        self._rows = np.array(rows)
+
+    def between(self, first: NDArray[np.intp], end: NDArray[np.intp]) -> Array:
+        """The greatest of values[first:end], for arrays of both; -inf where that is empty."""
+        count = end - first
+        row = np.maximum(np.frexp(count)[1] - 1, 0)  # the longest stretch within the count
+        first, last = np.minimum(first, self._rows.shape[1] - 1), np.maximum(end - 2**row, 0)
+        return np.where(count > 0, np.maximum(self._rows[row, first], self._rows[row, last]), -np.inf)
 
 
 def _tilt(lift: LiftCurve, theta: Array, height: Array, play: float, peak: float, valley: float, fall: float) -> None:
@@ -120,11 +145,16 @@ def _tilt(lift: LiftCurve, theta: Array, height: Array, play: float, peak: float
     What is taken off grows along the plateau in proportion, and vanishes again over the first of the fall in
     proportion to its own depth, so that nothing level is left.
     """
-    along = (theta - peak) % TURN
-    span = np.flatnonzero(along <= valley - peak + play)
-    span = span[np.argsort(along[span])]
-    along = along[span]
-    top, wanted = float(lift.tan_beta(peak)), height[span]
+    most = min(int((valley - peak + play) / theta[1]) + 2, len(theta))
+    span = (np.searchsorted(theta, peak) + np.arange(most)) % len(theta)
+    # Most peaks of a rough lift lie under a higher one, which a few samples show.
+    few = span[: int(play / theta[1])][::_FEW]
+    top = float(lift.tan_beta(peak))
+    if np.abs(height[few] - top).max(initial=0.0) > _LEVEL:
+        return
+    along = (theta[span] - peak) % TURN
+    span = span[along <= valley - peak + play]
+    along, wanted = along[: len(span)], height[span]
     plateau = along <= play
     # The fall lasts as long as the dilation goes down; a rise before that hides the plateau or ends the fall.
     rises = np.flatnonzero(~plateau[1:] & (np.diff(wanted) > 0))

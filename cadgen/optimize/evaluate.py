@@ -1,7 +1,7 @@
 """Profiles evaluated as they are cut: rolled on their outline, and run with play.
 
-The lift that a profile is cut for is one thing; its curve, rolled by code that does not know the lift, is what the car
-gets.
+The lift that a profile is cut for may differ from the lift of its outline. The outline, rolled by code that does not
+use the lift that it is cut for, gives the lift that the car gets.
 """
 
 from dataclasses import dataclass
@@ -9,9 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.contact import Contact, rolling_step
+from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import ActualProfile
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflection_sum, deflections, run_error
@@ -28,24 +29,24 @@ _OUTLINE_STEP = 0.03  # mm; the run then ends within 0.01 mm of where finer step
 
 @dataclass(frozen=True, kw_only=True)
 class Evaluation:
-    """A profile on a train, and what it does.
+    """A profile on a train, with its run and its errors.
 
     Attributes:
-        profile: which.
-        train: its name.
-        play: return error at which it is run, rad.
+        profile: profile that was evaluated.
+        train: name of the train.
+        play: return error of the run, rad.
         made_for: width of the window by which its lift is dilated, rad; see `CutLift`.
-        lift: that it is cut for.
-        wanted: the outline wanted of the finished disc.
-        cut: the curve that is cut; that of `wanted` unless the car's [as_built] asks for another.
-        rolled: lift that the rod gets on it, without play.
-        events: of the lift, with their deflection errors at the band's greatest play, as the paper reckons them.
-        run: with that play, on the rolled profile.
-        error: of that run.
-        deviation: of the run without play: the path that the profile gives away, or needs play to keep.
-        band: ends of such runs over the train's band.
+        lift: lift that the profile is cut for.
+        wanted: outline wanted of the finished disc.
+        cut: curve that is cut; that of `wanted` unless the car's [as_built] requires another.
+        rolled: lift that the follower gets on it, without play.
+        events: events of the lift, with their deflection errors at the band's greatest play, by the paper's equations.
+        run: run with that play, on the rolled profile.
+        error: errors of that run.
+        deviation: errors of the run without play: the path that the profile gives away, or needs play to keep.
+        band: errors at the ends of such runs over the train's band.
         lift_error: lift with play beyond the lift wanted along the run, shape (n,), mm.
-        least_swing: rises and falls of tan(beta) on `rolled` that are smaller are no events.
+        least_swing: smallest rise or fall of tan(beta) on `rolled` that counts as an event.
         lost: dips of the lift wanted that are narrower than the play of a dilated lift.
         measured: True for the cam that was on the car when it was measured.
     """
@@ -70,12 +71,12 @@ class Evaluation:
 
     @property
     def name(self) -> str:
-        """Profile and train."""
+        """Names of profile and train."""
         return f"{self.profile}, {self.train}"
 
     @property
     def title(self) -> str:
-        """As it is called in tables and pictures."""
+        """Name in tables and pictures."""
         return f"cam as measured ({self.profile})" if self.measured else f"{self.profile} profile"
 
     @property
@@ -93,11 +94,11 @@ def evaluate(work: TrainTask, profile: Profile) -> Evaluation:
     """Make a profile for a train and let the car run on it.
 
     Args:
-        work: what is wanted, on which train.
-        profile: any that is not the best of others.
+        work: task on a train.
+        profile: any profile that is not the best of others.
 
     Raises:
-        DesignError: the band of play is not one, or the profile cannot be made.
+        DesignError: the band of play does not run upwards from 0 or more, or the profile cannot be made.
     """
     task = work.task
     cut_lift = profile.lift(work)
@@ -111,13 +112,13 @@ def evaluate_measured(work: TrainTask, profile: Profile, lift: LiftCurve, cut: C
     """Let the car as built run on the cam that it was measured with.
 
     Args:
-        work: what is wanted, on which train.
-        profile: of that cam.
-        lift: that the cam was made for.
-        cut: the curve that was cut.
+        work: task on a train.
+        profile: profile of that cam.
+        lift: lift that the cam was made for.
+        cut: curve that was cut, mm.
 
     Raises:
-        DesignError: the band of play is not one.
+        DesignError: the band of play does not run upwards from 0 or more.
     """
     task = work.task
     contact = task.as_built.roll_measured(cut, task.follower, _stations(), _step(cut, task))
@@ -157,7 +158,7 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
     play = work.run_at(made_for)
     rolled = rolled_lift(cam.contact, lift, blend_start=task.lift.blend_start)
     least_swing = max(LEAST_SWING, task.as_built.unevenness(measured=cam.measured) / task.follower.inner)
-    run = task.run(rolled, play, least=least_swing, cut=lift)
+    run = task.run(rolled, play, least_swing=least_swing, cut=lift)
     wanted, got = (task.follower.lift(tangents) for tangents in (planned.tan_beta, run.tan_beta))
     return Evaluation(
         profile=cam.profile,
@@ -171,7 +172,7 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
         events=deflections(lift, task.follower, task.car, task.length, band.ends[1]),
         run=run,
         error=run_error(run, planned),
-        deviation=run_error(task.run(rolled, 0.0, least=least_swing), planned),
+        deviation=run_error(task.run(rolled, 0.0, least_swing=least_swing), planned),
         band=over_band(
             rolled,
             task.lift,
@@ -179,7 +180,7 @@ def _evaluation(work: TrainTask, cam: _Cam) -> Evaluation:
             task.length,
             np.linspace(*band.ends, BAND_PLAYS),
             made_for,
-            least=least_swing,
+            least_swing=least_swing,
             mechanics=task.mechanics.cases if task.mechanics else (),
             cut=lift,
         ),

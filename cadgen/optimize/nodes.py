@@ -22,8 +22,8 @@ def nodes_between(
         lift: any closed lift.
         start: first cam angle of the span, rad; any turn.
         stop: last cam angle, rad.
-        ahead: added to the angles of the result, rad.
-        widest: distance of neighbouring nodes, rad, at most; nodes are added where the lift's are further apart.
+        ahead: angle added to the angles of the result, rad.
+        widest: greatest distance of neighbouring nodes, rad; nodes are added where the lift's are further apart.
 
     Returns:
         Cam angles, shape (n,), each inner one twice, and jets of tan(beta) from either side, shape (n, 3).
@@ -47,9 +47,9 @@ def closed_lift(x: Array, jets: Array, blend_start: float) -> LiftCurve:
     """A closed lift through nodes that run once round from anywhere in the first turn, cut again at 0.
 
     Args:
-        x: cam angles, shape (n,), not decreasing, over one turn; a node given twice has a jet on either side.
+        x: cam angles, shape (n,), not decreasing, over one turn; a node that stands twice has a jet on either side.
         jets: tan(beta) with two derivatives, shape (n, 3).
-        blend_start: of the result, rad.
+        blend_start: cam angle at which the closing blend of the result starts, rad.
     """
     unrolled = quintic_hermite(x, jets, periodic=True)
     seam = np.stack([unrolled(TURN, nu=order) for order in range(3)])

@@ -1,4 +1,4 @@
-"""What can be done about play on a car whose rod rubs, and what each remedy leaves.
+"""Remedies against play on a car whose rod rubs, and the error that each remedy leaves.
 
 A remedy is judged by the worst end of the run over the plays, frictions and drags of the cars that may be built:
 
@@ -18,7 +18,7 @@ import numpy as np
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.drive import Run, drive
 from cadgen.motion.errors import RunError, run_error
@@ -40,10 +40,11 @@ class Holding:
     """The drag that keeps a cam on its gears.
 
     Attributes:
-        torque: greatest that turns the cam ahead without any friction, N mm: what the drag must be above.
-        cam_angle: where that is, rad.
-        with_friction: the same at the least friction of the band, N mm; not to be relied on, for vibration undoes it.
-        energy: that a drag of `MARGIN` times the torque takes in a turn of the cam, J.
+        torque: greatest torque that turns the cam ahead without any friction, N mm; the drag must be above it.
+        cam_angle: cam angle of that torque, rad.
+        with_friction: greatest torque at the least friction of the band, N mm; not to be relied on, for vibration
+            undoes friction.
+        energy: energy that a drag of `MARGIN` times the torque takes in a turn of the cam, J.
     """
 
     torque: float
@@ -77,8 +78,8 @@ class Trim:
     """A constant turn of the steering against the rod, set after a trial run.
 
     Attributes:
-        tan_beta: that is added to the tangent of the steering angle everywhere.
-        error: of the run with it.
+        tan_beta: constant added to the tangent of the steering angle.
+        error: errors of the run with the trim.
     """
 
     tan_beta: float
@@ -86,14 +87,14 @@ class Trim:
 
 
 def trim(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechanics: Mechanics) -> Trim:
-    """The trim that brings the end of the run nearest to where it is wanted.
+    """Trim that brings the end of the run nearest to its planned place.
 
     Args:
-        task: what is wanted.
-        lift: that the rod gets without play.
+        task: lift wanted, car and follower.
+        lift: lift that the follower gets without play.
         cut: lift that the cam was cut for.
         play: return error of the trial run, rad.
-        mechanics: friction and drag of it.
+        mechanics: friction and drag of the trial run.
     """
     leads = mechanics.leads(cut)
     planned = _run(task, task.lift, Leads(np.empty((0, 2))), 0.0, 0.0)
@@ -119,7 +120,7 @@ def trimmed_end(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechan
     """Position error at the end of a run whose steering was trimmed on another run, mm.
 
     Args:
-        task, lift, cut: as in `trim`.
+        task, lift, cut: same as in `trim`.
         play: return error of this run, rad.
         mechanics: friction and drag of this run.
         turn: the trim, in tan(beta).
@@ -131,15 +132,15 @@ def trimmed_end(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechan
 def friction_to_fail(
     task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechanics: Mechanics, most: float
 ) -> tuple[float, float]:
-    """Least and greatest friction with which a trimmed car still ends within what is allowed.
+    """Least and greatest coefficient of friction with which a trimmed car still ends within the error allowed.
 
     Args:
-        task, lift, cut, play, mechanics: as in `trim`.
-        most: position error at the end that is allowed, mm; what the trim itself leaves is added to it.
+        task, lift, cut, play, mechanics: same as in `trim`.
+        most: greatest position error allowed at the end, mm; what the trim itself leaves is added to it.
     """
     set_by = trim(task, lift, cut, play, mechanics)
     allowed = most + set_by.error.end_distance
-    found = []
+    limits = []
     for way in (-1, 1):
         friction = mechanics.friction
         while 0 <= (further := friction + way * _FRICTION_STEP) <= _MOST_FRICTION:
@@ -147,8 +148,8 @@ def friction_to_fail(
             if trimmed_end(task, lift, cut, play, changed, set_by.tan_beta) > allowed:
                 break
             friction = further
-        found.append(friction)
-    return found[0], found[1]
+        limits.append(friction)
+    return limits[0], limits[1]
 
 
 def trims(
@@ -167,7 +168,7 @@ def worst_on_way(
     return max(float(run_error(run, planned).distance.max()) for run in runs)
 
 
-def touched_width(lift: LiftCurve, follower: Follower) -> float:
+def touched_width(lift: LiftCurve, follower: LeaningRod) -> float:
     """Length of the follower, along its axis, that touches the disc somewhere in a turn, mm.
 
     The contact lies (w - r sin(beta)) / cos(beta) along the axis from the fork axis, on the face that carries.
@@ -197,8 +198,8 @@ BEARINGS = tuple(
 )
 
 
-def bearing_for(lift: LiftCurve, follower: Follower) -> tuple[Bearing, int] | None:
-    """The smallest bearing that fits on the rod, and how many side by side are wide enough; None if none will do."""
+def bearing_for(lift: LiftCurve, follower: LeaningRod) -> tuple[Bearing, int] | None:
+    """The smallest bearing that fits on the rod, and the number needed side by side; None if no bearing fits."""
     for bearing in sorted(BEARINGS, key=lambda b: b.outside):
         needed = touched_width(lift, replace(follower, radius=bearing.outside / 2))
         count = int(np.ceil(needed / bearing.width))

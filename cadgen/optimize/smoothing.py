@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
 from cadgen.motion.errors import deflection_sum, deflections
@@ -58,24 +58,24 @@ def smoothed_lift(lift: LiftCurve, depth: float) -> LiftCurve:
         beside = max(sign * height[number - 1], sign * height[(number + 1) % len(height)])
         knee = max((1 - depth) * sign * top, beside)
         if depth > 0 and sign * top > max(knee, 0.0):
-            mine = (x - before) % TURN <= (after - before) % TURN if len(events) > 2 else np.full(len(x), True)
-            jets[mine] = sign * _compressed(sign * jets[mine], knee, sign * top)
+            around = (x - before) % TURN <= (after - before) % TURN if len(events) > 2 else np.full(len(x), True)
+            jets[around] = sign * _compressed(sign * jets[around], knee, sign * top)
     return closed_lift(x, jets, lift.blend_start)
 
 
 def smooth_to(
-    lift: LiftCurve, follower: Follower, car: Car, length: float, play: float, *, aim: float = PAPER_AIM
+    lift: LiftCurve, follower: LeaningRod, car: Car, length: float, play: float, *, aim: float = PAPER_AIM
 ) -> LiftCurve:
-    """Smooth the lift until its own sum of deflection errors has fallen by a given share.
+    """Smooth the lift until its sum of deflection errors has fallen by a share `aim`.
 
     Args:
-        lift: the lift wanted.
-        follower: the rod and the faces.
-        car: its dimensions.
+        lift: lift wanted by motor position.
+        follower: follower of the car.
+        car: dimensions of the car.
         length: travel of the drive wheel in one turn of the cam, mm.
         play: return error B, rad; it hardly matters, since the sum is nearly proportional to it. Below 0.01 degrees
             the depth for that is taken.
-        aim: share to take off, such as the paper's 0.2715.
+        aim: share of the sum to take off, such as the paper's 0.2715.
 
     Raises:
         DesignError: no depth reaches the aim.

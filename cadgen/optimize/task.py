@@ -1,9 +1,9 @@
-"""What is wanted of a cam against play: the run, and on a train the window for which a lift is best dilated."""
+"""Task of a cam against play: the run wanted, and on a train the window by which a lift is best dilated."""
 
 from dataclasses import dataclass
 from functools import cached_property
 
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt
 from cadgen.motion.drive import Pose, Run, drive
@@ -16,21 +16,21 @@ from cadgen.steering.car import Car
 
 @dataclass(frozen=True, kw_only=True)
 class Task:
-    """What is wanted, and of what.
+    """The lift wanted, with the car and the follower that are to give it.
 
     Attributes:
-        lift: the lift wanted by motor position.
-        follower: the rod and the faces.
-        car: its dimensions.
+        lift: lift wanted by motor position.
+        follower: follower of the car.
+        car: dimensions of the car.
         length: travel of the drive wheel's rim in one turn of the cam, mm.
-        aim: share of its own sum of deflection errors that smoothing takes off.
-        start: where runs begin.
-        as_built: what else is known of the car: what becomes of a disc that is cut.
-        mechanics: what is known of friction and drag; None where they are left out, as if the rod slid freely.
+        aim: share of the sum of deflection errors that smoothing takes off.
+        start: pose at which runs begin, mm and rad.
+        as_built: deviations of the car as built, which change a disc that is cut.
+        mechanics: range of friction and drag; None where they are left out, as if the rod slid freely.
     """
 
     lift: LiftCurve
-    follower: Follower
+    follower: LeaningRod
     car: Car
     length: float
     aim: float
@@ -39,7 +39,7 @@ class Task:
     mechanics: MechanicsBand | None = None
 
     def planned(self) -> Run:
-        """The run that is wanted."""
+        """The planned run: that of the lift wanted, without play."""
         return self.run(self.lift, 0.0)
 
     def run(
@@ -47,20 +47,20 @@ class Task:
         lift: LiftCurve,
         play: float,
         *,
-        least: float = LEAST_SWING,
+        least_swing: float = LEAST_SWING,
         cut: LiftCurve | None = None,
         mechanics: Mechanics | None = None,
     ) -> Run:
         """The run that a cam gives with play.
 
         Args:
-            lift: that the rod gets.
+            lift: lift that the follower gets.
             play: return error B, rad.
-            least: as in `follow`.
+            least_swing: same as in `follow`.
             cut: lift that the cam was cut for; `lift` itself if left out.
             mechanics: friction and drag; those of the nominal car if left out.
         """
-        following = self.following(lift, play, least=least, cut=cut, mechanics=mechanics)
+        following = self.following(lift, play, least_swing=least_swing, cut=cut, mechanics=mechanics)
         stop = self.lift.blend_start
         return drive(lift, self.car, self.length, start=self.start, stop=stop, following=following)
 
@@ -69,26 +69,26 @@ class Task:
         lift: LiftCurve,
         play: float,
         *,
-        least: float = LEAST_SWING,
+        least_swing: float = LEAST_SWING,
         cut: LiftCurve | None = None,
         mechanics: Mechanics | None = None,
     ) -> Following:
-        """How a cam follows the motor; arguments as in `run`."""
+        """Motion of a cam that follows the motor; arguments as in `run`."""
         if mechanics is None and self.mechanics is not None:
             mechanics = self.mechanics.nominal
         if mechanics is None:
-            return follow(lift, play, least=least)
+            return follow(lift, play, least_swing=least_swing)
         return mechanics.leads(cut or lift).follow(lift, play)
 
 
 @dataclass(frozen=True)
 class TrainTask:
-    """A task on one train. The train enters as its return error alone: the paper's `reordered` one has a smaller one.
+    """A task on one train. The train enters by its return error alone: the paper's train `reordered` has a smaller one.
 
     Attributes:
-        task: what is wanted.
+        task: lift wanted, car and follower.
         train: name of the train.
-        band: its return error.
+        band: return error of the train, rad.
     """
 
     task: Task
@@ -100,7 +100,7 @@ class TrainTask:
         """The window of the dilation that is best for the lift wanted: `window_of`, rad.
 
         Raises:
-            DesignError: the band is not one.
+            DesignError: the band does not run upwards from 0 or more.
         """
         return self.window_of(self.task.lift)
 
@@ -110,10 +110,10 @@ class TrainTask:
         With friction it is the window of the dilation that does so over plays and frictions, also for a measured play.
 
         Args:
-            lift: that is to be compensated.
+            lift: lift that is to be compensated.
 
         Raises:
-            DesignError: the band is not one.
+            DesignError: the band does not run upwards from 0 or more.
         """
         task, ends, measured = self.task, self.band.ends, self.band.measured
         mechanics = task.mechanics.corners if task.mechanics else ()
@@ -126,29 +126,29 @@ class TrainTask:
 
     @cached_property
     def smoothed(self) -> LiftCurve:
-        """The lift wanted with its peaks and valleys brought nearer, as the task asks.
+        """The lift wanted with its peaks and valleys brought nearer, by the aim of the task.
 
         Raises:
-            DesignError: no smoothing does that.
+            DesignError: no smoothing reaches the aim.
         """
         task = self.task
         return smooth_to(task.lift, task.follower, task.car, task.length, self.band.ends[1], aim=task.aim)
 
     @cached_property
     def planned(self) -> Run:
-        """The run that is wanted."""
+        """The planned run: that of the lift wanted, without play."""
         return self.task.planned()
 
     def run_at(self, made_for: float) -> float:
-        """Return error of the run that a profile is evaluated by: what it is cut for, or with friction the car's, rad.
+        """Return error of the run that a profile is evaluated by, rad: that it is cut for, or with friction the car's.
 
         Args:
-            made_for: window that the profile is cut for, rad.
+            made_for: width of the window that the profile is cut for, rad.
         """
         if self.task.mechanics is None:
             return made_for
         return sum(self.band.ends) / 2 if self.band.measured is None else self.band.measured
 
     def bound(self) -> Bound:
-        """What the worst end of the run over the band is at least with these peaks and valleys."""
+        """Lower bound of the worst end of the run over the band, for profiles with these peaks and valleys."""
         return fixed_profile_bound(self.task.lift, self.task.car, self.task.length, self.band.ends)

@@ -1,4 +1,4 @@
-"""What a part has besides its outline or teeth: one definition of each feature, for disc and gear alike.
+"""Features of a part besides its outline or teeth: one definition of each, for disc and gear alike.
 
 | module     | what it holds                                                                        |
 |------------|--------------------------------------------------------------------------------------|

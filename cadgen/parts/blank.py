@@ -1,4 +1,4 @@
-"""What a part has besides its outline or teeth: bore, keyway or flat, hub, web, holes, broken edges; a disc's walls."""
+"""Features of a part besides its outline or teeth: bore, keyway or flat, hub, web, holes, broken edges; walls left."""
 
 from dataclasses import dataclass, replace
 
@@ -24,9 +24,9 @@ class Wall:
     """Material left between two features.
 
     Attributes:
-        between: the two, in words.
-        thickness: mm; negative where one cuts into the other.
-        place: where it is thinnest, shape (2,), mm.
+        between: names of the two features.
+        thickness: thickness of the wall, mm; negative where one feature cuts into the other.
+        place: point where the wall is thinnest, shape (2,), mm.
     """
 
     between: str
@@ -36,15 +36,15 @@ class Wall:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Boss:
-    """A hub on a disc from z = 0 to z = thickness: what is added to the disc, and what is then cut through both.
+    """A hub on a disc from z = 0 to z = thickness: the cylinder added to the disc, and the cuts through both.
 
     Attributes:
-        diameter: of the hub, mm.
+        diameter: diameter of the hub, mm.
         low: z at which the hub begins, mm.
         high: z at which it ends, mm.
         bottom: z at which the cut of the bore begins, outside both, mm.
         top: z at which that cut ends, mm.
-        drill: the set screw's hole; None for a hub without one.
+        drill: hole of the set screw; None for a hub without a set screw.
     """
 
     diameter: float
@@ -57,14 +57,14 @@ class Boss:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Blank:
-    """What a part has besides its outline or teeth; None, and lengths of 0, leave a feature out.
+    """Features of a part besides its outline or teeth; None, and lengths of 0, leave a feature out.
 
     Attributes:
-        bore_diameter: of the hole for the shaft, mm; 0 for none, which only a gear may have.
-        key: what keeps the part from turning on its shaft; None for a plain bore. A gear has no D-flat.
-        hub: None for a flat part.
-        web: of a gear only.
-        lightening: None for a full part.
+        bore_diameter: diameter of the hole for the shaft, mm; 0 for no hole, which only a gear may have.
+        key: keyway or flat that holds the part on its shaft; None for a plain bore. A gear has no D-flat.
+        hub: hub on one face; None for a flat part.
+        web: thinner disc between hub and rim, for a gear only.
+        lightening: ring of holes; None for a full part.
         edge_break: leg of the 45 degree chamfer on both edges of a disc's rim, mm; 0 for sharp edges.
     """
 
@@ -85,7 +85,7 @@ class Blank:
         return inner_face + self.edge_break, outer_face - self.edge_break
 
     def faces(self, inner: float, outer: float) -> tuple[float, float]:
-        """Lateral distances of the disc's faces from the fork axis, mm, by those of the planes of `carrying`."""
+        """Lateral distances of the disc's faces from the fork axis, mm, from those of the planes of `carrying`."""
         return inner - self.edge_break, outer + self.edge_break
 
     def bore(self) -> Contour:
@@ -106,7 +106,7 @@ class Blank:
         """The lightening holes of a disc, each run counterclockwise.
 
         Raises:
-            DesignError: the circle that their centres lie on is not given.
+            DesignError: the blank has no circle for the centres of the holes.
         """
         ring = self.lightening
         if ring is None:
@@ -118,7 +118,7 @@ class Blank:
         return self.bore(), *self.holes()
 
     def boss(self, thickness: float) -> Boss | None:
-        """The hub on a disc from z = 0 to z = thickness (mm); None without one."""
+        """Hub on a disc from z = 0 to z = thickness (mm); None without a hub."""
         hub = self.hub
         if hub is None:
             return None
@@ -131,7 +131,7 @@ class Blank:
         return Boss(diameter=hub.diameter, low=low, high=high, bottom=bottom, top=top, drill=drill)
 
     def disc_volume(self, profile_area: float, thickness: float) -> float:
-        """Volume of the disc without its hub, mm^3: what the contours leave of the profile's area (mm^2).
+        """Volume of the disc without its hub, mm^3: profile_area (mm^2) less the contours, times the thickness (mm).
 
         The chamfers of broken edges are not taken off: see `cadgen.curves.inset.chamfered_off`.
         """
@@ -191,7 +191,7 @@ class Blank:
 
 
 def _screw_walls(hub: Hub) -> tuple[Wall, ...]:
-    """Material along the hub's length on either side of its set screw, none without one."""
+    """Walls along the hub's length on either side of its set screw; none without a set screw."""
     screw = hub.set_screw
     if screw is None:
         return ()
@@ -216,19 +216,19 @@ def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Wal
 
 
 def _may_be_nearest(contour: Contour, points: Array) -> NDArray[np.bool_]:
-    """Which points along a curve may be the nearest to a contour, shape (n,).
+    """Mask of the points along a curve that may be the nearest to a contour, shape (n,).
 
     From one point to another the distance from the contour changes by no more than the way between them.
     """
     way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     stations = np.arange(0, len(points), _STATION)
     distance = _distance(contour, points[stations])
-    least = np.repeat(distance, _STATION)[: len(points)] - (way - np.repeat(way[stations], _STATION)[: len(points)])
-    return np.asarray(least <= distance.min() + _ROUNDING)
+    lower = np.repeat(distance, _STATION)[: len(points)] - (way - np.repeat(way[stations], _STATION)[: len(points)])
+    return np.asarray(lower <= distance.min() + _ROUNDING)
 
 
 def _beyond(points: Array, outline: Outline) -> Array:
-    """How much further from the axis points lie than an outline that is star-shaped about it, mm."""
+    """Radial distance of points beyond an outline that is star-shaped about the axis, mm."""
     rim = np.interp(polar_angle(points), outline.angle, np.linalg.norm(outline.points, axis=1), period=TURN)
     return np.asarray(np.linalg.norm(points, axis=1) - rim)
 

@@ -33,7 +33,7 @@ class Slab:
         return sum(areas)
 
     def walls(self) -> dict[Loop, bool]:
-        """Every outline of the section, with True where the material is inside it."""
+        """Every outline of the section, with True if the material is inside it."""
         return {ring: i % 2 == 0 for i, ring in enumerate(self.rings)} | dict.fromkeys(self.holes, False)
 
 
@@ -42,9 +42,9 @@ class RadialHole:
     """A round hole drilled from the axis outwards.
 
     Attributes:
-        diameter: mm.
-        height: of its axis along z, mm.
-        reach: how far it goes, from the axis on, mm.
+        diameter: diameter of the hole, mm.
+        height: height of its axis along z, mm.
+        reach: distance of its end from the z axis, mm.
         angle: polar angle of its axis, rad.
     """
 
@@ -107,9 +107,9 @@ def walls_of(body: Body) -> Iterator[Wall]:
     drilled = body.drilled
     open_walls: dict[tuple[Loop, bool], float] = {}
     for i, slab in enumerate(body.slabs):
-        here = slab.walls()
+        current = slab.walls()
         above = body.slabs[i + 1].walls() if i + 1 < len(body.slabs) else {}
-        for outline, outward in here.items():
+        for outline, outward in current.items():
             start = open_walls.pop((outline, outward), slab.start)
             if above.get(outline) is outward and drilled not in (i, i + 1):
                 open_walls[outline, outward] = start

@@ -1,4 +1,4 @@
-"""Features of a part: what a drawing gives beside the outline of a disc or the teeth of a gear."""
+"""Features of a part beside the outline of a disc or the teeth of a gear, with the dimensions of a drawing."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ class Keyway:
     """A keyway in the bore's wall.
 
     Attributes:
-        width: b, across the key, mm.
-        depth: t2, from the bore's circle to the keyway's floor along its middle, mm: bore and keyway span d + t2.
+        width: width b across the key, mm.
+        depth: depth t2 from the bore's circle to the keyway's floor along its middle, mm: bore and keyway span d + t2.
         angle: polar angle of its middle, rad.
     """
 
@@ -62,7 +62,7 @@ class DFlat:
     """A flat in the bore.
 
     Attributes:
-        depth: how far it stands inside the bore's circle, mm.
+        depth: distance of the flat inside the bore's circle, mm.
         angle: polar angle of its middle, rad.
     """
 
@@ -75,8 +75,8 @@ class SetScrew:
     """A radial hole through the hub's wall.
 
     Attributes:
-        diameter: mm.
-        height: of its axis above the face that the hub stands on, mm.
+        diameter: diameter of the hole, mm.
+        height: height of its axis above the face that the hub stands on, mm.
         angle: polar angle of its axis, rad.
     """
 
@@ -90,10 +90,10 @@ class Hub:
     """A round hub on one face of the part.
 
     Attributes:
-        diameter: mm.
-        length: how far it stands out of the face, mm; 0 for one that is flush and only bounds a web.
-        side: the face it stands on.
-        set_screw: None for a hub without one.
+        diameter: diameter of the hub, mm.
+        length: height of the hub above the face, mm; 0 for a flush hub that only bounds a web.
+        side: face of the part that the hub stands on.
+        set_screw: hole for a set screw; None for a hub without it.
     """
 
     diameter: float
@@ -102,7 +102,7 @@ class Hub:
     set_screw: SetScrew | None = None
 
     def level(self, height: float, thickness: float) -> float:
-        """What stands `height` mm above the hub's face, as z on a part from z = 0 to z = thickness, mm."""
+        """Coordinate z of a point `height` mm above the hub's face, on a part from z = 0 to z = thickness, mm."""
         return thickness + height if self.side == "outer" else -height
 
 
@@ -111,8 +111,8 @@ class Web:
     """A thinner disc between hub and rim, midway along the width of a gear.
 
     Attributes:
-        thickness: of the disc, mm.
-        rim_thickness: of the rim under the root of the teeth, mm.
+        thickness: thickness of the disc, mm.
+        rim_thickness: thickness of the rim under the root of the teeth, mm.
     """
 
     thickness: float
@@ -124,11 +124,11 @@ class Lightening:
     """A ring of equal round holes.
 
     Attributes:
-        count: how many.
-        hole_diameter: of each, mm.
-        circle_diameter: of the circle on which their centres lie, mm; None, on a gear, for midway between hub and
-            rim, the first hole half a step off the keyway.
-        start_angle: polar angle of the first one on a circle that is given, rad.
+        count: number of holes.
+        hole_diameter: diameter of each hole, mm.
+        circle_diameter: diameter of the circle of their centres, mm; None, on a gear, for midway between hub and rim,
+            with the first hole half a step off the keyway.
+        start_angle: polar angle of the first hole, rad; it counts only with a circle_diameter.
     """
 
     count: int
@@ -140,7 +140,7 @@ class Lightening:
         """Centres of the holes, shape (count, 2), mm.
 
         Raises:
-            DesignError: the circle is not given.
+            DesignError: circle_diameter is None.
         """
         if self.circle_diameter is None:
             raise DesignError("lightening holes need the diameter of the circle that their centres lie on")

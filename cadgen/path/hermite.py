@@ -20,13 +20,13 @@ _BASIS = np.array(
 
 
 def quintic_hermite(x: Array, jets: Array, *, periodic: bool = False) -> PPoly:
-    """Return the piecewise quintic that takes given values, slopes and second derivatives at the nodes.
+    """Return the piecewise quintic with the values, slopes and second derivatives of the jets at the nodes.
 
     Args:
-        x: nodes, shape (n,), not decreasing. A node given twice marks a kink: the piece before it ends on the
+        x: nodes, not decreasing, shape (n,). A node that stands twice marks a kink: the piece before it ends on the
             first jet, the piece after it starts on the second.
         jets: value, first and second derivative at each node, shape (n, 3) or (n, 3, m).
-        periodic: evaluate the result modulo its length.
+        periodic: whether the result is evaluated modulo its length.
 
     Returns:
         A `scipy.interpolate.PPoly`. The interpolation error is h^6 max|f^(6)| / 46080.

@@ -1,4 +1,4 @@
-"""Names that files of designs and the path share: light to import."""
+"""Names of the kinds of splines, for design files and for the path. The module is light to import."""
 
 from typing import Literal
 

@@ -18,7 +18,7 @@ class PlannedPath:
     """A parametric curve u -> (x, y) through the waypoints, with its first four derivatives.
 
     Attributes:
-        waypoints: shape (n, 2), mm.
+        waypoints: points in driving order, shape (n, 2), mm.
         knots: parameter of each waypoint, shape (n,).
         spline: vector-valued B-spline on [knots[0], knots[-1]].
         smooth: True when curvature has a continuous slope at the waypoints.
@@ -37,14 +37,14 @@ class PlannedPath:
 def plan_path(waypoints: Array, kind: SplineKind) -> PlannedPath:
     """Interpolate the waypoints.
 
-    `quintic` is the sixth-order spline the paper's section 2.3 asks for: degree 5, natural (third and fourth
+    `quintic` is the sixth-order spline of the paper's section 2.3: degree 5, natural (third and fourth
     derivative zero at both ends), centripetal parameter (square roots of the chords; Lee 1989). `cubic` is that
     of the paper's appendix: degree 3, uniform parameter, initial slope equal to that of the cubic through the
     first four waypoints, zero second derivative at the end.
 
     Args:
-        waypoints: shape (n, 2), mm, n >= 4. The path may cross itself.
-        kind: `quintic` or `cubic`.
+        waypoints: points in driving order, shape (n, 2), mm, n >= 4. The path may cross itself.
+        kind: kind of spline, `quintic` or `cubic`.
 
     Raises:
         DesignError: too few waypoints, a value that is not finite, or two equal neighbours.

@@ -47,12 +47,12 @@ class Track:
     waypoint_arc: Array
 
     def heading(self, arc: Array) -> Array:
-        """Direction of travel at given arc lengths, rad, unwrapped along the array."""
+        """Direction of travel at arc lengths (mm), rad, unwrapped along the array."""
         tangent = self.position(arc, nu=1)
         return np.unwrap(np.arctan2(tangent[..., 1], tangent[..., 0]))
 
     def where(self, arc: float) -> str:
-        """Say in words where on the path an arc length lies."""
+        """Place on the path at an arc length (mm), in words."""
         x, y = self.planned(arc)
         span = int(np.clip(np.searchsorted(self.waypoint_arc, arc, side="right"), 1, len(self.waypoint_arc) - 1))
         return f"at ({x:.0f}, {y:.0f}) mm, between waypoints {span} and {span + 1}"
@@ -81,7 +81,7 @@ def offset_track(path: PlannedPath, offset: float) -> Track:
     _refuse_cusp(path, offset, u.ravel(), position, k)
 
     rows = max(1, _BLOCK // intervals)
-    steps = np.concatenate([_arc_steps(path, offset, some) for some in np.split(u, range(rows, len(u), rows))])
+    steps = np.concatenate([_arc_steps(path, offset, block) for block in np.split(u, range(rows, len(u), rows))])
     span_arc = np.concatenate([np.zeros((len(starts), 1)), np.cumsum(steps, axis=1)], axis=1)
     span_start = np.concatenate([[0.0], np.cumsum(span_arc[:, -1])])
     arc = (span_arc + span_start[:-1, None]).ravel()
@@ -158,8 +158,8 @@ def _straight(path: PlannedPath, u: Array, derivatives: tuple[Array, ...], produ
     size = [np.abs(each).max(axis=1) for each in derivatives]
     noise = [_ROUNDING * float(size[0].max()) / width**order for order in range(5)]
     pairs = (((1, 2),), ((1, 3),), ((2, 3), (1, 4)))
-    least = (sum(size[a] * noise[b] + size[b] * noise[a] for a, b in pair) for pair in pairs)
-    within = [np.abs(product) <= most for product, most in zip(products, least, strict=True)]
+    rounding = (sum(size[a] * noise[b] + size[b] * noise[a] for a, b in pair) for pair in pairs)
+    within = [np.abs(product) <= most for product, most in zip(products, rounding, strict=True)]
     return np.asarray(np.logical_and.reduce(within))
 
 

@@ -1,6 +1,7 @@
-"""Measured data from files: the only room beside those of the design and of the exports that reads what users write.
+"""Measured data from files. Only this room, `design` and `export` read files that users write.
 
 | module | what it does                                                                      |
 |--------|-----------------------------------------------------------------------------------|
-| `load` | CSV files -> records of the kind that their columns say; what cannot be is refused |
+| `load` | CSV files -> records, of the kind with these columns; impossible values are refused |
+| `trials` | trial runs from such files, and the comment line that gives their settings        |
 """

@@ -1,4 +1,4 @@
-"""Read measured data: CSV files whose header names quantity and unit, comment lines that tell design and instrument."""
+"""Read measured data: CSV files with quantity and unit in the header; comment lines on design and instrument."""
 
 import csv
 import hashlib
@@ -13,25 +13,29 @@ from cadgen.errors import FileError, brief, escaped
 from cadgen.measurement.admission import refuse_impossible
 from cadgen.measurement.kinds import kinds
 from cadgen.measurement.record import Column, Kind, Method, Record, refuse_many, refuse_many_runs
-from cadgen.reading import read_given
+from cadgen.reading import read_regular
 
 MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
-# Of a file's comment lines, and of the characters of any line: they are searched for what they say of the instrument.
+# Of a file's comment lines, and of the characters of any line: they are searched for words on the instrument.
 MOST_REMARKS, LONGEST_LINE = 200, 1000
 
 
-def load(path: Path) -> Record:
-    """Read one file; its kind follows from its columns.
+def load(path: Path, known: Sequence[Kind] | None = None) -> Record:
+    """Read one file; the kind of data follows from its columns.
+
+    Args:
+        path: of the file.
+        known: kinds that it may be of; all that are registered if left out.
 
     Raises:
         FileError: no such file, no or a mixed header, columns that are missing, a value that is not a number or
             cannot be in its unit, angles that go round twice, or too few rows.
     """
-    return load_text(_text(path), escaped(path.name))
+    return load_text(_text(path), escaped(path.name), known)
 
 
-def load_text(text: str, name: str) -> Record:
-    """Read a file's text; arguments as its content and its name, errors as `load`."""
+def load_text(text: str, name: str, known: Sequence[Kind] | None = None) -> Record:
+    """Read a file's text; arguments as its content, its name and the kinds that it may be of, errors as `load`."""
     lines = text.splitlines()
     _refuse_long(lines, name)
     remarks = tuple(line.lstrip("# ").strip() for line in lines if line.startswith("#"))
@@ -40,7 +44,7 @@ def load_text(text: str, name: str) -> Record:
     if top is None:
         raise FileError(f"{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg")
     header = _cells(top[1], top[0], name)
-    kind = _kind(header, name)
+    kind = _kind(header, name, kinds() if known is None else known)
     # Counted before any is kept: of the shortest lines a file has millions.
     refuse_many(kind, sum(1 for line in lines if line.strip() and not line.startswith("#")) - 1, name)
     numbers, rows = [], []
@@ -82,7 +86,7 @@ def load_text(text: str, name: str) -> Record:
 
 
 def digest(path: Path) -> str:
-    """SHA-256 of the file, to be kept with what was learnt from it."""
+    """SHA-256 of the file's bytes, hexadecimal, to be kept with the results."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
@@ -101,7 +105,7 @@ def _refuse_long(lines: list[str], name: str) -> None:
 def _text(path: Path) -> str:
     name = brief(str(path))
     try:
-        content = read_given(path, MOST_BYTES)
+        content = read_regular(path, MOST_BYTES)
     except FileNotFoundError:
         raise FileError(f"there is no file {name}: correct its name") from None
     except IsADirectoryError:
@@ -125,15 +129,14 @@ def _cells(line: str, number: int, name: str) -> list[str]:
         raise FileError(f"{name}, line {number}: {error}; correct the line") from None
 
 
-def _kind(header: list[str], name: str) -> Kind:
-    """The most demanding kind whose columns are all there; columns of two kinds are a mixture."""
+def _kind(header: list[str], name: str, known: Sequence[Kind]) -> Kind:
+    """The kind of data whose columns are those of the header."""
     if len(set(header)) < len(header):
         twice = next(c for c in header if header.count(c) > 1)
         raise FileError(f"{name}: column {brief(twice)} stands twice; keep one")
     if len(header) == 1 and (mark := next((m for m in ";\t" if m in header[0]), None)):
         marks = "semicolons" if mark == ";" else "tabs"
         raise FileError(f"{name}: its columns are set apart by {marks}; save it with commas, and with decimal points")
-    known = kinds()
     if exact := [kind for kind in known if set(header) == set(kind.header)]:
         return exact[0]
     near = max(known, key=lambda kind: (len(_names(kind) & set(header)), -len(kind.columns)))

@@ -1,10 +1,10 @@
-"""Pictures: what the numeric rooms found, drawn for people.
+"""Pictures, tables and texts of results.
 
 | module   | what it does                                                                   |
 |----------|--------------------------------------------------------------------------------|
 | `style`  | colours, sizes, and files whose bytes depend on their content alone             |
 | `cam`    | a cam on one picture: outline and lift                                          |
-| `lift`   | lift before and after, and what becomes of it with play                         |
+| `lift`   | lift before and after, without and with play                                    |
 | `tracks` | the wheels on the field; heading and position error along the run               |
 | `text`   | reports in words                                                                |
 | `table`  | tables that never cut a number                                                  |

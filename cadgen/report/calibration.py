@@ -32,17 +32,17 @@ _RUNS = (BLUE, VERMILLION, GREEN, ORANGE, SKY)
 _ORDERS = 60
 _CANDIDATES = 7
 _NAME = 64  # characters of a candidate that fit its bar's line
-_MAGNIFIED = 10.0  # a scale this many times finer is said in the title
+_MAGNIFIED = 10.0  # a scale this many times finer is noted in the title
 
 
 def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: str) -> list[str]:
-    """Draw what a verdict rests on; return the files' names.
+    """Draw the residuals and candidates of a verdict; return the files' names.
 
     Args:
-        diagnosis: the verdict with residuals; of tracks, with what was measured.
-        length: of the track, mm, along which a track's residual is drawn.
-        folder: where to.
-        name: of the files, without ending.
+        diagnosis: verdict with residuals; for tracks, with the measured points.
+        length: length of the track, mm, along which a track's residual is drawn; None for other data.
+        folder: folder for the files.
+        name: name of the files, without ending.
     """
     with figure(11.5, 7.0) as picture:
         picture.suptitle(
@@ -82,13 +82,13 @@ def _short(diagnosis: Diagnosis) -> str:
 
 
 def _rms(diagnosis: Diagnosis) -> tuple[float, float]:
-    """Before and after."""
+    """Root mean square of the residual, before and after."""
     assert isinstance(diagnosis, EvidenceDiagnosis | PathDiagnosis)
     return diagnosis.residual.before, diagnosis.residual.after
 
 
 def _place(diagnosis: Diagnosis, length: float | None) -> Array:
-    """Of each row, in the unit of the abscissa."""
+    """Abscissa of each row, in its unit."""
     match diagnosis.kind.abscissa:
         case Abscissa.CAM_ANGLE:
             return np.degrees(diagnosis.place)
@@ -100,19 +100,19 @@ def _place(diagnosis: Diagnosis, length: float | None) -> Array:
 
 
 def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float | None) -> None:
-    """Of each run: its readings as points, or of a track the distance as a line."""
+    """Draw the residual of each run: readings as points, or the distance from a track as a line."""
     place, unit = _place(diagnosis, length), SIGNS[diagnosis.unit]
     values = residual / UNITS[diagnosis.unit]
     for run in range(diagnosis.runs):
-        mine = diagnosis.run == run
+        rows = diagnosis.run == run
         color, name = _RUNS[run % len(_RUNS)], f"run {run + 1}"
         if not diagnosis.kind.plan_view:
             axes.plot(
-                place[mine], values[mine], ".", color=color, markersize=2.0, alpha=0.6, rasterized=True, label=name
+                place[rows], values[rows], ".", color=color, markersize=2.0, alpha=0.6, rasterized=True, label=name
             )
         else:
-            x, y = np.split(values[mine], 2)
-            axes.plot(place[mine][: len(x)], np.hypot(x, y), color=color, linewidth=0.9, label=name)
+            x, y = np.split(values[rows], 2)
+            axes.plot(place[rows][: len(x)], np.hypot(x, y), color=color, linewidth=0.9, label=name)
     if not diagnosis.kind.plan_view:
         if isinstance(diagnosis, EvidenceDiagnosis):
             noise = diagnosis.residual.noise
@@ -125,13 +125,13 @@ def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float
 
 
 def _headroom(axes: "Axes") -> None:
-    """Room for a legend above the curves."""
+    """Make room for a legend above the curves."""
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.12 * (high - low))
 
 
 def _spectrum(axes: "Axes", diagnosis: Diagnosis) -> None:
-    """Amplitude by order, runs together, beside what noise alone would make."""
+    """Draw the amplitude by order, runs together, beside the amplitude of noise alone."""
     orders = np.arange(1, _ORDERS + 1)
     waves = np.exp(-1j * diagnosis.place[:, None] * orders)
     for residual, color, label, mark in (
@@ -149,17 +149,17 @@ def _spectrum(axes: "Axes", diagnosis: Diagnosis) -> None:
 
 
 def _plan(axes: "Axes", diagnosis: Diagnosis) -> None:
-    """Measured and expected path, the start registered; the first run of many."""
+    """Draw the measured and the expected path of the first run, from a common start."""
     assert diagnosis.measured is not None
-    mine = diagnosis.run == 0
-    measured = np.stack(np.split(diagnosis.measured[mine], 2)) / 1000
+    first_run = diagnosis.run == 0
+    measured = np.stack(np.split(diagnosis.measured[first_run], 2)) / 1000
     lines: tuple[tuple[Array, str, object, float, str], ...] = (
         (diagnosis.measured - diagnosis.before, BEFORE, (0, (5, 2)), 1.2, "expected before"),
         (diagnosis.measured - diagnosis.after, AFTER, "-", 1.2, "expected after"),
     )
     axes.plot(*measured, ".", color=WANTED, markersize=3.5, label="measured")
     for path, color, style, width, label in lines:
-        x, y = np.split(path[mine], 2)
+        x, y = np.split(path[first_run], 2)
         axes.plot(x / 1000, y / 1000, color=color, linestyle=style, linewidth=width, label=label)
     axes.plot(*measured[:, 0], "o", color=WANTED, markersize=7, fillstyle="none")
     axes.set(title="plan view, run 1 (circle: start)", xlabel="x (m)", ylabel="y (m)", aspect="equal")
@@ -168,7 +168,7 @@ def _plan(axes: "Axes", diagnosis: Diagnosis) -> None:
 
 
 def _candidates(axes: "Axes", diagnosis: Diagnosis) -> None:
-    """The best subsets and the bare design, by how much worse than the best they are."""
+    """Draw the best subsets of effects and the bare design, by their score above the best."""
     by_paths = isinstance(diagnosis, PathDiagnosis)
     best = [c for c in diagnosis.candidates if c.effects][: _CANDIDATES - 1]
     shown = sorted([*best, *(c for c in diagnosis.candidates if not c.effects)], key=lambda c: c.score)

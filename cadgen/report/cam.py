@@ -1,4 +1,4 @@
-"""A cam on one picture: its outline with what is cut out of it, and its lift over the turn."""
+"""A cam on one picture: its outline with bore and holes, and its lift over the turn."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class CamPicture:
-    """What the picture shows.
+    """Content of the picture of a cam.
 
     Attributes:
-        title: of the picture.
+        title: title of the picture.
         outline: closed polygon of the profile, shape (n, 2), mm.
         openings: closed polygons of bore and holes, shape (m, 2) each, mm.
-        cam_angle: shape (k,), rad.
+        cam_angle: cam angles, shape (k,), rad.
         lift: at these cam angles, shape (k,), mm.
         extrema: cam angles of peaks and valleys, shape (p,), rad, and the lift there, shape (p,), mm.
         blend_start: cam angle at which the closing blend begins, rad.
@@ -37,7 +37,7 @@ class CamPicture:
 
 
 def cam_figure(content: CamPicture) -> "Figure":
-    """Draw a cam; the figure is the caller's to show or to save."""
+    """Draw a cam; return the figure, to be shown or saved by the caller."""
     with figure(10.0, 4.6) as picture:
         picture.suptitle(content.title, x=0.02, ha="left")
         plan, lift = picture.subplots(1, 2, width_ratios=(1.0, 1.3))

@@ -22,10 +22,10 @@ def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path
     """Draw each event's deflection error and their sum, one bar for each method; return the files' names.
 
     Args:
-        title: of the picture.
-        methods: name -> events; all with the same events in the same order.
-        folder: where to.
-        name: of the files, without ending.
+        title: title of the picture.
+        methods: events by the name of the method; all with the same events in the same order.
+        folder: folder for the files.
+        name: name of the files, without ending.
     """
     first = next(iter(methods.values()))
     labels = [f"{event.kind}\n{degrees(event.cam_angle):.1f}°" for event in first]
@@ -39,9 +39,9 @@ def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path
             axes.bar(np.arange(len(events)) + place, heights, width, label=method, **style)
             bar = total.bar([place], [degrees(deflection_sum(tuple(events)))], width, **style)
             total.bar_label(bar, fmt="%.2f", fontsize=7, padding=2)
-        for one in (axes, total):
-            zero_line(one)
-            one.grid(axis="x", visible=False)
+        for panel in (axes, total):
+            zero_line(panel)
+            panel.grid(axis="x", visible=False)
         axes.set_xticks(range(len(labels)), labels)
         axes.set(title=title, ylabel="deflection error (°)", xlabel="event and its cam angle")
         axes.legend(loc="best", fontsize=8)
@@ -52,15 +52,15 @@ def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path
 
 @dataclass(frozen=True, kw_only=True)
 class FleetPicture:
-    """What the picture of many cars shows.
+    """Content of the picture of many cars.
 
     Attributes:
-        title: of the picture.
+        title: title of the picture.
         along: position error at the end along the planned heading, shape (m,), mm.
-        across: to the left of it, shape (m,), mm.
-        gate_width: mm.
-        passed: share that passes every gate, 0 to 1.
-        shares: parameter -> share of the variance, greatest first.
+        across: position error to the left of the planned heading, shape (m,), mm.
+        gate_width: width of the gates, mm.
+        passed: share of the cars that pass every gate, 0 to 1.
+        shares: share of the variance by parameter, greatest first.
     """
 
     title: str
@@ -72,7 +72,7 @@ class FleetPicture:
 
 
 def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
-    """Draw the distribution of end errors and what causes it; return the files' names."""
+    """Draw the distribution of end errors and its causes; return the files' names."""
     distance = np.hypot(content.along, content.across)
     with figure(11.0, 3.9) as picture:
         picture.suptitle(f"{content.title}; {100 * content.passed:.1f} % pass every gate", x=0.01, ha="left")
@@ -96,9 +96,9 @@ def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
         )
         middle.set_adjustable("datalim")
 
-        names = [one for one, share in content.shares.items() if share >= _LEAST_SHARE][:_MOST_BARS][::-1]
-        values = [100 * content.shares[one] for one in names]
-        bars = right.barh([one.replace("_", " ") for one in names], values, color=BLUE)
+        names = [parameter for parameter, share in content.shares.items() if share >= _LEAST_SHARE][:_MOST_BARS][::-1]
+        values = [100 * content.shares[parameter] for parameter in names]
+        bars = right.barh([parameter.replace("_", " ") for parameter in names], values, color=BLUE)
         right.bar_label(bars, fmt="%.1f", fontsize=8, padding=2)
         right.grid(axis="y", visible=False)
         right.margins(x=0.15)
@@ -107,20 +107,21 @@ def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
 
 
 def draw_budget(title: str, costs: Mapping[str, tuple[float, float]], folder: Path, name: str) -> list[str]:
-    """Draw what everything that may be off costs, before and after a trim; return the files' names.
+    """Draw the cost of every deviation, before and after a trim; return the files' names.
 
     Args:
-        title: of the picture.
-        costs: what may be off -> how far it moves the end of the run before and after a trim, mm, greatest first.
-        folder: where to.
-        name: of the files, without ending.
+        title: title of the picture.
+        costs: distance by which each deviation moves the end of the run, before and after a trim, mm, by its name,
+            greatest first.
+        folder: folder for the files.
+        name: name of the files, without ending.
     """
     names = list(costs)[::-1]
     place = np.arange(len(names))
     with figure(8.0, 1.6 + 0.34 * len(names)) as picture:
         axes = picture.subplots()
         for number, (label, colour) in enumerate((("after a trim", AFTER), ("before", BEFORE))):
-            values = [costs[one][1 - number] for one in names]
+            values = [costs[deviation][1 - number] for deviation in names]
             bars = axes.barh(place + 0.2 - 0.4 * number, values, 0.38, label=label, color=colour)
             axes.bar_label(bars, fmt="%.0f", fontsize=7, padding=2)
         axes.set_yticks(place, names)

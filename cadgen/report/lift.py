@@ -1,4 +1,4 @@
-"""Lift before and after, and what becomes of it with play (the paper's figures 14 and 16a)."""
+"""Lift before and after, without and with play (the paper's figures 14 and 16a)."""
 
 from dataclasses import dataclass
 from math import degrees, radians
@@ -19,19 +19,19 @@ _LEAST_AROUND = radians(1.0)  # also where there is hardly any play
 
 @dataclass(frozen=True, kw_only=True)
 class LiftPicture:
-    """What the picture shows.
+    """Content of the picture of two lifts.
 
     Attributes:
-        title: of the picture.
-        follower: for the lift in mm.
-        wanted: lift by motor position.
+        title: title of the picture.
+        follower: follower, which gives the lift in mm.
+        wanted: lift wanted by motor position.
         before: motion, with play, of the cam with the actual profile or of the measured cam.
-        before_name: what it is called.
-        after: the same of the profile that is compared with it.
-        after_name: its name.
-        play: return error, rad.
-        peak: cam angle of the jump shown close, rad; None if there is none.
-        valley: the same of a place where the cam waits.
+        before_name: name of that cam.
+        after: motion, with play, of the cam that is compared with it.
+        after_name: name of that cam's profile.
+        play: return error B, rad.
+        peak: cam angle of the jump that is magnified, rad; None if there is none.
+        valley: cam angle of the wait that is magnified, rad; None if there is none.
     """
 
     title: str

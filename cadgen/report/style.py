@@ -35,7 +35,7 @@ _SETTINGS: dict[Any, Any] = {
 
 @contextmanager
 def figure(width: float, height: float) -> Iterator["Figure"]:
-    """Yield an empty figure, inches, with the house's style in force while it is drawn."""
+    """Yield an empty figure of width and height in inches; the style of the program holds while it is drawn."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
@@ -60,5 +60,5 @@ def save(picture: "Figure", folder: Path, name: str) -> list[str]:
 
 
 def zero_line(axes: "Axes") -> None:
-    """A thin line where an error is none."""
+    """Draw a thin line at an error of 0."""
     axes.axhline(0.0, color=GREY, linewidth=0.8, zorder=1)

@@ -18,7 +18,7 @@ class FittedTable(Table):
     """
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-        """What rich prints: the table as it is, with folded words, or row by row."""
+        """Render for rich: the table as it is, with folded words, or row by row."""
         room = options.max_width - _GAP * len(self.columns)
         if sum(map(_natural, self.columns)) > room:
             widths = _widths(self.columns, room)
@@ -46,23 +46,23 @@ class FittedTable(Table):
 
 
 def _widths(columns: list[Column], room: int) -> list[int] | None:
-    """Widths of columns that fit into a room, numbers whole and words folded; None if there are none."""
+    """Widths of columns that fit into a room, numbers whole and words folded; None if no widths fit."""
     numbers = [column.justify == "right" for column in columns]
-    least = [_natural_cell(c) if number else 0 for c, number in zip(columns, numbers, strict=True)]
-    least = [max(cells, _longest_word(c)) for cells, c in zip(least, columns, strict=True)]
-    left = room - sum(least)
+    narrowest = [_natural_cell(c) if number else 0 for c, number in zip(columns, numbers, strict=True)]
+    narrowest = [max(cells, _longest_word(c)) for cells, c in zip(narrowest, columns, strict=True)]
+    left = room - sum(narrowest)
     if left < 0:
         return None
     # What is left goes to the columns of words, evenly, but to none more than it can use.
-    widths = least
+    widths = narrowest
     while left > 0:
-        wants = [k for k, column in enumerate(columns) if widths[k] < _natural(column)]
-        wants = [k for k in wants if not numbers[k]] or wants
-        if not wants:
+        folded = [k for k, column in enumerate(columns) if widths[k] < _natural(column)]
+        folded = [k for k in folded if not numbers[k]] or folded
+        if not folded:
             break
-        for k in wants[:left]:
+        for k in folded[:left]:
             widths[k] += 1
-        left -= len(wants[:left])
+        left -= len(folded[:left])
     return widths
 
 

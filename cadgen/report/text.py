@@ -32,8 +32,8 @@ def write(blocks: Sequence[Block], console: "Console") -> None:
     """Print blocks, folded to the console's width.
 
     Args:
-        blocks: the first `words` columns of a table are words.
-        console: one without markup, for brackets in names are only brackets.
+        blocks: headings, tables and paragraphs; the first `words` columns of a table are words.
+        console: console without markup, for brackets in names are only brackets.
     """
     from cadgen.report.table import FittedTable
 
@@ -55,7 +55,7 @@ def write(blocks: Sequence[Block], console: "Console") -> None:
 
 
 def plain(blocks: Sequence[Block], width: int) -> str:
-    """The same as text."""
+    """Blocks as plain text, folded to `width` characters."""
     from rich.console import Console
 
     file = io.StringIO()

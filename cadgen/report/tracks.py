@@ -28,7 +28,7 @@ _WHEELS = (
 
 @dataclass(frozen=True, kw_only=True)
 class Field:
-    """The field, mm: corner and size, obstacles' centres with shape (n, 2) and their radius. No size, no edge."""
+    """The field, mm: corner, size, and centres of the obstacles, shape (n, 2), and their radius. No size, no edge."""
 
     corner: tuple[float, float] = (0.0, 0.0)
     size: tuple[float, float] | None = None
@@ -38,7 +38,7 @@ class Field:
 
 @dataclass(frozen=True, kw_only=True)
 class TrackPanel:
-    """One picture of the field: a run, and where it ends for other plays (drive wheel's ends, shape (k, 2))."""
+    """One picture of the field: a run, and the ends of the drive wheel for other plays, shape (k, 2), mm."""
 
     title: str
     run: Run
@@ -99,11 +99,11 @@ def draw_run_errors(title: str, lines: Sequence[ErrorLine], length: float, folde
     """Draw heading and position error along the run, the band shaded; return the files' names.
 
     Args:
-        title: of the picture.
-        lines: at most two: before and after.
+        title: title of the picture.
+        lines: errors of one profile or two: before and after.
         length: travel of the drive wheel in one turn of the cam, mm.
-        folder: where to.
-        name: of the files, without ending.
+        folder: folder for the files.
+        name: name of the files, without ending.
     """
     with figure(8.0, 6.0) as picture:
         picture.suptitle(title, x=0.02, ha="left")
@@ -111,8 +111,8 @@ def draw_run_errors(title: str, lines: Sequence[ErrorLine], length: float, folde
         for line, color, style in zip(lines, (BEFORE, AFTER), ("-", (0, (5, 2))), strict=False):
             travel = line.at_play.motor[_SHOWN] * length / (2 * np.pi) / 1000
             for axes, values, edges in (
-                (upper, np.degrees(line.at_play.heading), [np.degrees(one.heading) for one in line.at_ends]),
-                (lower, line.at_play.distance, [one.distance for one in line.at_ends]),
+                (upper, np.degrees(line.at_play.heading), [np.degrees(error.heading) for error in line.at_ends]),
+                (lower, line.at_play.distance, [error.distance for error in line.at_ends]),
             ):
                 values, *edges = (part[_SHOWN] for part in (values, *edges))
                 axes.fill_between(

@@ -14,7 +14,7 @@ from cadgen.solids.chamfered import chamfered_disc
 from cadgen.solids.crossing import with_exact_crossings
 from cadgen.solids.kernel import Edge, Part, contour_edges, drill, is_valid, prism, solids, spline_edges
 
-# How far the splines may stray from the profile, mm: a fiftieth of what the lift is allowed in a STEP file.
+# Greatest distance of the splines from the profile, mm: a fiftieth of the error allowed to the lift in a STEP file.
 # On a disc of 65 mm radius it moves the volume by 3e-7 of itself at most.
 SPLINE_TOLERANCE = 1e-5
 _DEGREE: Degree = 5  # fewer control points than degree 3 at this tolerance, and continuous third derivatives
@@ -25,16 +25,16 @@ def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str,
     """Return the disc with its bore, holes and hub; z = 0 is the inner face, z = thickness the outer one.
 
     Args:
-        profile: of the rim, mm.
-        blank: what else the disc has.
-        thickness: of the disc, mm.
-        name: of the product.
-        description: of the product, one line.
+        profile: profile of the rim, mm.
+        blank: features of the disc besides its profile.
+        thickness: thickness of the disc, mm.
+        name: name of the product.
+        description: description of the product, one line.
 
     Raises:
         DesignError: a hole cuts into another one, into the hub or through the profile.
         CheckError: the chamfers of broken edges meet, or run out at a ridge.
-        FileError: the kernel made no valid solid of it.
+        FileError: the kernel did not make one valid solid.
     """
     blank.require_walls(profile.outline(PROFILE_STEP))
     holes = [contour_edges(contour, 0.0) for contour in blank.holes()]
@@ -43,13 +43,13 @@ def cam_part(profile: ClosedCurve, blank: Blank, thickness: float, *, name: str,
         shape = _disc(profile, [contour_edges(bore, 0.0), *holes], thickness, blank.edge_break)
     else:
         shape = _with_hub(_disc(profile, holes, thickness, blank.edge_break), boss, bore)
-    found = solids(shape)
-    if len(found) != 1 or not is_valid(found[0]):
+    bodies = solids(shape)
+    if len(bodies) != 1 or not is_valid(bodies[0]):
         raise FileError(
-            f"the CAD kernel made {len(found)} solids of the cam, or an invalid one, where one valid solid "
+            f"the CAD kernel made {len(bodies)} solids of the cam, or an invalid one, where one valid solid "
             "was wanted: check the profile and the design's [blank]"
         )
-    return Part(solid=found[0], name=name, description=description, colour=_COLOUR)
+    return Part(solid=bodies[0], name=name, description=description, colour=_COLOUR)
 
 
 def _disc(profile: ClosedCurve, holes: list[list[Edge]], thickness: float, edge_break: float) -> TopoDS_Shape:

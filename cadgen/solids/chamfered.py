@@ -1,6 +1,6 @@
 """A disc whose rim has both edges broken, as a solid: faces laid edge to edge, no boolean and no sewing.
 
-A chamfer is what it is by its geometry: ruled faces between the outline and the curve inside it, on common knots. Why
+A chamfer consists of ruled faces between the outline and the curve inside it, on common knots. Why
 not the kernel's own chamfer: docs/decisions/0007-broken-edges.md.
 """
 
@@ -85,11 +85,11 @@ def chamfered_disc(
     """Return a disc from z = 0 to z = thickness with both edges of its rim broken at 45 degrees.
 
     Args:
-        strips: of the chamfer, from `cadgen.curves.inset.chamfer_strips`.
+        strips: strips of the chamfer, from `cadgen.curves.inset.chamfer_strips`.
         holes: closed chains at z = 0 inside what the chamfers leave of the faces, counterclockwise.
-        thickness: of the disc, mm; more than two legs.
-        leg: of the chamfers, mm.
-        tolerance: how far splines may stray from the outline and from the curve inside it, mm.
+        thickness: thickness of the disc, mm; more than two legs.
+        leg: leg of the chamfers, mm.
+        tolerance: greatest distance of the splines from the outline and from the curve inside it, mm.
     """
     pairs = ruled_splines(strips, tolerance, 5)
     # The last arc is an edge at every height, so that vertices may be passed on from the first one.

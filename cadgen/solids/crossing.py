@@ -55,7 +55,7 @@ class _Side(NamedTuple):
         return cls(face, _vector(frame.Location()), x, y, axis, radius)
 
     def parameters(self, points: Array, near: Array) -> Array:
-        """Parameters of points on the surface, angles in the turn of given ones, shape (n, 2)."""
+        """Parameters of points on the surface, angles within half a turn of `near` (rad), shape (n, 2)."""
         off = points - self.origin
         if self.radius == np.inf:
             return np.stack([off @ self.x, off @ self.y], axis=1)
@@ -63,12 +63,12 @@ class _Side(NamedTuple):
         return np.stack([near + (angle - near + np.pi) % TURN - np.pi, off @ self.axis], axis=1)
 
     def reach(self, foot: Array, axis: Array, near: float) -> Array:
-        """How far along lines the surface lies, at that of two places that is near, mm.
+        """Distance of the surface along lines, mm; of two crossings, the nearer to `near`.
 
         Args:
-            foot: where each line begins, shape (n, 3).
-            axis: direction of the lines.
-            near: about how far, mm.
+            foot: start of each line, shape (n, 3), mm.
+            axis: direction of the lines, shape (3,).
+            near: approximate distance, mm.
         """
         off = foot - self.origin
         if self.radius == np.inf:
@@ -83,7 +83,7 @@ class _Side(NamedTuple):
 
 
 def with_exact_crossings(shape: TopoDS_Shape) -> TopoDS_Shape:
-    """The same shape, its edges between a hole and a round wall or a slanting floor replaced by exact ones.
+    """Replace the edges of a shape between a hole and a round wall or a slanting floor by exact edges.
 
     Raises:
         FileError: the two are so nearly of one size that no spline follows where they meet.
@@ -97,7 +97,7 @@ def with_exact_crossings(shape: TopoDS_Shape) -> TopoDS_Shape:
         while side and explorer.More():
             edge = TopoDS.Edge(explorer.Current())
             if BRepAdaptor_Curve(edge).GetType() in (GeomAbs_BSplineCurve, GeomAbs_Ellipse):
-                known = next((sides for other, sides in edges if other.IsSame(edge)), None)
+                known = next((sides for earlier, sides in edges if earlier.IsSame(edge)), None)
                 if known is None:
                     edges.append((edge, [side]))
                 else:

@@ -34,8 +34,13 @@ _TIMES_WRITTEN = 3
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class GearContent:
-    """What a part's file holds: the `solid` as by `solids_in`, and of every gear, from below, its
-    section and the greatest distances of its flanks and roots from the exact ones, in mm.
+    """Content of a part's STEP file.
+
+    Attributes:
+        solid: text of the solid, as by `solids_in`.
+        sections: section of every gear, from below.
+        flank_error: greatest distance of a flank from the exact flank, mm.
+        root_error: greatest distance of a root curve from the exact root curve, mm.
     """
 
     solid: bytes
@@ -53,13 +58,13 @@ class _Curves:
 
 
 def solids_in(text: str) -> list[bytes]:
-    """Every solid of a STEP file: its text, then its numbers less its first, so that equal ones are equal anywhere."""
-    found = []
+    """Texts of the solids in a STEP file, numbers counted from the first, so that equal solids have equal texts."""
+    solids = []
     for solid in _SOLID.finditer("".join(text.split())):
         words = re.split(r"#(\d+)", solid[0])
         numbers = np.array(words[1::2], dtype=np.int64) - int(solid[1])
-        found.append("#".join(words[::2]).encode() + numbers.tobytes())
-    return found
+        solids.append("#".join(words[::2]).encode() + numbers.tobytes())
+    return solids
 
 
 def read_gear(path: Path, gears: Sequence[GearForm], starts: Sequence[float]) -> GearContent:
@@ -71,8 +76,8 @@ def read_gear(path: Path, gears: Sequence[GearForm], starts: Sequence[float]) ->
         bare = "".join(path.read_text(encoding="ascii").split())
     except (OSError, UnicodeError) as error:
         raise FileError(f"cannot read {path.name}: {error}") from error
-    found = solids_in(bare)
-    if not bare.endswith("END-ISO-10303-21;") or len(found) != 1 or "SI_UNIT(.MILLI.,.METRE.)" not in bare:
+    solids = solids_in(bare)
+    if not bare.endswith("END-ISO-10303-21;") or len(solids) != 1 or "SI_UNIT(.MILLI.,.METRE.)" not in bare:
         raise FileError(f"{path.name} is not a whole STEP file of one solid in mm: export it again")
     curves = _curves(bare, path)
     sections, flank_error, root_error = [], 0.0, 0.0
@@ -89,7 +94,7 @@ def read_gear(path: Path, gears: Sequence[GearForm], starts: Sequence[float]) ->
                 root_error = max(root_error, deviation)
             rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
         sections.append(Section(np.concatenate(rows, axis=1)))
-    return GearContent(solid=found[0], sections=tuple(sections), flank_error=flank_error, root_error=root_error)
+    return GearContent(solid=solids[0], sections=tuple(sections), flank_error=flank_error, root_error=root_error)
 
 
 def _curves(bare: str, path: Path) -> list[_Curves]:
@@ -97,16 +102,16 @@ def _curves(bare: str, path: Path) -> list[_Curves]:
     by_count: dict[str, list[str]] = {}
     for poles, count in _BEZIER.findall(bare):
         by_count.setdefault(count, []).append(poles)
-    found = []
+    groups = []
     try:
         for count, texts in by_count.items():
             places = ",".join(points[name[1:]] for name in ",".join(texts).split(","))
             x, y, z = np.array(places.split(","), dtype=np.float64).reshape(-1, int(count), 3).transpose(2, 0, 1)
             flat = np.all(z == z[:, :1], axis=1)  # where a set screw meets a hub, curves rise
-            found.append(_Curves((x + 1j * y)[flat], z[flat, 0]))
+            groups.append(_Curves((x + 1j * y)[flat], z[flat, 0]))
     except (KeyError, ValueError) as error:
         raise FileError(f"{path.name} is damaged: export it again") from error
-    return found
+    return groups
 
 
 def _matched(
@@ -120,19 +125,19 @@ def _matched(
         poles = group.poles[at_height]
         if not len(poles):
             continue
-        own = poles[:, [0, -1]]
-        turned = np.angle(own[:, 0] / ends[0, 0])
+        poles_at_ends = poles[:, [0, -1]]
+        turned = np.angle(poles_at_ends[:, 0] / ends[0, 0])
         tooth = np.rint(turned * teeth / (2 * np.pi)).astype(int) % teeth
-        near = np.abs(own - ends[tooth]).max(axis=1) <= _SAME_END
+        near = np.abs(poles_at_ends - ends[tooth]).max(axis=1) <= _SAME_END
         counts = np.bincount(tooth[near], minlength=teeth)
         if np.all(counts == _TIMES_WRITTEN):
-            found = np.empty((teeth, poles.shape[1]), dtype=np.complex128)
-            found[tooth[near]] = poles[near]
+            by_tooth = np.empty((teeth, poles.shape[1]), dtype=np.complex128)
+            by_tooth[tooth[near]] = poles[near]
             copies = poles[near] / turns[tooth[near], None]
             spread = float(np.abs(copies - copies[0]).max())
             if spread > _SAME_END:
                 raise FileError(f"{path.name} has teeth that differ by {spread:.2g} mm: export it again")
-            return found
+            return by_tooth
     raise FileError(f"{path.name} does not have all the flanks and roots of {teeth} teeth: export it again")
 
 

@@ -40,12 +40,12 @@ _VOLUME_TOLERANCE = 1e-9
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Part:
-    """A solid with what a file says about it.
+    """A solid with its name, description and colour in a file.
 
     Attributes:
         solid: the kernel's solid, mm.
-        name: of the product.
-        description: of the product, one line.
+        name: name of the product.
+        description: description of the product, one line.
         colour: red, green, blue in sRGB, 0 to 1.
     """
 
@@ -149,7 +149,7 @@ def prism(outer: Sequence[Edge], inner: Iterable[Sequence[Edge]], height: float)
     Args:
         outer: closed chain of edges in one horizontal plane, counterclockwise.
         inner: closed chains inside it, counterclockwise too.
-        height: positive.
+        height: height of the prism, positive, mm.
     """
     z = outer[0].curve.Value(outer[0].first).Z()
     plane = gp_Pln(gp_Pnt(0.0, 0.0, z), gp_Dir(0.0, 0.0, 1.0))
@@ -160,19 +160,19 @@ def prism(outer: Sequence[Edge], inner: Iterable[Sequence[Edge]], height: float)
 
 
 def drill(hole: RadialHole) -> TopoDS_Shape:
-    """The cylinder that a radial hole takes away, from the z axis outwards."""
+    """Cylinder that a radial hole takes away, from the z axis outwards."""
     axis = gp_Ax2(gp_Pnt(0.0, 0.0, hole.height), gp_Dir(np.cos(hole.angle), np.sin(hole.angle), 0.0))
     return BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, hole.reach).Shape()
 
 
 def solids(shape: TopoDS_Shape) -> list[TopoDS_Solid]:
     """Return the solids in a shape."""
-    found = []
+    bodies = []
     explorer = TopExp_Explorer(shape, TopAbs_SOLID)
     while explorer.More():
-        found.append(TopoDS.Solid(explorer.Current()))
+        bodies.append(TopoDS.Solid(explorer.Current()))
         explorer.Next()
-    return found
+    return bodies
 
 
 def is_valid(shape: TopoDS_Shape) -> bool:

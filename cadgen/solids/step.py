@@ -1,4 +1,4 @@
-"""STEP (ISO 10303-21, AP214): reproducible bytes, and what a reader finds in them.
+"""STEP (ISO 10303-21, AP214): reproducible bytes, and their content read again.
 
 AP214 and not AP242: every CAD system reads it, with name and colour, and what AP242 adds (tolerances,
 tessellated shapes, kinematics) a cam does not use; the kernel writes AP242 by its draft schema only. Curves
@@ -45,7 +45,7 @@ from cadgen.solids.step_text import read_rim
 # since 1970, as reproducible-builds.org defines it) replaces it.
 EPOCH = int(datetime(2000, 1, 1, tzinfo=UTC).timestamp())
 
-# Repairs that the kernel's reader would make: left out, what is judged is what the file says. They take two thirds
+# Repairs that the kernel's reader would make: left out, so that the file itself is judged. They take two thirds
 # of the reading, too.
 _REPAIRS = (
     "FixOrientationMode",
@@ -62,15 +62,15 @@ _REFERENCE = re.compile(rb"#(\d+)")
 
 @dataclass(frozen=True, kw_only=True)
 class PartContent:
-    """What the kernel reads in a STEP file of one part.
+    """Content of a STEP file of one part, as the kernel reads it.
 
     Attributes:
-        valid: whether the kernel finds no fault in what it reads, nor an edge beside its surfaces.
+        valid: whether the kernel finds neither a fault nor an edge beside its surfaces.
         bodies: number of solids.
-        volume: of all solids, mm^3.
-        name: of the product.
-        description: of the product.
-        colour: red, green, blue in sRGB; None if the file gives none.
+        volume: volume of all solids, mm^3.
+        name: name of the product.
+        description: description of the product.
+        colour: red, green, blue in sRGB; None if the file has no colour.
     """
 
     valid: bool
@@ -83,7 +83,7 @@ class PartContent:
 
 @dataclass(frozen=True, kw_only=True)
 class StepContent(PartContent):
-    """What the STEP file of a cam holds, read again.
+    """Content of a cam's STEP file, read again.
 
     Attributes:
         rim: outline of the disc at its carrying planes, from the file's text alone: at z = 0, or where the edges are
@@ -181,7 +181,7 @@ def read_document(path: Path) -> tuple[TDocStd_Document, list[StepBasic_Product]
 
 
 def colour_of(document: TDocStd_Document, shape: TopoDS_Shape) -> tuple[float, float, float] | None:
-    """Red, green and blue in sRGB that a document gives a shape; None if it gives none."""
+    """Red, green and blue in sRGB of a shape in a document; None if it has no colour."""
     colour = Quantity_Color()
     colours = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     if not any(colours.GetColor(shape, kind, colour) for kind in (XCAFDoc_ColorGen, XCAFDoc_ColorSurf)):
@@ -194,7 +194,7 @@ def read_step(path: Path, step: float, land: tuple[float, float] | None = None) 
     """Read a file again: the rim from its text, all else through the kernel's reader.
 
     Args:
-        path: of the file.
+        path: path of the file.
         step: largest distance of two points of the rim, mm.
         land: heights of the edges of the land between broken edges, mm; None for a rim with sharp edges.
 
@@ -202,9 +202,9 @@ def read_step(path: Path, step: float, land: tuple[float, float] | None = None) 
         FileError: the file cannot be read, is not one of ours, or its rim differs from one edge of the land to the
             other.
     """
-    rim, *others = (read_rim(path, step, height) for height in land or (0.0,))
-    for other in others:
-        if not _are_alike(rim, other):
+    rim, *rims = (read_rim(path, step, height) for height in land or (0.0,))
+    for upper in rims:
+        if not _are_alike(rim, upper):
             raise FileError(f"the land between the broken edges in {path.name} is not upright: export it again")
     return StepContent(rim=rim, **asdict(read_part(path)))
 
@@ -233,9 +233,9 @@ def read_part(path: Path) -> PartContent:
     )
 
 
-def _are_alike(one: Outline, other: Outline) -> bool:
+def _are_alike(first: Outline, second: Outline) -> bool:
     """Whether two outlines have the same points, wherever they begin."""
-    a, b = (points[np.lexsort(points.round(_ROUNDING).T)] for points in (one.points, other.points))
+    a, b = (points[np.lexsort(points.round(_ROUNDING).T)] for points in (first.points, second.points))
     return a.shape == b.shape and bool(np.abs(a - b).max() < 10.0**-_ROUNDING)
 
 
@@ -244,11 +244,11 @@ def _with_sorted_colours(data: bytes) -> bytes:
 
     Each colour is a run of entities to itself at the file's end, if no two parts share one.
     """
-    starts = [found.start() for found in _COLOUR.finditer(data)]
+    starts = [match.start() for match in _COLOUR.finditer(data)]
     if len(starts) < 2:
         return data
     end = data.index(b"ENDSEC;", starts[-1])
-    runs = [b"".join(data[one:two].split(b"\n")) for one, two in pairwise([*starts, end])]
+    runs = [b"".join(data[begin:stop].split(b"\n")) for begin, stop in pairwise([*starts, end])]
     number = first = int(_REFERENCE.search(runs[0])[1])  # type: ignore[index]
     written = []
     for run in sorted(runs, key=lambda run: int(_COLOURED.search(run)[1])):  # type: ignore[index]

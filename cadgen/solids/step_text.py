@@ -1,6 +1,6 @@
 """The rim of a STEP file, from the file's own text: a second reader that shares nothing with the CAD kernel.
 
-Of ISO 10303-21 and -42 it knows what a cam's rim is made of: at one height a closed chain of edges that are all
+Of ISO 10303-21 and -42 it reads only the entities of a cam's rim: at one height a closed chain of edges that are all
 B_SPLINE_CURVE_WITH_KNOTS, evaluated here by scipy. A rim with broken edges has such a chain on either side of its land.
 """
 
@@ -19,7 +19,7 @@ _INSTANCE = re.compile(r"#(\d+)\s*=\s*([A-Z0-9_]+)\s*\(((?:[^';]|'[^']*')*)\)\s*
 _UNIT = re.compile(r"\bLENGTH_UNIT\s*\(\s*\)\s*NAMED_UNIT\s*\(\s*\*\s*\)\s*SI_UNIT\s*\(\s*\.MILLI\.\s*,\s*\.METRE\.")
 _LIST = re.compile(r"\(([^()]*)\)")
 _REFERENCE = re.compile(r"#(\d+)")
-_LEVEL = 1e-9  # mm; how far a number in the file may be off the height that was meant
+_LEVEL = 1e-9  # mm; greatest difference of a number in the file from the height
 _JOINT = 1e-6  # mm; two edges of a loop that are further apart than this leave it open
 
 Instances = dict[int, tuple[str, str]]
@@ -29,7 +29,7 @@ def read_rim(path: Path, step: float, height: float = 0.0) -> Outline:
     """Return the rim at a height, each edge one piece, points no more than `step` mm apart.
 
     Args:
-        path: of the file.
+        path: path of the file.
         step: largest distance of two points, mm.
         height: z of the inner face, 0, or of an edge of the land between broken edges, mm.
 

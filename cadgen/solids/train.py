@@ -35,7 +35,7 @@ SATURATION, BRIGHTNESS = 0.35, 0.75
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class AssembledPart:
-    """A part as an assembly's file has it: `transform` is from its frame to the train's, shape (3, 4), mm."""
+    """A part read from an assembly's file: `transform` leads from its frame to the train's, shape (3, 4), mm."""
 
     name: str
     colour: tuple[float, float, float] | None
@@ -96,9 +96,9 @@ def mesh_compound(parts: Sequence[Part], places: Sequence[tuple[float, float, fl
     """Return gears as one build123d compound.
 
     Args:
-        parts: each with its axis on z.
-        places: of each: x of its axis and height of its lower face, mm, and its angle about the axis, rad.
-        name: of the compound.
+        parts: gears, each with its axis on z.
+        places: place of each gear: x of its axis and height of its lower face, mm, and angle about the axis, rad.
+        name: name of the compound.
     """
     import build123d
 
@@ -110,7 +110,7 @@ def mesh_compound(parts: Sequence[Part], places: Sequence[tuple[float, float, fl
 
 
 def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
-    """The parts of an assembly, in the order written, through the kernel's reader.
+    """Read the parts of an assembly, in the order written, through the kernel's reader.
 
     Raises `FileError` if the file cannot be read or is not one assembly of parts.
     """
@@ -120,14 +120,14 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
     tool.GetFreeShapes(roots)
     if roots.Length() != 1 or not XCAFDoc_ShapeTool.GetComponents_s(roots.First(), uses):
         raise FileError(f"{path.name} is not one assembly: export it again")
-    found = []
+    parts = []
     for use in (uses.Value(number) for number in range(1, uses.Length() + 1)):
         label = TDF_Label()
         XCAFDoc_ShapeTool.GetReferredShape_s(use, label)
         shape = tool.GetShape_s(label)
         bodies = solids(shape)
         move = XCAFDoc_ShapeTool.GetLocation_s(use).Transformation()
-        found.append(
+        parts.append(
             AssembledPart(
                 name=_named(label),
                 colour=colour_of(document, bodies[0]) if bodies else None,
@@ -137,7 +137,7 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
                 volume=volume(shape),
             )
         )
-    return tuple(found)
+    return tuple(parts)
 
 
 def _part(part: TrainPart, name: str, description: str) -> Part:

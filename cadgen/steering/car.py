@@ -1,7 +1,7 @@
-"""The three-wheeled car: which steering angle drives which curvature.
+"""The three-wheeled car: curvature of its track by the steering angle, and the inverse.
 
-The steering angle of this and all later rooms is the rod's, beta: what the cam gives. On a car as designed the front
-wheel has the same; on a car as built its angle beta_w may be another,
+The steering angle of this and all later rooms is beta, the angle of the rod, which the cam sets. On a car as designed
+the front wheel has the same angle; on a car as built its angle beta_w may differ,
     tan(beta_w) = tan(atan(g tan(beta)) + beta_0),
 and the drive wheel may go less far than its rim turns where the car turns, by the share slip |tan(beta_w)|.
 """
@@ -21,13 +21,13 @@ class Car:
     """The car in plan view (paper, figure 4 and table 1).
 
     Attributes:
-        wheelbase: L, front fork axis to rear axle, mm.
-        drive_wheel_offset: A1, fork axis to the left (driven) wheel, mm.
-        idle_wheel_offset: A2, fork axis to the right (idle) wheel, mm.
-        max_steering_angle: what the front wheel can turn to either side, rad.
-        steering_zero: beta_0, of the front wheel where the rod is straight, rad.
-        steering_gain: g, of the lever.
-        slip: share of the rim's travel lost for each unit of |tan(beta_w)|.
+        wheelbase: distance L from the front fork axis to the rear axle, mm.
+        drive_wheel_offset: distance A1 from the fork axis to the left (driven) wheel, mm.
+        idle_wheel_offset: distance A2 from the fork axis to the right (idle) wheel, mm.
+        max_steering_angle: greatest angle of the front wheel to either side, rad.
+        steering_zero: angle beta_0 of the front wheel where the rod is straight, rad.
+        steering_gain: gain g of the lever between rod and front wheel.
+        slip: share of the rim's travel that is lost for each unit of |tan(beta_w)|.
     """
 
     wheelbase: float
@@ -40,7 +40,7 @@ class Car:
 
 
 def wheel_tangent(tan_beta: Array, car: Car) -> Array:
-    """Tangent of the front wheel's angle for that of the rod: tan(atan(g T) + beta_0), by the addition theorem."""
+    """Tangent of the front wheel's angle from T, that of the rod: tan(atan(g T) + beta_0), by the addition theorem."""
     if car.steering_gain == 1 and car.steering_zero == 0:
         return tan_beta
     geared, zero = car.steering_gain * tan_beta, tan(car.steering_zero)
@@ -48,17 +48,17 @@ def wheel_tangent(tan_beta: Array, car: Car) -> Array:
 
 
 def pace(tan_beta: Array, car: Car) -> Array:
-    """How far the drive wheel goes for one mm of its rim: 1 - slip |tan(beta_w)|, for the rod's tan(beta)."""
+    """Travel of the drive wheel for each mm of its rim, 1 - slip |tan(beta_w)|, from the rod's tan(beta)."""
     return wheel_pace(wheel_tangent(tan_beta, car), car)
 
 
 def wheel_pace(wheel: Array, car: Car) -> Array:
-    """The same for the tangent of the front wheel's angle, tan(beta_w)."""
+    """Travel of the drive wheel for each mm of its rim, from the front wheel's tan(beta_w)."""
     return 1.0 - car.slip * np.abs(wheel)
 
 
 def tan_steering(curvature: Array, car: Car) -> Array:
-    """Tangent of the rod's steering angle for a signed curvature of the drive wheel's track.
+    """Tangent of the rod's steering angle from the signed curvature of the drive wheel's track, mm^-1.
 
     tan(beta_w) = L k_r / (1 - A1 k_r) with k_r = -curvature (eq. 17-19 with signs; right turns have beta > 0).
     """
@@ -66,12 +66,12 @@ def tan_steering(curvature: Array, car: Car) -> Array:
 
 
 def track_curvature(tan_beta: Array, car: Car) -> Array:
-    """Signed curvature of the drive wheel's track for the rod's steering angle, the inverse of `tan_steering`."""
+    """Signed curvature of the drive wheel's track, mm^-1, from the rod's tan(beta): the inverse of `tan_steering`."""
     return wheel_curvature(wheel_tangent(tan_beta, car), car)
 
 
 def wheel_curvature(wheel: Array, car: Car) -> Array:
-    """The same for the tangent of the front wheel's angle, tan(beta_w) (eq. 21 with signs)."""
+    """Signed curvature of the drive wheel's track, mm^-1, from the front wheel's tan(beta_w) (eq. 21 with signs)."""
     return -wheel / (car.wheelbase + car.drive_wheel_offset * wheel)
 
 

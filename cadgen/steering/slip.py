@@ -1,7 +1,7 @@
 """Slip where the car turns: the rim of the drive wheel turns farther than the wheel goes.
 
 With r the travel of the rim and s that of the wheel, ds/dr = p = 1 - slip |tan(beta_w)| (`cadgen.steering.car.pace`).
-The cam turns in proportion to r, so steering that is known by s is wanted by r.
+The cam turns in proportion to r, so steering known by s must be converted to steering by r.
 """
 
 import numpy as np
@@ -18,9 +18,9 @@ def rim_travel(arc: Array, jets: Array, car: Car) -> Array:
     """Travel of the rim at the nodes of a track, shape (n,), mm.
 
     Args:
-        arc: of the track at the nodes, shape (n,), mm, not decreasing.
-        jets: the rod's tan(beta) with two derivatives by arc, shape (n, 3).
-        car: with its slip.
+        arc: arc length of the track at the nodes, not decreasing, shape (n,), mm.
+        jets: tan(beta) of the rod with two derivatives by arc, shape (n, 3).
+        car: dimensions, lever and slip of the car.
 
     Raises:
         DesignError: somewhere the wheel slips so much that it does not get ahead.

@@ -39,6 +39,7 @@ def ran(tmp_path_factory):
     return run
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("script", EXAMPLES, ids=lambda script: script.stem)
 def test_a_script_is_short_and_runs(ran, script):
     assert len(script.read_text().splitlines()) <= 12
@@ -50,6 +51,7 @@ def test_readme_has_the_cam_script():
     assert lines in (ROOT / "README.md").read_text()
 
 
+@pytest.mark.slow
 def test_the_cam_files_are_those_asked_for_and_the_manifest_says_so(ran):
     made, folder = ran("cam")
     files = made["files"]
@@ -69,6 +71,7 @@ def test_the_cam_files_are_those_asked_for_and_the_manifest_says_so(ran):
     assert (folder / "cam.png").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_the_solid_in_step_has_the_profile_s_area_times_its_thickness(ran):
     made, folder = ran("cam")
     cam = made["cam"]
@@ -88,6 +91,7 @@ def test_the_solid_in_step_has_the_profile_s_area_times_its_thickness(ran):
     assert solid.volume == pytest.approx(left * cam.thickness, rel=1e-4)  # the kernel's plain rule
 
 
+@pytest.mark.slow
 def test_the_outline_in_dxf_lies_on_the_profile(ran):
     made, folder = ran("cam")
     lines = ezdxf.readfile(folder / made["files"][1].path).modelspace().query("LWPOLYLINE")
@@ -98,6 +102,7 @@ def test_the_outline_in_dxf_lies_on_the_profile(ran):
         assert np.hypot(*(points - corner).T).min() < 2e-3
 
 
+@pytest.mark.slow
 def test_the_lift_peaks_where_it_says(ran):
     lift = ran("cam")[0]["cam"].lift
     for angles, sign in ((lift.peaks, 1), (lift.valleys, -1)):
@@ -125,6 +130,7 @@ def flanks(solid, axis, radius, towards):
     return np.array(arcs)
 
 
+@pytest.mark.slow
 def test_the_gears_of_a_pair_mesh_with_the_backlash_asked_for(ran):
     """On the solids as they stand: half of the backlash on either side of every tooth at the line of centres."""
     made, folder = ran("gear_pair")
@@ -143,6 +149,7 @@ def test_the_gears_of_a_pair_mesh_with_the_backlash_asked_for(ran):
     assert build123d.import_step(folder / "pair.step").volume == pytest.approx(pinion.volume + wheel.volume, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_a_calibration_gives_the_design_as_built(ran):
     made, _ = ran("calibration")
     calibration = made["calibration"]

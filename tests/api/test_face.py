@@ -104,7 +104,10 @@ REFUSED = {
     "changes": (lambda car: car.with_("cam.thickness_mm=3"), "give keys with their values"),
     "teeth": (lambda car: replace(PINION, teeth=3), "teeth is 3; it must be a whole number from 4 to 1000"),
     "a module": (lambda car: replace(PINION, module="1"), "module is '1'; it must be a number"),
-    "a width": (lambda car: replace(PINION, width=-1.0), "has width = -1; give a number above 0"),
+    "a width": (
+        lambda car: replace(PINION, width=-1.0),
+        "width is -1; it must be a number, greater than 0 and at most 500 mm",
+    ),
     "a bore": (lambda car: replace(PINION, bore=16.0), "has a bore that reaches to 16 mm"),
     "a hub": (lambda car: replace(PINION, hub=3), "hub is 3; it must be a Hub"),
     "a tolerance": (
@@ -170,6 +173,7 @@ def test_a_cam_is_drawn(cam):
     assert len(outline.patches) == 1 + len(cam.computed.blank.inner_contours())
 
 
+@pytest.mark.slow
 def test_the_gears_of_a_design_are_those_given_by_numbers(car):
     """The paper's train, from the design and from its numbers: one tooth, one return error."""
     made = car.gears()
@@ -243,6 +247,7 @@ def tooth_corners(form):
     return flank[np.abs(flank) < form.tip_diameter / 2 + 1]
 
 
+@pytest.mark.slow
 def test_gears_and_trains_are_written_and_proved(tmp_path, capfd):
     small = Gear(
         teeth=12, module=1.0, profile_shift=0.3, width=5.0, bore=4.0, hub=Hub(diameter=8.0, length=4.0), name="small"

@@ -1,8 +1,10 @@
 """What a newcomer does wrong, or does with the objects besides reading them: refused in one sentence, or it works."""
 
 import copy
+import json
 import pickle
 from dataclasses import replace
+from math import degrees, inf, nan
 
 import numpy as np
 import pytest
@@ -10,7 +12,10 @@ import pytest
 import cadgen
 from cadgen import Design, Gear, GearPair, Measured, Train, verify
 from cadgen.api.files import Written
+from cadgen.design.keys import tables
+from cadgen.design.names import name_fault, usable_name
 from cadgen.errors import DesignError, FileError
+from cadgen.parts.features import Hub, Keyway, Lightening, Web
 
 GEAR = Gear(teeth=18, module=1.0, width=8.0)
 PAIR = GearPair(GEAR, GEAR, backlash=0.1)
@@ -36,6 +41,28 @@ REFUSED = {
     "bytes as formats": (lambda car: GEAR.write("x", b"stl"), "formats is b'stl'; it must name step or stl"),
     "a folder that no system has": (lambda car: GEAR.write("a\0b"), "folder is 'a\\x00b'; it must be a path"),
     "a folder that is a file": (lambda car: GEAR.write(__file__, "stl"), "a file stands where the folder must go"),
+    "a module beyond the design file's": (
+        lambda car: replace(GEAR, module=1e9),
+        "module is 1e+09; it must be a number, greater than 0 and at most 10 mm",
+    ),
+    "a rack without a tip": (lambda car: replace(GEAR, rack_tip_radius=0), "rack_tip_radius is 0; it must be a number"),
+    "a pressure angle in degrees": (lambda car: replace(GEAR, pressure_angle=20.0), "pressure_angle is 20; it must be"),
+    "half a hole": (
+        lambda car: replace(GEAR, lightening=Lightening(count=2.5, hole_diameter=1.0)),
+        "lightening.count is 2.5; it must be a whole number from 1 to 360",
+    ),
+    "a keyway of no width": (
+        lambda car: replace(GEAR, bore=5, keyway=Keyway(width=float("nan"), depth=1.0)),
+        "keyway.width is nan; it must be a number, greater than 0 and at most 100 mm",
+    ),
+    "axes kilometres apart": (lambda car: replace(PAIR, centre_distance=1e6), "at most 2000 mm"),
+    "eight stages": (lambda car: Train([PAIR] * 8), "stages has 8 pairs; it must have at most 7"),
+    "a lift at no angle": (lambda car: car.cam(profile="actual").lift(nan), "cam_angle holds nan; all its numbers"),
+    "a lift without end": (lambda car: car.cam(profile="actual").lift([0, inf]), "cam_angle holds inf"),
+    "a lift at a word": (lambda car: car.cam(profile="actual").lift("a"), "cam_angle is 'a'; it must be a number or"),
+    "a device as name": (lambda car: replace(GEAR, name="Nul.x"), "on Windows Nul is a device"),
+    "a name that ends in a dot": (lambda car: replace(GEAR, name="gear."), "it must not end in a dot"),
+    "a design named after a device": (lambda car: car.with_({"name": "com1"}), "on Windows com1 is a device"),
     # Both gave numbers out of memory that nobody had written.
     "a map of nothing": (lambda car: car.tolerance(10, map=lambda work, numbers: []), "the results of 0 of 10 cars"),
     "a map of too much": (
@@ -100,5 +127,89 @@ def test_what_was_written_can_be_copied_and_sent_to_another_process(tmp_path):
             again.entry["x"] = 1
         with pytest.raises(TypeError):
             again[0].facts["x"] = 1
+        with pytest.raises(TypeError):
+            again.entry["files"]["gear.stl"]["bytes"] = 1
+    assert json.loads(json.dumps(written.entry))["files"].keys() == {"gear.stl"}
+    assert hash(written) == hash(copy.deepcopy(written))
     assert repr(written) == f"<Written to {tmp_path}: gear.stl>"
     assert verify(tmp_path).is_true
+
+
+def test_a_gear_does_not_change_with_the_mapping_it_was_made_of():
+    given = {"f_pt": 0.01}
+    gear = replace(GEAR, tolerances=given)
+    given["f_pt"] = 0.02
+    assert gear.tolerances == {"f_pt": 0.01}
+    assert {gear: 1}[pickle.loads(pickle.dumps(gear))] == 1
+    for change in (gear.tolerances.clear, lambda: gear.tolerances.update(f_pt=1)):
+        with pytest.raises(TypeError, match="cannot be changed"):
+            change()
+
+
+def test_the_folder_that_cannot_be_written_is_the_argument(tmp_path):
+    """There is no `--out` in a program."""
+    with pytest.raises(FileError) as refusal:
+        GEAR.write(tmp_path / ("x" * 300), "stl")
+    assert "--" not in str(refusal.value)
+    with pytest.raises(FileError, match=r"choose another folder$"):
+        GEAR.write(__file__, "stl")
+
+
+def web(thickness, rim):
+    return Web(thickness=thickness, rim_thickness=rim)
+
+
+# Argument -> key of the design file, what an argument of 1 is in the key's unit, and a gear with that argument.
+BOUNDED = {
+    "module": ("train.module_mm", 1, lambda x: replace(GEAR, module=x)),
+    "width": ("train.width_mm", 1, lambda x: replace(GEAR, width=x)),
+    "pressure_angle": ("train.pressure_angle_deg", degrees(1), lambda x: replace(GEAR, pressure_angle=x)),
+    "profile_shift": ("train.stages.driver.profile_shift", 1, lambda x: replace(GEAR, profile_shift=x)),
+    "bore": ("train.drive.bore_diameter_mm", 1, lambda x: replace(GEAR, bore=x)),
+    "tip_chamfer": ("train.tip_chamfer_mm", 1, lambda x: replace(GEAR, tip_chamfer=x)),
+    "addendum": ("train.addendum_factor", 1, lambda x: replace(GEAR, addendum=x)),
+    "dedendum": ("train.dedendum_factor", 1, lambda x: replace(GEAR, dedendum=x)),
+    "rack_tip_radius": ("train.rack_tip_radius_factor", 1, lambda x: replace(GEAR, rack_tip_radius=x)),
+    "thickness_deviation": ("train.E_sn_um", 1e3, lambda x: replace(GEAR, thickness_deviation=x)),
+    "teeth": ("train.stages.driver.teeth", 1, lambda x: replace(GEAR, teeth=int(x))),
+    "grade": ("train.grade", 1, lambda x: replace(GEAR, grade=int(x))),
+    "hub.diameter": ("train.drive.hub.diameter_mm", 1, lambda x: replace(GEAR, hub=Hub(diameter=x))),
+    "hub.length": ("train.drive.hub.length_mm", 1, lambda x: replace(GEAR, hub=Hub(diameter=9, length=x))),
+    "keyway.width": ("train.drive.keyway.width_mm", 1, lambda x: replace(GEAR, keyway=Keyway(width=x, depth=1))),
+    "keyway.depth": ("train.drive.keyway.depth_mm", 1, lambda x: replace(GEAR, keyway=Keyway(width=1, depth=x))),
+    "web.thickness": (
+        "train.drive.web.thickness_mm",
+        1,
+        lambda x: replace(GEAR, web=Web(thickness=x, rim_thickness=1)),
+    ),
+    "web.rim_thickness": ("train.drive.web.rim_mm", 1, lambda x: replace(GEAR, web=Web(thickness=1, rim_thickness=x))),
+    "lightening.count": (
+        "train.drive.lightening.holes",
+        1,
+        lambda x: replace(GEAR, lightening=Lightening(count=int(x), hole_diameter=1)),
+    ),
+    "centre_distance": ("train.stages.centre_distance_mm", 1, lambda x: replace(PAIR, centre_distance=x)),
+    "bearing_span": ("train.bearing_span_mm", 1, lambda x: replace(PAIR, bearing_span=x)),
+    "clearance": ("train.clearance_mm", 1, lambda x: Train([PAIR], clearance=x)),
+}
+
+
+@pytest.mark.parametrize("argument", BOUNDED)
+def test_arguments_are_bounded_as_the_keys_of_the_design_file(argument):
+    name, unit, made = BOUNDED[argument]
+    allowed = next(key for table in tables().values() for key in table.keys if key.name == name).allowed
+    words = allowed.replace(" and ", ", ").split(", ")
+    least, most = (float(part.split()[-1]) / unit for part in words)
+    outside = [least if words[0].startswith("greater") else least - 1, most + 1]
+    for value in outside:
+        with pytest.raises(DesignError, match=rf"^{argument} is .*; it must be"):
+            made(value)
+
+
+def test_names_that_windows_cannot_have():
+    for name in ("con", "PRN", "Aux.1", "nul.step", "COM0", "lpt9.x", "car.", "a..", "", ".a", "a/b", "a" * 65):
+        assert name_fault(name)
+        assert not name_fault(usable_name(name))
+    for name in ("console", "com", "com10", "a.con", "1", "car.v2"):
+        assert not name_fault(name)
+        assert usable_name(name) == name

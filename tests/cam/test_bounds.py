@@ -6,11 +6,14 @@ import pytest
 from cadgen.build.cam_model import lift
 from cadgen.cam import contact
 from cadgen.cam.contact import roll, roll_curve, rolling_step
-from cadgen.cam.follower import Follower
+from cadgen.cam.envelope import actual_profile
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.lift import LiftCurve
 from cadgen.curves.contour import circle
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.path import track
+from cadgen.path.hermite import quintic_hermite
 from cadgen.workflow.cam import cures as cures_module
 from cadgen.workflow.cam.cures import find_cures
 from cadgen.workflow.cam.plan import plan_cam
@@ -20,7 +23,7 @@ from cadgen.workflow.cam.plan import plan_cam
     ("disc", "rod"), [(70.0, 2.5), (70.0, 0.05), (3000.0, 0.05), (3000.0, 100.0), (150.0, 100.0), (1.0, 0.05)]
 )
 def test_steps_follow_the_sizes_of_disc_and_rod(disc, rod):
-    follower = Follower(base_radius=disc, inner=rod + 10.0, outer=rod + 12.0, radius=rod)
+    follower = LeaningRod(base_radius=disc, inner=rod + 10.0, outer=rod + 12.0, radius=rod)
     step = rolling_step(circle((0.0, 0.0), disc).curve(), follower)
     assert 2 * np.pi * disc / step <= 1.6e6  # points on the outline
     assert 6 <= 2 * rod / step <= 4000  # points under the rod
@@ -28,12 +31,12 @@ def test_steps_follow_the_sizes_of_disc_and_rod(disc, rod):
 
 
 def test_the_paper_s_disc_is_rolled_as_finely_as_ever():
-    follower = Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
+    follower = LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
     assert rolling_step(circle((0.0, 0.0), 67.5).curve(), follower) == contact.COARSEST_STEP
 
 
 def test_blocks_of_any_size_give_the_same(monkeypatch):
-    follower = Follower(base_radius=30.0, inner=23.5, outer=26.5, radius=2.5)
+    follower = LeaningRod(base_radius=30.0, inner=23.5, outer=26.5, radius=2.5)
     outline = circle((1.5, -0.5), 28.0).curve().outline(0.02)
     angle = np.linspace(0.0, 2 * np.pi, 300, endpoint=False)
     whole = roll(outline, follower, angle)
@@ -43,7 +46,7 @@ def test_blocks_of_any_size_give_the_same(monkeypatch):
 
 def test_a_thin_rod_on_a_circle_gives_its_lift():
     # The rod rests on a circle about the camshaft where it is nearest to the fork, square to the ray.
-    follower = Follower(base_radius=30.0, inner=10.0, outer=10.0, radius=0.05)
+    follower = LeaningRod(base_radius=30.0, inner=10.0, outer=10.0, radius=0.05)
     rolled, _ = roll_curve(circle((0.0, 0.0), 29.0).curve(), follower, np.linspace(0.0, 6.0, 50))
     tangent = rolled.tan_beta[0]
     assert pytest.approx(30.0 + 10.0 * tangent - 0.05 * np.hypot(1.0, tangent), abs=1e-6) == 29.0
@@ -79,7 +82,7 @@ def test_cures_are_not_sought_at_very_many_kinks(monkeypatch):
     assert plan.lost
     monkeypatch.setattr(cures_module, "MOST_KINKS_CURED", len(plan.lift.kinks) - 1)
     cures = find_cures(plan)
-    assert cures.found == ()
+    assert cures.proved == ()
     (said,) = cures.sentences()
     assert f"the lift has {len(plan.lift.kinks)} kinks" in said
     assert 'set path.spline = "quintic"' in said
@@ -100,3 +103,16 @@ def test_trains_too_long_to_be_compared_are_refused(override, words):
     with pytest.raises(DesignError, match=words):
         load_train("carbon_free_car", [override])
     assert len(load_train(None, [f"train.stages=[{','.join([_STAGE] * 7)}]"]).train.stages) == 7
+
+
+def test_a_path_whose_envelopes_fold_too_often_is_refused_by_its_key():
+    """Ten thousand waypoints rounded to a nanometre took minutes: each ripple folds both faces' envelopes."""
+    waves = 1500
+    nodes = np.linspace(0.0, 2 * np.pi, 4 * waves + 1)
+    phase = waves * nodes
+    wave = 1e-4 * np.stack([np.sin(phase), waves * np.cos(phase)], axis=1)
+    jets = np.column_stack([wave, -(waves**2) * wave[:, 0]])
+    rough = LiftCurve(quintic_hermite(nodes, jets, periodic=True), np.array([]), 2 * np.pi)
+    with pytest.raises(DesignError, match=r"turns back at \d+ places, 1000 at most .* of path.waypoints_mm") as refusal:
+        actual_profile(rough, LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5))
+    assert "1000 at most are followed: keep one in" in str(refusal.value)

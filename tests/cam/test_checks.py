@@ -10,10 +10,10 @@ from cadgen.cam import checks
 from cadgen.cam.checks import check_cam
 from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
+from cadgen.cam.followers.rod_profiles import published_profile, theoretical_profile
 from cadgen.cam.lift import lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
-from cadgen.cam.theoretical import published_profile, theoretical_profile
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.smoothing import smoothed_lift
 from cadgen.parts.blank import Blank
@@ -25,7 +25,6 @@ LIMITS = CheckLimits(
     lost_lift=1e-3,
     min_convex_radius=0.5,
     cutter_radius=2.0,
-    rod_length=40.0,
     wall=2.0,
 )
 BLANK = Blank(bore_diameter=8.0)
@@ -88,7 +87,6 @@ def test_pressure_angle_is_that_of_the_pitch_curve(carbon_free_car):
         ({"pressure_angle": replace(PRESSURE_ANGLE_LIMITS["norton_oscillating"], rise=0.3)}, "pressure angle, rise"),
         ({"pressure_angle": replace(PRESSURE_ANGLE_LIMITS["norton_oscillating"], fall=0.3)}, "pressure angle, return"),
         ({"cutter_radius": 9.0}, "largest cutter radius"),
-        ({"rod_length": 27.0}, "rod past the rim"),
         ({"min_convex_radius": 20.0}, "convex radius, profile"),
         ({"lost_lift": 1e-4}, "lost lift, face change"),
         ({"wall": 60.0}, "thinnest wall"),
@@ -96,6 +94,10 @@ def test_pressure_angle_is_that_of_the_pitch_curve(carbon_free_car):
 )
 def test_each_limit_binds(carbon_free_car, change, name):
     assert failed(run(carbon_free_car, limits=replace(LIMITS, **change))) == ({name} if name else set())
+
+
+def test_a_rod_that_ends_on_the_rim(carbon_free_car):
+    assert failed(run(carbon_free_car, follower=replace(carbon_free_car.follower, length=27.0))) == {"rod past the rim"}
 
 
 def test_a_hub_in_the_rods_way(carbon_free_car):

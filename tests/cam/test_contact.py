@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from cadgen.cam.contact import roll, roll_curve
-from cadgen.cam.follower import Follower
-from cadgen.cam.theoretical import theoretical_profile
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.followers.rod_profiles import theoretical_profile
 from cadgen.curves.closed import ClosedCurve, Jet, Outline
 from cadgen.errors import DesignError
 
 TURN = 2 * np.pi
-FOLLOWER = Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
+FOLLOWER = LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
 
 
 def circle(radius: float, centre: float = 0.0, count: int = 7200) -> Outline:
@@ -33,7 +33,7 @@ def test_concentric_circle_leans_by_a_closed_form(radius):
 
 def test_eccentric_circle_far_from_the_fork():
     """d = e cos + sqrt((R + r)^2 - e^2 sin^2), the textbook eccentric (Norton, Design of Machinery, ch. 8)."""
-    far = Follower(base_radius=60.0, inner=1e7, outer=1e7 + 1, radius=2.5)
+    far = LeaningRod(base_radius=60.0, inner=1e7, outer=1e7 + 1, radius=2.5)
     theta = np.linspace(0, TURN, 360, endpoint=False)
     contact = roll(circle(60.0, 6.0), far, theta)
     exact = 6 * np.cos(theta) + np.sqrt(62.5**2 - 36 * np.sin(theta) ** 2) - 60.0
@@ -72,7 +72,7 @@ class Eccentric:
 @pytest.mark.parametrize("rod", [0.3, 1.25, 4.0])
 def test_steep_flanks_are_rolled_until_nothing_is_left(off, rod):
     """A textbook eccentric at pressure angles up to 80 degrees: steps that agree by chance do not end the rolling."""
-    far = Follower(base_radius=20.0, inner=1e7, outer=1e7 + 1, radius=rod)
+    far = LeaningRod(base_radius=20.0, inner=1e7, outer=1e7 + 1, radius=rod)
     theta = np.linspace(0, TURN, 3600, endpoint=False)
     contact, step = roll_curve(ClosedCurve((Eccentric(20.0, off),)), far, theta)
     reach = 20.0 + rod
@@ -155,7 +155,7 @@ def test_undercut_corners_lose_the_closed_form(appendix_car):
 
 
 def test_a_knife_edge_reads_the_radius(carbon_free_car):
-    follower = Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=0.0)
+    follower = LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=0.0)
     theta = np.linspace(0, TURN, 500)
     curve = theoretical_profile(carbon_free_car.lift, carbon_free_car.follower)
     error = roll(curve.outline(0.03), follower, theta).lift - follower.lift(carbon_free_car.lift.tan_beta(theta))

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from cadgen.cam.checks import check_cam
-from cadgen.cam.clearance import CHAMFER_LEAN
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
+from cadgen.cam.followers.rod_checks import CHAMFER_LEAN
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.curves.closed import left_normal
 from cadgen.deviations.as_built import AS_DESIGNED
@@ -141,7 +141,6 @@ def checks_of(built, leg, lift=None):
         lost_lift=1e-3,
         min_convex_radius=0.5,
         cutter_radius=2.0,
-        rod_length=40.0,
         wall=2.0,
     )
     blank = Blank(bore_diameter=8.0, edge_break=leg)

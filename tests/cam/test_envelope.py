@@ -7,10 +7,10 @@ import pytest
 from scipy.interpolate import PPoly
 
 from cadgen.cam.contact import roll
-from cadgen.cam.envelope import EnvelopePiece, actual_profile
-from cadgen.cam.follower import Follower
+from cadgen.cam.envelope import actual_profile
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.followers.rod_profiles import published_profile, theoretical_profile
 from cadgen.cam.lift import LiftCurve
-from cadgen.cam.theoretical import published_profile, theoretical_profile
 from cadgen.errors import DesignError
 
 TURN = 2 * np.pi
@@ -33,7 +33,7 @@ def constant_lift(value: float) -> LiftCurve:
     return LiftCurve(PPoly(np.array([[value]]), np.array([0.0, TURN]), extrapolate="periodic"), np.array([]), 6.0)
 
 
-def least_radius(lift: LiftCurve, follower: Follower, angle: np.ndarray) -> np.ndarray:
+def least_radius(lift: LiftCurve, follower: LeaningRod, angle: np.ndarray) -> np.ndarray:
     """Polar radius of the disc that no section cuts: the nearest crossing of each ray with any ellipse."""
     theta = np.concatenate([np.linspace(0, TURN, 40_001), lift.kinks])
     T = lift.tan_beta(theta)
@@ -58,7 +58,7 @@ def least_radius(lift: LiftCurve, follower: Follower, angle: np.ndarray) -> np.n
 @pytest.mark.parametrize("tan_beta", [0.0, 0.2, -0.25])
 def test_constant_lift_gives_a_circle(tan_beta):
     """The rod leans by beta all round: a circle of radius a + s - r / cos(beta)."""
-    follower = Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
+    follower = LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
     curve = actual_profile(constant_lift(tan_beta), follower).curve
     radius = curve.radius(np.linspace(0, TURN, 50))
     expected = 70.0 + follower.lift(np.array(tan_beta)) - 2.5 * np.sqrt(1 + tan_beta**2)
@@ -79,7 +79,7 @@ def test_eccentric_circle():
 
     jets = np.stack([d - 60.0, d1, d2], axis=1) / far
     lift = LiftCurve(quintic_hermite(theta, jets, periodic=True), np.array([]), 6.0)
-    follower = Follower(base_radius=60.0, inner=far, outer=far + 1.0, radius=rod)
+    follower = LeaningRod(base_radius=60.0, inner=far, outer=far + 1.0, radius=rod)
     curve = actual_profile(lift, follower).curve
     points = curve.outline(0.5).points
     error = np.hypot(points[:, 0] - eccentricity, points[:, 1]) - disc
@@ -149,7 +149,7 @@ def test_faces_change_with_a_true_corner(carbon_free_car):
 def test_a_peak_sharper_than_the_rod_is_trimmed_as_local():
     """Sixteen waves of 4 mm on 70 mm: the pitch curve's peaks are sharper than a rod of 6 mm."""
     lift = harmonic_lift(0.16, 16)
-    follower = Follower(base_radius=70.0, inner=25.0, outer=26.0, radius=6.0)
+    follower = LeaningRod(base_radius=70.0, inner=25.0, outer=26.0, radius=6.0)
     profile = actual_profile(lift, follower)
     assert sum(trim.kind == "local" for trim in profile.trims) == 16
     angle = np.linspace(0, TURN, 60)
@@ -161,12 +161,12 @@ def test_a_peak_sharper_than_the_rod_is_trimmed_as_local():
 
 def test_swallowtails_run_backwards():
     lift = harmonic_lift(0.16, 16)
-    piece = EnvelopePiece(lift, Follower(base_radius=70.0, inner=25.0, outer=26.0, radius=6.0), 25.0, 0.0, TURN)
+    piece = LeaningRod(base_radius=70.0, inner=25.0, outer=26.0, radius=6.0).piece(lift, 25.0, 0.0, TURN)
     assert (piece.advance(np.array([0.0])) < 0).all()
 
 
 def test_nothing_left_of_the_disc():
-    follower = Follower(base_radius=8.0, inner=23.5, outer=26.5, radius=4.0)
+    follower = LeaningRod(base_radius=8.0, inner=23.5, outer=26.5, radius=4.0)
     with pytest.raises(DesignError, match="nothing is left of the disc"):
         actual_profile(harmonic_lift(0.2, 3), follower)
     with pytest.raises(DesignError, match=r"axis is \d+\.\d+ mm beyond the camshaft"):

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.loss import lost_lift
 from cadgen.path.hermite import quintic_hermite
@@ -32,7 +32,7 @@ def cams(draw):
     jets[-1] = jets[0]
     lift = LiftCurve(quintic_hermite(theta, jets, periodic=True), np.array([]), TURN - 0.2)
     inner = draw(st.floats(10.0, 50.0))
-    return lift, Follower(
+    return lift, LeaningRod(
         base_radius=draw(st.floats(40.0, 120.0)),
         inner=inner,
         outer=inner + draw(st.floats(0.5, 10.0)),

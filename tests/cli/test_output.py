@@ -41,7 +41,7 @@ def test_an_empty_folder_name_is_no_folder(cadgen, tmp_path):
 
 def test_a_name_too_long_for_a_folder(cadgen, tmp_path):
     message = one_sentence(cadgen("cam", "--profile", "actual", "--out", "x" * 300, code=3))
-    assert message.endswith("the path is too long: choose a shorter --out")
+    assert message.endswith("the path is too long: choose a shorter one")
     assert list(tmp_path.iterdir()) == []
 
 

@@ -9,10 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
+from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.design.blank import Blank, Lightening
+from cadgen.design.follower import section_of
 from cadgen.design.keys import keys
-from cadgen.design.schema import Cam, Checks, DesignFile, Follower, Path
+from cadgen.design.schema import Cam, Checks, DesignFile, Path
 from cadgen.path.spline import MIN_WAYPOINTS, SplineKind
 
 
@@ -135,4 +137,4 @@ def test_every_key_says_what_it_means_and_every_number_has_its_range() -> None:
 
 
 def test_a_rod_left_without_a_length_is_valid() -> None:
-    assert Follower(radius_mm=2.5).length_mm is None
+    assert section_of(ROD)(radius_mm=2.5).keys.length_mm is None

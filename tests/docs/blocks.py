@@ -19,6 +19,11 @@ INSTALL = "python3 -m venv"
 
 _FENCE = re.compile(r"^(?P<slow><!-- slow -->\n)?```(?P<language>[\w{}-]*)[^\n]*\n(?P<text>.*?)^```$", re.M | re.S)
 
+_FILES = (
+    *("docs/tutorial/first_car.toml", "docs/tutorial/camera.csv", "docs/tutorial/trial_1.csv"),
+    "tests/data/measured/track_b.csv",
+)
+
 # Runs `cadgen` with arguments in a folder and returns exit code and what it prints.
 Cadgen = Callable[[list[str], Path], tuple[int, str]]
 
@@ -84,7 +89,7 @@ class Workshop:
     @classmethod
     def at(cls, folder: Path, cadgen: Cadgen) -> "Workshop":
         """Lay the pages' files into a folder."""
-        for name in ("docs/tutorial/first_car.toml", "docs/tutorial/camera.csv", "tests/data/measured/track_b.csv"):
+        for name in _FILES:
             shutil.copy(ROOT / name, folder)
         return cls(folder, cadgen)
 

@@ -241,7 +241,7 @@ def test_stl_keeps_vertices_closer_than_a_micrometre(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_full_disk_is_one_clear_error_and_leaves_nothing(tmp_path):
+def test_a_full_disk_is_one_clear_error_and_leaves_nothing(forks, tmp_path):
     """The system refuses files of more than 20 kB to another process; the kernel's file must not slip through."""
     program = f"""
 import resource
@@ -266,10 +266,9 @@ for suffix, data in files.items():
     except FileError as error:
         print(error)
 """
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-    run = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True, env=environment)
-    lines = run.stdout.decode().splitlines()
-    assert len(lines) == 3
+    run = forks.run(program, cwd=tmp_path)
+    lines = run.stdout.splitlines()
+    assert (run.returncode, len(lines)) == (0, 3), run.stderr
     assert all(line.startswith("nothing was written to ") and "larger than" in line for line in lines)
     assert not (tmp_path / "out").exists()
 

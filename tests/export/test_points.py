@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.cam.contact import roll
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.curves.closed import ClosedCurve, Span
 from cadgen.curves.contour import Contour, circle
 from cadgen.errors import FileError
@@ -71,7 +71,7 @@ def test_a_spline_bulges_beside_a_corner_by_the_share_that_the_spacing_rests_on(
 @pytest.fixture(scope="module")
 def eccentric():
     """A rod on a circle of radius 40 whose centre is 6 mm from the camshaft."""
-    return circle((6.0, 0.0), 40.0).curve(), Follower(base_radius=42.0, inner=30.0, outer=33.0, radius=2.5)
+    return circle((6.0, 0.0), 40.0).curve(), LeaningRod(base_radius=42.0, inner=30.0, outer=33.0, radius=2.5)
 
 
 def test_the_table_of_an_eccentric_circle(eccentric, tmp_path):
@@ -168,7 +168,7 @@ def test_points_closer_than_rounding_are_one(carbon_free_car, tmp_path):
 def test_a_straight_profile_has_an_empty_radius_of_curvature(tmp_path):
     square = np.array([[40.0, 40.0], [-40.0, 40.0], [-40.0, -40.0], [40.0, -40.0]])
     curve = Contour(square, np.zeros(4)).curve()
-    follower = Follower(base_radius=60.0, inner=30.0, outer=33.0, radius=2.5)
+    follower = LeaningRod(base_radius=60.0, inner=30.0, outer=33.0, radius=2.5)
     write_csv(tmp_path / "square.csv", curve, follower, roll(curve.outline(0.05), follower, np.zeros(1)))
     assert np.isnan(read_csv(tmp_path / "square.csv")["radius_of_curvature_mm"]).all()
 

@@ -2,10 +2,9 @@
 
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise, permutations, product
+from itertools import permutations, product
 from math import degrees, inf, prod, radians
 
-import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -13,7 +12,6 @@ from hypothesis import strategies as st
 from cadgen.errors import DesignError
 from cadgen.gears import chains
 from cadgen.gears.backlash import stage_play, train_play
-from cadgen.gears.chains import Fit, best_chains
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.layout import Blanks, lay_out
 from cadgen.gears.limits import SearchLimits
@@ -139,36 +137,6 @@ def test_the_search_finds_what_brute_force_finds(limits):
     every_train = {stages for _, stages in expected}
     assert all(play.train.stages in every_train for play in found)
     assert len({play.train for play in found}) == len(found)
-
-
-@pytest.mark.slow
-@settings(deadline=None, max_examples=60)
-@given(
-    st.lists(st.tuples(st.integers(1, 12), st.integers(1, 12), st.floats(0.1, 10)), min_size=1, max_size=8),
-    st.fractions(Fraction(1, 8), 8, max_denominator=12),
-    st.sampled_from([0.0, 1 / 64, 0.25]),
-    st.integers(1, 4),
-    st.integers(1, 6),
-)
-def test_chains_of_any_costs_are_those_of_brute_force(pairs, ratio, tolerance, length, keep):
-    driver, driven, cost = (np.array(column) for column in zip(*pairs, strict=True))
-    expected = []
-    for rows in product(range(len(pairs)), repeat=length):
-        total, behind = 0.0, Fraction(1)
-        for row in reversed(rows):
-            total += pairs[row][2] / float(behind)
-            behind *= Fraction(pairs[row][1], pairs[row][0])
-        if abs(behind / ratio - 1) <= Fraction(tolerance):
-            expected.append(total)
-    found = best_chains(driver, driven, cost, ratio=ratio, tolerance=tolerance, length=length, keep=keep)
-    assert len(found) == min(keep, len(expected))
-    lags = []
-    for rows in found:
-        lag = 0.0
-        for row in rows:
-            lag = lag * driver[row] / driven[row] + cost[row]
-        lags.append(lag)
-    assert lags == pytest.approx(sorted(expected)[: len(found)])
 
 
 @pytest.mark.slow
@@ -351,89 +319,6 @@ def test_usual_limits_are_widened_to_the_train_given():
     assert wide.stage_ratio == (0.75, 12.0)
     assert 1.1 <= wide.contact_ratio <= contact_ratio(cut) < wide.contact_ratio + 0.02
     assert missing_shift(cut.driver.form) <= wide.undercut < missing_shift(cut.driver.form) + 0.02
-
-
-@settings(deadline=None, max_examples=30)
-@given(
-    st.lists(
-        st.tuples(st.integers(1, 9), st.integers(1, 9), st.floats(0.1, 10), st.lists(st.booleans(), min_size=4)),
-        min_size=1,
-        max_size=6,
-    ),
-    st.fractions(Fraction(1, 4), 4, max_denominator=6),
-    st.integers(1, 4),
-)
-def test_pairs_stand_only_where_they_may(pairs, ratio, length):
-    driver, driven, cost = (np.array([pair[column] for pair in pairs]) for column in range(3))
-    allowed = [np.array([pair[3][place] for pair in pairs]) for place in range(length)]
-    expected = []
-    for rows in product(range(len(pairs)), repeat=length):
-        total, behind = 0.0, Fraction(1)
-        for row in reversed(rows):
-            total += pairs[row][2] / float(behind)
-            behind *= Fraction(pairs[row][1], pairs[row][0])
-        if behind == ratio and all(allowed[place][row] for place, row in enumerate(rows)):
-            expected.append(total)
-    fit = Fit.anywhere(length, driver.size, np.array(allowed))
-    found = best_chains(driver, driven, cost, ratio=ratio, tolerance=0.0, length=length, keep=5, fit=fit)
-    assert len(found) == min(5, len(expected))
-    lags = []
-    for rows in found:
-        lag = 0.0
-        for place, row in enumerate(rows):
-            assert allowed[place][row]
-            lag = lag * driver[row] / driven[row] + cost[row]
-        lags.append(lag)
-    assert lags == pytest.approx(sorted(expected)[: len(found)])
-
-
-@pytest.mark.slow
-@settings(deadline=None, max_examples=60)
-@given(
-    st.lists(
-        st.tuples(
-            st.integers(1, 9),
-            st.integers(1, 9),
-            st.floats(0.1, 10),
-            st.integers(1, 4),
-            st.integers(1, 4),
-            st.integers(1, 3),
-        ),
-        min_size=1,
-        max_size=7,
-    ),
-    st.data(),
-    st.fractions(Fraction(1, 4), 4, max_denominator=6),
-    st.integers(1, 4),
-    st.integers(3, 9),
-)
-def test_neighbours_clear_each_other_and_all_fit_between_the_bearings(pairs, data, ratio, length, most):
-    driver, driven, cost, wheel, pinion, height = (np.array([pair[column] for pair in pairs]) for column in range(6))
-    rooms = st.lists(st.integers(1, 4), min_size=len(pairs), max_size=len(pairs))
-    after, before = (
-        np.array([data.draw(rooms) for _ in range(length - 1)], float).reshape(-1, len(pairs)) for _ in "ab"
-    )
-    expected = []
-    for rows in product(range(len(pairs)), repeat=length):
-        total, behind = 0.0, Fraction(1)
-        for row in reversed(rows):
-            total += pairs[row][2] / float(behind)
-            behind *= Fraction(pairs[row][1], pairs[row][0])
-        clear = all(wheel[a] <= after[j][b] and pinion[b] <= before[j][a] for j, (a, b) in enumerate(pairwise(rows)))
-        if behind == ratio and clear and sum(height[row] for row in rows) <= most:
-            expected.append(total)
-    everywhere = Fit.anywhere(length, len(pairs))
-    fit = replace(
-        everywhere, wheel=wheel, pinion=pinion, after=after, before=before, height=height, most_height=float(most)
-    )
-    found = best_chains(driver, driven, cost, ratio=ratio, tolerance=0.0, length=length, keep=5, fit=fit)
-    lags = []
-    for rows in found:
-        lag = 0.0
-        for row in rows:
-            lag = lag * driver[row] / driven[row] + cost[row]
-        lags.append(lag)
-    assert lags == pytest.approx(sorted(expected)[:5])
 
 
 def test_six_stages_are_searched_through_and_a_search_without_end_is_given_up(monkeypatch):

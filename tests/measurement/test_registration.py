@@ -104,6 +104,7 @@ def fork_file(synthetic_car, tmp_path_factory):
     return path
 
 
+@pytest.mark.slow
 def test_a_made_up_kind_is_read_judged_and_written(fork, fork_file, nominal, tmp_path):
     design = load_design()
     calibration = plan.calibrate(design, "actual", plan.read([fork_file]), nominal=nominal)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.curves.closed import ClosedCurve
 
 _NEAR = np.radians(3.0)  # points farther from the ray to the rod cannot carry it
@@ -32,7 +32,7 @@ class Disc:
 
 def rest(
     disc: Disc,
-    rod: Follower,
+    rod: LeaningRod,
     theta: np.ndarray,
     *,
     shift: tuple[float, float] = (0.0, 0.0),

@@ -70,6 +70,7 @@ def test_the_oracle_rolls_as_the_contact_does(at_rest, contact):
     np.testing.assert_allclose(at_rest, contact.tan_beta, atol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_steering_changes_as_on_the_displaced_disc(name, displaced, at_rest, contact, carbon_free_car):
     rows = dict(zip(STEERING, steering_derivatives(contact, carbon_free_car.follower, expansion=HEAT), strict=True))
@@ -118,6 +119,7 @@ def driven(built, tan_beta, **car) -> complex:
     return complex(*(run.drive_wheel[-1] - run.drive_wheel[0]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_the_end_of_the_run_moves_as_with_the_displaced_disc(name, displaced, at_rest, ends, carbon_free_car):
     """Within 2 %, with nothing linear on the other side."""

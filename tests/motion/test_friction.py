@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.drive import drive
 from cadgen.motion.mechanics import Mechanics
@@ -42,7 +42,7 @@ ENDS = {
 }
 
 
-def rod_of(follower: Follower, **changes: float) -> Rod:
+def rod_of(follower: LeaningRod, **changes: float) -> Rod:
     """The same rod for the truth."""
     rod = Rod(base=follower.base_radius, inner=follower.inner, outer=follower.outer, radius=follower.radius)
     return replace(rod, **changes)

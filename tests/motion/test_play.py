@@ -65,7 +65,7 @@ def test_any_lift_and_any_play(values, play):
     steps = 360 * len(values)
     motor, cam = step_by_step(lift, play, steps, turns=2)
     play = round(play / (TURN / steps)) * TURN / steps
-    found = falls(lift, least=0.0)
+    found = falls(lift, least_swing=0.0)
     mine = Following(lift, play, found).cam_angle(motor)
     tail = motor > TURN  # the simulator's first turn starts from rest at 0
     assert np.mean(np.abs(mine - cam)[tail] > 1.5 * TURN / steps) < 2 * len(values) / steps
@@ -104,9 +104,9 @@ def test_noise_makes_no_events(noise_at, sign):
     """Ripples below the least swing, also on the peak, in the valley and across 0, leave one fall."""
     x = np.linspace(0.0, TURN, 401)[:-1]
     height = 0.2 * np.cos(x - 0.02)
-    clean = falls(stepped(list(height)), least=1e-3)
+    clean = falls(stepped(list(height)), least_swing=1e-3)
     height[noise_at] += sign * 4e-4
-    noisy = falls(stepped(list(height)), least=1e-3)
+    noisy = falls(stepped(list(height)), least_swing=1e-3)
     assert noisy.shape == clean.shape == (1, 2)
     # A ripple of 4e-4 can carry the peak no further than where the cosine has dropped by as much.
     moved = (noisy - clean + np.pi) % TURN - np.pi
@@ -168,6 +168,7 @@ def passed_over_one_by_one(height: np.ndarray, least: float) -> list[int]:
     return row
 
 
+@pytest.mark.slow
 @settings(max_examples=400, deadline=None)
 @given(
     pairs=st.lists(st.tuples(st.integers(0, 8), st.integers(0, 8)), max_size=12),

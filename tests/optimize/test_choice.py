@@ -17,7 +17,7 @@ def test_the_least_of_those_that_keep_the_limits_is_chosen():
     choice = choose(
         [candidate("actual", 40.0, 0.0), candidate("smoothed", 5.0, 30.0), candidate("compensated", 8.0, 1.0)],
         LIMITS,
-        least="position error",
+        objective="position error",
     )
     assert choice.best.name == "compensated"
     assert choice.reasons == (
@@ -34,10 +34,10 @@ def test_names_the_limit_that_binds_and_by_how_much():
         choose(
             [candidate("smoothed", 10.0, 200.0), candidate("compensated", 60.0, 1.0), candidate("bad", np.nan, 0.0)],
             LIMITS,
-            least="position error",
+            objective="position error",
         )
 
 
 def test_a_figure_that_is_no_number_keeps_no_limit():
     with pytest.raises(CheckError, match="the nearest, bad"):
-        choose([candidate("bad", float("nan"), 0.0)], LIMITS, least="position error")
+        choose([candidate("bad", float("nan"), 0.0)], LIMITS, objective="position error")

@@ -18,6 +18,8 @@ from cadgen.motion.errors import run_error
 from cadgen.motion.play import falls, follow
 from cadgen.motion.sampled import sampled_lift
 from cadgen.optimize.compensation import PLATEAU_FALL, VALLEY_SHARE, compensated_lift
+from cadgen.optimize.dilation import lost_dips
+from cadgen.path.hermite import quintic_hermite
 
 PLAY = np.radians(0.962)
 CARS = ["carbon_free_car", "appendix_car"]
@@ -176,3 +178,19 @@ def test_refuses_what_is_no_play_or_plateau(carbon_free_car):
             compensated_lift(built.lift, built.follower, play)
     with pytest.raises(DesignError, match="the fall must be above 0"):
         compensated_lift(built.lift, built.follower, PLAY, plateau_fall=0.0)
+
+
+def test_what_is_lost_of_a_rough_lift_is_its_brute_force_closing():
+    """Ripples by the hundred, in number and depth as waypoints give them that were rounded."""
+    nodes = np.linspace(0.0, TURN, 1201)
+    rng = np.random.default_rng(5)
+    jets = np.zeros((len(nodes), 3))
+    jets[:, 0] = 0.1 * np.sin(3 * nodes) + 1e-3 * rng.uniform(-1, 1, len(nodes))
+    jets[-1] = jets[0]
+    rough = LiftCurve(quintic_hermite(nodes, jets, periodic=True), np.array([]), TURN)
+    lost = lost_dips(rough, PLAY)
+    assert len(lost) > 100
+    for dip in lost[::11]:
+        windows = dip.cam_angle + np.linspace(0.0, PLAY, 257)
+        closed = dilated(rough, PLAY, windows, 2000).min()
+        assert dip.tan_beta == pytest.approx(closed - rough.tan_beta(dip.cam_angle), abs=2e-6)

@@ -56,6 +56,7 @@ def test_a_profile_from_outside_is_planned_by_its_code(registered):
     json.dumps(facts, allow_nan=False)
 
 
+@pytest.mark.slow
 def test_a_profile_from_outside_takes_part_in_the_choice(registered):
     against = plan_cam(load_design("carbon_free_car"), "optimized").against
     assert [str(one.profile) for one in against.evaluations] == [
@@ -70,6 +71,7 @@ def test_a_profile_from_outside_takes_part_in_the_choice(registered):
     assert any(reason.startswith("late ") for reason in against.reasons)
 
 
+@pytest.mark.slow
 def test_a_profile_that_cannot_be_made_is_left_out_with_its_reason(registered):
     def refused(work):
         raise DesignError("it cannot be made of this lift")

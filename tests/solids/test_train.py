@@ -42,18 +42,28 @@ def parts(layout):
     return train_parts(layout, "mine", "a train")
 
 
+@pytest.fixture(scope="module")
+def of_assembly(layout, parts):
+    return assembly_bytes(parts, layout, "mine_train", "a train")
+
+
+@pytest.fixture(scope="module")
+def of_parts(parts):
+    return [step_bytes(part) for part in parts]
+
+
 @pytest.fixture
-def assembly(layout, parts, tmp_path):
+def assembly(of_assembly, tmp_path):
     file = tmp_path / "train.step"
-    file.write_bytes(assembly_bytes(parts, layout, "mine_train", "a train"))
+    file.write_bytes(of_assembly)
     return file
 
 
 @pytest.fixture
-def files(parts, tmp_path):
+def files(parts, of_parts, tmp_path):
     found = [tmp_path / f"{part.name}.step" for part in parts]
-    for file, part in zip(found, parts, strict=True):
-        file.write_bytes(step_bytes(part))
+    for file, data in zip(found, of_parts, strict=True):
+        file.write_bytes(data)
     return found
 
 
@@ -65,6 +75,7 @@ def test_the_assembly_has_every_part_at_its_place(layout, parts, assembly):
         assert read.volume == pytest.approx(placed.volume, rel=VOLUME_BAR)
 
 
+@pytest.mark.slow
 def test_build123d_sees_the_same_assembly(layout, parts, assembly):
     """The reader that users have: labels, and bodies whose centres lie on their axes."""
     read = import_step(assembly)
@@ -97,6 +108,7 @@ def test_the_files_sections_have_the_play_of_the_exact_ones(layout, files):
     assert abs(off) <= 0.02e-3
 
 
+@pytest.mark.slow
 def test_bytes_are_the_same_again(layout, parts, assembly):
     assert assembly_bytes(parts, layout, "mine_train", "a train") == assembly.read_bytes()
     step_bytes(parts[0])

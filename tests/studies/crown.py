@@ -14,7 +14,7 @@ from scipy.optimize import minimize_scalar
 from cadgen.cam.contact import roll
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import actual_profile
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.curves.closed import ClosedCurve, left_normal
 from cadgen.curves.inset import chamfer_strips, inner_curve
 from tests.conftest import Built, build
@@ -29,7 +29,7 @@ class Crowned:
 
     rho: float
     centre: ClosedCurve
-    rod: Follower
+    rod: LeaningRod
     half_width: float
 
 
@@ -83,7 +83,7 @@ class _Runs:
         self.theta = (np.arange(COUNT) + 0.5) / COUNT * self.stop
         self.planned = self._end(car.lift.tan_beta(self.theta), 0.0)
 
-    def off(self, curve: ClosedCurve, rod: Follower) -> tuple[float, float]:
+    def off(self, curve: ClosedCurve, rod: LeaningRod) -> tuple[float, float]:
         """How far off the run ends, mm, as it is and with the best constant added to the steering."""
         T = roll(curve.outline(STEP), rod, self.theta).tan_beta
         trimmed = minimize_scalar(

@@ -15,6 +15,8 @@ from typing import Any
 
 import tomli_w
 
+from cadgen.cam.followers.rod_kind import ROD
+from cadgen.design.follower import section_of
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
 from cadgen.design.schema import DesignFile
 
@@ -94,6 +96,8 @@ class Case:
 def keys() -> tuple[Key, ...]:
     """Every key of the schema."""
     schema = DesignFile.model_json_schema()
+    # The keys of a follower are those of the kind that a file names, or of the rod.
+    schema["properties"]["follower"] = section_of(ROD).model_json_schema()
     return tuple(_walk(schema, schema.get("$defs", {}), ()))
 
 

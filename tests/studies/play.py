@@ -20,7 +20,7 @@ from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from cadgen import __version__
 from cadgen.arrays import TURN
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.play import follow
 from cadgen.optimize.compensation import compensated_lift
@@ -28,7 +28,7 @@ from cadgen.path.hermite import quintic_hermite
 from tests.studies.command import DOCS, options, tell
 
 STEPS = 36000  # of the grid: a hundredth of a degree
-ROD = Follower(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
+ROD = LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
 # The grid meets an event up to a cell late, and so does the sum of what it does: some 0.25 of tan(beta) times 1.7e-4.
 MOTION_LIMIT = 5e-5
 # Of tan(beta) summed along the run, rad; what play does to a lift is some 3e-3 for each fall. The plateaus fall by 5 um

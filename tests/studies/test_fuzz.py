@@ -1,25 +1,16 @@
 """A small slice of the fuzz study, and that it sees what it is there for."""
 
-import subprocess
-import sys
-from pathlib import Path
-
 import pytest
 
 from tests.studies import fuzz, fuzz_data, fuzz_designs
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("command", "first", "cases"), [("check", 1010, 4), ("calibrate", 1003, 2)])
-def test_a_slice_keeps_the_contract(command, first, cases):
+@pytest.mark.parametrize(("command", "first", "cases"), [("check", 1010, 4), ("calibrate", 1005, 2)])
+def test_a_slice_keeps_the_contract(command, first, cases, forks, tmp_path):
     # In a process of its own, as the study runs: forks of a process with threads may wait for ever.
     options = ["--command", command, "--first", str(first), "--cases", str(cases), "--seed", "7", "--processes", "1"]
-    run = subprocess.run(
-        [sys.executable, "-m", "tests.studies.fuzz", *options],
-        cwd=Path(__file__).parents[2],
-        capture_output=True,
-        text=True,
-    )
+    run = forks.run("from tests.studies.fuzz import main; main()", *options, cwd=tmp_path)
     assert run.returncode == 0, run.stdout + run.stderr
     assert f"| cases | {cases} |" in run.stdout
     assert "| faults | 0 |" in run.stdout

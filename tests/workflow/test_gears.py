@@ -4,6 +4,7 @@ from dataclasses import replace
 from itertools import pairwise
 from math import cos, hypot, radians, tan
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -13,8 +14,9 @@ from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import teeth_of
 from cadgen.gears.search import search_trains
+from cadgen.gears.tooth import GearForm
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM
-from cadgen.workflow.gears import made
+from cadgen.workflow.gears import files, made
 from cadgen.workflow.gears import plan as workflow
 from cadgen.workflow.gears.facts import plan_facts
 from cadgen.workflow.gears.plan import NotMadeError, plan_gears
@@ -162,6 +164,7 @@ def test_a_direction_goes_with_its_stage_when_the_stages_are_reordered():
         assert step.imag == pytest.approx(cos(radians(90 - direction)))
 
 
+@pytest.mark.slow
 def test_the_search_makes_the_best_train_whose_gears_fit_and_says_why_not_those_before():
     """Small gears leave no room for the blanks of the design; the best that do is made."""
     plan = plan_gears(load_design(None, ["train.search.teeth_min=17"]), "search")
@@ -265,6 +268,7 @@ def test_span_and_pins_of_every_gear_have_its_own_limits(paper):
         assert gear["span_nominal_mm"] - gear["span_max_mm"] == pytest.approx(-gear["E_sns_um"] / 1000 * cos(ALPHA))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("E_sn", [-40, -110])
 def test_a_given_thinning_has_its_limits_about_it(paper, E_sn):
     """Outside the zone of the grade, E_sns to E_sni, and inside."""
@@ -276,6 +280,7 @@ def test_a_given_thinning_has_its_limits_about_it(paper, E_sn):
         assert width == pytest.approx(gear["span_max_mm"] - gear["span_min_mm"])
 
 
+@pytest.mark.slow
 def test_pins_chamfer_and_clearance_of_the_design_are_used(paper):
     plan = plan_gears(load_design(None, ["train.pin_diameter_mm=1.05", "train.tip_chamfer_mm=0.03"]))
     for key, gear in gears_of(plan).items():
@@ -301,6 +306,7 @@ def test_shallow_roots_fail_the_clearance_check():
     assert not plan.passed
 
 
+@pytest.mark.slow
 def test_a_given_thinning_is_said_and_inspected_about_itself():
     """E_sn = -300 um: j_bn = 600 um at the pitch circles of all stages as cut, and the limits lie about that."""
     plan = plan_gears(load_design(overrides=["train.E_sn_um=-300"]))
@@ -330,6 +336,7 @@ def test_teeth_that_do_not_overlap_in_action_are_not_blamed_on_the_program():
     assert not {check.name for check in plan.checks} & {"return error - computed", "play - computed, as cut"}
 
 
+@pytest.mark.slow
 def test_the_trial_searches_find_what_passes():
     """Twelve failing trains used to end the search; speed-up stages are not taken unless asked for."""
     plan = plan_gears(load_train(TRIALS / "s2.toml"), "search")
@@ -348,6 +355,7 @@ def test_the_trial_searches_find_what_passes():
     assert min(stage.ratio for stage in speeding.train.stages) < 1
 
 
+@pytest.mark.slow
 def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
     """The pairs of a train that fails are left out; the checks themselves are replaced."""
 
@@ -366,6 +374,7 @@ def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
     assert plan.play.train == plan_gears(load_design(None, ["train.search.teeth_max=140"]), "search").play.train
 
 
+@pytest.mark.slow
 def test_wheels_of_neighbouring_stages_get_a_collar_by_default():
     sets = ["train.intermediate.hub=", "train.intermediate.web=", "train.intermediate.lightening="]
     plan = plan_gears(load_design(None, sets))
@@ -376,3 +385,26 @@ def test_wheels_of_neighbouring_stages_get_a_collar_by_default():
     wide = plan_gears(load_design(None, [*sets, "train.clearance_mm=0.4", "train.stages.2.driven.width_mm=7"]))
     assert wide.passed
     assert [part.blank.hub.length for part in wide.layout.parts[1:3]] == [2.0, 1.0]
+
+
+def test_meshes_of_too_many_corners_are_refused_by_their_key():
+    """Fourteen gears of 1000 teeth at 0.1 um took minutes and gigabytes."""
+    stage = "{ centre_distance_mm = 500.0, driver = { teeth = 1000 }, driven = { teeth = 1000 } }"
+    settings = ["train.module_mm=0.5", f"train.stages=[{', '.join([stage] * 7)}]", "train.intermediate={}"]
+    with pytest.raises(
+        DesignError, match=r"^export.mesh_chord_um is 0.1; with it the meshes .* raise it to"
+    ) as refusal:
+        plan_gears(load_design(None, [*settings, "export.mesh_chord_um=0.1"]))
+    raised = float(str(refusal.value).rsplit(" ", 1)[1])
+    layout = SimpleNamespace(parts=[SimpleNamespace(gears=[GearForm(teeth=1000, normal_module=0.5, width=5.0)] * 14)])
+    made._require_meshable(layout, [raised / 1e3])
+
+
+def test_more_teeth_than_step_takes_are_refused_before_a_file_is_made(paper, tmp_path, monkeypatch):
+    monkeypatch.setattr(files, "MOST_STEP_TEETH", 499)
+    with pytest.raises(
+        DesignError, match=r"^the gears of train.stages have 500 teeth together, .* or write the formats"
+    ):
+        files.write_gears(paper, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+    files.write_gears(paper, tmp_path / "out", formats="csv")

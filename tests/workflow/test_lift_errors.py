@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.curves.closed import Outline
 from cadgen.design.load import load_design
 from cadgen.export.dxf import read_dxf
@@ -28,7 +28,7 @@ FORMATS = (".step", ".nc")  # where rolling and reading had their own errors in 
 BAR, RESOLVED_UM = 0.01, 3e-4
 
 
-def rolled(outline: Outline, follower: Follower, theta: Array) -> tuple[Array, Array]:
+def rolled(outline: Outline, follower: LeaningRod, theta: Array) -> tuple[Array, Array]:
     """Lift, mm, and polar angle of the contact, rad: the least tan(beta) at which the rod clears every point.
 
     In a face plane the rod's edge is a line at a distance r from its axis: (w T - u)^2 = h^2 (1 + T^2) with
@@ -55,7 +55,7 @@ def rolled(outline: Outline, follower: Follower, theta: Array) -> tuple[Array, A
     return np.asarray(follower.lift(found)), contact
 
 
-def stations(outline: Outline, follower: Follower) -> Array:
+def stations(outline: Outline, follower: LeaningRod) -> Array:
     """Cam angles round the turn, closer together where the contact moves fast."""
     even = np.linspace(0, 2 * np.pi, STATIONS, endpoint=False)
     _, contact = rolled(outline, follower, even)

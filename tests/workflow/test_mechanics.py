@@ -32,6 +32,7 @@ def rubbing():
     return plan_cam(load_design("carbon_free_car", FRICTION), "optimized")
 
 
+@pytest.mark.slow
 def test_the_workshop_s_car_does_not_mind_its_play(workshop):
     assert workshop.passed
     assert workshop.against.chosen.profile is ACTUAL
@@ -75,6 +76,7 @@ def test_the_sheet_of_remedies(rubbing):
     assert "by -9 to -61 µm" in sheet["plain cam, trimmed"].build
 
 
+@pytest.mark.slow
 def test_a_design_that_says_nothing_of_friction_is_told_what_a_rod_would_make_of_it():
     plan = plan_cam(load_design("carbon_free_car"))
     assert plan.against.chosen.made_for == plan.against.chosen.play  # as without friction
@@ -83,6 +85,7 @@ def test_a_design_that_says_nothing_of_friction_is_told_what_a_rod_would_make_of
     assert against_facts(plan.against)["friction_note"] == plan.against.rubbing
 
 
+@pytest.mark.slow
 def test_hardware_that_the_design_allows():
     known = band(*FRICTION, 'optimize.hardware=["drag"]')
     assert known.drag == pytest.approx((1.25 * 32.63, 1.25 * 32.63), rel=1e-3)

@@ -142,6 +142,7 @@ def test_the_papers_return_errors_come_from_the_train_of_table_2(play, order, he
     assert bare.band.worst_distance == pytest.approx(position_mm, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_measured_play_is_what_it_is_cut_for():
     plan = plan_cam(load_design("carbon_free_car", ["play.measured_deg=0.6"]), "optimized")
     assert plan.against.chosen.play == radians(0.6)
@@ -157,6 +158,7 @@ def test_a_band_in_the_design_overrides_the_trains():
     assert np.degrees(plan.against.chosen.play) == pytest.approx(0.781, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_the_next_best_is_taken_if_the_best_fails_a_check():
     """A cutter too large for the compensated valley, but not for the actual one."""
     tight = ["machining.cutter_diameter_mm=8", "optimize.max_lift_error_um="]
@@ -174,12 +176,14 @@ def test_if_all_fail_a_check_the_failing_best_is_shown():
     assert "lost lift, undercut" in plan.against.reasons[0]
 
 
+@pytest.mark.slow
 def test_names_the_limit_that_binds_and_by_how_much():
     design = load_design("carbon_free_car", ["optimize.max_end_position_mm=100"])
     with pytest.raises(CheckError, match=r"compensated, has a worst end position error of 306\.\d mm, 206\.\d mm more"):
         plan_cam(design, "optimized")
 
 
+@pytest.mark.slow
 def test_smoothing_fails_the_lift_check_and_is_made_without_it():
     failing = plan_cam(load_design("carbon_free_car"), "smoothed")
     assert [check.name for check in failing.checks if not check.passed] == ["lift error with play"]

@@ -148,6 +148,7 @@ def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
     assert both.band.worst_distance < 2020
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "overrides", [["play.least_deg=0", "play.greatest_deg=0"], ["play.measured_deg=0"]], ids=["band", "measured"]
 )
@@ -161,6 +162,7 @@ def test_without_play_no_share_of_it_can_be_off(overrides):
     assert (figures["smoothed"]["worst_position_percent_off"] is None) == ("play.greatest_deg=0" in overrides)
 
 
+@pytest.mark.slow
 def test_with_a_measured_play_limits_and_choice_go_by_the_errors_with_it(carbon_free_car):
     plan = plan_cam(with_play(0.74, "optimize.max_end_position_mm=100", "optimize.max_end_heading_deg=1"), "optimized")
     assert plan.against.chosen.profile is COMPENSATED
@@ -195,6 +197,7 @@ def test_each_limit_is_for_the_figure_it_names(compared, carbon_free_car, limit,
         assert told == pytest.approx(degrees(max(map(abs, ends))), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_says_so_if_another_order_of_the_stages_keeps_the_limits():
     limit = "optimize.max_end_position_mm=250"
     with pytest.raises(CheckError, match=r"with which compensated keeps them all: --set optimize.order=reordered$"):
@@ -239,6 +242,7 @@ def test_simulations_of_two_profiles_have_files_of_their_own(simulated, tmp_path
     assert not simulation_facts(smoothed)["passed"]
 
 
+@pytest.mark.slow
 def test_a_play_wider_than_events_are_apart_is_driven_and_what_is_lost_is_said():
     """Of 80 degrees of play one dip of the paper's lift is narrower."""
     found = simulate(load_design("carbon_free_car"), "compensated", 30.0)
@@ -248,6 +252,7 @@ def test_a_play_wider_than_events_are_apart_is_driven_and_what_is_lost_is_said()
     assert "narrower than the return error of 80.000° and cannot be driven" in lost.reasons[-1]
 
 
+@pytest.mark.slow
 def test_a_path_with_plateaus_and_short_rises():
     """Planned to be insensitive to play: a direct collocation's exact chain gave 146 mm over the band."""
     plan = plan_cam(load_design(TRIALS / "plateau100.toml"), "optimized")

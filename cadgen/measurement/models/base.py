@@ -1,4 +1,4 @@
-"""What every forward model offers to the search."""
+"""Interface of every forward model to the search."""
 
 from dataclasses import dataclass, field
 from typing import Any, Protocol

@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.deviations.catalogue import LIFT
 from cadgen.deviations.disc import NOSE_WIDTHS_DEG, worn_nose
@@ -28,7 +28,7 @@ class LiftModel:
     behind = Rolled.stages
 
     def __init__(
-        self, record: Record, rolled: Rolled, lift: LiftCurve, follower: Follower, *, noses: int, floor: float
+        self, record: Record, rolled: Rolled, lift: LiftCurve, follower: LeaningRod, *, noses: int, floor: float
     ) -> None:
         self._lift, self._follower = lift, follower
         self._reading = record["lift_mm"]

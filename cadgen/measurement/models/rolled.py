@@ -7,7 +7,7 @@ from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import Outline
 from cadgen.deviations.disc import DISC, Disc
@@ -30,7 +30,7 @@ class Rolled:
 
     stages = (DISC, FOLLOWER)
 
-    def __init__(self, lift: LiftCurve, follower: Follower, disc: Disc) -> None:
+    def __init__(self, lift: LiftCurve, follower: LeaningRod, disc: Disc) -> None:
         self._lift, self._follower, self._disc = lift, follower, disc
         self._grid = np.linspace(0.0, TURN, GRID, endpoint=False)
         self._nominal: Array | None = None
@@ -90,8 +90,8 @@ def _key(active: Sequence[tuple[Effect, Array]]) -> bytes:
     return b"".join(effect.key.encode() + np.asarray(values).tobytes() for effect, values in active)
 
 
-def _shifted(follower: Follower, by: float) -> Follower:
-    return Follower(
+def _shifted(follower: LeaningRod, by: float) -> LeaningRod:
+    return LeaningRod(
         base_radius=follower.base_radius,
         inner=follower.inner + by,
         outer=follower.outer + by,

@@ -2,6 +2,7 @@
 
 from bisect import bisect_right
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -123,33 +124,44 @@ def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array
         way = asked[mine]
         key = way.tobytes()  # runs are mostly turned alike
         if key not in known:
-            known[key] = _followed(way, width / 2, drawn)
+            known[key] = _pushed(way, width / 2) if drawn is None else _drawn(way, width / 2, *drawn)
         out[mine] = known[key]
     return out
 
 
-def _followed(asked: Array, half: float, drawn: tuple[Array, Array] | None) -> Array:
-    """The play operator on one run."""
-    out, y = [], float(asked[0])
-    ahead, back = (stretches.tolist() for stretches in drawn) if drawn else ([], [])
-    begins = [[begin for begin, _ in some] for some in (ahead, back)]
-    for number, u in enumerate(asked.tolist()):
-        y = min(max(y, u - half), u + half)
-        if drawn and number:
-            at = (y + half) % TURN
-            if (inside := _inside(ahead, begins[0], at)) is not None:
-                y = min(y + inside[1] - at, u + half)
-            elif (inside := _inside(back, begins[1], at)) is not None:
-                y = max(y + inside[0] - at, u - half)
+def _pushed(asked: Array, half: float) -> Array:
+    """The play operator on one run, between reversals at once: there the angle is where it was, or at one flank."""
+    out, y = np.empty(len(asked)), asked[0]
+    rises = np.diff(asked, prepend=asked[0]) >= 0
+    ends = [0, *(np.flatnonzero(rises[1:] != rises[:-1]) + 1).tolist(), len(asked)]
+    for begin, end in pairwise(ends):
+        way = asked[begin:end]
+        out[begin:end] = np.maximum(y, way - half) if rises[begin] else np.minimum(y, way + half)
+        y = out[end - 1]
+    return out
+
+
+def _drawn(asked: Array, half: float, ahead: Array, back: Array) -> Array:
+    """The play operator on one run with a rod that draws."""
+    out, y = [float(asked[0])], float(asked[0])
+    forward, backward = (([begin for begin, _ in some], some) for some in (ahead.tolist(), back.tolist()))
+    for low, high in zip((asked[1:] - half).tolist(), (asked[1:] + half).tolist(), strict=True):
+        y = low if y < low else high if y > high else y
+        at = (y + half) % TURN
+        if (inside := _inside(*forward, at)) is not None:
+            y = min(y + inside[1] - at, high)
+        elif (inside := _inside(*backward, at)) is not None:
+            y = max(y + inside[0] - at, low)
         out.append(y)
     return np.array(out)
 
 
-def _inside(stretches: list[list[float]], begins: list[float], at: float) -> tuple[float, float] | None:
+def _inside(begins: list[float], stretches: list[list[float]], at: float) -> tuple[float, float] | None:
     """Begin and end of the stretch that an angle of [0, 2 pi) lies in, on the angle's own turn; None if in none."""
     if not stretches:
         return None
     number = bisect_right(begins, at) - 1
-    turn = 0.0 if number >= 0 else TURN
-    begin, end = stretches[number][0] - turn, stretches[number][1] - turn
+    begin, end = stretches[number]
+    if number < 0:
+        begin, end = begin - TURN, end - TURN
     return (begin, end) if at < end else None

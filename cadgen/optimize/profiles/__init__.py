@@ -2,7 +2,7 @@
 
 | module                 | what it holds                                                         |
 |------------------------|-----------------------------------------------------------------------|
-| `profile`              | what a profile is: its code, what it is for, its lift and its curve   |
+| `profile`              | a profile: its code, its purpose, its lift and its curve              |
 | `actual`               | the exact envelope of the rod                                         |
 | `optimized`            | the best against play of all that can be compared                     |
 | `compensated`          | the lift dilated by the play, so that the play takes itself out       |

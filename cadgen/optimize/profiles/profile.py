@@ -1,4 +1,4 @@
-"""What a profile is: its code, what it is for, the lift that it is cut for, and the curve that gives this lift."""
+"""A profile: its code, its purpose, the lift that it is cut for, and the curve that gives this lift."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ class CutLift:
     """A lift that a profile is cut for.
 
     Attributes:
-        lift: by cam angle.
-        made_for: width of the window by which it is dilated, rad: the play that it is cut for, or what comes closest
-            with friction. Of a lift that is not dilated, that of `compensated`.
+        lift: lift by cam angle.
+        made_for: width of the window by which the lift is dilated, rad: the play that it is cut for, or with friction
+            the closest to it. For a lift that is not dilated, the width for `compensated`.
     """
 
     lift: LiftCurve
@@ -33,7 +33,7 @@ def wanted_lift(work: TrainTask) -> CutLift:
 
 
 def envelope(lift: LiftCurve, follower: Follower) -> ActualProfile:
-    """The exact envelope of the rod.
+    """The exact envelope of the follower.
 
     Raises:
         DesignError: as `cadgen.cam.envelope.actual_profile`.
@@ -48,16 +48,18 @@ class Profile:
     """A profile that a cam can have.
 
     Attributes:
-        code: its name on the command line, in design files and in the names of exported files.
-        meaning: what it is, in a clause for the help.
-        for_play: whether it does something about the play of the gears, and so needs to know of it.
-        best_of: whether it is the best of all the profiles that `table.compared` lists; `lift` and `curve` are theirs.
-        lift: the lift that it is cut for.
-        curve: the curve that gives the rod a lift.
+        code: name on the command line, in design files and in the names of exported files.
+        meaning: meaning of the profile, in a clause for the help.
+        for_play: whether the profile acts against the play of the gears, and so depends on it.
+        best_of: whether it is the best of the profiles that `table.compared` lists; `lift` and `curve` are those of the
+            best.
+        lift: function that gives the lift that the profile is cut for.
+        curve: function that gives the curve for a lift and a follower.
         dilated: whether its lift is dilated by the play.
-        by_axis: whether its curve is for the rod's axis, a point, and not for the rod.
-        gives_lift: whether what rolls on it gets the lift that it is cut for.
-        note: what the workshop must be told in the program of its machine; empty if nothing.
+        by_axis: whether the curve is for the reference point of the follower, such as the rod's axis, and not for the
+            follower itself.
+        gives_lift: whether a follower that rolls on the curve gets the lift that it is cut for.
+        note: warning for the workshop in the program of its machine; empty if there is none.
     """
 
     code: str

@@ -14,9 +14,12 @@ if TYPE_CHECKING:
 
 def _curve(lift: LiftCurve, follower: Follower) -> ActualProfile:
     from cadgen.cam.envelope import ActualProfile
-    from cadgen.cam.theoretical import published_profile
+    from cadgen.cam.followers.rod import rod_of
+    from cadgen.cam.followers.rod_profiles import published_profile
 
-    return ActualProfile(published_profile(lift, follower), ())
+    return ActualProfile(
+        published_profile(lift, rod_of(follower, "the formula of the paper", "take --profile actual")), ()
+    )
 
 
 PUBLISHED = Profile(

@@ -44,12 +44,12 @@ for _profile in (
 
 
 def codes(*, for_play: bool = False) -> tuple[str, ...]:
-    """Codes of all profiles, or of those that do something about play."""
+    """Codes of all profiles, or only of those that act against play."""
     return tuple(profile.code for profile in _PROFILES.values() if profile.for_play or not for_play)
 
 
 def compared() -> tuple[Profile, ...]:
-    """What the best is chosen of: the actual profile, then all that are cut for play."""
+    """Profiles that the best is chosen of: the actual profile, then all that are cut for play."""
     return (ACTUAL, *(profile for profile in _PROFILES.values() if profile.for_play and not profile.best_of))
 
 
@@ -57,7 +57,7 @@ def profile_of(code: str) -> Profile:
     """The profile with a code.
 
     Raises:
-        DesignError: there is none.
+        DesignError: no profile has the code.
     """
     if not isinstance(code, str) or code not in _PROFILES:
         raise DesignError(f'there is no profile "{code}": choose one of {", ".join(_PROFILES)}')
@@ -65,5 +65,5 @@ def profile_of(code: str) -> Profile:
 
 
 def meanings() -> str:
-    """Every profile and what it is, in one line."""
+    """Every profile and its meaning, in one line."""
     return "; ".join(f"{profile.code}: {profile.meaning}" for profile in _PROFILES.values())

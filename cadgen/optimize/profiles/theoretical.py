@@ -1,4 +1,4 @@
-"""The theoretical profile: the curve of the rod's axis."""
+"""The theoretical profile: the curve of the rod's axis, or of another follower's reference point."""
 
 from __future__ import annotations
 
@@ -14,9 +14,15 @@ if TYPE_CHECKING:
 
 def _curve(lift: LiftCurve, follower: Follower) -> ActualProfile:
     from cadgen.cam.envelope import ActualProfile
-    from cadgen.cam.theoretical import theoretical_profile
+    from cadgen.errors import DesignError
 
-    return ActualProfile(theoretical_profile(lift, follower), ())
+    pitch = follower.pitch_curve(lift)
+    if pitch is None:
+        raise DesignError(
+            f"follower.kind names a {follower.noun}, which has no axis: its theoretical profile does not exist, take "
+            "--profile actual"
+        )
+    return ActualProfile(pitch, ())
 
 
 THEORETICAL = Profile(

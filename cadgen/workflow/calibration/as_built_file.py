@@ -15,8 +15,8 @@ def as_built_text(calibration: Calibration, design_text: str) -> str:
     """The design's own text with the overrides and the effects; an earlier [as_built] is replaced.
 
     Args:
-        calibration: with something claimed.
-        design_text: of the design file.
+        calibration: calibration with at least one claim.
+        design_text: text of the design file.
     """
     import tomlkit
 

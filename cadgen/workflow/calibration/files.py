@@ -1,4 +1,4 @@
-"""What a calibration leaves in its folder: JSON, the report in words, pictures, and the as-built design."""
+"""Files of a calibration: JSON, the report in words, pictures, and the as-built design."""
 
 import json
 from collections.abc import Sequence
@@ -15,13 +15,13 @@ from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
 from cadgen.measurement.outlook import Outlook
 from cadgen.measurement.together import Shared
+from cadgen.progress import Progress, silent
 from cadgen.report.calibration import draw_record
 from cadgen.report.text import plain
 from cadgen.workflow.calibration.as_built_file import as_built_text
 from cadgen.workflow.calibration.plan import Built, Calibration, Source
 from cadgen.workflow.calibration.words import report, summary
 from cadgen.workflow.calibration.zone_means import ZoneMeans
-from cadgen.workflow.cam.plan import Step
 
 FORMAT = 1
 _TEXT_WIDTH = 110
@@ -29,7 +29,7 @@ _EACH_WIDTH = 160
 
 
 def document(calibration: Calibration) -> dict[str, Any]:
-    """Everything a calibration says, as plain values; docs/measurement.md explains the keys."""
+    """Facts of a calibration, as plain values; docs/measurement.md explains the keys."""
     c = calibration
     return {
         "format": FORMAT,
@@ -77,14 +77,14 @@ def documents(each: Sequence[Calibration]) -> dict[str, Any]:
     return {"format": FORMAT, "each": [document(c) for c in each]}
 
 
-def write_calibration(calibration: Calibration, design_text: str, out: Path, step: Step = lambda text: None) -> Written:
+def write_calibration(calibration: Calibration, design_text: str, out: Path, progress: Progress = silent) -> Written:
     """Write, read back and publish everything together.
 
     Args:
         calibration: the verdicts.
         design_text: of the design file, to which the as-built table is added with the overrides.
         out: the folder; nothing appears in it unless everything succeeded.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
         FileError: a file cannot be written, or the as-built design, read back, is not what was meant.
@@ -93,7 +93,7 @@ def write_calibration(calibration: Calibration, design_text: str, out: Path, ste
     stem = f"{c.design.name}_calibration"
     with publishing(out) as staging:
         names = _documents(staging, stem, document(c), plain(report(c), _TEXT_WIDTH))
-        step("drawing")
+        progress("drawing")
         for diagnosis in c.diagnoses:
             names += draw_record(diagnosis, c.track_length, staging, f"{stem}_{diagnosis.kind.stem}")
         if c.built:

@@ -10,7 +10,7 @@ import numpy as np
 
 from cadgen.build import cam_model, gear_model, variation
 from cadgen.cam.contact import roll_curve
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.schema import Design
 from cadgen.deviations import quantities
@@ -28,10 +28,11 @@ from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Shared, at_work, claims, no_friction, no_play, shared
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
+from cadgen.progress import Progress, silent
 from cadgen.records.load import digest, load
 from cadgen.workflow.calibration.new_cam import expected_of
 from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
-from cadgen.workflow.cam.plan import Step, plan_cam
+from cadgen.workflow.cam.plan import plan_cam
 
 _STATIONS = 3600  # at which any other is rolled
 # Rows that are read for one command which judges every file alone: their records have some 200 MB.
@@ -72,7 +73,7 @@ class Built:
 
 @dataclass(frozen=True, kw_only=True)
 class Calibration:
-    """What measured files say of a car.
+    """Calibration of a car by measured files.
 
     Attributes:
         design, profile: that they were measured against.
@@ -134,24 +135,24 @@ class Calibration:
         return next(diagnosis.verdict for diagnosis in self.diagnoses if diagnosis.kind is kind)
 
 
-def read(paths: Sequence[Path], step: Step = lambda text: None, *, each: bool = False) -> tuple[Source, ...]:
+def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = False) -> tuple[Source, ...]:
     """Read measured files.
 
     Args:
         paths: of the files.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         each: every file will be judged alone; if not, those of one kind must not have more rows than can be judged
             together.
 
     Raises:
         FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
     """
-    return gathered(_loaded(paths, step), each=each)
+    return gathered(_loaded(paths, progress), each=each)
 
 
-def _loaded(paths: Iterable[Path], step: Step) -> Iterator[Source]:
+def _loaded(paths: Iterable[Path], progress: Progress) -> Iterator[Source]:
     for path in paths:
-        step(f"reading {brief(path.name)}")
+        progress(f"reading {brief(path.name)}")
         yield Source(path, load(path), digest(path))
 
 
@@ -181,7 +182,7 @@ def calibrate(
     profile: str,
     sources: Sequence[Source],
     form_error_um: float | None = None,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     nominal: Nominal | None = None,
 ) -> Calibration:
     """Judge measured files of one car against its design.
@@ -192,7 +193,7 @@ def calibrate(
         sources: from `read`; files of one kind are taken together.
         form_error_um: stated form error of the disc, rms; if left out, that of a printed disc if a file says that it
             is printed, and else of a machined one.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
         nominal: from `nominal_of`, if that is at hand already.
 
     Raises:
@@ -208,16 +209,16 @@ def calibrate(
         zone_means(design, join(records[Method.ZONE_MEANS]), _train(design)[0]) if records[Method.ZONE_MEANS] else None
     )
     if records[Method.EVIDENCE]:
-        known = replace(nominal or nominal_of(design, profile, step), form_error=floor * 1e-3)
+        known = replace(nominal or nominal_of(design, profile, progress), form_error=floor * 1e-3)
         if zones is not None and zones.judgement.claimed:
             known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
         track_length = known.track.length
-        diagnoses |= {diagnosis.kind: diagnosis for diagnosis in judge(records[Method.EVIDENCE], known, step)}
+        diagnoses |= {diagnosis.kind: diagnosis for diagnosis in judge(records[Method.EVIDENCE], known, progress)}
         holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
         wheelbase = _wheelbase(design, logged)
-        diagnosis = calibrate_tricycle(logged, wheelbase[0], step)
+        diagnosis = calibrate_tricycle(logged, wheelbase[0], progress)
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.quantity == quantities.RETURN_ERROR and c.kind.rod_on for c in found):
@@ -247,22 +248,23 @@ def calibrate_each(
     profile: str,
     sources: Sequence[Source],
     form_error_um: float | None = None,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
 ) -> tuple[Calibration, ...]:
     """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
-    nominal = nominal_of(design, profile, step)
-    return tuple(calibrate(design, profile, [source], form_error_um, step, nominal) for source in sources)
+    nominal = nominal_of(design, profile, progress)
+    return tuple(calibrate(design, profile, [source], form_error_um, progress, nominal) for source in sources)
 
 
-def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> Nominal:
-    """What data of a cam and its car are measured against: the cam as this design makes it, the car as designed.
+def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nominal:
+    """Nominal state for data of a cam and its car: the cam as this design makes it, the car as designed.
 
     Raises:
         DesignError, CheckError: see `plan_cam`.
     """
-    plan = plan_cam(design, profile, step)
     bare = design.as_designed()
-    follower = replace(cam_model.follower(bare), radius=plan.follower.radius and cam_model.follower(bare).radius)
+    rod = cam_model.rod(bare, "a calibration")
+    plan = plan_cam(design, profile, progress)
+    follower = rod.point() if plan.profile.by_axis else rod
     lift = cut = plan.lift
     if design.as_built is not None or not plan.profile.gives_lift:
         # What is cut gives the rod of the designed car another lift than the planned one.
@@ -284,7 +286,7 @@ def nominal_of(design: Design, profile: str, step: Step = lambda text: None) -> 
     )
 
 
-def _forces(design: Design, rod: Follower, lift: LiftCurve) -> Mechanics | None:
+def _forces(design: Design, rod: LeaningRod, lift: LiftCurve) -> Mechanics | None:
     """Rod force and drag by [mechanics]; None without it."""
     band = variation.mechanics(design, rod, lift)
     return None if band is None else band.nominal
@@ -305,7 +307,7 @@ def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
 
 
 def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
-    """What the verdicts name, and that there is no play where they would have named play of the tabled size."""
+    """Claims of the verdicts, and of no play where they would have claimed play of the tabled size."""
     tabled = variation.tabled_play(design)
     found: list[Claim | None] = []
     for diagnosis in diagnoses:
@@ -336,7 +338,7 @@ def _instruments(claim: Claim) -> bool:
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
-    """Form error of the disc that is to be expected, um rms, and who says so."""
+    """Form error to expect on the disc, um rms, and its source."""
     if given is not None:
         return given, "given"
     if by := next((s for s in sources if printed(s.record)), None):
@@ -345,7 +347,7 @@ def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[f
 
 
 def _wheelbase(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
-    """Of the logged car, mm, and whether a file says so."""
+    """Wheelbase of the logged car, mm, and whether it is from a file."""
     stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
     if len(stated) > 1:
         raise FileError(

@@ -20,8 +20,8 @@ def source_of(columns: Mapping[str, ArrayLike], remarks: Sequence[str], name: st
     Args:
         columns: name with unit, as in a file's header -> values, all of one shape (n,). Without a column `run` (or
             `zone`) they are one run.
-        remarks: what the comment lines of a file would say, such as `noise 2 um`.
-        name: of the data, for messages and reports.
+        remarks: comment lines of a file, such as `noise 2 um`.
+        name: name of the data, for messages and reports.
 
     Raises:
         FileError: the columns are not of one length, or as `cadgen.records.load.load`.

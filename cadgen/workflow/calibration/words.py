@@ -37,7 +37,7 @@ _SHOWN_CANDIDATES = 6
 
 
 def report(calibration: Calibration) -> list[Block]:
-    """Everything a calibration says."""
+    """Report of a calibration, in paragraphs and tables."""
     c = calibration
     floor = f"; form error of the disc {c.form_error_um:g} µm rms ({c.form_error_from})" if c.track_length else ""
     blocks: list[Block] = [expected(c.outlook)] if c.outlook else []
@@ -193,7 +193,7 @@ def _path_errors(diagnosis: PathDiagnosis, files: Sequence[Source]) -> Table:
 
 
 def _datum(diagnosis: Diagnosis) -> str:
-    """What it is, and how far its values go."""
+    """Name of the datum and the range of its values, in words."""
     spans: dict[str, list[Value]] = {}
     for finding in diagnosis.datum if isinstance(diagnosis, EvidenceDiagnosis) else ():
         for value in finding.values:

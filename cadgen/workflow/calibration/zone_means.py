@@ -16,14 +16,14 @@ from cadgen.measurement.zones import Shortfall, Zones, judged, return_error, sho
 
 @dataclass(frozen=True, kw_only=True)
 class ZoneMeans:
-    """What the mean turns over zones say.
+    """Return error by mean turns over zones, with its verdict.
 
     Attributes:
-        source, kind: of the record.
-        judgement, finding: the verdict, and the return error.
-        zones: the numbers.
+        source, kind: source and kind of the record.
+        judgement, finding: verdict, and return error.
+        zones: return error and turns, degrees.
         tabled: greatest return errors of the design's train by the order of its stages, deg; empty if it has none.
-        shortfall: what would explain the smooth zone's turn; None if speed and time were not said or there is no train.
+        shortfall: causes that would explain the smooth zone's turn; None without speed and time, or without a train.
     """
 
     source: str
@@ -39,9 +39,9 @@ def zone_means(design: Design, record: Record, ratios: tuple[float, ...]) -> Zon
     """Judge mean turns over zones.
 
     Args:
-        design: for the return errors of its train.
-        record: of zones.
-        ratios: of the train's stages; empty if there is none.
+        design: design with the train, for its return errors.
+        record: record of zones.
+        ratios: ratios of the train's stages; empty if there is none.
 
     Raises:
         FileError: a zone that is unknown or missing.

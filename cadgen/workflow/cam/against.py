@@ -1,10 +1,11 @@
-"""A profile against play beside the plain one: what both do, and what the better one saves."""
+"""A profile against play beside the plain profile: runs and errors of both, and the gain."""
 
 from dataclasses import dataclass
 from math import radians
 
 from cadgen.build import cam_model, variation
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design.schema import Design
@@ -18,8 +19,8 @@ from cadgen.optimize.profiles.profile import Profile
 from cadgen.optimize.task import Task
 from cadgen.path.track import Track
 
-PAPER_PERCENT = 45.31  # what the paper's two methods together take off its sum of deflection errors
-# An error before that is no greater than this is what rolling errs by: no share of it can be taken off. mm and rad.
+PAPER_PERCENT = 45.31  # reduction of the sum of deflection errors by the paper's two methods together
+# An error before that is no greater than this is within the error of rolling: no share of it can be taken off; mm, rad.
 _NO_DISTANCE, _NO_HEADING = 1.0, radians(0.01)
 _LOSS = 0.01  # share of the error before that a file may give away
 _LEAST_LOSS = 10.0  # mm; less is within what a start by hand is off
@@ -27,7 +28,7 @@ _LEAST_LOSS = 10.0  # mm; less is within what a start by hand is off
 
 @dataclass(frozen=True, kw_only=True)
 class MeasuredCam:
-    """The cam that was on the car when it was measured: its profile, its lift, and the curve it was cut to."""
+    """Cam that was on the car when the car was measured: its profile, its lift, and the curve that was cut, mm."""
 
     profile: Profile
     lift: LiftCurve
@@ -36,18 +37,18 @@ class MeasuredCam:
 
 @dataclass(frozen=True, kw_only=True)
 class Against:
-    """A profile against play, beside the plain one.
+    """A profile against play, beside the plain profile.
 
     Attributes:
-        task: what is wanted.
-        band: return error of the design's train.
+        task: lift wanted, car and follower.
+        band: return error of the design's train, rad.
         before: the actual profile with the train as given; of a design as built, the cam as it was measured.
         chosen: the profile to be cut.
-        evaluations: of all that were compared, `before` and `chosen` among them.
-        reasons: a sentence on each, if there was a choice.
-        bound: what no fixed profile with the same peaks and valleys betters over the band, to first order, if the
-            rod slides without friction.
-        rubbing: what a rod that rubs would make of the profile, if the design says nothing of friction; a sentence.
+        evaluations: all profiles that were compared, `before` and `chosen` among them.
+        reasons: sentences on the choice, one for each profile.
+        bound: lower bound of the worst end over the band, to first order, for profiles with the same peaks and valleys
+            if the rod slides without friction.
+        rubbing: effect of friction on the run, a sentence; empty if the design has friction or it changes nothing.
     """
 
     task: Task
@@ -62,7 +63,7 @@ class Against:
     def gain(self, evaluation: Evaluation) -> tuple[float | None, float | None]:
         """Shares of heading and position error at the end that a profile takes off; None where there is hardly any.
 
-        Both cars have the same play, that of `evaluation`; `worst_gain` says what a train with less play saves.
+        Both cars have the same play, that of `evaluation`; `worst_gain` is for a train with less play.
         """
         error = run_error(self.run(self.before, evaluation.play), self.task.planned())
         return (
@@ -71,37 +72,37 @@ class Against:
         )
 
     def worst_gain(self, distance: float) -> float | None:
-        """Share of the first profile's worst end position over its band that is off at another one, mm."""
+        """Share by which a worst end position error `distance` (mm) is below that of `before` over its band."""
         return _off(distance, self.before.band.worst_distance, _NO_DISTANCE)
 
     def sum_gain(self, evaluation: Evaluation) -> float | None:
-        """Share of the first profile's sum of deflection errors that another takes off, on its own train."""
+        """Share by which a profile's sum of deflection errors, on its own train, is below that of `before`."""
         return _off(evaluation.deflection_sum, self.before.deflection_sum, _NO_HEADING)
 
     def loses(self, end_distance: float) -> bool:
-        """Whether a file whose run ends so far off, mm, gives away what the profile is for.
+        """Whether a file whose run ends `end_distance` (mm) off gives away the gain of the profile.
 
-        It does if it ends further off than the profile itself by more than 10 mm and one percent of the error before.
+        It does if its run ends further off than the profile's by more than 10 mm and one percent of the error before.
         """
         error = run_error(self.run(self.before, self.chosen.play), self.task.planned())
         return end_distance - self.chosen.error.end_distance > max(_LOSS * error.end_distance, _LEAST_LOSS)
 
     def run(self, evaluation: Evaluation, play: float) -> Run:
-        """The run on a profile with any play, rad."""
-        return self.task.run(evaluation.rolled, play, least=evaluation.least_swing, cut=evaluation.lift)
+        """Run on a profile with any play, rad."""
+        return self.task.run(evaluation.rolled, play, least_swing=evaluation.least_swing, cut=evaluation.lift)
 
     def following(self, evaluation: Evaluation, play: float) -> Following:
-        """How the cam with a profile follows the motor with any play, rad."""
-        return self.task.following(evaluation.rolled, play, least=evaluation.least_swing, cut=evaluation.lift)
+        """Motion of the cam with a profile that follows the motor with any play, rad."""
+        return self.task.following(evaluation.rolled, play, least_swing=evaluation.least_swing, cut=evaluation.lift)
 
     def end_of(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> tuple[float, float]:
-        """Heading (rad) and position error (mm) at the end with the play it is cut for, of the lift that a file gives.
+        """Heading error (rad) and position error (mm) at the end, with the play of `chosen`, on the lift of a file.
 
         Args:
-            lift: that the rod gets.
-            least_swing: rises and falls of tan(beta) that are smaller are no events.
+            lift: lift that the follower gets.
+            least_swing: smallest rise or fall of tan(beta) that counts as an event.
         """
-        run = self.task.run(lift, self.chosen.play, least=least_swing, cut=self.chosen.lift)
+        run = self.task.run(lift, self.chosen.play, least_swing=least_swing, cut=self.chosen.lift)
         error = run_error(run, self.task.planned())
         return error.end_heading, error.end_distance
 
@@ -110,8 +111,13 @@ def _off(error: float, before: float, smallest: float) -> float | None:
     return 1 - abs(error / before) if abs(before) > smallest else None
 
 
-def task_of(design: Design, track: Track, lift: LiftCurve, rod: Follower) -> Task:
-    """What is wanted of a profile against play."""
+def task_of(design: Design, track: Track, lift: LiftCurve, follower: Follower) -> Task:
+    """Task of a profile against play, for a design and its track.
+
+    Raises:
+        DesignError: the follower is not the leaning rod.
+    """
+    rod = rod_of(follower, "what the play of the gears does to a cam", "take --profile actual")
     return Task(
         lift=lift,
         follower=rod,
@@ -125,10 +131,10 @@ def task_of(design: Design, track: Track, lift: LiftCurve, rod: Follower) -> Tas
 
 
 def known_trains(design: Design) -> dict[str, PlayBand]:
-    """The return errors of the design's train as given and, if its gears are known, reordered.
+    """Return errors of the design's train as given and, if its gears are known, reordered.
 
     Raises:
-        DesignError: the design says nothing about play.
+        DesignError: the design has no play.
     """
     bands = variation.play_bands(design)
     if not bands:

@@ -1,4 +1,4 @@
-"""What a design says of the car as it was built, in words."""
+"""Deviations of the car as it was built, in words."""
 
 from math import degrees, radians
 
@@ -14,7 +14,7 @@ _LEAST_SHIFT = radians(0.005)  # of the run's end: less than a hundredth of a de
 
 
 def as_built_sentences(design: Design, stop: float) -> list[str]:
-    """What is taken into account, what is only noted, where to stop the run, and how to set the cam."""
+    """Effects that count, effects that are only noted, where to stop the run, and how to set the cam, in words."""
     record = design.as_built
     if record is None:
         return []
@@ -95,7 +95,7 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
 
 
 def _friction_sentences(design: Design) -> list[str]:
-    """What the play goes by that a track showed, and that a car without play may be held."""
+    """Conditions under which a track showed play or none, in words."""
     known = cam_model.as_built(design)
     if known.play == 0 and known.shows_play_with_rod and known.friction is None:
         return [
@@ -122,10 +122,10 @@ def assumed_play(design: Design) -> list[str]:
     tabled = variation.tabled_play(design)
     if design.as_built is None or tabled is None or variation.measured_play(design) is not None:
         return []
-    least = variation.play_bands(design)[design.optimize.order].least
+    lowest = variation.play_bands(design)[design.optimize.order].least
     return [
         "Warning: play was not measured on this car, so the tabled return error is assumed, "
-        f"{degrees(least):.3f} to {degrees(tabled):.3f}°: calibrate with a track, a transmission or zones, or set "
+        f"{degrees(lowest):.3f} to {degrees(tabled):.3f}°: calibrate with a track, a transmission or zones, or set "
         "play.measured_deg."
     ]
 

@@ -1,4 +1,4 @@
-"""The checks of a profile that was evaluated against play, each made once."""
+"""Checks of profiles that were evaluated against play, each computed once."""
 
 from dataclasses import dataclass, field
 from math import degrees, inf
@@ -16,24 +16,24 @@ from cadgen.workflow.cam.mechanics import mechanics_checks
 
 @dataclass(frozen=True)
 class ProfileChecks:
-    """Checks of the profiles of one design; they take time, so those of a profile on a train are made once.
+    """Checks of the profiles of one design; they take time, so they are computed once for a profile on a train.
 
     Attributes:
-        design: a loaded design.
-        task: what is wanted of it.
+        design: loaded design.
+        task: lift wanted, car and follower of the design.
     """
 
     design: Design
     task: Task
-    _made: dict[str, tuple[Check, ...]] = field(default_factory=dict, repr=False)
+    _computed: dict[str, tuple[Check, ...]] = field(default_factory=dict, repr=False)
 
     def of(self, evaluation: Evaluation) -> tuple[Check, ...]:
         """Every check of a profile."""
-        if evaluation.name not in self._made:
-            self._made[evaluation.name] = self._make(evaluation)
-        return self._made[evaluation.name]
+        if evaluation.name not in self._computed:
+            self._computed[evaluation.name] = self._compute(evaluation)
+        return self._computed[evaluation.name]
 
-    def _make(self, evaluation: Evaluation) -> tuple[Check, ...]:
+    def _compute(self, evaluation: Evaluation) -> tuple[Check, ...]:
         design, wanted = self.design, evaluation.wanted
         rod, blank, limits = cam_model.follower(design), cam_model.blank(design), cam_model.check_limits(design)
         return (
@@ -44,7 +44,7 @@ class ProfileChecks:
 
 
 def _lift_check(design: Design, evaluation: Evaluation) -> Check:
-    """The lift that the rod gets with play against the lift wanted, as a check of the cam."""
+    """Check of the lift that the follower gets with play against the lift wanted."""
     most = design.optimize.max_lift_error_um
     where = float(evaluation.run.motor[np.argmax(np.abs(evaluation.lift_error))])
     return Check(

@@ -18,22 +18,22 @@ from cadgen.workflow.cam.checking import ProfileChecks
 
 @dataclass(frozen=True)
 class Best:
-    """The profile chosen on a train, and a sentence on each that was compared."""
+    """Profile chosen on a train, and a sentence on each profile compared."""
 
     evaluation: Evaluation
     reasons: tuple[str, ...]
 
 
 def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileChecks) -> Best:
-    """The best that keeps the limits and passes its checks; profiles are checked in order of merit.
+    """Best profile that keeps the limits and passes its checks; profiles are checked in order of merit.
 
     Args:
-        evaluations: of profiles on one train, at least one.
-        band: return error of that train.
-        checks: of the design's profiles.
+        evaluations: profiles evaluated on one train, at least one.
+        band: return error of that train, rad.
+        checks: checks of the design's profiles.
 
     Returns:
-        If none passes its checks, the best without them, so that its own checks say what fails.
+        If no profile passes its checks, the best without them, so that its own checks show what fails.
 
     Raises:
         CheckError: no profile keeps the limits of [optimize].
@@ -43,11 +43,11 @@ def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileCh
     candidates = {
         name: Candidate(name=name, figures=_figures(checks, evaluation, band)) for name, evaluation in remaining.items()
     }
-    first = remaining[choose(list(candidates.values()), allowed, least=deciding).best.name]
+    first = remaining[choose(list(candidates.values()), allowed, objective=deciding).best.name]
     refused: list[str] = []
     while remaining:
         try:
-            choice = choose([candidates[name] for name in remaining], allowed, least=deciding)
+            choice = choose([candidates[name] for name in remaining], allowed, objective=deciding)
         except CheckError as error:  # those left were never allowed
             refused.append(f"of the others, {error}")
             break
@@ -60,7 +60,7 @@ def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileCh
 
 
 def _deciding(band: PlayBand) -> str:
-    """Name of the figure that the choice goes by: with a measured play other cars do not matter."""
+    """Name of the figure that decides the choice: with a measured play other cars do not matter."""
     return "worst end position error" if band.measured is None else "position error at the end with the measured play"
 
 
@@ -69,7 +69,7 @@ def _heading(band: PlayBand) -> str:
 
 
 def _limits(design: Design, band: PlayBand) -> tuple[Limit, ...]:
-    """What [optimize] allows."""
+    """Limits of [optimize]."""
     keys = design.optimize
     limits = (
         (_deciding(band), keys.max_end_position_mm, "mm"),
@@ -93,7 +93,7 @@ def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> d
             task.car,
             task.length,
             np.array([band.measured]),
-            least=evaluation.least_swing,
+            least_swing=evaluation.least_swing,
             mechanics=task.mechanics.cases,
             cut=evaluation.lift,
         )

@@ -1,6 +1,6 @@
-"""What cures lost lift: changes of one key, each proved by planning the cam again."""
+"""Cures of lost lift: changes of one key, each proved by planning the cam again."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, floor, log10
 
@@ -10,6 +10,7 @@ from cadgen.check import Check, failing
 from cadgen.design.load import with_overrides
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, replanned_checks
 
 # Each cure is proved by planning the cam again, some thirty times in all. With more kinks than this, which each take a
@@ -24,9 +25,9 @@ class Cure:
     """One change of the design after which no more lift is lost than allowed.
 
     Attributes:
-        override: as for `--set`.
-        now: what the key says now.
-        failing: the checks that fail with the change.
+        override: change, as for `--set`.
+        now: present value of the key, as text.
+        failing: checks that fail with the change.
     """
 
     override: str
@@ -36,16 +37,16 @@ class Cure:
 
 @dataclass(frozen=True)
 class Cures:
-    """What was found to cure the lost lift of a plan.
+    """Cures of the lost lift of a plan.
 
     Attributes:
-        lost: the checks by which too much lift is lost; empty if there is nothing to cure.
-        found: the changes that cure it, each alone.
-        kinks: of the lift; cures are sought for up to `MOST_KINKS_CURED`.
+        lost: failed checks on lost lift; empty if there is nothing to cure.
+        proved: changes that cure it, each alone.
+        kinks: number of kinks of the lift; cures are sought for up to `MOST_KINKS_CURED`.
     """
 
     lost: tuple[Check, ...]
-    found: tuple[Cure, ...]
+    proved: tuple[Cure, ...]
     kinks: int
 
     @property
@@ -54,9 +55,9 @@ class Cures:
         return self.kinks <= MOST_KINKS_CURED
 
     def sentences(self) -> list[str]:
-        """What would cure lost lift, in words."""
+        """Cures of lost lift, in words."""
         lines = []
-        for cure in self.found:
+        for cure in self.proved:
             change = f"--set {cure.override} (now {cure.now}) "
             failed = listed([check.name for check in cure.failing], "and")
             lines.append(change + (f"ends that, but fails {failed}." if cure.failing else "cures it."))
@@ -70,17 +71,17 @@ class Cures:
         return lines
 
 
-def find_cures(plan: CamPlan, step: Callable[[str], None] = lambda text: None) -> Cures:
-    """Look for changes of one key that bring lost lift within its limit; takes many plans if any is lost.
+def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
+    """Look for changes of one key that bring lost lift within its limit; takes many plans if lift is lost.
 
     Args:
-        plan: a computed cam.
-        step: told what is being done.
+        plan: computed cam.
+        progress: function that is called with a few words on each step.
     """
     cures = Cures(plan.lost, (), len(plan.lift.kinks))
     if not cures.lost or not cures.sought:
         return cures
-    step("looking for a change that cures lost lift")
+    progress("looking for a change that cures lost lift")
     return Cures(cures.lost, tuple(_tried(plan)), cures.kinks)
 
 
@@ -105,7 +106,7 @@ def _tried(plan: CamPlan) -> Iterator[Cure]:
 
 
 def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
-    """The change, if it is a design and no more lift than allowed is lost with it."""
+    """The change, if the design stays valid and no more lift than allowed is lost with it; else nothing."""
     try:
         failed = failing(replanned_checks(plan, with_overrides(plan.design, [override])))
     except CadgenError:

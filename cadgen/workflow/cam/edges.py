@@ -1,4 +1,4 @@
-"""What it costs at the finish that the edges of the rim are broken more than the design says, or worn."""
+"""Cost at the finish of rim edges that are broken more than designed, or worn."""
 
 from dataclasses import replace
 from math import degrees, inf
@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.contact import rolling_step
-from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
@@ -24,28 +24,28 @@ _TRIM_ROUNDS = 4  # of Gauss and Newton, from an end that is off by centimetres
 
 
 def edges_check(
-    lift: LiftCurve, follower: Follower, made: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
+    lift: LiftCurve, follower: LeaningRod, cut: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
 ) -> Check:
-    """How far off the run ends with both edges broken by `MORE` beyond the design, and what a trim leaves of it.
+    """Error at the end of the run with both edges broken by `MORE` beyond the design, before and after a trim.
 
     Both runs are without play: its jumps are the same in both. A trim is one constant added to the steering.
 
     Args:
-        lift: that the profile is made for.
-        follower: that rolls on it.
-        made: the curve that is cut.
-        as_built: what becomes of it in its making and on the car.
-        car: in plan view.
-        travel: of the drive wheel's rim for one turn of the cam, mm.
+        lift: lift that the profile is made for.
+        follower: follower that rolls on the profile.
+        cut: curve that is cut, mm.
+        as_built: deviations of the disc in its making and on the car.
+        car: dimensions of the car.
+        travel: travel of the drive wheel's rim for one turn of the cam, mm.
 
     Returns:
-        A figure without a limit.
+        The error, mm, as a figure without a limit; its place has the error after the trim.
     """
     more = min(MORE, follower.land / 2)
     worn = replace(follower, inner=follower.inner + more, outer=follower.outer - more)
-    theta, step = np.linspace(0.0, TURN, _STATIONS, endpoint=False), rolling_step(made, follower)
+    theta, step = np.linspace(0.0, TURN, _STATIONS, endpoint=False), rolling_step(cut, follower)
     wanted, got = (
-        rolled_lift(as_built.roll_new(made, rod, theta, step), lift, blend_start=lift.blend_start)
+        rolled_lift(as_built.roll_new(cut, rod, theta, step), lift, blend_start=lift.blend_start)
         for rod in (follower, worn)
     )
     end = _end(wanted, car, travel)
@@ -55,8 +55,8 @@ def edges_check(
 
     trim = 0.0
     for _ in range(_TRIM_ROUNDS):
-        here, slope = off(trim), (off(trim + _TRIM_STEP) - off(trim - _TRIM_STEP)) / (2 * _TRIM_STEP)
-        trim -= (here * slope.conjugate()).real / abs(slope) ** 2
+        error, slope = off(trim), (off(trim + _TRIM_STEP) - off(trim - _TRIM_STEP)) / (2 * _TRIM_STEP)
+        trim -= (error * slope.conjugate()).real / abs(slope) ** 2
     return Check(
         CheckCode.EDGES_BROKEN_MORE,
         f"edges broken {more:g} mm more",
@@ -69,6 +69,6 @@ def edges_check(
 
 
 def _end(lift: LiftCurve, car: Car, travel: float) -> complex:
-    """Where a run without play ends, in the plane of complex numbers, mm."""
+    """End of a run without play as x + iy, mm."""
     x, y = drive(lift, car, travel, steps=_STEPS).drive_wheel[-1].tolist()
     return complex(x, y)

@@ -11,33 +11,35 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.checks import cam_angles
-from cadgen.cam.contact import Contact, roll, roll_curve
+from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.cutter import CutterLimit, largest_cutter
 from cadgen.cam.difference import Exact, dense_stations
+from cadgen.cam.rolled import Contact
 from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import Outline
 from cadgen.curves.inset import chamfered_off
 from cadgen.curves.spline import splines
 from cadgen.errors import CheckError, FileError
 from cadgen.export.folder import publishing
-from cadgen.export.formats import CAM_FORMATS, chosen, entry_formats, entry_name
+from cadgen.export.formats import CAM_FORMATS, chosen_formats, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.motion.sampled import rolled_lift
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.cures import Cures, find_cures
 from cadgen.workflow.cam.manifest import cam_facts
-from cadgen.workflow.cam.plan import CamPlan, Step
+from cadgen.workflow.cam.plan import CamPlan
 
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Part
 
-# What a file may add to the lift's error, in um. STL and 3MF are held to their own chord tolerance.
+# Greatest error of the lift due to a file, um. STL and 3MF are held to their own chord tolerance.
 STEP_LIMIT_UM = 0.5
 POINTS_LIMIT_UM = 0.5
 DXF_LIMIT_UM = 1.0
 GCODE_LIMIT_UM = 1.0
 # Relative error of the solid's volume against the profile's own area times thickness.
 SOLID_VOLUME_LIMIT = 1e-6
-# How far the cubic splines of the DXF may stray, mm: a tenth of what the lift is allowed.
+# Greatest distance of the DXF's cubic splines from the profile, mm: a tenth of the error allowed to the lift.
 _DXF_SPLINE_TOLERANCE = 1e-4
 # Share of the chord tolerance that the rim's chords may take at a pressure angle of 0; and at least, at 87 degrees.
 _RIM_SHARE = 0.8
@@ -56,7 +58,7 @@ class _Result:
 
 @dataclass(frozen=True)
 class _Job:
-    """What the writers share."""
+    """Plan, folder and formats that the writers share, with what they compute once."""
 
     plan: CamPlan
     staging: Path
@@ -86,25 +88,25 @@ class _Job:
 
     @cached_property
     def rolled(self) -> tuple[Contact, float]:
-        """The rod on the exact curve, and the step of an outline that this takes, mm."""
+        """Contact of the follower on the exact curve, and the step of the outline for it, mm."""
         return roll_curve(self.plan.curve, self.plan.follower, self.cam_angle)
 
     @property
     def step(self) -> float:
-        """Distance of the points on what is read back, mm."""
+        """Distance of the points on an outline that is read back, mm."""
         return self.rolled[1]
 
     @cached_property
     def exact(self) -> Exact:
-        """What a file's lift is compared with: the exact curve, in points as close together as on what is read back."""
+        """Exact curve for comparison with a file's lift, in points as close together as on an outline read back."""
         follower = self.plan.follower
         return Exact(self.plan.curve.outline(self.step), follower, dense_stations(follower, self.rolled[0]))
 
     @cached_property
     def rim_share(self) -> float:
-        """Share of what the lift may err that a chord of the rim may stray along its normal.
+        """Share of the error allowed to the lift that a chord of the rim may take along its normal.
 
-        A chord that strays by e shifts the lift by e / cos(pressure angle).
+        A chord that is off by e shifts the lift by e / cos(pressure angle).
         """
         steepest = float(np.cos(self.rolled[0].pressure_angle).min())
         return max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
@@ -118,7 +120,7 @@ class _Job:
 
     @cached_property
     def volume(self) -> float:
-        """What every file's volume is compared with, mm^3: by the profile, or with a hub the exact solid's."""
+        """Volume for comparison with every file's, mm^3: by the profile, or with a hub that of the exact solid."""
         from cadgen.solids.kernel import volume
 
         if self.plan.blank.hub is None:
@@ -131,9 +133,9 @@ class _Job:
         return largest_cutter(self.plan.curve)
 
     def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
-        """Roll the rod on what was read back: the lift's error, and where it takes the car if it has play.
+        """Roll the rod on an outline that was read back: error of the lift, and end of a run with play.
 
-        Only lifts rolled in equal steps are compared: what rolling errs by is then nearly the same in both.
+        Only lifts rolled in equal steps are compared, for the error of rolling is then nearly the same in both.
         """
         difference, contact = self.exact.compare(outline)
         end = self._end_of_run(outline, contact, lift_limit_um)
@@ -148,8 +150,8 @@ class _Job:
             rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
         else:
             rolled = contact.at(np.searchsorted(contact.cam_angle, self.cam_angle))
-        # Rises and falls within what the file may err by are no events of the path.
-        least_swing = max(against.chosen.least_swing, lift_limit_um * 1e-3 / self.plan.rod.inner)
+        # Rises and falls within the error allowed to the file are no events of the path.
+        least_swing = max(against.chosen.least_swing, lift_limit_um * 1e-3 / against.task.follower.inner)
         lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
         heading, distance = against.end_of(lift, least_swing)
         return {"end_heading_deg": degrees(heading), "end_position_mm": distance}
@@ -158,7 +160,7 @@ class _Job:
 def write_cam(
     plan: CamPlan,
     out: Path,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     formats: str | Iterable[str] | None = None,
     *,
     cures: Cures | None = None,
@@ -166,18 +168,18 @@ def write_cam(
     """Write, read back, judge and publish the files of a cam.
 
     Args:
-        plan: a computed cam, normally one whose checks passed.
-        out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
-        step: told what is being done.
-        cures: of lost lift, if they were sought already.
+        plan: computed cam, normally with all checks passed.
+        out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
+        cures: cures of lost lift, if they were sought already.
         formats: some of `CAM_FORMATS`; all of them if left out.
 
     Raises:
-        DesignError: there is no such format.
+        DesignError: a format is unknown.
         CheckError: none of the formats can be made of this cam.
-        FileError: a file cannot be written, or what was read back is not what was meant.
+        FileError: a file cannot be written, or holds something else when it is read back.
     """
-    wanted = chosen(formats, CAM_FORMATS)
+    wanted = chosen_formats(formats, CAM_FORMATS)
     with publishing(out) as staging:
         job = _Job(plan, staging, wanted)
         files: dict[str, Any] = {}
@@ -186,7 +188,7 @@ def write_cam(
         for label, make in _FORMATS.items():
             if not any(_LABELS[ending] == label for ending in wanted):
                 continue
-            step(f"writing and reading back {label}")
+            progress(f"writing and reading back {label}")
             try:
                 results = list(make(job))
             except CheckError as error:
@@ -199,7 +201,7 @@ def write_cam(
         if not files:
             raise CheckError(f"nothing can be written: {'; '.join(omitted.values())}")
         entry = {
-            **cam_facts(plan, find_cures(plan, step) if cures is None else cures),
+            **cam_facts(plan, find_cures(plan, progress) if cures is None else cures),
             **entry_formats(wanted, CAM_FORMATS),
             "frame": _FRAME,
             "versions": versions(),
@@ -213,7 +215,7 @@ def write_cam(
 
 
 def cam_solid(plan: CamPlan) -> "Part":
-    """The cam as the solid that its STEP file holds."""
+    """Solid of the cam, as in its STEP file."""
     return _Job(plan, Path(), CAM_FORMATS).part
 
 
@@ -224,7 +226,7 @@ _FRAME = (
 
 
 def edges_note(edge_break: float) -> str:
-    """What files of the outline alone must tell the shop about its edges; nothing where they stay sharp."""
+    """Note for the shop on the edges, for files of the outline alone; empty where the edges stay sharp."""
     if edge_break == 0:
         return ""
     return f"afterwards break both edges of the outline by {edge_break:g} mm at 45 degrees: the rod rides between them"
@@ -245,7 +247,7 @@ def _measured(job: _Job, result: _Result) -> dict[str, Any]:
 
 
 def _loss(job: _Job, result: _Result, refine: str) -> list[str]:
-    """A warning if the file keeps its own tolerance, but not what the profile does against play."""
+    """A warning if the file keeps its own tolerance, but loses the gain of the profile against play."""
     against, end = job.plan.against, result.facts.get("end_position_mm")
     if against is None or end is None or not against.loses(end):
         return []

@@ -19,7 +19,7 @@ from cadgen.workflow.cam.remedies import Remedy
 
 
 def design_facts(design: Design) -> dict[str, Any]:
-    """Which design it was."""
+    """Name, source, overrides and hash of a design."""
     return {
         "design": design.name,
         "source": design.source,
@@ -29,19 +29,19 @@ def design_facts(design: Design) -> dict[str, Any]:
 
 
 def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
-    """Everything that is known of a cam before its files."""
+    """Facts on a cam before its files."""
     start = plan.lift.blend_start
     return {
         **design_facts(plan.design),
         "profile": plan.profile.code,
         "passed": plan.passed,
-        "checks": [_check_facts(check) for check in (*plan.checks, plan.edges)],
+        "checks": [_check_facts(check) for check in plan.figures],
         "cures": [
             {"override": cure.override, "now": cure.now, "then_fails": [check.name for check in cure.failing]}
-            for cure in cures.found
+            for cure in cures.proved
         ],
         "edge_break_mm": plan.blank.edge_break,
-        "carrying_planes_mm": [plan.rod.inner, plan.rod.outer],
+        "carrying_planes_mm": list(plan.rod.planes),
         "lift_extrema": _extrema_facts(plan),
         "track_length_mm": plan.track.length,
         "blend": {
@@ -87,7 +87,7 @@ def _extrema_facts(plan: CamPlan) -> list[dict[str, Any]]:
 
 
 def against_facts(against: Against) -> dict[str, Any]:
-    """What the profiles compared do about play."""
+    """Facts on the profiles compared against play."""
     low, high = against.band.ends
     bound, measured = against.bound, against.band.measured
     return {
@@ -142,7 +142,7 @@ def _percent(share: float | None) -> float | None:
 
 
 def mechanics_facts(band: MechanicsBand | None, lift: LiftCurve) -> dict[str, Any] | None:
-    """Friction, drag and torques; None if the design says nothing of them."""
+    """Facts on friction, drag and torques; None if the design has no [mechanics]."""
     if band is None:
         return None
     need = holding(lift, band)
@@ -161,10 +161,10 @@ def mechanics_facts(band: MechanicsBand | None, lift: LiftCurve) -> dict[str, An
 
 
 def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
-    """What of a car as built was taken into account and what was only noted; None for a car as designed.
+    """Facts on a car as built: effects that count and effects only noted; None for a car as designed.
 
     Args:
-        design: a loaded design.
+        design: loaded design.
         stop: cam angle at which the path ends, rad.
     """
     record = design.as_built
@@ -198,7 +198,7 @@ def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
 
 
 def remedy_facts(remedy: Remedy) -> dict[str, Any]:
-    """A remedy against play."""
+    """Facts on a remedy against play."""
     return {
         "remedy": remedy.name,
         "cut_for_deg": None if remedy.cut_for is None else degrees(remedy.cut_for),

@@ -1,11 +1,12 @@
-"""What friction and drag do to a cam, in checks and in words."""
+"""Effect of friction and drag on a cam, in checks and in words."""
 
 from math import degrees, inf
 
 import numpy as np
 
-from cadgen.build import variation
+from cadgen.build import cam_model, variation
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, CheckCode
 from cadgen.design.schema import Design
@@ -24,7 +25,7 @@ _SHOWN = 1.0  # mm; less at the end is not worth a sentence
 
 
 def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Evaluation) -> str:
-    """What a rod that rubs would make of a cam that was reckoned without friction; empty if that changes nothing."""
+    """Effect of friction on a cam that was computed without it, in words; empty if friction changes nothing."""
     usual = MechanicsBand(follower=task.follower, friction=USUAL).cases
     plays = np.array(band.ends if band.measured is None else [band.measured])
     worst = [
@@ -34,7 +35,7 @@ def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Eval
             task.car,
             task.length,
             plays,
-            least=evaluation.least_swing,
+            least_swing=evaluation.least_swing,
             mechanics=usual,
             cut=evaluation.lift,
         ).worst_distance
@@ -51,14 +52,16 @@ def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Eval
     )
 
 
-def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: MechanicsBand | None) -> tuple[Check, ...]:
-    """Where and by how much torque the cam runs ahead, whether drag holds it, and whether a bearing is wide enough.
+def mechanics_checks(
+    design: Design, follower: Follower, lift: LiftCurve, band: MechanicsBand | None
+) -> tuple[Check, ...]:
+    """Checks of the torque by which the cam runs ahead, of the drag that holds it, and of a bearing's width.
 
     Args:
-        design: a loaded design.
-        rod: its follower.
-        lift: that the cam is cut for.
-        band: what is known of friction and drag; None if nothing is.
+        design: loaded design.
+        follower: follower of the design.
+        lift: lift that the cam is cut for.
+        band: range of friction and drag; None if the design has no [mechanics].
     """
     checks: list[Check] = []
     if band is not None:
@@ -73,14 +76,15 @@ def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: Mecha
             if band.behind > 0:
                 where = f"nothing holds the disc's {degrees(band.behind):.3f}° of play on its shaft"
             checks.append(Check(CheckCode.CAM_HOLDS, "cam holds", margin, "", -inf, "min", where))
-    if design.follower.width_mm is not None:
+    keys = cam_model.rod_keys(design)
+    if keys is not None and keys.width_mm is not None:
         checks.append(
             Check(
                 CheckCode.BEARING_WIDTH,
                 "bearing width",
-                touched_width(lift, rod),
+                touched_width(lift, rod_of(follower, "the width of a bearing")),
                 "mm",
-                design.follower.width_mm,
+                keys.width_mm,
                 "max",
                 "length that touches the disc in a turn",
                 "the bearing leaves the disc: take a wider one, or two side by side, and set follower.width_mm",
@@ -90,7 +94,7 @@ def mechanics_checks(design: Design, rod: Follower, lift: LiftCurve, band: Mecha
 
 
 def joint_sentences(design: Design) -> list[str]:
-    """What joints and bearings add to the return error of the teeth, and the cheapest cure."""
+    """Return error that joints and bearings add to that of the teeth, and the cheapest cure, in words."""
     whole = variation.whole_play(design)
     if whole is None or not whole.loose or design.play is not None:
         return []
@@ -104,7 +108,7 @@ def joint_sentences(design: Design) -> list[str]:
 
 
 def border_sentences(design: Design, task: Task, chosen: Evaluation, band: PlayBand) -> list[str]:
-    """What to build or do besides the cam; warnings where it may be held in one run and lead in the next."""
+    """Advice besides the cam, and warnings where the cam may be held in one run and lead in the next, in words."""
     known, keys = task.mechanics, design.mechanics
     if known is None:
         return []
@@ -150,7 +154,7 @@ def border_sentences(design: Design, task: Task, chosen: Evaluation, band: PlayB
         ends = []
         for friction in frictions.tolist():
             case = known.at(friction, sum(known.drag) / 2)
-            run = task.run(chosen.rolled, play, least=chosen.least_swing, cut=chosen.lift, mechanics=case)
+            run = task.run(chosen.rolled, play, least_swing=chosen.least_swing, cut=chosen.lift, mechanics=case)
             error = run_error(run, planned)
             ends.append(complex(error.along[-1], error.across[-1]))
         moved = np.abs(np.diff(ends))

@@ -1,13 +1,13 @@
 """From a design to a checked profile. No CAD kernel is needed for this."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 from cadgen.build import cam_model, variation
 from cadgen.cam.checks import LOST_LIFT, check_cam
 from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, failing
 from cadgen.curves.closed import ClosedCurve
@@ -23,6 +23,7 @@ from cadgen.optimize.profiles.table import codes, profile_of
 from cadgen.optimize.task import TrainTask
 from cadgen.parts.blank import Blank
 from cadgen.path.track import Track
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains, task_of
 from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
@@ -30,24 +31,22 @@ from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
 
-Step = Callable[[str], None]
-
 
 @dataclass(frozen=True)
 class CamPlan:
     """A cam that has been computed and checked, but not yet made.
 
     Attributes:
-        design: what it was planned from.
-        profile: which one; its text is its code.
-        track: of the drive wheel.
-        lift: the steering that the profile is cut for: the planned one, or what becomes that one with play.
-        rod: the follower of the design, as built.
-        curve: what is cut: the profile, or on a car as built what becomes the profile in its making and on its shaft.
-        trims: where the envelope was trimmed.
-        blank: what the disc has besides its profile.
+        design: design that the cam was planned from.
+        profile: profile of the cam; as text, its code.
+        track: track of the drive wheel.
+        lift: lift that the profile is cut for: the planned lift, or a lift that gives the planned one with play.
+        rod: follower of the design, as built.
+        curve: curve that is cut: the profile, or on a car as built the curve that becomes the profile on its shaft, mm.
+        trims: places where the envelope was trimmed.
+        blank: features of the disc besides its profile.
         checks: every figure with its verdict.
-        against: what the profile does about play, if that is what it is for.
+        against: comparison of the profile with the plain profile under play; None for a profile that is not for play.
     """
 
     design: Design
@@ -68,17 +67,22 @@ class CamPlan:
 
     @property
     def failed(self) -> tuple[Check, ...]:
-        """The checks that do not keep their limit."""
+        """Checks that do not keep their limit."""
         return failing(self.checks)
 
     @property
     def lost(self) -> tuple[Check, ...]:
-        """The checks by which too much lift is lost."""
+        """Failed checks on lost lift."""
         return tuple(check for check in self.failed if check.code in LOST_LIFT)
 
     @cached_property
-    def edges(self) -> Check:
-        """What edges broken more than designed cost at the finish: a figure without a limit, taken if it is shown."""
+    def edges(self) -> Check | None:
+        """Cost at the finish of edges broken more than designed, mm: a figure without a limit, computed when shown.
+
+        None for a follower other than the leaning rod, which alone rides on an edge.
+        """
+        if not isinstance(self.follower, LeaningRod):
+            return None
         as_built, travel = cam_model.as_built(self.design), cam_model.travel(self.design, self.track)
         return edges_check(self.lift, self.follower, self.curve, as_built, cam_model.car(self.design), travel)
 
@@ -88,31 +92,36 @@ class CamPlan:
         return cam_model.path_end(self.design, self.track)
 
     @property
+    def figures(self) -> tuple[Check, ...]:
+        """The checks, and what is shown beside them."""
+        return self.checks if self.edges is None else (*self.checks, self.edges)
+
+    @property
     def follower(self) -> Follower:
-        """What rolls on this profile: the rod, or its axis."""
+        """Follower that rolls on this profile: that of the design, or its reference point."""
         return _rolling(self.profile, self.rod)
 
     @cached_property
     def on_shaft(self) -> ClosedCurve:
-        """What is cut, as it stands on a shaft whose key is right: turned with the key of a car as built."""
+        """Curve that is cut, mm, on a shaft whose key is right: turned with the key of a car as built."""
         phase = cam_model.as_built(self.design).phase
         return turned(self.curve, phase) if phase else self.curve
 
     @cached_property
     def area(self) -> float:
-        """Of the profile, mm^2."""
+        """Area of the profile, mm^2."""
         return self.curve.area()
 
 
 def default_profile(design: Design) -> Profile:
-    """The best against play for a design that says something of its play, else the actual profile."""
+    """The optimized profile for a design with [train] or [play], else the actual profile."""
     return OPTIMIZED if variation.play_bands(design) else ACTUAL
 
 
 def plan_cam(
     design: Design,
     profile: str | None = None,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     *,
     all_trains: bool = False,
     with_play: bool = False,
@@ -120,31 +129,31 @@ def plan_cam(
     """Compute the profile of a design and check it.
 
     Args:
-        design: a loaded design.
+        design: loaded design.
         profile: code of a profile; that of `default_profile` if left out.
-        step: told what is being done.
-        all_trains: against play, compare the profiles on the trains that the design does not use, too.
-        with_play: look at what play does to the actual profile, too.
+        progress: function that is called with a few words on each step.
+        all_trains: whether profiles against play are compared on the trains that the design does not use, too.
+        with_play: whether the actual profile is compared under play, too.
 
     Raises:
         DesignError: the path cannot be driven, the rod leaves no disc, there is no such profile, or nothing is
-            known of the play that it is for.
+            known of the play that the profile is for.
         CheckError: no profile keeps the limits of [optimize].
     """
     kind = default_profile(design) if profile is None else profile_of(profile)
     if kind.for_play or (with_play and kind is ACTUAL):
-        return _plan_against_play(design, kind, step, all_trains=all_trains, measured=_measured_cam(design))
-    return _plan(design, kind, step)
+        return _plan_against_play(design, kind, progress, all_trains=all_trains, measured=_measured_cam(design))
+    return _plan(design, kind, progress)
 
 
-def _plan(design: Design, profile: Profile, step: Step) -> CamPlan:
-    """The plan of a profile that does nothing about play."""
-    step("planning the path")
+def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
+    """Plan of a profile that is not for play."""
+    progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
-    step(f"computing the {profile} profile")
+    progress(f"computing the {profile} profile")
     wanted = profile.curve(lift, rod)
-    step("checking the profile")
+    progress("checking the profile")
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     limits = cam_model.check_limits(design)
     checks = (
@@ -156,17 +165,22 @@ def _plan(design: Design, profile: Profile, step: Step) -> CamPlan:
 
 
 def _plan_against_play(
-    design: Design, profile: Profile, step: Step, *, all_trains: bool = False, measured: MeasuredCam | None = None
+    design: Design,
+    profile: Profile,
+    progress: Progress,
+    *,
+    all_trains: bool = False,
+    measured: MeasuredCam | None = None,
 ) -> CamPlan:
-    """The plan of a profile, with what it does about play."""
-    step("planning the path")
+    """Plan of a profile, with its comparison under play."""
+    progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
-    step(f"computing the {profile} profile")
+    progress(f"computing the {profile} profile")
     checks = ProfileChecks(design, task_of(design, track, lift, rod))
     against = against_play(profile, checks, all_trains=all_trains, measured=measured)
     chosen = against.chosen
-    step("checking the profile")
+    progress("checking the profile")
     return CamPlan(
         design,
         profile,
@@ -182,12 +196,12 @@ def _plan_against_play(
 
 
 def _measured_cam(design: Design) -> MeasuredCam | None:
-    """The cam that was on the car when it was measured, as it was made then; None if the design has no [as_built]."""
+    """Cam that was on the car when the car was measured, as made then; None if the design has no [as_built]."""
     if design.as_built is None:
         return None
     profile, then = profile_of(design.as_built.profile), design.as_cut()
     planned = _plan_against_play if profile.for_play else _plan
-    plan = planned(then, profile, lambda text: None)
+    plan = planned(then, profile, silent)
     return MeasuredCam(profile=profile, lift=plan.lift, curve=plan.on_shaft)
 
 
@@ -198,7 +212,7 @@ def replanned_checks(plan: CamPlan, design: Design) -> tuple[Check, ...]:
         DesignError: as `plan_cam`.
     """
     if plan.against is None:
-        return _plan(design, plan.profile, lambda text: None).checks
+        return _plan(design, plan.profile, silent).checks
     chosen, track = plan.against.chosen, cam_model.track(design)
     task = task_of(design, track, cam_model.lift(design, track), cam_model.follower(design))
     work = TrainTask(task, chosen.train, known_trains(design)[chosen.train])
@@ -206,10 +220,10 @@ def replanned_checks(plan: CamPlan, design: Design) -> tuple[Check, ...]:
 
 
 def against_of(plan: CamPlan) -> Against:
-    """What a plan's profile does about play.
+    """Comparison of a plan's profile with the plain profile under play.
 
     Raises:
-        DesignError: it is not for that.
+        DesignError: the profile is not for play.
     """
     if plan.against is None:
         choices = listed(codes(for_play=True), "or")
@@ -218,4 +232,4 @@ def against_of(plan: CamPlan) -> Against:
 
 
 def _rolling(profile: Profile, rod: Follower) -> Follower:
-    return replace(rod, radius=0.0) if profile.by_axis else rod
+    return rod.point() if profile.by_axis else rod

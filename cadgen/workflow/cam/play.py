@@ -22,20 +22,20 @@ from cadgen.workflow.cam.mechanics import border_sentences, joint_sentences, rub
 def against_play(
     profile: Profile, checks: ProfileChecks, *, all_trains: bool = False, measured: MeasuredCam | None = None
 ) -> Against:
-    """One profile, or the best of all that keep the design's limits and the cam's checks.
+    """Compare a profile, or the best of all that keep the design's limits and the cam's checks, with the plain one.
 
-    If none passes the checks, the best is what it would be without them, so that its own checks say what fails. Limits
-    and choice go by the worst end over the band, or, if the play was measured, by the end with that play.
+    If no profile passes the checks, the best is chosen without them, so that its own checks show what fails. Limits and
+    choice go by the worst end over the band, or, if the play was measured, by the end with that play.
 
     Args:
         profile: the actual profile or one for play.
-        checks: of the profiles of the design.
-        all_trains: compare the profiles on the trains that the design does not use, too.
-        measured: the cam to compare with on a car as built; the actual profile if left out.
+        checks: checks of the design's profiles.
+        all_trains: whether the profiles are compared on the trains that the design does not use, too.
+        measured: cam to compare with on a car as built; the actual profile if left out.
 
     Raises:
-        DesignError: no play is known.
-        CheckError: no profile keeps the limits of [optimize]; says whether one would with the stages in another order.
+        DesignError: the design has no play.
+        CheckError: no profile keeps the limits of [optimize]; the message adds another order of the stages that would.
     """
     design, task = checks.design, checks.task
     works = {name: TrainTask(task, name, band) for name, band in known_trains(design).items()}
@@ -54,7 +54,7 @@ def against_play(
         try:
             best = best_of(compared_on[order], work.band, checks)
         except CheckError as error:
-            others = {name: other for name, other in works.items() if name != order}
+            others = {name: other_work for name, other_work in works.items() if name != order}
             raise CheckError(f"{error}{_other_order(others, profile, checks)}{_with_friction(design, task)}") from error
         chosen = best.evaluation
         reasons += best.reasons
@@ -79,10 +79,10 @@ def against_play(
 
 
 def _evaluations(work: TrainTask, profile: Profile) -> tuple[tuple[Evaluation, ...], tuple[str, ...]]:
-    """The actual profile and another one, or all that can be made; and why others cannot, in sentences."""
+    """Evaluations of the actual and another profile, or of all that can be made; and why others cannot, in words."""
     plain = evaluate(work, ACTUAL)
     if not profile.best_of:
-        return (plain, *(evaluate(work, other) for other in (profile,) if other is not ACTUAL)), ()
+        return (plain, *(evaluate(work, kind) for kind in (profile,) if kind is not ACTUAL)), ()
     blend = work.task.lift.blend_start
     if not (falls(work.task.lift) % TURN < blend).any():
         reason = (
@@ -91,16 +91,16 @@ def _evaluations(work: TrainTask, profile: Profile) -> tuple[tuple[Evaluation, .
         )
         return (plain,), (reason,)
     evaluations, refusals = [plain], dict[str, str]()
-    for other in compared()[1:]:
+    for kind in compared()[1:]:
         try:
-            evaluations.append(evaluate(work, other))
+            evaluations.append(evaluate(work, kind))
         except DesignError as error:  # several may be refused for the same reason
-            refusals.setdefault(str(error), f"{other} refused: {error}")
+            refusals.setdefault(str(error), f"{kind} refused: {error}")
     return tuple(evaluations), tuple(refusals.values())
 
 
 def _lost_sentences(task: Task, chosen: Evaluation) -> list[str]:
-    """What a profile cannot give back because events are closer together than the play, in words."""
+    """Lift that a profile cannot give back because events are closer together than the play, in words."""
     if not chosen.lost:
         return []
     worst = max(chosen.lost, key=lambda dip: dip.tan_beta)
@@ -114,7 +114,7 @@ def _lost_sentences(task: Task, chosen: Evaluation) -> list[str]:
 
 
 def _with_friction(design: Design, task: Task) -> str:
-    """What helps where friction keeps every profile from its limit, in words."""
+    """Advice where friction keeps every profile from its limit; empty if it does not apply."""
     known = task.mechanics
     if known is None or known.friction[1] == 0 or "drag" in (design.optimize.hardware or ()):
         return ""
@@ -125,7 +125,7 @@ def _with_friction(design: Design, task: Task) -> str:
 
 
 def _other_order(works: Mapping[str, TrainTask], profile: Profile, checks: ProfileChecks) -> str:
-    """What another order of the train's stages would do, in words, if it keeps the limits and the checks."""
+    """Advice on another order of the train's stages that keeps the limits and the checks; empty if there is none."""
     for name, work in works.items():
         try:
             best = best_of(_evaluations(work, profile)[0], work.band, checks).evaluation

@@ -1,6 +1,5 @@
-"""The remedies against play on one sheet: what each leaves of the error, and what to build for it."""
+"""The remedies against play on one sheet: the error that each leaves, and what to build for it."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees
 
@@ -20,21 +19,22 @@ from cadgen.optimize.evaluate import Evaluation
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
 from cadgen.optimize.task import Task
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against, known_trains
 
-_ALLOWED_END = 100.0  # mm; what a trimmed car may be off where [optimize] says nothing
+_ALLOWED_END = 100.0  # mm; error allowed to a trimmed car where [optimize] has no limit
 
 
 @dataclass(frozen=True, kw_only=True)
 class Remedy:
-    """What can be done, and what it leaves.
+    """A remedy against play, and the error that it leaves.
 
     Attributes:
-        name: what is done.
-        cut_for: window of a compensated profile, rad; None for the plain one.
+        name: name of the remedy.
+        cut_for: window of a compensated profile, rad; None for the plain profile.
         worst_end: position error at the end of the run in the worst car of the bands, mm; None if it cannot be built.
-        on_way: the same anywhere on the run, mm.
-        build: what to build or do besides the cam, a sentence; empty if nothing.
+        on_way: greatest position error on the run of the worst car, mm; None if it cannot be built.
+        build: advice on what to build or do besides the cam, a sentence; empty if there is none.
     """
 
     name: str
@@ -46,7 +46,7 @@ class Remedy:
 
 @dataclass(frozen=True)
 class _Sheet:
-    """The design at hand with its bands of play, friction and drag."""
+    """A design with its bands of play, friction and drag."""
 
     design: Design
     task: Task
@@ -55,7 +55,7 @@ class _Sheet:
 
     @property
     def known(self) -> MechanicsBand:
-        """What is known of the car without a brake, so that remedies can be compared."""
+        """Range of the forces on the cam without a brake, for comparison of the remedies."""
         return replace(self.mechanics, drag=(0.0, 0.0), behind=0.0)
 
     @property
@@ -77,12 +77,12 @@ class _Sheet:
         """A remedy judged by its worst run.
 
         Args:
-            name: of the remedy.
-            lift: that the cam is cut for.
-            rolled: that the rod gets.
-            cases: frictions and drags.
+            name: name of the remedy.
+            lift: lift that the cam is cut for.
+            rolled: lift that the follower gets.
+            cases: frictions and drags of the cars.
             plays: return errors, rad; those of the design if left out.
-            cut_for, build: as in `Remedy`.
+            cut_for, build: same as in `Remedy`.
         """
         task, plays = self.task, self.plays if plays is None else plays
         ends = over_band(rolled, task.lift, task.car, task.length, np.array(plays), mechanics=cases, cut=lift)
@@ -90,23 +90,23 @@ class _Sheet:
         return Remedy(name=name, cut_for=cut_for, worst_end=ends.worst_distance, on_way=way, build=build)
 
 
-def remedies(design: Design, against: Against, step: Callable[[str], None] = lambda text: None) -> tuple[Remedy, ...]:
-    """Every remedy for the car at hand, in the worst of its plays and frictions, and the design as it is.
+def remedies(design: Design, against: Against, progress: Progress = silent) -> tuple[Remedy, ...]:
+    """Every remedy for the design's car, in the worst of its plays and frictions, and the design as it is.
 
     Remedies are compared without the brake that the design may have.
 
     Args:
-        design: a loaded design.
+        design: loaded design.
         against: its profiles against play, with those of all its trains.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
-        DesignError: the design says nothing of friction and drag.
+        DesignError: the design has no [mechanics].
     """
     mechanics = against.task.mechanics
     if mechanics is None:
         raise DesignError("remedies against play go by the rod's force and friction: add [mechanics]")
-    step("comparing remedies against play")
+    progress("comparing remedies against play")
     sheet = _Sheet(design, against.task, against.band, mechanics)
     plain = next(
         evaluation
@@ -198,7 +198,8 @@ def _split_wheel(sheet: _Sheet) -> list[Remedy]:
 def _bearing(sheet: _Sheet) -> list[Remedy]:
     """A ball bearing on the rod, and a cam for its radius, compensated."""
     task, design = sheet.task, sheet.design
-    if design.follower.material == "ball_bearing":
+    keys = cam_model.rod_keys(design)
+    if keys is None or keys.material == "ball_bearing":
         return []
     fitting = bearing_for(task.lift, task.follower)
     if fitting is None:

@@ -26,7 +26,7 @@ from cadgen.meshes.train_checks import exact_play, limit_states
 from cadgen.workflow.gears.made import role_of
 from cadgen.workflow.gears.plan import GearsPlan
 
-# Of trains made with every contribution free in its zone: this part has less play.
+# Shares of the trains made with every contribution free in its zone: so many have less play.
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 # F_pk is for two pitches up to an eighth of the teeth, by the standard's advice.
 SPAN_OF_TEETH = 8
@@ -34,7 +34,7 @@ _NO_LENGTHS = ("driver", "driven", "B_max", "B_min")
 
 
 def plan_facts(plan: GearsPlan) -> dict[str, Any]:
-    """Everything that is known of a train before its files."""
+    """Facts on a train before its files."""
     return {
         "design": plan.design.name,
         "source": plan.design.source,
@@ -63,17 +63,21 @@ def plan_facts(plan: GearsPlan) -> dict[str, Any]:
             for play in plan.ranked
         ],
         "skipped": [
-            {"teeth": teeth_of(one.play), "greatest": degrees(one.play.return_error_max), "reason": one.reason}
-            for one in plan.skipped
+            {
+                "teeth": teeth_of(skipped.play),
+                "greatest": degrees(skipped.play.return_error_max),
+                "reason": skipped.reason,
+            }
+            for skipped in plan.skipped
         ],
         "overridden_tolerances": [
             {
-                "where": found.where,
-                "symbol": found.symbol,
-                "used_um": found.used * 1e3,
-                "standard_um": None if found.standard is None else found.standard * 1e3,
+                "where": departure.where,
+                "symbol": departure.symbol,
+                "used_um": departure.used * 1e3,
+                "standard_um": None if departure.standard is None else departure.standard * 1e3,
             }
-            for found in plan.departures
+            for departure in plan.departures
         ],
         "checks": checks_facts(plan.checks),
         "parts": parts_facts(plan.layout, plan.play, plan.inspection),
@@ -82,7 +86,7 @@ def plan_facts(plan: GearsPlan) -> dict[str, Any]:
 
 def stages_facts(layout: TrainLayout, play: TrainPlay) -> list[dict[str, Any]]:
     """Every stage as it is cut, with its play."""
-    return [_stage_facts(pair, found) for pair, found in zip(layout.train.stages, play.stages, strict=True)]
+    return [_stage_facts(pair, stage) for pair, stage in zip(layout.train.stages, play.stages, strict=True)]
 
 
 def checks_facts(checks: Iterable[Check]) -> list[dict[str, Any]]:
@@ -93,7 +97,7 @@ def checks_facts(checks: Iterable[Check]) -> list[dict[str, Any]]:
 def parts_facts(
     layout: TrainLayout, play: TrainPlay, inspection: Sequence[Sequence[Inspection]]
 ) -> list[dict[str, Any]]:
-    """Every part at its place, with what the shop is told of its gears."""
+    """Facts on every part at its place, with the sizes of its gears for the shop."""
     return [
         {
             "name": part.name,
@@ -105,8 +109,8 @@ def parts_facts(
             "bore_mm": part.blank.bore_diameter,
             "volume_mm3": part.volume,
             "gears": [
-                _gear_facts(form, stage, role_of(play, part.shaft, stage), found)
-                for form, stage, found in zip(part.gears, part.stages, of_part, strict=True)
+                _gear_facts(form, stage, role_of(play, part.shaft, stage), sizes)
+                for form, stage, sizes in zip(part.gears, part.stages, of_part, strict=True)
             ],
         }
         for part, of_part in zip(layout.parts, inspection, strict=True)
@@ -114,14 +118,15 @@ def parts_facts(
 
 
 def _joint_facts(plan: GearsPlan) -> dict[str, Any]:
-    """Joints and bearings, and the return error with them; nothing if the design says nothing of any."""
+    """Facts on joints and bearings, and the return error with them; empty if the design has none."""
     whole = plan.whole
     if not whole.loose:
         return {}
     return {
         "return_error_with_joints_deg": return_error(whole),
         "joints_deg": [
-            {"name": one.name, "least": degrees(one.least), "greatest": degrees(one.greatest)} for one in whole.loose
+            {"name": joint.name, "least": degrees(joint.least), "greatest": degrees(joint.greatest)}
+            for joint in whole.loose
         ],
     }
 
@@ -172,14 +177,14 @@ def _stage_facts(pair: GearPair, play: StagePlay[float]) -> dict[str, Any]:
 def _tolerance_facts(gear: Gear, play: GearPlay[float]) -> dict[str, Any]:
     """One gear's tolerances, as used, with those of the standard that only its inspection needs, and its limits."""
     form = gear.form
-    sizes = form.reference_diameter, form.normal_module
+    diameter, module = form.reference_diameter, form.normal_module
     pitches = max(form.teeth // SPAN_OF_TEETH, 2)
     shown: dict[str, float | None] = {**asdict(play.tolerances)}
     rules: dict[str, Callable[[], Any]] = {
-        "F_p": lambda: total_pitch_deviation(*sizes, gear.grade),
-        "F_pk": lambda: span_pitch_deviation(*sizes, pitches, gear.grade),
-        "F_alpha": lambda: total_profile_deviation(*sizes, gear.grade),
-        "f_i_radial": lambda: tooth_radial_composite_deviation(*sizes, gear.grade),
+        "F_p": lambda: total_pitch_deviation(diameter, module, gear.grade),
+        "F_pk": lambda: span_pitch_deviation(diameter, module, pitches, gear.grade),
+        "F_alpha": lambda: total_profile_deviation(diameter, module, gear.grade),
+        "f_i_radial": lambda: tooth_radial_composite_deviation(diameter, module, gear.grade),
     }
     for symbol, rule in rules.items():
         try:
@@ -210,18 +215,18 @@ def form_facts(form: GearForm) -> dict[str, Any]:
     }
 
 
-def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], found: Inspection) -> dict[str, Any]:
-    """What the shop is told of one gear: one row of the table of parts."""
+def _gear_facts(form: GearForm, stage: int, play: GearPlay[float], sizes: Inspection) -> dict[str, Any]:
+    """Facts on one gear for the shop: one row of the table of parts."""
     return {
         "stage": stage,
         **form_facts(form),
         "E_sn_um": form.tooth_thickness_deviation * 1e3,
         "E_sns_um": play.E_sns * 1e3,
         "E_sni_um": play.E_sni * 1e3,
-        "teeth_spanned": found.span.teeth_spanned if found.span else None,
-        **_limits("span", found.span.span if found.span else None),
-        "pin_diameter_mm": found.pins.pin_diameter if found.pins else None,
-        **_limits("over_pins", found.pins.over_pins if found.pins else None),
+        "teeth_spanned": sizes.span.teeth_spanned if sizes.span else None,
+        **_limits("span", sizes.span.span if sizes.span else None),
+        "pin_diameter_mm": sizes.pins.pin_diameter if sizes.pins else None,
+        **_limits("over_pins", sizes.pins.over_pins if sizes.pins else None),
     }
 
 
@@ -229,6 +234,6 @@ def _in_um(values: Mapping[str, float | None]) -> dict[str, float | None]:
     return {f"{name}_um": None if value is None else float(value) * 1e3 for name, value in values.items()}
 
 
-def _limits(name: str, found: Limits | None) -> dict[str, float | None]:
-    values = (None, None, None) if found is None else (found.nominal, found.upper, found.lower)
+def _limits(name: str, limits: Limits | None) -> dict[str, float | None]:
+    values = (None, None, None) if limits is None else (limits.nominal, limits.upper, limits.lower)
     return {f"{name}_{which}_mm": value for which, value in zip(("nominal", "max", "min"), values, strict=True)}

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from cadgen.errors import FileError
+from cadgen.errors import DesignError, FileError
 from cadgen.export.folder import publishing
-from cadgen.export.formats import TRAIN_FORMATS, chosen, entry_formats, entry_name
+from cadgen.export.formats import TRAIN_FORMATS, chosen_formats, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.gears.backlash import TrainPlay
 from cadgen.gears.inspection import Inspection
@@ -23,7 +23,7 @@ from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.prisms import body_mesh
 from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM, cycle, exact_play, meshes, play_error_um, return_error_um
-from cadgen.workflow.cam.plan import Step
+from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import parts_facts, plan_facts
 from cadgen.workflow.gears.plan import GearsPlan
 
@@ -32,15 +32,17 @@ if TYPE_CHECKING:
     from cadgen.solids.kernel import Part
     from cadgen.solids.train import AssembledPart
 
-# What flanks and roots in a file may stray from the exact ones, µm.
+# Greatest distance of flanks and roots in a file from the exact curves, µm.
 FLANK_LIMIT_UM = 0.001
 ROOT_LIMIT_UM = 0.01
 # Relative error of a solid's volume against the exact areas times widths.
 VOLUME_LIMIT = 1e-6
-# What a part's place in the assembly may be off: mm, and the sines and cosines of its turning.
+# Greatest error of a part's place in the assembly: mm, and the sines and cosines of its turning.
 PLACE_LIMIT = 1e-9
-# Of a colour's parts: the kernel keeps them in single precision.
+# Greatest error of a colour's components: the kernel keeps them in single precision.
 COLOUR_LIMIT = 1e-6
+# Greatest number of teeth of a train: the kernel writes and reads each tooth twice, in some 0.05 s of processor time.
+MOST_STEP_TEETH = 1200
 # Steel, g/mm³: the mass is for orientation, and the volume stands beside it.
 STEEL = 7.85e-3
 
@@ -56,7 +58,7 @@ class PlannedTrain(Protocol):
 
     @property
     def stem(self) -> str:
-        """What the names of its files begin with."""
+        """Start of the names of its files."""
 
     @property
     def description(self) -> str:
@@ -64,7 +66,7 @@ class PlannedTrain(Protocol):
 
     @property
     def layout(self) -> TrainLayout:
-        """Its parts at their places."""
+        """Parts at their places."""
 
     @property
     def passed(self) -> bool:
@@ -75,42 +77,50 @@ class PlannedTrain(Protocol):
 
     @property
     def play(self) -> TrainPlay:
-        """Its play."""
+        """Play and return error of the train."""
 
     @property
     def inspection(self) -> tuple[tuple[Inspection, ...], ...]:
-        """Of every part's gears, in the order of the parts."""
+        """Sizes for inspection of every part's gears, in the order of the parts."""
 
 
 def write_gears(
-    plan: GearsPlan, out: Path, step: Step = lambda text: None, formats: str | Iterable[str] | None = None
+    plan: GearsPlan, out: Path, progress: Progress = silent, formats: str | Iterable[str] | None = None
 ) -> Written:
     """Write the files of a design's train; arguments and errors as of `write_train`."""
-    return write_train(plan, plan_facts(plan), out, step, formats)
+    return write_train(plan, plan_facts(plan), out, progress, formats)
 
 
 def write_train(
     plan: PlannedTrain,
     facts: dict[str, Any],
     out: Path,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     formats: str | Iterable[str] | None = None,
 ) -> Written:
     """Write, read back, judge and publish the files of a train.
 
     Args:
-        plan: a computed train, normally one whose checks passed.
-        facts: everything that is known of it, as plain values.
-        out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
-        step: told what is being done.
+        plan: computed train, normally with all checks passed.
+        facts: facts on the train, as plain values.
+        out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
         formats: some of `TRAIN_FORMATS`; all of them if left out.
 
     Raises:
-        DesignError: there is no such format.
-        FileError: a file cannot be written, or what was read back is not what was meant.
+        DesignError: a format is unknown, or the gears have too many teeth for STEP.
+        FileError: a file cannot be written, or holds something else when it is read back.
     """
     makers = {ending: (label, partial(make, plan, plan.stem)) for ending, (label, make) in _MAKERS.items()}
-    return publish(f"{plan.stem}_train", facts, FRAME, makers, chosen(formats, TRAIN_FORMATS), out, step)
+    wanted = chosen_formats(formats, TRAIN_FORMATS)
+    teeth = sum(gear.teeth for part in plan.layout.parts for gear in part.gears)
+    if "step" in wanted and teeth > MOST_STEP_TEETH:
+        others = ",".join(ending for ending in TRAIN_FORMATS if ending != "step")
+        raise DesignError(
+            f"the gears of train.stages have {teeth} teeth together, too many for STEP, which takes at most "
+            f"{MOST_STEP_TEETH}: give them fewer teeth, or write the formats {others}"
+        )
+    return publish(f"{plan.stem}_train", facts, FRAME, makers, wanted, out, progress)
 
 
 def publish(
@@ -120,27 +130,28 @@ def publish(
     makers: Mapping[str, tuple[str, Callable[[Path], Iterator[Result]]]],
     wanted: Sequence[str],
     out: Path,
-    step: Step,
+    progress: Progress,
 ) -> Written:
     """Make the wanted files of a gear or a train, and publish them with their entry in the manifest.
 
     Args:
         part: name of the entry of all formats.
-        facts: everything that is known of the part, as plain values.
-        frame: where the part lies in its files, a sentence.
-        makers: for each ending a label, and what writes files into a folder, reads them back and yields their facts.
-        wanted: endings among those.
-        out: the folder; nothing appears in it unless everything succeeded.
-        step: told what is being done.
+        facts: facts on the part, as plain values.
+        frame: position of the part in its files, a sentence.
+        makers: label and function for each ending; the function writes files into a folder, reads them back and yields
+            their facts.
+        wanted: endings to write, some of those of `makers`.
+        out: folder for the files; nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
 
     Raises:
-        FileError: a file cannot be written, or what was read back is not what was meant.
+        FileError: a file cannot be written, or holds something else when it is read back.
     """
     with publishing(out) as staging:
         files: dict[str, dict[str, Any]] = {}
         for ending in wanted:
             label, make = makers[ending]
-            step(f"writing and reading back {label}")
+            progress(f"writing and reading back {label}")
             for name, of_file in make(staging):
                 files[name] = {**file_facts(staging / name), **of_file}
         entry = {
@@ -193,10 +204,10 @@ def _part_files(
 
 
 def tooth_errors(name: str, content: GearContent) -> dict[str, Any]:
-    """How far the flanks and roots in a file are off the exact ones, µm.
+    """Greatest distances of flanks and roots in a file from the exact curves, µm, by key.
 
     Raises:
-        FileError: further than they may.
+        FileError: a distance is beyond its limit.
     """
     flank, root = content.flank_error * 1e3, content.root_error * 1e3
     _require(flank <= FLANK_LIMIT_UM, name, f"has flanks {flank:.2g} µm off")
@@ -204,11 +215,11 @@ def tooth_errors(name: str, content: GearContent) -> dict[str, Any]:
     return {"flank_error_um": flank, "root_error_um": root}
 
 
-def _assembly(plan: PlannedTrain, file: str, found: Sequence[AssembledPart], parts: Sequence[Part]) -> dict[str, Any]:
-    """Every part valid, with its name and colour, at its place, of the exact volume."""
-    _require(len(found) == len(parts), file, "has lost a part")
+def _assembly(plan: PlannedTrain, file: str, read: Sequence[AssembledPart], parts: Sequence[Part]) -> dict[str, Any]:
+    """Require of every part read back that it is valid, with its name, colour, place and exact volume."""
+    _require(len(read) == len(parts), file, "has lost a part")
     worst = 0.0
-    for part, placed, wanted in zip(found, plan.layout.parts, parts, strict=True):
+    for part, placed, wanted in zip(read, plan.layout.parts, parts, strict=True):
         name = wanted.name
         _require(part.valid and part.bodies == 1, file, f"has no valid solid for {name}")
         _require(part.name == name, file, f"has lost the name of {name}")
@@ -218,7 +229,7 @@ def _assembly(plan: PlannedTrain, file: str, found: Sequence[AssembledPart], par
         _require(off <= PLACE_LIMIT, file, f"has {name} {off:.2g} mm off its place")
         worst = max(worst, abs(part.volume / placed.volume - 1))
     _require(worst <= VOLUME_LIMIT, file, f"misses the exact volume by {worst:.1e}")
-    return {"bodies": len(found), "volume_error_relative": worst}
+    return {"bodies": len(read), "volume_error_relative": worst}
 
 
 def _in_mesh(plan: PlannedTrain, name: str, sections: list[tuple[Section, ...]]) -> dict[str, Any]:
@@ -234,12 +245,12 @@ def _in_mesh(plan: PlannedTrain, name: str, sections: list[tuple[Section, ...]])
         MeasuredPair(before[-1], after[0], pair.centre_distance)
         for before, after, pair in zip(sections, sections[1:], cut, strict=False)
     ]
-    errors = [play_error_um(pair, found) for pair, found in zip(cut, measured, strict=True)]
+    errors = [play_error_um(pair, sections_in_mesh) for pair, sections_in_mesh in zip(cut, measured, strict=True)]
     total = return_error_um(cut, measured)
     worst = max(map(abs, [*errors, total]))
     _require(worst <= PLAY_LIMIT_UM, name, f"has a play {worst:.2g} µm off the computed one")
-    for number, (pair, found) in enumerate(zip(cut, measured, strict=True), 1):
-        within, past = cycle(pair, found)
+    for number, (pair, sections_in_mesh) in enumerate(zip(cut, measured, strict=True), 1):
+        within, past = cycle(pair, sections_in_mesh)
         held = within <= LEAST_OVERLAP <= past
         _require(held or not plan.passed, name, f"has teeth in stage {number} whose play is not the same over a pitch")
     return {
@@ -260,7 +271,7 @@ def write_stl(part: TrainPart, staging: Path, stem: str, chord: float) -> Result
     """Write and read back the mesh of a part in its own frame; `chord` is its greatest chord error, mm.
 
     Raises:
-        FileError: what was read back is not what was meant.
+        FileError: the file holds something else when it is read back.
     """
     from cadgen.export.mesh import read_stl, stl_bytes
 
@@ -270,7 +281,7 @@ def write_stl(part: TrainPart, staging: Path, stem: str, chord: float) -> Result
 
 
 def _stl_facts(name: str, again: Mesh, part: TrainPart, chord: float) -> dict[str, Any]:
-    """Closed, one body, and no further from the exact volume than the chords and the wall's area allow."""
+    """Require of a mesh read back that it is closed, one body, and of the exact volume within chord times wall area."""
     solid = again.solid()
     _require(len(solid.decompose()) == 1, name, "is not one body")
     corners = again.vertices[again.triangles]
@@ -323,12 +334,12 @@ def _cell(value: Any) -> str:
     return f"{value:.4f}" if isinstance(value, float) else str(value)
 
 
-def _require(holds: bool, name: str, what: str) -> None:
+def _require(holds: bool, name: str, fault: str) -> None:
     if not holds:
-        raise FileError(f"{name}, read back, {what}: report this design")
+        raise FileError(f"{name}, read back, {fault}: report this design")
 
 
-# The endings of the files -> what is said while they are written, and what makes them.
+# For each ending of files, a label for the progress and the function that makes the files.
 _MAKERS: dict[str, tuple[str, Callable[[PlannedTrain, str, Path], Iterator[Result]]]] = {
     "step": ("STEP", _step_files),
     "stl": ("STL", _stl_files),

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from cadgen.build.gear_model import usual_chord
 from cadgen.check import Check
 from cadgen.errors import FileError
-from cadgen.export.formats import GEAR_FORMATS, chosen
+from cadgen.export.formats import GEAR_FORMATS, chosen_formats
 from cadgen.export.manifest import Written
 from cadgen.gears.backlash import TrainPlay, train_play
 from cadgen.gears.blank import gear_body
@@ -20,10 +20,10 @@ from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.parts.blank import Blank
-from cadgen.workflow.cam.plan import Step
+from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import checks_facts, form_facts, parts_facts, return_error, stages_facts
 from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, publish, tooth_errors, write_stl
-from cadgen.workflow.gears.made import Made, make
+from cadgen.workflow.gears.made import MadeTrain, make_train
 
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Part
@@ -36,32 +36,32 @@ class TrainPlan:
     """A train given by numbers, computed and checked.
 
     Attributes:
-        name: of the train; the names of its files begin with it.
-        made: its play, layout, inspection and checks.
+        name: name of the train; the names of its files begin with it.
+        train: play, layout, inspection and checks of the train.
     """
 
     name: str
-    made: Made
+    train: MadeTrain
 
     @property
     def play(self) -> TrainPlay:
         """Play of the train."""
-        return self.made.play
+        return self.train.play
 
     @property
     def layout(self) -> TrainLayout:
-        """Its parts at their places."""
-        return self.made.layout
+        """Parts at their places."""
+        return self.train.layout
 
     @property
     def checks(self) -> tuple[Check, ...]:
         """Every figure with its verdict."""
-        return self.made.checks
+        return self.train.checks
 
     @property
     def inspection(self) -> tuple[tuple[Inspection, ...], ...]:
-        """Of every part's gears, in the order of the parts."""
-        return self.made.inspection
+        """Sizes for inspection of every part's gears, in the order of the parts, mm."""
+        return self.train.inspection
 
     @property
     def passed(self) -> bool:
@@ -70,7 +70,7 @@ class TrainPlan:
 
     @property
     def stem(self) -> str:
-        """What the names of its files begin with."""
+        """Start of the names of its files."""
         return self.name
 
     @property
@@ -95,7 +95,7 @@ class TrainPlan:
             "return_error_deg": return_error(self.play),
             "stages": stages_facts(self.layout, self.play),
             "checks": checks_facts(self.checks),
-            "parts": parts_facts(self.layout, self.play, self.made.inspection),
+            "parts": parts_facts(self.layout, self.play, self.train.inspection),
         }
 
 
@@ -109,16 +109,16 @@ def plan_train(
     """Compute a train, lay it out, and measure its teeth in mesh.
 
     Args:
-        train: its stages.
-        blanks: what the gears have besides their teeth, one for each shaft from the drive to the output.
-        name: of the train.
-        directions: of the stages' lines of centres, rad; None for any.
+        train: train with its stages.
+        blanks: features of the gears besides their teeth, for each shaft from the drive to the output.
+        name: name of the train.
+        directions: directions of the stages' lines of centres, rad; None for any.
         clearance: least gap between bodies on different shafts, mm.
 
     Raises:
-        DesignError: a gear, its blank or the layout cannot be, or no standard covers a size.
+        DesignError: a gear, its blank or the layout is impossible, or no standard covers a size.
     """
-    return TrainPlan(name, make(train_play(train), blanks, directions, clearance, usual_chord))
+    return TrainPlan(name, make_train(train_play(train), blanks, directions, clearance, usual_chord))
 
 
 def part_of(form: GearForm, blank: Blank) -> TrainPart:
@@ -157,50 +157,50 @@ def write_gear(
     part: TrainPart,
     name: str,
     out: Path,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     formats: str | Iterable[str] | None = None,
 ) -> Written:
     """Write, read back, judge and publish the files of one gear.
 
     Args:
-        part: from `part_of`.
-        name: of the gear; the names of its files begin with it.
-        out: the folder; it is made if need be. Nothing appears in it unless everything succeeded.
-        step: told what is being done.
+        part: gear as a part, from `part_of`.
+        name: name of the gear; the names of its files begin with it.
+        out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
         formats: some of `GEAR_FORMATS`; all of them if left out.
 
     Raises:
-        DesignError: there is no such format.
-        FileError: a file cannot be written, or what was read back is not what was meant.
+        DesignError: a format is unknown.
+        FileError: a file cannot be written, or holds something else when it is read back.
     """
     makers = {
         "step": ("STEP", partial(_step_file, part, name)),
         "stl": ("STL", partial(_stl_file, part, name)),
     }
-    wanted = chosen(formats, GEAR_FORMATS)
-    return publish(f"{name}_gear", gear_facts(part, name), _FRAME, makers, wanted, out, step)
+    wanted = chosen_formats(formats, GEAR_FORMATS)
+    return publish(f"{name}_gear", gear_facts(part, name), _FRAME, makers, wanted, out, progress)
 
 
 def gear_facts(part: TrainPart, name: str) -> dict[str, Any]:
     """One gear as plain values, with what the shop measures on it as it is cut."""
     form = part.gears[0]
     deviation = form.tooth_thickness_deviation
-    found = inspection_of(form, deviation, deviation)
+    sizes = inspection_of(form, deviation, deviation)
     return {
         "gear": name,
         **form_facts(form),
         "bore_mm": part.blank.bore_diameter,
         "E_sn_um": deviation * 1e3,
-        "teeth_spanned": found.span.teeth_spanned if found.span else None,
-        "span_mm": found.span.span.upper if found.span else None,
-        "pin_diameter_mm": found.pins.pin_diameter if found.pins else None,
-        "over_pins_mm": found.pins.over_pins.upper if found.pins else None,
+        "teeth_spanned": sizes.span.teeth_spanned if sizes.span else None,
+        "span_mm": sizes.span.span.upper if sizes.span else None,
+        "pin_diameter_mm": sizes.pins.pin_diameter if sizes.pins else None,
+        "over_pins_mm": sizes.pins.over_pins.upper if sizes.pins else None,
         "volume_mm3": part.volume,
     }
 
 
 def _step_file(part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
-    """Through the kernel: one valid solid with its name and the exact volume; through its text: the tooth curves."""
+    """Write a STEP file; require one valid solid with name and exact volume by the kernel, tooth curves by its text."""
     from cadgen.solids.gear_text import read_gear
     from cadgen.solids.step import read_part, step_bytes
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from cadgen.build import gear_model
@@ -21,9 +21,8 @@ from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import GearPair, Train
 from cadgen.gears.undercut import missing_shift
 from cadgen.meshes.train_checks import failing_stages
-from cadgen.workflow.gears.made import Made, make
-
-Step = Callable[[str], None]
+from cadgen.progress import Progress, silent
+from cadgen.workflow.gears.made import MadeTrain, make_train
 
 # If none of the trains that a search reports can be made, so many of those whose gears fit their blanks are tried.
 DEPTHS = (100, 1000, 4000)
@@ -41,7 +40,7 @@ class Skipped:
 
 
 class NotMadeError(DesignError):
-    """None of several trains can be made: `ranked` are those that the order calls for, `baseline` what they better."""
+    """None of several trains can be made; `ranked` are the trains tried first, `baseline` the play compared with."""
 
     def __init__(self, message: str, ranked: tuple[TrainPlay, ...], baseline: TrainPlay) -> None:
         super().__init__(message)
@@ -53,18 +52,18 @@ class GearsPlan:
     """A gear train that has been computed and checked, but not yet made.
 
     Attributes:
-        design: what it was planned from.
-        order: `as-given`, `reordered` or `search`.
+        design: design that the train was planned from.
+        order: order of the stages: `as-given`, `reordered` or `search`.
         given: play of the train as the design has it.
-        given_standard: the same without the design's overrides; None if the standards do not cover it.
-        ranked: the trains that the order calls for, least return error first.
-        play: play of the train that is made: the first one that can be and passes its checks.
-        skipped: those with less return error.
+        given_standard: play of that train without the design's overrides; None if the standards do not cover it.
+        ranked: trains that the order calls for, least return error first.
+        play: play of the train that is made: the first that can be made and passes its checks.
+        skipped: trains with less return error.
         standard: play of the train that is made, without the design's overrides; None if not covered.
-        departures: the overrides beside the standard's values.
-        notes: what of the design the searched trains do not have, and what a given thinning means, in sentences.
-        layout: its parts, teeth thinned, at their places.
-        inspection: of every part's gears, in the order of the parts.
+        departures: overrides beside the standard's values.
+        notes: sentences on the train: keys of the design that searched trains lack, and the meaning of its thinning.
+        layout: parts at their places, with thinned teeth.
+        inspection: sizes for inspection of every part's gears, in the order of the parts, mm.
         checks: every figure with its verdict.
     """
 
@@ -94,12 +93,12 @@ class GearsPlan:
 
     @property
     def baseline(self) -> TrainPlay:
-        """What the ranked trains are compared with: like with like, so for a search by the standard alone."""
+        """Play that the ranked trains are compared with; for a search, of the given train by the standard alone."""
         return _baseline(self.order, self.given, self.given_standard)
 
     @property
     def stem(self) -> str:
-        """What the names of its files begin with."""
+        """Start of the names of its files."""
         return f"{self.design.name}_{self.order}"
 
     @property
@@ -112,14 +111,14 @@ class GearsPlan:
         return gear_model.mesh_chord(self.design, gears)
 
 
-def plan_gears(design: TrainDesign, order: Order = "as-given", step: Step = lambda text: None) -> GearsPlan:
+def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progress = silent) -> GearsPlan:
     """Compute the train of a design in an order, lay it out, and measure its teeth in mesh.
 
     Args:
-        design: a loaded design.
+        design: loaded design.
         order: `as-given`, `reordered` (the best order of the stages) or `search` (the best teeth within the limits).
             Of several trains the first that can be made and passes its checks is planned.
-        step: told what is being done.
+        progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: the design has no train, or one that cannot be made or laid out.
@@ -127,12 +126,12 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", step: Step = lamb
     """
     gear_model.train_keys(design)
     given = gear_model.train(design)
-    step("computing play and return error" if order != "search" else "searching trains")
+    progress("computing play and return error" if order != "search" else "searching trains")
     given_play, given_standard = train_play(given), _by_the_standard(given)
     limits = gear_model.search_limits(design, given) if order == "search" else None
     ranked = arrange(given, order, limits)
     trains = _Candidates(ranked, limits, design)
-    made, skipped = _first_made(design, given, trains, _baseline(order, given_play, given_standard), step)
+    made, skipped = _first_made(design, given, trains, _baseline(order, given_play, given_standard), progress)
     return GearsPlan(
         design=design,
         order=order,
@@ -170,11 +169,11 @@ class _Candidates:
     """The trains to be tried, best first: those ranked, and of a search then those whose gears fit their blanks.
 
     Attributes:
-        told: why a search ended, if it did before a train was found.
+        ended: reason why the search ended without a train; empty if it did not.
     """
 
     def __init__(self, ranked: tuple[TrainPlay, ...], limits: SearchLimits | None, design: TrainDesign) -> None:
-        self.ranked, self.limits, self.told = ranked, limits, ""
+        self.ranked, self.limits, self.ended = ranked, limits, ""
         self._blanks, self._clearance = gear_model.blanks(design), gear_model.train_keys(design).clearance_mm
         self._failing: dict[GearPair, None] = {}
 
@@ -196,31 +195,31 @@ class _Candidates:
                     for pair in failing[excluded:]:
                         search.exclude(pair)
                     excluded = len(failing)
-                    found = search.best(keep)
-                    for play in found:
+                    best = search.best(keep)
+                    for play in best:
                         if play.train not in seen and self._open(play):
                             seen.add(play.train)
                             yield play
                     if len(self._failing) == excluded:
                         break
-                if len(found) < keep:
+                if len(best) < keep:
                     return
-            self.told = f"the best {keep} whose gears fit their blanks were tried"
+            self.ended = f"the best {keep} whose gears fit their blanks were tried"
         except DesignError as error:
-            self.told = str(error)
+            self.ended = str(error)
 
     def _open(self, play: TrainPlay) -> bool:
         return self._failing.keys().isdisjoint(play.train.stages)
 
 
 def _first_made(
-    design: TrainDesign, given: Train, trains: _Candidates, baseline: TrainPlay, step: Step
-) -> tuple[Made, tuple[Skipped, ...]]:
+    design: TrainDesign, given: Train, trains: _Candidates, baseline: TrainPlay, progress: Progress
+) -> tuple[MadeTrain, tuple[Skipped, ...]]:
     """The first train that can be made and passes its checks, else the first that can be made; and those before it."""
     skipped: list[Skipped] = []
-    failed: list[tuple[int, Made]] = []
+    failed: list[tuple[int, MadeTrain]] = []
     for play in trains:
-        step(f"laying out and measuring {teeth_of(play)}")
+        progress(f"laying out and measuring {teeth_of(play)}")
         try:
             made = _make(design, given, play)
         except DesignError as error:
@@ -236,14 +235,14 @@ def _first_made(
         if trains.limits:
             trains.exclude(play.train.stages[number] for number in failing_stages(made.layout, play.stages))
         if len(failed) == MOST_MEASURED:
-            trains.told = f"{MOST_MEASURED} trains were measured and fail"
+            trains.ended = f"{MOST_MEASURED} trains were measured and fail"
             break
     if failed:
         before, made = failed[0]
         return made, tuple(skipped[:before])
-    if len(trains.ranked) == 1 and not trains.told:
+    if len(trains.ranked) == 1 and not trains.ended:
         raise DesignError(skipped[0].reason)
-    ended = f"; {trains.told}" if trains.told else ""
+    ended = f"; {trains.ended}" if trains.ended else ""
     raise NotMadeError(
         f"none of {len(skipped)} trains can be made; the best, {teeth_of(skipped[0].play)}, not: {skipped[0].reason}"
         f"{ended}",
@@ -265,9 +264,9 @@ def _can_be_cut(design: TrainDesign, pair: GearPair) -> bool:
     return True
 
 
-def _make(design: TrainDesign, given: Train, play: TrainPlay) -> Made:
+def _make(design: TrainDesign, given: Train, play: TrainPlay) -> MadeTrain:
     keys = gear_model.train_keys(design)
-    return make(
+    return make_train(
         play,
         gear_model.blanks(design),
         _directions(given, play.train, gear_model.directions(design)),
@@ -278,17 +277,17 @@ def _make(design: TrainDesign, given: Train, play: TrainPlay) -> Made:
 
 
 def _directions(given: Train, made: Train, wanted: Sequence[float | None]) -> list[float | None]:
-    """A direction goes with its stage wherever that stands; searched stages have none."""
+    """Directions of a train's stages: each stage keeps its direction in another order; searched stages have none."""
     left = list(zip(given.stages, wanted, strict=True))
-    found: list[float | None] = []
+    directions: list[float | None] = []
     for pair in made.stages:
         place = next((number for number, (known, _) in enumerate(left) if known == pair), None)
-        found.append(None if place is None else left.pop(place)[1])
-    return found
+        directions.append(None if place is None else left.pop(place)[1])
+    return directions
 
 
-def _thinning_notes(design: TrainDesign, made: Made) -> tuple[str, ...]:
-    """What a thickness of the design's own means for the return error."""
+def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:
+    """Meaning of the design's tooth thickness for the return error, in words."""
     keys = gear_model.train_keys(design)
     zone = "and play, return error and the limits in the table of parts are those of such teeth"
     if keys.E_sn_um is not None:
@@ -304,13 +303,13 @@ def _thinning_notes(design: TrainDesign, made: Made) -> tuple[str, ...]:
 
 
 def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
-    """The cheapest cure of what joints and bearings add to the return error."""
+    """Cheapest cure of the return error that joints and bearings add, in words."""
     whole = WholePlay(teeth=play, loose=gear_model.loose(design, play.train))
     return (whole.sentence(),) if whole.loose else ()
 
 
 def _undercut_notes(layout: TrainLayout) -> tuple[str, ...]:
-    """Which gears are undercut as they are cut, and how far."""
+    """Gears that are undercut as they are cut, and how far, in words."""
     notes = []
     for number, pair in enumerate(layout.train.stages, 1):
         for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
@@ -324,7 +323,7 @@ def _undercut_notes(layout: TrainLayout) -> tuple[str, ...]:
 
 
 def _notes(design: TrainDesign, given: Train, limits: SearchLimits) -> tuple[str, ...]:
-    """Within what limits was searched, and what the searched trains do not take over from the stages given."""
+    """Limits of the search, and the keys that searched trains do not take over from the stages given, in words."""
     gears = [gear for pair in given.stages for gear in (pair.driver, pair.driven)]
     notes = [f"searched: {limits}"]
     if left := gear_model.limits_left_out(design):

@@ -3,8 +3,9 @@
 | module       | what it holds                                                            |
 |--------------|--------------------------------------------------------------------------|
 | `simulation` | one run on the actual profile and on another: runs, events, errors       |
-| `tolerance`  | many cars within the tolerances: ends, yield, what matters most          |
+| `fleet`      | many cars of a design, made ready                                        |
+| `tolerance`  | many cars within the tolerances: ends, yield, sensitivities              |
 | `budget`     | the error budget on one sheet: what costs most, and what to hold tighter |
-| `manifest`   | the same as plain values                                                 |
+| `manifest`   | runs and budgets as plain values                                         |
 | `files`      | tracks and pictures, published with these values                         |
 """

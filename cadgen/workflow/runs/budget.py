@@ -16,18 +16,18 @@ _SHOWN = {"rad": ("deg", degrees(1.0)), "Nmm": ("N·mm", 1.0)}
 
 @dataclass(frozen=True)
 class BudgetSheet:
-    """What may be off on the cars of a design, and on a disc by processes.
+    """Error budget of a design's cars, and of a disc by manufacturing process.
 
     Attributes:
-        budget: of the design.
-        processes: of a disc as they usually make it.
+        budget: budget of the design.
+        processes: budget of a disc with the usual tolerances of each process.
     """
 
     budget: Budget
     processes: Mapping[Process, Budget]
 
     def sentences(self) -> list[str]:
-        """What to hold tighter, and what the marks mean."""
+        """Advice on the tolerance to hold tighter, and the meaning of the marks, in words."""
         lines = []
         costs = self.budget.costs
         if costs:
@@ -50,7 +50,7 @@ class BudgetSheet:
         return lines
 
     def rows(self) -> list[tuple[str, list[str]]]:
-        """Each thing that a process decides, its cost for each, and all of them together, greatest first."""
+        """Rows of a table: each deviation with its cost by process, greatest first, then all together."""
         first = max(self.processes.values(), key=lambda budget: budget.before)
         rows = []
         for name in [cost.name for cost in first.costs]:
@@ -68,9 +68,9 @@ def budget_sheet(design: Design, fleet: Fleet, tolerances: Tolerances) -> Budget
     """The error budget of a design.
 
     Args:
-        design: a loaded design.
-        fleet: its nominal car.
-        tolerances: of its cars.
+        design: loaded design.
+        fleet: nominal car of the design.
+        tolerances: tolerances of its cars.
     """
     return BudgetSheet(
         budget=error_budget(fleet, tolerances.half_widths, variation.play_zones(design)), processes=by_process(fleet)
@@ -78,17 +78,17 @@ def budget_sheet(design: Design, fleet: Fleet, tolerances: Tolerances) -> Budget
 
 
 def unit_of(name: str) -> tuple[str, float]:
-    """Unit of a tolerance as users see it, and how many of it make one of ours."""
+    """Unit of a tolerance on screen and in files, and the factor from the internal unit to it."""
     unit = PARAMETERS[DIRECTED.get(name, (name,))[0]]
     return _SHOWN.get(unit, (unit, 1.0))
 
 
-def shown(name: str, value: float) -> str:
-    """A value of a tolerance as users see it, with its unit."""
+def shown_value(name: str, value: float) -> str:
+    """Value of a tolerance as text, with its unit on screen."""
     unit, scale = unit_of(name)
     return f"{value * scale:.3g}" + {"deg": "°", "1": ""}.get(unit, f" {unit}")
 
 
 def shown_half_width(cost: Cost) -> str:
-    """How far off something may be, with its unit."""
-    return shown(cost.parameter, cost.half_width)
+    """Half width of a deviation as text, with its unit on screen."""
+    return shown_value(cost.parameter, cost.half_width)

@@ -12,23 +12,24 @@ from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.export.tracks import write_tracks
 from cadgen.motion.errors import RunError, deflected, run_error
 from cadgen.optimize.evaluate import Evaluation
+from cadgen.progress import Progress, silent
 from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
 from cadgen.report.lift import LiftPicture, draw_lift
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.workflow.cam.against import Against
 from cadgen.workflow.cam.cures import Cures, find_cures
 from cadgen.workflow.cam.manifest import cam_facts
-from cadgen.workflow.cam.plan import CamPlan, Step, against_of
+from cadgen.workflow.cam.plan import CamPlan, against_of
 from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.workflow.runs.simulation import Simulation
 from cadgen.workflow.runs.tolerance import ToleranceRun
 
 
-def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text: None) -> Written:
+def write_simulation(simulation: Simulation, out: Path, progress: Progress = silent) -> Written:
     """Write tracks and pictures, and publish them together.
 
     Raises:
-        FileError: a file cannot be written, or what was read back is not what was meant.
+        FileError: a file cannot be written, or holds something else when it is read back.
     """
     against, design = simulation.against, simulation.plan.design
     stem = f"{design.name}_{simulation.plan.profile}_simulation"
@@ -37,9 +38,9 @@ def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text
     title = f"{named}, return error {degrees(simulation.play):.3f}°"
     with publishing(out) as staging:
         names = [f"{stem}_tracks.csv"]
-        step("writing and reading back the tracks")
+        progress("writing and reading back the tracks")
         write_tracks(staging / names[0], runs)
-        step("drawing")
+        progress("drawing")
         names += draw_lift(lift_picture(simulation), staging, f"{stem}_lift")
         names += draw_tracks(
             [
@@ -71,16 +72,14 @@ def write_simulation(simulation: Simulation, out: Path, step: Step = lambda text
     return Written(stem, entry)
 
 
-def write_comparison(
-    plan: CamPlan, out: Path, step: Step = lambda text: None, *, cures: Cures | None = None
-) -> Written:
-    """Draw what the methods do, and publish the pictures together.
+def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, cures: Cures | None = None) -> Written:
+    """Draw the events and tracks of the methods compared, and publish the pictures together.
 
     Args:
-        plan: of an optimized profile.
-        out: the folder; nothing appears in it unless everything succeeded.
-        step: told what is being done.
-        cures: of lost lift, if they were sought already.
+        plan: plan of an optimized profile.
+        out: folder for the pictures; nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
+        cures: cures of lost lift, if they were sought already.
 
     Raises:
         FileError: a file cannot be written.
@@ -88,7 +87,7 @@ def write_comparison(
     against = against_of(plan)
     stem = f"{plan.design.name}_methods"
     with publishing(out) as staging:
-        step("drawing")
+        progress("drawing")
         bars = {
             f"{_name(evaluation)}, {evaluation.train}": evaluation.events
             for evaluation in against.evaluations
@@ -106,14 +105,14 @@ def write_comparison(
         ]
         names += draw_tracks(panels, planned, _field(plan.design), staging, f"{stem}_tracks")
         names += draw_tracks(_alone(against), planned, _field(plan.design), staging, f"{stem}_tracks_by_event")
-        facts = cam_facts(plan, find_cures(plan, step) if cures is None else cures)
+        facts = cam_facts(plan, find_cures(plan, progress) if cures is None else cures)
         entry = {**facts, "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
         write_manifest(staging, stem, entry)
     return Written(stem, entry)
 
 
 def _alone(against: Against) -> list[TrackPanel]:
-    """What jumps alone do to the paths of the paper's methods at the greatest play, and what reverses alone do."""
+    """Tracks of the paper's methods at the greatest play with jumps alone, and with reverses alone."""
     return [
         TrackPanel(
             title=f"{_name(evaluation)}, {evaluation.train}: {kind}s alone, {degrees(evaluation.band.plays[-1]):.3f}°",
@@ -171,7 +170,7 @@ def _field(design: Design) -> Field:
     )
 
 
-def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None) -> Written:
+def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -> Written:
     """Draw the distribution and the sensitivities, and publish the pictures together.
 
     Raises:
@@ -179,7 +178,7 @@ def write_tolerance(run: ToleranceRun, out: Path, step: Step = lambda text: None
     """
     design = run.plan.design
     stem = f"{design.name}_{run.plan.profile}_tolerance"
-    step("drawing")
+    progress("drawing")
     with publishing(out) as staging:
         picture = FleetPicture(
             title=f"{design.name}, {run.plan.profile} profile, {run.samples} cars",

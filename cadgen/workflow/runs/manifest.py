@@ -14,7 +14,7 @@ from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
 
 
 def simulation_facts(simulation: Simulation) -> dict[str, Any]:
-    """What the runs with play do."""
+    """Facts on the runs with play."""
     plan, against = simulation.plan, simulation.against
     return {
         **design_facts(plan.design),
@@ -52,7 +52,7 @@ def _end_facts(error: RunError) -> dict[str, float]:
 
 
 def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
-    """What random cars do; the number of processes that ran makes no difference."""
+    """Facts on random cars; they do not depend on the number of processes."""
     plan, design = run.plan, run.plan.design
     position, heading = run.end_position, run.end_heading_deg
     return {
@@ -96,7 +96,7 @@ def _shown(name: str, value: float) -> float:
 
 
 def budget_facts(sheet: BudgetSheet) -> dict[str, Any]:
-    """What everything that may be off costs."""
+    """Facts on the cost of every deviation."""
     return {
         **_costs(sheet.budget),
         "processes": {process: _costs(budget) for process, budget in sheet.processes.items()},

@@ -7,8 +7,9 @@ from math import radians
 from cadgen.design.schema import Design
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflections, run_error
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against
-from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
+from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
 
 
 @dataclass(frozen=True)
@@ -16,13 +17,13 @@ class Simulation:
     """A design's runs with play.
 
     Attributes:
-        plan: of the profile that is compared with the actual one.
-        against: the plan's.
+        plan: plan of the profile that is compared with the actual one.
+        against: comparison of the two profiles.
         play: return error of the runs, rad.
-        planned: the run wanted.
-        before: with play on the actual profile; of a car as built, on the cam that it was measured with.
-        after: with play on the plan's profile.
-        events: of that profile, with their deflection errors at that play.
+        planned: planned run.
+        before: run with play on the actual profile; of a car as built, on the cam that it was measured with.
+        after: run with play on the plan's profile.
+        events: events of the run before, with their deflection errors at that play.
     """
 
     plan: CamPlan
@@ -35,35 +36,35 @@ class Simulation:
 
     @cached_property
     def before_error(self) -> RunError:
-        """Of the run before."""
+        """Errors of the run before."""
         return run_error(self.before, self.planned)
 
     @cached_property
     def after_error(self) -> RunError:
-        """Of the other profile's run."""
+        """Errors of the run after."""
         return run_error(self.after, self.planned)
 
 
 def simulate(
-    design: Design, profile: str = "optimized", play_deg: float | None = None, step: Step = lambda text: None
+    design: Design, profile: str = "optimized", play_deg: float | None = None, progress: Progress = silent
 ) -> Simulation:
     """Run the car on the actual profile and on another one.
 
     Args:
-        design: a loaded design.
+        design: loaded design.
         profile: code of a profile for play.
-        play_deg: return error of the runs; that which the profile is cut for if left out.
-        step: told what is being done.
+        play_deg: return error of the runs, degrees; the play that the profile is cut for if left out.
+        progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: as `plan_cam`, or the play is negative.
         CheckError: no profile keeps the limits of [optimize].
     """
-    plan = plan_cam(design, profile, step)
+    plan = plan_cam(design, profile, progress)
     against = against_of(plan)
     play = against.chosen.play if play_deg is None else radians(play_deg)
     task = against.task
-    step("running the car")
+    progress("running the car")
     before, after = (against.run(evaluation, play) for evaluation in (against.before, against.chosen))
     leads = against.following(against.before, play).leads if task.mechanics else None
     events = deflections(against.before.lift, task.follower, task.car, task.length, play, leads=leads)

@@ -1,4 +1,4 @@
-"""Many cars within the design's tolerances: how they end, how many pass the gates, and what matters most."""
+"""Many cars within the design's tolerances: ends of their runs, yield at the gates, and sensitivities."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,28 +6,29 @@ from functools import cached_property
 
 import numpy as np
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import Array
 from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError, FileError
-from cadgen.monte_carlo.fleet import Fleet, make_fleet
+from cadgen.monte_carlo.fleet import Fleet
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.motion.drive import STEPS
-from cadgen.workflow.cam.plan import CamPlan, Step, against_of, plan_cam
+from cadgen.progress import Progress, silent
+from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet
+from cadgen.workflow.runs.fleet import fleet_of
 
-_OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 QUANTILES = (0.5, 0.9, 0.95, 0.99)
 
 
 @dataclass(frozen=True)
 class Spread:
-    """Figures of many cars.
+    """Spread of a figure over many cars, in the unit of the figure.
 
     Attributes:
-        mean: of all.
-        quantiles: share of the cars, from 0 to 1 -> what so many do not exceed.
-        greatest: of all.
+        mean: mean of all cars.
+        quantiles: value that a share of the cars does not exceed, by the share, 0 to 1.
+        greatest: greatest value of all cars.
     """
 
     mean: float
@@ -46,12 +47,12 @@ class ToleranceRun:
     """A design's random cars.
 
     Attributes:
-        plan: of the profile that all cars have.
-        seed: of the random numbers.
-        ends: of the cars' runs.
-        gates: that they pass on the run, its end included.
-        sensitivities: to each tolerance, greatest share first.
-        budget: of everything that may be off, and of the disc's making by processes; None if it was not asked for.
+        plan: plan of the profile that all cars have.
+        seed: seed of the random numbers.
+        ends: errors at the ends of the cars' runs, mm and rad.
+        gates: number of gates on the run, its end included.
+        sensitivities: effect of each tolerance, greatest share first.
+        budget: error budget of the design, and of the disc by process; None if it was not asked for.
     """
 
     plan: CamPlan
@@ -73,12 +74,12 @@ class ToleranceRun:
 
     @cached_property
     def end_position(self) -> Spread:
-        """Of the position errors at the end, mm."""
+        """Spread of the position errors at the end, mm."""
         return spread(self.ends.distance)
 
     @cached_property
     def end_heading_deg(self) -> Spread:
-        """Of the sizes of the heading errors at the end, degrees."""
+        """Spread of the sizes of the heading errors at the end, degrees."""
         return spread(np.degrees(np.abs(self.ends.heading)))
 
     def half_width(self, name: str) -> float:
@@ -95,7 +96,7 @@ def run_tolerance(
     samples: int,
     seed: int,
     processes: int,
-    step: Step = lambda text: None,
+    progress: Progress = silent,
     *,
     with_budget: bool = False,
     map_with: Map | None = None,
@@ -103,30 +104,30 @@ def run_tolerance(
     """Run random cars of a design.
 
     Args:
-        design: a loaded design.
-        profile: that all cars have: `actual`, or the code of a profile for play.
+        design: loaded design.
+        profile: profile that all cars have: `actual`, or the code of a profile for play.
         samples: number of cars.
-        seed: of the random numbers.
-        processes: how many run at once; the numbers do not depend on it.
-        step: told what is being done.
-        with_budget: rank everything that may be off, too.
-        map_with: runs the cars instead of `processes`, such as the `map` of a pool.
+        seed: seed of the random numbers.
+        processes: number of processes that run at once; the results do not depend on it.
+        progress: function that is called with a few words on each step.
+        with_budget: whether all deviations are ranked, too.
+        map_with: function that runs the cars instead of `processes`, such as the `map` of a pool.
 
     Raises:
         DesignError: as `plan_cam`, or nothing varies.
         CheckError: no profile keeps the limits of [optimize].
-        FileError: there is not the memory for so many cars.
+        FileError: the memory does not suffice for so many cars.
     """
-    plan = plan_cam(design, profile, step, with_play=True)
+    plan = plan_cam(design, profile, progress, with_play=True)
     tolerances = variation.tolerances(design, against_of(plan).task.mechanics)
     fleet = _fleet(plan)
-    step("finding sensitivities")
+    progress("finding sensitivities")
     ranked = sensitivities(fleet, tolerances)
     if not ranked:
         raise DesignError("no dimension of the design varies: give [tolerances] half widths above 0, or a band of play")
 
     def done(cars: int) -> None:
-        step(f"run {min(cars, samples)} of {samples} cars")
+        progress(f"run {min(cars, samples)} of {samples} cars")
 
     try:
         ends = tolerance_run(fleet, tolerances, samples, seed=seed, processes=processes, map_with=map_with, done=done)
@@ -137,27 +138,15 @@ def run_tolerance(
         ) from error
     sheet = None
     if with_budget:
-        step("ranking what may be off")
+        progress("ranking what may be off")
         sheet = budget_sheet(design, fleet, tolerances)
     return ToleranceRun(plan, seed, ends, len(fleet.stations), ranked, sheet)
 
 
 def _fleet(plan: CamPlan) -> Fleet:
     against = against_of(plan)
-    task, grid = against.task, np.linspace(0.0, TURN, STEPS, endpoint=False)
-    return make_fleet(
-        task.as_built.roll_new(plan.curve, task.follower, grid, _OUTLINE_STEP),
-        task.follower,
-        task.car,
-        task.length,
-        plan.lift,
-        task.planned(),
-        wheel_radius=variation.wheel_radius(plan.design, task.length),
-        play=against.chosen.play,
-        stations=_gates(plan),
-        mechanics=None if task.mechanics is None else task.mechanics.nominal,
-        expansion=variation.expansion(plan.design),
-    )
+    mechanics = None if against.task.mechanics is None else against.task.mechanics.nominal
+    return fleet_of(plan, _gates(plan), mechanics, against.chosen.play)
 
 
 def _gates(plan: CamPlan) -> list[int]:

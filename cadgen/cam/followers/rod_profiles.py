@@ -6,7 +6,8 @@ from itertools import pairwise
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.branch import span_jets
+from cadgen.cam.followers.rod_geometry import RodGeometry, rod_half_width
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.lowest import SAME
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
@@ -43,24 +44,12 @@ class PolarPiece:
         )
 
 
-def span_jets(lift: LiftCurve, theta: Array, start: float, stop: float) -> tuple[Array, Array, Array]:
-    """tan(beta) and two derivatives inside [start, stop], one-sided at the ends (a kink may stand there)."""
-    inside = np.clip(theta, start, stop - 1e-13 * (1.0 + abs(stop)))
-    return lift.tan_beta(inside), lift.tan_beta(inside, nu=1), lift.tan_beta(inside, nu=2)
-
-
-def rod_half_width(radius: float, T: Array, T1: Array, T2: Array) -> tuple[Array, Array, Array]:
-    """The section's semi-axis r / cos(beta) = r sqrt(1 + T^2) with two derivatives."""
-    root = np.sqrt(1.0 + T**2)
-    return radius * root, radius * T * T1 / root, radius * (T1**2 / root**3 + T * T2 / root)
-
-
-def theoretical_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
+def theoretical_profile(lift: LiftCurve, follower: RodGeometry) -> ClosedCurve:
     """R = a + s: where the rod's axis crosses the plane of the face it rests on (paper, section 2.5)."""
     return _polar_profile(lift, follower, rod_radius=0.0)
 
 
-def published_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
+def published_profile(lift: LiftCurve, follower: RodGeometry) -> ClosedCurve:
     """The profile by the formula of the paper's appendix.
 
     It is not the envelope: the rod touches beside the ray, not on it, so it rides up to 0.30 mm too high on the
@@ -69,7 +58,7 @@ def published_profile(lift: LiftCurve, follower: Follower) -> ClosedCurve:
     return _polar_profile(lift, follower, rod_radius=follower.radius)
 
 
-def _polar_profile(lift: LiftCurve, follower: Follower, *, rod_radius: float) -> ClosedCurve:
+def _polar_profile(lift: LiftCurve, follower: RodGeometry, *, rod_radius: float) -> ClosedCurve:
     inside = _face_changes(lift, follower)
     joints = np.unique(np.concatenate([[0.0], lift.kinks, inside[(inside > 0) & (inside < TURN)], [TURN]]))
     nodes, _ = lift.stations
@@ -82,7 +71,7 @@ def _polar_profile(lift: LiftCurve, follower: Follower, *, rod_radius: float) ->
     return ClosedCurve(tuple(pieces))
 
 
-def _face_changes(lift: LiftCurve, follower: Follower) -> Array:
+def _face_changes(lift: LiftCurve, follower: RodGeometry) -> Array:
     """Cam angles at which the rod goes over to the other face, rad.
 
     Where the steering is straight over a stretch tan(beta) changes its sign by rounding: a change counts if between

@@ -1,0 +1,278 @@
+"""Cars that explain trial runs: a mixture of Gaussians over the deviations of a fleet.
+
+At each pair of play and friction of a grid the car's track is linear in all other deviations to a good part of what
+the tolerances allow, so the most probable deviations follow from Gauss-Newton steps, and the weight of the pair from
+Laplace's approximation of the evidence,
+    ln p = -(|r|^2 / sigma^2 + |m|^2) / 2 - ln det(1 + J^T J / sigma^2) / 2,
+with r the residuals, m the deviations in units of their prior standard deviations and J the derivatives by m
+(MacKay, Information Theory, Inference, and Learning Algorithms, 2003, chapters 27 and 28).
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.adjustment.trial import Complex, Noise, Settings, Trial, stations_of
+from cadgen.arrays import Array
+from cadgen.errors import DesignError
+from cadgen.monte_carlo.fleet import PARAMETERS, Fleet, run_fleet
+
+# Steps of Gauss and Newton from the prior, and more of them for the cells that are left after the first: the last
+# moves the end of the run by less than a millimetre.
+_FIRST_STEPS, _MORE_STEPS = 2, 2
+_FAR = 15.0  # a cell whose evidence is less by exp(15) is left
+_COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
+_GRIDDED = ("play", "friction")
+_BLOCK = 100  # cars run at once: their tables stay in the processor's cache
+
+
+@dataclass(frozen=True, kw_only=True)
+class Prior:
+    """Deviations of a car before any trial run.
+
+    Attributes:
+        sigma: standard deviation of each deviation that varies, by the names of `PARAMETERS`.
+        grid: deviations of play and friction at which the run is looked at: `play`, `friction` -> shape (k,). About
+            each the deviation varies by half a step of the grid; a grid of one is the nominal value, 0.
+        noise: standard deviations of points, starts and the head's settings.
+    """
+
+    sigma: Mapping[str, float]
+    grid: Mapping[str, Array]
+    noise: Noise
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The deviations of the car, those of the grid last."""
+        return (*self.sigma, *(name for name in _GRIDDED if len(self.grid[name]) > 1))
+
+    @property
+    def cells(self) -> Array:
+        """Play and friction of every cell, shape (c, 2)."""
+        return np.stack(np.meshgrid(*(self.grid[name] for name in _GRIDDED), indexing="ij"), axis=-1).reshape(-1, 2)
+
+    def scales(self) -> Array:
+        """Standard deviations by `names`."""
+        steps = [float(np.diff(self.grid[n]).mean()) / 2 for n in _GRIDDED if len(self.grid[n]) > 1]
+        return np.array([*self.sigma.values(), *steps])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cars:
+    """Cars that may be the one that was measured, m of them.
+
+    Attributes:
+        table: their deviations, shape (m, 29), columns as in `PARAMETERS`.
+        head: by how much the micrometer head stands off what it was last set to, shape (m,), mm.
+        last: settings of the last trial run.
+    """
+
+    table: Array
+    head: Array
+    last: Settings
+
+    def run(self, settings: Settings, turned: Array | float = 0.0) -> Array:
+        """Deviations in a run with settings, shape (m, 29).
+
+        Args:
+            settings: what is set for the run.
+            turned: by how much the head stands off its new setting, if it is turned, shape (m,) or one for all, mm.
+        """
+        table = self.table.copy()
+        for name, setting in settings.deviations.items():
+            table[:, _COLUMN[name]] += setting
+        table[:, _COLUMN["base_radius"]] += self.head if settings.head == self.last.head else turned
+        return table
+
+
+@dataclass(frozen=True, kw_only=True)
+class Posterior:
+    """Deviations of the car after the trial runs: cells of a mixture.
+
+    Attributes:
+        names: of the car's deviations, p of them.
+        weight: share of each cell, shape (c,), adding up to 1.
+        mean: deviations, then the head's error in the last trial run, shape (c, p + 1), internal units.
+        root: square root of the covariance: mean + root @ standard normal numbers, shape (c, p + 1, p + 1).
+        last: settings of the last trial run.
+        residual: root mean square of the residuals of the likeliest cell in standard deviations of a point.
+    """
+
+    names: tuple[str, ...]
+    weight: Array
+    mean: Array
+    root: Array
+    last: Settings
+    residual: float
+
+    def draw(self, generator: np.random.Generator, count: int) -> Cars:
+        """Random cars."""
+        cell = generator.choice(len(self.weight), count, p=self.weight)
+        normal = generator.standard_normal((count, self.mean.shape[1]))
+        values = self.mean[cell] + np.einsum("npq,nq->np", self.root[cell], normal)
+        table = np.zeros((count, len(PARAMETERS)))
+        table[:, [_COLUMN[name] for name in self.names]] = values[:, :-1]
+        return Cars(table=table, head=values[:, -1], last=self.last)
+
+
+def explain(fleet: Fleet, lever: complex, prior: Prior, trials: Sequence[Trial]) -> Posterior:
+    """Cars that explain trial runs.
+
+    Args:
+        fleet: the nominal car, with stations close together over the whole run, the last one its end.
+        lever: place of the measured point in the car's frame from the drive wheel, x + iy, mm.
+        prior: what may deviate, and how much is measured.
+        trials: one or more, in the order of driving.
+
+    Raises:
+        DesignError: no trial run, or one of fewer than two points.
+    """
+    if not trials or any(len(trial.points) < 2 for trial in trials):
+        raise DesignError("an adjustment needs at least one trial run of two points: measure some along the track")
+    names, cells, noise = prior.names, prior.cells, prior.noise
+    # Each turn of the head leaves an error of its own, which stays for the runs that follow.
+    settings = [trial.settings.head for trial in trials]
+    turns = np.cumsum([0, *(later != earlier for earlier, later in pairwise(settings))]).tolist()
+    starts = list(noise.starts.values())
+    # Deviations of the car, errors of the head, and of each start, all in units of their standard deviations.
+    unit = np.concatenate([prior.scales(), np.full(turns[-1] + 1, noise.head), *(starts for _ in trials)])
+    shared, first = len(names), len(names) + turns[-1] + 1
+    fits = [
+        _Fit(fleet, lever, prior, trial, [*range(shared), shared + turn, *range(at, at + len(starts))])
+        for trial, turn, at in zip(trials, turns, range(first, len(unit), len(starts)), strict=True)
+    ]
+    value = np.zeros((len(cells), len(unit)))
+    for number in range(_FIRST_STEPS + _MORE_STEPS):
+        system = _System.of(fits, cells, value, unit)
+        step = system.step(value)
+        value = value + step
+        if number == _FIRST_STEPS - 1:
+            evidence = system.evidence_after(step, value)
+            near = evidence > evidence.max() - _FAR
+            cells, value = cells[near], value[near]
+    system = _System.of(fits, cells, value, unit)
+    log = system.evidence(value)
+    weight = np.exp(log - log.max())
+    keep = weight > 1e-4 * weight.sum()
+    kept = [*range(shared), shared + turns[-1]]
+    covariance = np.linalg.inv(system.information[keep])[:, kept][:, :, kept]
+    mean = value[keep][:, kept] * unit[kept]
+    varied = [len(prior.grid[name]) > 1 for name in _GRIDDED]
+    mean[:, len(prior.sigma) : shared] += cells[keep][:, varied]
+    return Posterior(
+        names=names,
+        weight=weight[keep] / weight[keep].sum(),
+        mean=mean,
+        root=np.linalg.cholesky(covariance) * unit[kept][:, None],
+        last=trials[-1].settings,
+        residual=float(np.sqrt(np.mean(system.residual[int(np.argmax(log))] ** 2))),
+    )
+
+
+@dataclass(frozen=True)
+class _Fit:
+    """One trial run against the fleet; `columns` says which of all values are the car's, its head's and its start's."""
+
+    fleet: Fleet
+    lever: complex
+    prior: Prior
+    trial: Trial
+    columns: list[int]
+
+    def cars(self, cells: Array, value: Array, scales: Array) -> Array:
+        """Deviations in this run: shape (c, 29), for the car's own, then the run's, in units of `scales`."""
+        table = np.zeros((len(cells), len(PARAMETERS)))
+        table[:, [_COLUMN[name] for name in _GRIDDED]] = cells
+        for column, name in enumerate((*self.prior.names, "base_radius", *self.prior.noise.starts)):
+            table[:, _COLUMN[name]] += value[:, column] * scales[column]
+        for name, setting in self.trial.settings.deviations.items():
+            table[:, _COLUMN[name]] += setting
+        return table
+
+    def track(self, table: Array) -> Complex:
+        """Places of the measured point at the fleet's stations, shape (m, g), mm."""
+        return track_of(self.fleet, self.lever, table)
+
+    def residual(self, track: Complex, at: NDArray[np.intp], along: Complex) -> Array:
+        """Points less the track, shape (m, q), mm: across it, and along it where the point's place on it is known.
+
+        The last point is where the run ends.
+        """
+        off = (self.trial.points - np.take_along_axis(track, at, axis=1)) * np.conj(along)
+        if self.trial.motor is not None:
+            return np.concatenate([off.imag, off.real], axis=1)
+        return np.concatenate([off.imag, off.real[:, -1:]], axis=1)
+
+    def assigned(self, track: Complex) -> tuple[NDArray[np.intp], Complex]:
+        """Station of each point, and the direction of the track there, shape (m, n) each."""
+        if self.trial.motor is None:
+            at = np.stack([stations_of(row, self.trial.points) for row in track])
+        else:
+            nearest = np.searchsorted(self.fleet.stations, self.trial.motor)
+            at = np.broadcast_to(np.clip(nearest, 0, track.shape[1] - 1), (len(track), len(nearest)))
+        ends = np.clip(at - 1, 0, None), np.clip(at + 1, None, track.shape[1] - 1)
+        chord = np.take_along_axis(track, ends[1], axis=1) - np.take_along_axis(track, ends[0], axis=1)
+        return at, chord / np.abs(chord)
+
+
+@dataclass(frozen=True)
+class _System:
+    """Residuals, derivatives and information of all cells, in standard deviations."""
+
+    residual: Array
+    derivative: Array
+    information: Array
+
+    @classmethod
+    def of(cls, fits: Sequence[_Fit], cells: Array, value: Array, unit: Array) -> "_System":
+        count, width = value.shape
+        residuals, derivatives = [], []
+        for fit in fits:
+            columns = fit.columns
+            own, scales = value[:, columns], unit[columns]
+            moved = own[:, None, :] + np.concatenate([np.zeros((1, len(columns))), np.eye(len(columns))])
+            table = fit.cars(np.repeat(cells, len(columns) + 1, axis=0), moved.reshape(-1, len(columns)), scales)
+            track = fit.track(table).reshape(count, len(columns) + 1, -1)
+            at, along = fit.assigned(track[:, 0])
+            off = np.stack([fit.residual(track[:, k], at, along) for k in range(len(columns) + 1)], axis=2)
+            off = off / fit.prior.noise.point
+            residuals.append(off[:, :, 0])
+            derivative = np.zeros((count, off.shape[1], width))
+            derivative[:, :, columns] = off[:, :, 1:] - off[:, :, :1]
+            derivatives.append(derivative)
+        derivative = np.concatenate(derivatives, axis=1)
+        information = np.eye(width) + derivative.transpose(0, 2, 1) @ derivative
+        return cls(np.concatenate(residuals, axis=1), derivative, information)
+
+    def evidence(self, value: Array) -> Array:
+        """Logarithm of each cell's evidence at the values that the system is about, but for a constant."""
+        squares = np.sum(self.residual**2, axis=1) + np.sum(value**2, axis=1)
+        return np.asarray(-(squares + np.linalg.slogdet(self.information)[1]) / 2)
+
+    def evidence_after(self, step: Array, value: Array) -> Array:
+        """The same at values a step further on, as the linear system foresees it."""
+        moved = self.residual + np.einsum("cqp,cp->cq", self.derivative, step)
+        return replace(self, residual=moved).evidence(value)
+
+    def step(self, value: Array) -> Array:
+        """Step of Gauss and Newton from values."""
+        gradient = np.einsum("cqp,cq->cp", self.derivative, self.residual) + value
+        return np.asarray(-np.linalg.solve(self.information, gradient[..., None])[..., 0])
+
+
+def track_of(fleet: Fleet, lever: complex, table: Array) -> Complex:
+    """Places of a point of the car at the fleet's stations, shape (m, g), mm.
+
+    Args:
+        fleet: the nominal car.
+        lever: place of the point in the car's frame from the drive wheel, x + iy, mm.
+        table: deviations, shape (m, 29), columns as in `PARAMETERS`.
+    """
+    tracks = []
+    for begin in range(0, len(table), _BLOCK):
+        poses = run_fleet(fleet, table[begin : begin + _BLOCK])
+        tracks.append(poses.position + lever * np.exp(1j * poses.heading))
+    return np.concatenate(tracks)

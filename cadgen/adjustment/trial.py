@@ -1,0 +1,105 @@
+"""Trial runs: what a hand has set before them, and which place of the track a measured point belongs to."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Settings:
+    """Changes of a car that a hand makes without a new part.
+
+    Attributes:
+        head: growth of the base radius at the micrometer head, mm.
+        key: angle by which the cam is set ahead on its shaft, rad.
+        start_x: start moved ahead along the planned heading, mm.
+        start_y: start moved to the left of it, mm.
+        start_heading: start turned to the left, rad.
+    """
+
+    head: float = 0.0
+    key: float = 0.0
+    start_x: float = 0.0
+    start_y: float = 0.0
+    start_heading: float = 0.0
+
+    @property
+    def deviations(self) -> dict[str, float]:
+        """The same as deviations of a fleet (`cadgen.monte_carlo.fleet.PARAMETERS`)."""
+        return {
+            "base_radius": self.head,
+            "cam_phase": self.key,
+            "start_x": self.start_x,
+            "start_y": self.start_y,
+            "start_heading": self.start_heading,
+        }
+
+
+@dataclass(frozen=True, kw_only=True)
+class Trial:
+    """A trial run.
+
+    Attributes:
+        points: measured places of a point of the car, x + iy from the planned start, x along the planned heading
+            there, shape (n,), mm, in the order of driving.
+        motor: motor position at each point, shape (n,), rad; None where the car was not stopped for the measurement:
+            then each point lies somewhere on the track, and the last where the run ends.
+        settings: what was set for this run.
+    """
+
+    points: Complex
+    motor: Array | None = None
+    settings: Settings = field(default_factory=Settings)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Noise:
+    """Standard deviations of what repeats from run to run only so well.
+
+    Attributes:
+        point: a measured coordinate, mm.
+        start: place of the start in each direction, mm.
+        heading: heading of the start, rad.
+        head: setting of the micrometer head, mm; its error stays as it is until the head is turned again.
+    """
+
+    point: float = 10.0
+    start: float = 3.0
+    heading: float = float(np.radians(0.15))
+    head: float = 0.002
+
+    @property
+    def starts(self) -> Mapping[str, float]:
+        """Standard deviations of each start, mm and rad, by the names of a fleet's deviations."""
+        return {"start_x": self.start, "start_y": self.start, "start_heading": self.heading}
+
+
+def stations_of(track: Complex, points: Complex) -> NDArray[np.intp]:
+    """Which station of a track each point belongs to, so that points in order stay in order.
+
+    The sum of squared distances is least among all assignments in order, by dynamic programming; a track that
+    crosses itself is no trouble. The last point is that of the last station.
+
+    Args:
+        track: places at g stations, shape (g,), mm.
+        points: shape (n,), mm.
+    """
+    square = np.abs(track[None, :] - points[:, None]) ** 2
+    total = square[0]
+    steps = []
+    for row in square[1:]:
+        # The best station so far up to each one.
+        least = np.minimum.accumulate(total)
+        steps.append(np.maximum.accumulate(np.where(total == least, np.arange(len(total)), 0)))
+        total = least + row
+    at = np.empty(len(points), dtype=np.intp)
+    at[-1] = len(track) - 1
+    for number in range(len(points) - 2, -1, -1):
+        at[number] = steps[number][at[number + 1]]
+    return at

@@ -1,0 +1,46 @@
+"""A kind of follower: its code, its keys of the design file, and the follower that they make."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from cadgen.cam.follower import Follower
+
+
+@dataclass(frozen=True, kw_only=True)
+class Seat:
+    """Disc and place that a follower is built on, mm.
+
+    Attributes:
+        base_radius: distance of the camshaft from the fork axis.
+        faces: lateral distances of the disc's faces from the fork axis, the nearer one first.
+        carrying: the same of the edges of the land between broken edges; the faces, if those are sharp.
+    """
+
+    base_radius: float
+    faces: tuple[float, float]
+    carrying: tuple[float, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FollowerKind:
+    """A kind of follower.
+
+    Attributes:
+        code: value of `follower.kind` in the design file.
+        meaning: sentence for the reference.
+        keys: frozen dataclass of its keys, named as in the file, each `Annotated` with its limits and with a phrase
+            for the reference; its `__post_init__` may refuse what contradicts itself by a `ValueError`, one sentence
+            for the user.
+        build: function of keys and seat that returns the follower of the car as designed.
+        refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
+    """
+
+    code: str
+    meaning: str
+    keys: type[Any]
+    build: Callable[[Any, Seat], Follower]
+    refuse: Callable[[Any, Seat], None] = lambda keys, seat: None

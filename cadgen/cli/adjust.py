@@ -1,0 +1,97 @@
+"""`cadgen adjust`: from trial runs to what a hand sets before the next."""
+
+from pathlib import Path
+
+import click
+
+from cadgen.cli.options import PROFILES, Number, design_and_files, out_option
+from cadgen.optimize.profiles.optimized import OPTIMIZED
+
+
+@click.command()
+@click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
+@click.option(
+    "--profile",
+    type=click.Choice(PROFILES),
+    metavar="PROFILE",
+    default=OPTIMIZED.code,
+    show_default=True,
+    help=f"Of the cam on the car. One of {', '.join(PROFILES)}.",
+)
+@click.option(
+    "--point",
+    type=click.Choice(("drive-wheel", "fork", "idle-wheel", "path")),
+    default="drive-wheel",
+    show_default=True,
+    help="Point of the car that was measured; path is the one that is to follow the waypoints.",
+)
+@click.option(
+    "--knobs",
+    default="head,start",
+    show_default=True,
+    metavar="LIST",
+    help="What may be set, of head (the micrometer of the base radius), key (the cam on its shaft) and start.",
+)
+@click.option(
+    "--noise-mm",
+    type=Number(0.1, 1000),
+    default=10.0,
+    show_default=True,
+    help="Standard deviation of a measured coordinate.",
+)
+@click.option(
+    "--division-um", type=Number(0.1, 1000), default=10.0, show_default=True, help="Division of the micrometer head."
+)
+@click.option(
+    "--set",
+    "overrides",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help="Override a key of the design, as in --set cam.thickness_mm=3.2. Repeatable.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
+@out_option(help="Folder for the result and the table of the next trial run; without it no file is written.")
+def adjust(
+    arguments: tuple[str, ...],
+    profile: str,
+    point: str,
+    knobs: str,
+    noise_mm: float,
+    division_um: float,
+    overrides: tuple[str, ...],
+    as_json: bool,
+    out: Path | None,
+) -> None:
+    """Set micrometer, key and start after trial runs, without a new cam.
+
+    FILE is a CSV file of one or more trial runs, in the order of driving: columns run,x_mm,y_mm with a dozen points of
+    the track in the frame of the waypoints, the last where the car stopped; or with cam_angle_deg, where the motor was
+    stopped for each point. A comment line, which this command prints, says what was set. DESIGN is the first argument
+    if it names a packaged design or ends in .toml.
+
+    The exit code is 1 if no car within twice the tolerances explains the trial runs.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show, show_adjustment
+    from cadgen.design.load import packaged_designs
+
+    design, files = design_and_files(arguments, packaged_designs())
+    loaded = Design.load(design, overrides)
+    with show.progress(not as_json) as progress:
+        adjustment = loaded.adjust(
+            files,
+            profile=profile,
+            point=point,
+            knobs=[knob.strip() for knob in knobs.split(",")],
+            noise_mm=noise_mm,
+            division_um=division_um,
+            progress=progress,
+        )
+        written = None if out is None else adjustment.write(out, progress=progress)
+    if as_json:
+        show.document(adjustment.facts() if written is None else written.entry)
+    else:
+        show_adjustment.settings(adjustment)
+        if written is not None and out is not None:
+            show.files(written, out)
+    raise SystemExit(0 if adjustment.explained else 1)

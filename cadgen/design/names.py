@@ -1,0 +1,32 @@
+"""Names that files can have on every system."""
+
+import re
+
+_PLAIN = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
+# What Windows keeps for devices, in capitals or not, with whatever follows a first dot.
+_DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
+
+
+def name_fault(name: str) -> str:
+    """Fault of a name for files, as a clause after "it must"; empty if the name has no fault.
+
+    Args:
+        name: name of a design or a part, without the ending of a file.
+    """
+    if not _PLAIN.fullmatch(name):
+        return "be 1 to 64 letters (A-Z, a-z), digits, dots, dashes and underscores, and begin with a letter or digit"
+    if _DEVICES.fullmatch(name):
+        return f"be another one, for on Windows {name.partition('.')[0]} is a device: add to it, such as {name[:3]}_1"
+    if name.endswith("."):
+        return "not end in a dot, which Windows takes off: remove it"
+    return ""
+
+
+def usable_name(text: str) -> str:
+    """The nearest name without a fault: of a design that has none of its own, after its file.
+
+    Args:
+        text: any, such as a file's name without its ending.
+    """
+    name = re.sub(r"[^A-Za-z0-9._-]+", "_", text).lstrip("._-")[:64].rstrip(".") or "design"
+    return f"design_{name}"[:64].rstrip(".") if name_fault(name) else name

@@ -1,0 +1,7 @@
+"""Adjustment: trial runs of a car -> what a hand sets so that the next run ends where it is planned.
+
+| module   | what it holds                                                          |
+|----------|------------------------------------------------------------------------|
+| `plan`   | cars that explain them, the best settings, what to expect; sentences   |
+| `files`  | the settings, trial runs and expectations as a verified JSON file      |
+"""
