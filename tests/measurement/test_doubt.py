@@ -123,16 +123,16 @@ def test_a_value_within_its_error_is_not_claimed(lift, nominal):
         assert doubted(judged, lift, model, noise, small, np.zeros(len(lift.run))).claimed == claimed
 
 
-def test_three_effects_that_leave_more_than_noise_are_not_sure(lift, nominal):
-    class Three(_Best):
-        effects = nominal.model(lift).catalogue[:3]
+def test_six_effects_that_leave_more_than_noise_are_not_sure(lift, nominal):
+    class Six(_Best):
+        effects = nominal.model(lift).catalogue[:6]
 
     noise = Noise(np.full(len(lift.run), 4e-3), 0.0, 0.0, 3)
     for chance, claimed in ((0.02, ("x",)), (0.005, ())):
-        told = _judged(lift, nominal, noise, Three(), chance)
+        told = _judged(lift, nominal, noise, Six(), chance)
         assert told.claimed == claimed
     assert told.verdict == "ambiguous"
-    assert "more than 3 effects, so sizes are not sure" in told.sentence
+    assert "more than 6 effects, so sizes are not sure" in told.sentence
     assert _judged(lift, nominal, noise, _Best(), 0.005).claimed == ("x",)
 
 

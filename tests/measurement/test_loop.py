@@ -148,5 +148,4 @@ def test_a_train_that_runs_out_moves_the_cam_under_the_track(joint):
     assert [(b.claim.finding.effect, b.place) for b in told.built if b.place == "car"] == [
         ("steering zero", "car"),
         ("backlash", "car"),
-        ("sliding friction", "car"),
     ]
