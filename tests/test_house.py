@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
@@ -11,9 +12,12 @@ MODULES = {
 }
 
 
+parsed = cache(ast.parse)  # several tests read the whole package
+
+
 def imported(name: str, source: str, modules: dict[str, Path] | set[str]) -> Iterator[str]:
     """Modules of the program that a module imports anywhere: at its top, in functions, and for types alone."""
-    for node in ast.walk(ast.parse(source)):
+    for node in ast.walk(parsed(source)):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names if alias.name in modules)
         elif isinstance(node, ast.ImportFrom):
@@ -86,7 +90,7 @@ def test_files_functions_and_rooms_stay_of_a_size():
     functions = {
         f"{name}.{node.name}": (node.end_lineno or node.lineno) - node.lineno + 1
         for name, file in MODULES.items()
-        for node in ast.walk(ast.parse(file.read_text("utf-8")))
+        for node in ast.walk(parsed(file.read_text("utf-8")))
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
     }
     assert not {name: count for name, count in functions.items() if count > MOST_LINES_OF_A_FUNCTION}
@@ -96,7 +100,7 @@ def test_no_room_imports_what_another_keeps_to_itself():
     private = [
         f"{name}: {node.module}.{alias.name}"
         for name, file in MODULES.items()
-        for node in ast.walk(ast.parse(file.read_text("utf-8")))
+        for node in ast.walk(parsed(file.read_text("utf-8")))
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("cadgen")
         for alias in node.names
         if alias.name.startswith("_") and alias.name != "__version__" and room_of(node.module or "") != room_of(name)
@@ -107,7 +111,7 @@ def test_no_room_imports_what_another_keeps_to_itself():
 def statements(source: str) -> list[tuple[int, str]]:
     """Lines of statements with their numbers: without imports, signatures, decorators, fields, texts and brackets."""
     left_out: set[int] = set()
-    for node in ast.walk(ast.parse(source)):
+    for node in ast.walk(parsed(source)):
         last = getattr(node, "end_lineno", 0)
         if isinstance(node, ast.Import | ast.ImportFrom) or (
             isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
@@ -148,7 +152,7 @@ def test_the_maps_name_every_room_and_every_module():
             continue
         inside = {other.removeprefix(f"{name}.").split(".")[0] for other in MODULES if other.startswith(f"{name}.")}
         inside -= {"__main__"}
-        named = listed(ast.get_docstring(ast.parse(file.read_text("utf-8"))) or "")
+        named = listed(ast.get_docstring(parsed(file.read_text("utf-8"))) or "")
         if named != inside:
             missing[name] = {"missing": sorted(inside - named), "gone": sorted(named - inside)}
     assert not missing, missing

@@ -30,6 +30,7 @@ def test_cars_end_near_after_two_trial_runs(field):
     assert np.mean(errors[:, 2] <= [promised for _, _, promised in results]) >= 5 / 6
 
 
+@pytest.mark.slow
 def test_points_of_no_car_are_not_explained(field):
     """The mirror image of the path: every point is far off, whatever is assumed."""
     track = field.bench.fine.planned.position[0]
@@ -39,6 +40,7 @@ def test_points_of_no_car_are_not_explained(field):
     assert adjustment.sentences()[0].startswith("not explained: the points lie")
 
 
+@pytest.mark.slow
 def test_a_car_as_designed_is_left_alone(field):
     """Points on the planned track itself, on a car without play or friction worth a word: nothing large is set."""
     bench = Bench.of(field.plan, Wanted(division=0.01, knobs=(Knob.HEAD,), noise=2.0))
@@ -52,6 +54,7 @@ def test_a_car_as_designed_is_left_alone(field):
     assert np.mean(adjustment.after.end**2) <= np.mean(adjustment.before.end**2) * 1.05
 
 
+@pytest.mark.slow
 def test_the_command_says_what_to_set(forks, tmp_path):
     trial = Path(__file__).parents[2] / "docs" / "tutorial" / "trial_1.csv"
     result = forks.run(MAIN, "adjust", str(trial), "--out", "out", cwd=tmp_path)

@@ -165,6 +165,7 @@ def test_a_failed_check_refuses_to_write_unless_forced(cam, capfd, tmp_path):
     assert capfd.readouterr() == ("", "")
 
 
+@pytest.mark.slow
 def test_a_cam_is_drawn(cam):
     outline, lift = cam.plot().axes
     assert lift.get_xlabel() == "cam angle (°)"

@@ -77,6 +77,7 @@ def car():
     return Design.load("carbon_free_car")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", REFUSED)
 def test_what_is_misunderstood_is_refused_in_one_sentence(car, tmp_path, monkeypatch, case):
     monkeypatch.chdir(tmp_path)
@@ -88,6 +89,7 @@ def test_what_is_misunderstood_is_refused_in_one_sentence(car, tmp_path, monkeyp
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_objects_are_shown_in_a_line_and_can_be_compared(car):
     """In a notebook, whose last line is shown; arrays inside made two cams of one design no question to ask."""
     cam = car.cam(profile="actual")

@@ -68,6 +68,7 @@ class Eccentric:
         return Jet(point, self.radius * np.stack([-s, c], axis=1), np.full(len(t), 1 / self.radius))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("off", [10.0, 18.0, 19.5, 19.9])
 @pytest.mark.parametrize("rod", [0.3, 1.25, 4.0])
 def test_steep_flanks_are_rolled_until_nothing_is_left(off, rod):

@@ -61,6 +61,7 @@ def test_a_hollow_corner_takes_none():
     assert (limit.kind, limit.radius) == ("corner", 0.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["carbon_free_car", "appendix_car"])
 def test_discs_of_that_size_overlap_nothing_and_larger_ones_do(name, request):
     curve = request.getfixturevalue(name).actual.curve

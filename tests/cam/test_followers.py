@@ -140,6 +140,7 @@ def test_a_roller_too_large_is_refused(carbon_free_car):
         actual_profile(carbon_free_car.lift, Roller(base_radius=70.0, radius=69.0, arm=25.0))
 
 
+@pytest.mark.slow
 def test_a_design_names_it_and_gets_its_files(registered, tmp_path):
     design = load_design("carbon_free_car", KEYS)
     plan = plan_cam(design, "actual")
@@ -158,6 +159,7 @@ def test_a_design_names_it_and_gets_its_files(registered, tmp_path):
     assert plan_cam(design, "theoretical").passed
 
 
+@pytest.mark.slow
 def test_its_cures_are_its_own(appendix_car):
     lift, roller = appendix_car.lift, Roller(base_radius=70.0, radius=2.0, arm=26.0)
     now = worst_loss(lift, roller)

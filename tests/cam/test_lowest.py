@@ -53,6 +53,7 @@ def test_only_what_is_deeper_than_the_tolerance_counts(depth):
     assert len(lowest_branches(radii, {})) == (1 if depth < SAME else 2)
 
 
+@pytest.mark.slow
 def test_thousands_of_short_branches_take_little_memory():
     """One branch in every two cells, the first of them over the seam, and one that lies above them all."""
     count = 40_000

@@ -19,6 +19,7 @@ def test_no_false_refusal_and_no_fault(kind, number):
     assert said in ("passed", "refused")
 
 
+@pytest.mark.slow
 def test_an_exactly_straight_path_is_a_circle(tmp_path):
     """tan(beta) is nothing but rounding: both faces' envelopes coincide all round."""
     points = ", ".join(f"[{600.0 * i}, {250.0 * i}]" for i in range(9))

@@ -179,6 +179,7 @@ def test_forced_teeth_that_jam_are_exported_all_the_same(forced):
     assert part["files"]["carbon_free_car_as-given_train.step"]["play_um"] is None
 
 
+@pytest.mark.slow
 def test_a_search_of_which_nothing_fits_prints_its_ranking_and_one_sentence(cadgen, tmp_path):
     result = cadgen("gears", "--order", "search", "--set", "train.intermediate.hub.diameter_mm=40", code=2)
     assert "none of 10 trains can be made" in one_sentence(result)

@@ -11,6 +11,7 @@ from cadgen.curves.contour import circle, keyway_bore
 from tests.curves.shapes import TURN, ellipse, lens, off_ellipse
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(b=st.floats(5.0, 80.0), exponent=st.floats(-5.0, -1.0))
 def test_no_arc_strays_further_than_allowed(b, exponent):

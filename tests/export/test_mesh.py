@@ -85,6 +85,7 @@ def lift_error(car, content: MeshContent) -> float:
     return float(np.abs(roll(content.rim, car.follower, CAM_ANGLES).lift - wanted).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BLANKS)
 def test_round_trip(carbon_free_car, through_file, name):
     curve, blank = carbon_free_car.actual.curve, BLANKS[name]

@@ -153,6 +153,7 @@ def test_a_pair_of_two_grades_takes_the_centre_distance_of_the_coarser():
     assert 1000 * stage_play(mixed).f_a == pytest.approx(31)
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(st.integers(20, 90), st.integers(20, 90)), min_size=1, max_size=5))
 def test_the_train_s_return_error_is_gathered_shaft_by_shaft(choice):
     train = Train(tuple(pair(z1, z2) for z1, z2 in choice))

@@ -57,6 +57,7 @@ def test_two_clipped_normal_zones_are_the_convolution_by_quadrature():
         )
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=25)
 @given(zones, laws, st.integers(0, 2**32 - 1))
 def test_samples_stay_in_their_zones_and_have_the_stated_moments(parts, law, seed):

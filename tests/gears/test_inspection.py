@@ -124,6 +124,7 @@ def test_pins_may_touch_where_din_3977_allows() -> None:
         assert (contact - middle) / 2 == pytest.approx(place, abs=0.03)
 
 
+@pytest.mark.slow
 @settings(max_examples=80, deadline=None)
 @given(
     teeth=st.integers(8, 200),

@@ -83,6 +83,7 @@ def test_whatever_can_be_laid_out_is_free_of_collisions(stages, directions):
             assert np.angle((part.axis - before.axis) * np.exp(-1j * direction)) == pytest.approx(0, abs=1e-9)
 
 
+@pytest.mark.slow
 @given(st.integers(8, 60), st.integers(8, 60), st.floats(-10, 10), st.floats(-10, 10))
 def test_a_tooth_of_one_meets_a_space_of_the_other(z1, z2, angle, direction):
     """Counted from the line of centres, the driver's phase in pitches and the driven gear's add up to one half."""

@@ -159,6 +159,7 @@ def linkage():
     catalogue.TRACK.remove(LINKAGE)
 
 
+@pytest.mark.slow
 def test_a_made_up_effect_is_found_and_named(linkage, carbon_free_car, nominal):
     built, rng = carbon_free_car, np.random.default_rng(8)
 

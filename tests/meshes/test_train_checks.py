@@ -111,6 +111,7 @@ def test_the_worst_stage_is_shown_by_check_also_where_stages_have_fewer():
     ]
 
 
+@pytest.mark.slow
 def test_every_check_that_can_fail_says_what_to_do():
     for check in plan_gears(load_design()).checks:
         assert check.advice, check.name

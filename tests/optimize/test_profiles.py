@@ -43,6 +43,7 @@ def registered(monkeypatch):
     return ground, late
 
 
+@pytest.mark.slow
 def test_a_profile_from_outside_is_planned_by_its_code(registered):
     plan = plan_cam(load_design("carbon_free_car"), "ground")
     assert plan.profile is registered[0]

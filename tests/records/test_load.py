@@ -29,6 +29,7 @@ def test_kind_follows_from_the_columns(name, kind, runs, measured):
     assert (record.kind.code, record.runs) == (kind, runs)
 
 
+@pytest.mark.slow
 def test_remarks_tell_noise_and_print(measured):
     record = load(measured / "profile_b.csv")
     assert instrument(record).noise == 2.0

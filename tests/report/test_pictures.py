@@ -73,6 +73,7 @@ def test_every_picture_has_both_formats_and_the_same_bytes_each_time(simulation,
         assert not re.search(rb"20\d\d-\d\d-\d\d|/work|/tmp|/home", first), name
 
 
+@pytest.mark.slow
 def test_the_style_leaves_the_programs_own_settings_alone(simulation, tmp_path):
     import matplotlib as mpl
 

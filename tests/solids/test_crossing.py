@@ -54,6 +54,7 @@ def by_gauss(shape) -> float:
     return properties.Mass()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_the_screw_of_a_cams_hub(name, tmp_path):
     key, diameter, length, side, hole, angle = CASES[name]

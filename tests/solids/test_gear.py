@@ -208,6 +208,7 @@ def test_every_mesh_is_watertight_also_through_stl_and_as_large_as_the_solid(nam
     assert abs(solid.volume() - volume(body_solid(body))) < tolerance * side
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-3, 1e-4])
 def test_the_stl_keeps_its_chord_tolerance(tolerance: float) -> None:
     form = gear(30, 1.0)

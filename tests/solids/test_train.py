@@ -67,6 +67,7 @@ def files(parts, of_parts, tmp_path):
     return found
 
 
+@pytest.mark.slow
 def test_the_assembly_has_every_part_at_its_place(layout, parts, assembly):
     for read, part, placed in zip(read_assembly(assembly), parts, layout.parts, strict=True):
         assert (read.name, read.valid, read.bodies) == (part.name, True, 1)

@@ -135,6 +135,7 @@ def test_a_slipping_car_with_another_lever(built, carbon_free_car):
     assert after < 2
 
 
+@pytest.mark.slow
 def test_a_shrinking_printer_is_precompensated(built, carbon_free_car):
     """What is printed and shrinks gives the lift of the design to 0.1 um."""
     design = built(effect("profile", "anisotropic scale", "process", scale_x_percent=-0.19, scale_y_percent=-0.05))
@@ -272,6 +273,7 @@ def test_the_second_time_before_is_the_cam_made_for_the_first(built):
     assert second.before_error.end_distance == pytest.approx(first.after_error.end_distance, abs=0.2)
 
 
+@pytest.mark.slow
 def test_a_new_cam_is_measured_against_the_key_as_cut(built, carbon_free_car):
     """Its key was turned back by the phase, so its lift comes later by as much on a shaft whose key is right."""
     nominal = nominal_of(built(PHASE), "actual")

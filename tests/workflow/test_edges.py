@@ -37,6 +37,7 @@ def test_every_file_has_them(plan, tmp_path):
     assert row["value"] == pytest.approx(147.4, abs=1.5)
 
 
+@pytest.mark.slow
 def test_no_key_and_zero_make_the_same_part():
     without, zero = load_design("carbon_free_car"), load_design("carbon_free_car", ["blank.edge_break_mm=0"])
     assert plan_cam(zero, "theoretical").checks == plan_cam(without, "theoretical").checks

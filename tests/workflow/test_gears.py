@@ -91,12 +91,14 @@ def test_the_thinning_moves_play_and_inspection(paper):
                 assert gear["over_pins_min_mm"] < gear["over_pins_max_mm"] < gear["over_pins_nominal_mm"]
 
 
+@pytest.mark.slow
 def test_given_directions_are_kept():
     plan = plan_gears(load_design(None, ["train.stages.1.direction_deg=30", "train.stages.2.direction_deg=30"]))
     first, second, third, _ = (part.axis for part in plan.layout.parts)
     assert abs((second - first) / 45 - (third - second) / 40) == pytest.approx(0, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_teeth_that_jam_fail_a_check_and_have_no_play():
     plan = plan_gears(load_design(None, ["train.E_sn_um=30"]))
     wrong = failed(plan)
@@ -108,6 +110,7 @@ def test_teeth_that_jam_fail_a_check_and_have_no_play():
     assert "overlap past the play" not in names
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("E_sn", "jams"), [(0, True), (-30, True), (-35, False), (-60, False)])
 def test_a_given_thickness_counts_in_the_play_and_jamming_at_the_least_is_a_failed_check(E_sn, jams):
     """By hand, for 20/60 of module 1, grade 7: f_a = 19.5, T_sn = 2 tan(20°) √(F_r² + b_r²) of (18, 52), (29, 74)."""
@@ -141,6 +144,7 @@ def test_a_given_thickness_counts_in_the_ranking():
     assert all(plan.passed for plan in plans)
 
 
+@pytest.mark.slow
 def test_teeth_that_pass_each_other_where_the_tolerances_open_the_axes_most_say_so():
     wrong = failed(plan_gears(load_design(None, ["train.stages.1.driver.F_i_radial_um=1500"])))
     assert set(wrong) == {"teeth hold each other"}
@@ -148,11 +152,13 @@ def test_teeth_that_pass_each_other_where_the_tolerances_open_the_axes_most_say_
     assert "where the tolerances open the axes most; lower F_i_radial" in wrong["teeth hold each other"].advice
 
 
+@pytest.mark.slow
 def test_an_undercut_pinion_passes_its_checks():
     sets = ["stages.1.driver.teeth=14", "stages.1.centre_distance_mm=41", "drive.bore_diameter_mm=0", "drive.hub="]
     assert plan_gears(load_design(None, [f"train.{text}" for text in sets])).passed
 
 
+@pytest.mark.slow
 def test_a_direction_goes_with_its_stage_when_the_stages_are_reordered():
     sets = ["train.stages.1.direction_deg=30", "train.stages.2.direction_deg=-20"]
     plan = plan_gears(load_design(None, sets), "reordered")
@@ -204,12 +210,14 @@ def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(mo
     assert (plan.play, plan.skipped, plan.passed) == (plan.ranked[0], (), False)
 
 
+@pytest.mark.slow
 def test_a_search_of_which_nothing_can_be_made_keeps_its_ranking():
     with pytest.raises(NotMadeError, match=r"none of 10 trains can be made; the best, .*, not: on shaft 2") as error:
         plan_gears(load_design(None, ["train.intermediate.hub.diameter_mm=40"]), "search")
     assert len(error.value.ranked) == 10
 
 
+@pytest.mark.slow
 def test_the_search_is_compared_with_the_train_given_by_the_standard_alone():
     sets = ["train.stages.2.driven.b_r_um=200", "train.stages.1.direction_deg=30"]
     plan = plan_gears(load_design(None, sets), "search")
@@ -297,6 +305,7 @@ def test_a_design_without_a_train_says_what_is_missing():
         plan_gears(load_design(None, ["train="]))
 
 
+@pytest.mark.slow
 def test_shallow_roots_fail_the_clearance_check():
     plan = plan_gears(
         load_design(None, ["train.dedendum_factor=1.0", "train.rack_tip_radius_factor=0.2", "train.E_sn_um=-40"])

@@ -68,6 +68,7 @@ def by_part(plan, change=lambda form: form):
     return [tuple(section_of(change(form)) for form in part.gears) for part in plan.layout.parts]
 
 
+@pytest.mark.slow
 def test_sections_in_the_files_have_the_play_computed(plan):
     facts = _in_mesh(plan, "x.step", by_part(plan))
     assert max(map(abs, facts["play_error_um"])) < 0.06

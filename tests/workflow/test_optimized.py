@@ -130,6 +130,7 @@ def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):
     assert np.abs(cut.tan_beta(theta) - wanted.tan_beta(theta)).max() > 0.01
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("play", "order", "heading_deg", "position_mm"),
     [(0.962, "as-given", 12.335, 1333.2), (0.724, "reordered", 9.287, 999.9)],
@@ -151,6 +152,7 @@ def test_a_measured_play_is_what_it_is_cut_for():
     assert np.degrees(outside.against.band.ends[1]) == pytest.approx(1.1)
 
 
+@pytest.mark.slow
 def test_a_band_in_the_design_overrides_the_trains():
     design = load_design("carbon_free_car", ["play.least_deg=0.6", "play.greatest_deg=0.962"])
     plan = plan_cam(design, "compensated")

@@ -262,6 +262,7 @@ def test_a_path_with_plateaus_and_short_rises():
     assert against.bound.distance < against.chosen.band.worst_distance < 146
 
 
+@pytest.mark.slow
 def test_a_lift_without_peaks_gets_the_actual_profile_and_it_is_said():
     """On a straight path play changes nothing, by default, by name and in a run."""
     straight = [[1000.0 * k, 0.0] for k in range(9)]
@@ -275,6 +276,7 @@ def test_a_lift_without_peaks_gets_the_actual_profile_and_it_is_said():
     assert against_of(plan_cam(design, "compensated")).chosen.band.worst_distance < 0.01
 
 
+@pytest.mark.slow
 def test_cars_that_hardly_differ_end_where_the_profile_was_judged_to(carbon_free_car):
     """So the fleet's cams jump and wait where the profile that is cut does, which is not where the wanted lift does."""
     run = tolerance.run_tolerance(
@@ -286,6 +288,7 @@ def test_cars_that_hardly_differ_end_where_the_profile_was_judged_to(carbon_free
     assert tolerance_facts(run)["passed"]
 
 
+@pytest.mark.slow
 def test_out_of_memory_for_many_cars_advises_fewer(monkeypatch):
     def full(*args, **settings):
         raise MemoryError
@@ -295,6 +298,7 @@ def test_out_of_memory_for_many_cars_advises_fewer(monkeypatch):
         tolerance.run_tolerance(with_play(0.74), "compensated", 5, seed=1, processes=1)
 
 
+@pytest.mark.slow
 def test_a_prediction_names_the_checks_that_fail():
     run = tolerance.run_tolerance(load_design("appendix_car"), "compensated", 3, seed=1, processes=1)
     assert not tolerance_facts(run)["passed"]
