@@ -11,6 +11,7 @@ The rooms, in walking order; each imports only those before it.
 | `version`     | the version, in its one place                                             |
 | `errors`      | errors for the user, with the exit codes                                  |
 | `arrays`      | an array of floats, a turn                                                |
+| `registry`    | kinds of one sort by their codes                                          |
 | `check`       | one figure with its limit and verdict                                     |
 | `reading`     | files that a user names, refused by kind and size                         |
 | `progress`    | the callback by which a job reports its progress                          |

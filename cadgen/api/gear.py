@@ -169,7 +169,7 @@ class Gear:
         """The gear as plain values, with span over teeth and size over pins, mm, as it is cut."""
         from cadgen.workflow.gears.numbers import gear_facts
 
-        return gear_facts(self.part, self.name)
+        return gear_facts(self.form, self.part, self.name)
 
     def build123d(self) -> "Solid":
         """The gear as a build123d solid with label and colour, mm; its lower face lies at z = 0.
@@ -179,7 +179,7 @@ class Gear:
         """
         from cadgen.workflow.gears.numbers import solid_of
 
-        return solid_of(self.part, self.name).build123d()
+        return solid_of(self.form, self.part, self.name).build123d()
 
     def write(
         self,
@@ -202,7 +202,7 @@ class Gear:
         from cadgen.workflow.gears.numbers import write_gear
 
         place = folder_of(folder)
-        written = write_gear(self.part, self.name, place, progress, formats)
+        written = write_gear(self.form, self.part, self.name, place, progress, formats)
         return Written.of(place, written.part, written.entry)
 
 

@@ -20,13 +20,12 @@ from cadgen.api.values import optional, real, several, word
 from cadgen.check import Check
 from cadgen.design.train import MOST_STAGES
 from cadgen.errors import CheckError, DesignError, brief
+from cadgen.gears import pair as numbers
 from cadgen.gears import train as numeric
-from cadgen.gears.backlash import TrainPlay, train_play
 from cadgen.gears.contact import contact_ratio
-from cadgen.gears.layout import meshing_angle
-from cadgen.gears.thinning import thinned, with_deviation, with_deviations
+from cadgen.gears.kinds import spur
+from cadgen.gears.thinning import with_deviation, with_deviations
 from cadgen.gears.tooth import tooth_of
-from cadgen.meshes.train_checks import exact_play
 from cadgen.parts.blank import Blank
 from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import plan_facts
@@ -89,7 +88,7 @@ class Assembly(ABC):
     def return_error(self) -> ReturnError:
         """Free angle of the output while the drive stands still, rad: of the teeth alone."""
         play, cut = self.computed.play, self.computed.layout.train
-        free = [exact_play(pair) / float(ratio) for pair, ratio in zip(cut.stages, cut.output_ratios, strict=True)]
+        free = [stage.free_angle() / float(ratio) for stage, ratio in zip(cut.stages, cut.output_ratios, strict=True)]
         return ReturnError(float(play.return_error_min), sum(free), float(play.return_error_max))
 
     def facts(self) -> dict[str, Any]:
@@ -200,23 +199,23 @@ class GearPair(Assembly):
             tooth_of(gear.form)
 
     @cached_property
-    def nominal(self) -> numeric.GearPair:
+    def nominal(self) -> spur.GearPair:
         """The pair with the thickness that its teeth are to be cut to."""
         gears = [
-            numeric.Gear(form=with_deviation(gear.form, 0.0), grade=gear.grade, overrides=gear.overrides)
+            numbers.Gear(form=with_deviation(gear.form, 0.0), grade=gear.grade, overrides=gear.overrides)
             for gear in (self.pinion, self.wheel)
         ]
         apart = self.centre_distance
-        pair = numeric.GearPair(
+        pair = spur.GearPair(
             driver=gears[0],
             driven=gears[1],
-            centre_distance=numeric.closest(gears[0].form, gears[1].form) if apart is None else float(apart),
+            centre_distance=numbers.closest(gears[0].form, gears[1].form) if apart is None else float(apart),
             bearing_span=_ANY_SPAN if self.bearing_span is None else float(self.bearing_span),
             centre_distance_deviation=self.centre_distance_deviation,
         )
         return pair.thinned_to(*self._thinning(pair))
 
-    def _thinning(self, pair: numeric.GearPair) -> tuple[float | Thinning, float | Thinning]:
+    def _thinning(self, pair: spur.GearPair) -> tuple[float | Thinning, float | Thinning]:
         """Thickness of the pinion's and of the wheel's teeth: E_sn, mm, or a place in the zone of their grade."""
         fixed = self.pinion.thickness_deviation, self.wheel.thickness_deviation
         if self.backlash is None:
@@ -231,12 +230,12 @@ class GearPair(Assembly):
         return pinion, wheel
 
     @cached_property
-    def cut(self) -> numeric.GearPair:
+    def cut(self) -> spur.GearPair:
         """The pair with its teeth as they are cut."""
         pair = self.nominal
         driver, driven = pair.driver.thinning, pair.driven.thinning
         if isinstance(driver, str) or isinstance(driven, str):
-            return thinned(train_play(numeric.Train((pair,)))).stages[0]
+            return spur.spur_pairs(numeric.thinned(numeric.Train((pair,))), "a pair is")[0]
         return with_deviations(pair, driver, driven)
 
     @property
@@ -247,7 +246,7 @@ class GearPair(Assembly):
     @property
     def play(self) -> float:
         """Circumferential backlash of the teeth as they are cut, mm of arc of the wheel's working pitch circle."""
-        return exact_play(self.cut) * self.cut.driven_pitch_radius
+        return self.cut.free_angle() * self.cut.driven_pitch_radius
 
     @property
     def ratio(self) -> Fraction:
@@ -267,7 +266,7 @@ class GearPair(Assembly):
     @property
     def wheel_angle(self) -> float:
         """Angle of a tooth of the wheel, its teeth midway between those of a pinion with a tooth on x, rad."""
-        return meshing_angle(self.cut, 0.0, 0.0)
+        return self.cut.driven_angle(0.0, 0.0)
 
     @cached_property
     def computed(self) -> "TrainPlan":
@@ -285,8 +284,9 @@ class GearPair(Assembly):
         from cadgen.solids.train import mesh_compound
         from cadgen.workflow.gears.numbers import part_of, solid_of
 
-        pinion = solid_of(part_of(self.cut.driver.form, self.pinion.blank), f"{self.name}_pinion", 1)
-        wheel = solid_of(part_of(self.cut.driven.form, self.wheel.blank), f"{self.name}_wheel", 2)
+        driver, driven = self.cut.wheels
+        pinion = solid_of(driver, part_of(driver, self.pinion.blank), f"{self.name}_pinion", 1)
+        wheel = solid_of(driven, part_of(driven, self.wheel.blank), f"{self.name}_wheel", 2)
         height = (self.pinion.width - self.wheel.width) / 2
         return mesh_compound((pinion, wheel), ((0.0, 0.0, 0.0), (self.axes_apart, height, self.wheel_angle)), self.name)
 
@@ -385,12 +385,12 @@ class GearTrain(Assembly):
         return self.plan.order
 
     @property
-    def ranked(self) -> tuple[TrainPlay, ...]:
+    def ranked(self) -> tuple[numeric.TrainPlay, ...]:
         """Play of the trains that the order calls for, least return error first; mm and rad."""
         return self.plan.ranked
 
     @property
-    def baseline(self) -> TrainPlay:
+    def baseline(self) -> numeric.TrainPlay:
         """Play that the ranked trains are compared with; mm and rad."""
         return self.plan.baseline
 

@@ -7,25 +7,28 @@ from typing import TypeVar
 from cadgen.design.joint import TIGHT, Held
 from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
-from cadgen.design.train import Blank, GearHub, GearKeys, Stage
+from cadgen.design.stage import GearKeys, SpurStage
+from cadgen.design.stage import Stage as StageKeys
+from cadgen.design.train import Blank, GearHub
 from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.joints import Loose, bearings
+from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.layout import Blanks
 from cadgen.gears.limits import SearchLimits
+from cadgen.gears.pair import Gear
+from cadgen.gears.stage import Stage, Wheel
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train
 from cadgen.parts.blank import Blank as PartBlank
 from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 
 T = TypeVar("T", int, float)
 
 _UM = 1e-3
-# Chord error of a gear's mesh where the design gives none, per mm of module: the teeth of all sizes then have as many
-# facets, and the volume errs by less than 2e-4. No coarser than the cam's own default, in mm.
-CHORD_PER_MODULE = 2e-3
+# Chord error of a gear's mesh where the design gives none is no coarser than the cam's own default, in mm.
 COARSEST_CHORD = 5e-3
 _OVERRIDES = ("f_pt", "F_beta", "F_r", "b_r", "F_i_radial")
 
@@ -45,16 +48,16 @@ def train_keys(design: TrainDesign) -> TrainKeys:
 
 
 def train(design: TrainDesign) -> Train:
-    """The stages of the design, from the drive to the camshaft, as nominal gears with their tolerances.
+    """Stages of the design, from the drive to the camshaft; spur gears are nominal, with their tolerances.
 
     Raises:
         DesignError: the design has no [train], or a gear or a stage cannot be; it names the stage.
     """
     keys = train_keys(design)
-    stages = []
+    stages: list[Stage] = []
     for number, stage in enumerate(keys.stages, 1):
         try:
-            stages.append(_pair(stage, keys))
+            stages.append(_stage(stage, keys))
         except DesignError as error:
             raise DesignError(f"in stage {number}, {error}") from error
     return Train(tuple(stages))
@@ -195,22 +198,28 @@ def limits_left_out(design: TrainDesign) -> str:
     return listed([name for name, value in keys.model_dump().items() if value is None], "and")
 
 
-def mesh_chord(design: TrainDesign, gears: Sequence[GearForm]) -> float:
-    """Greatest chord error of a part's mesh in mm: the design's, or in proportion to the least module of its gears."""
+def mesh_chord(design: TrainDesign, gears: Sequence[Wheel]) -> float:
+    """Greatest chord error of a part's mesh in mm: the design's, or that which suits all of its gears."""
     given = design.export.mesh_chord_um
     return given * _UM if given is not None else usual_chord(gears)
 
 
-def usual_chord(gears: Sequence[GearForm]) -> float:
-    """Greatest chord error of a part's mesh in mm where none is given, in proportion to the least module."""
-    return min(CHORD_PER_MODULE * min(gear.normal_module for gear in gears), COARSEST_CHORD)
+def usual_chord(gears: Sequence[Wheel]) -> float:
+    """Greatest chord error of a part's mesh in mm where none is given."""
+    return min(*(gear.usual_chord for gear in gears), COARSEST_CHORD)
 
 
 def _range(spans: tuple[T, T], low: T | None, high: T | None) -> tuple[T, T]:
     return spans[0] if low is None else low, spans[1] if high is None else high
 
 
-def _pair(stage: Stage, train: TrainKeys) -> GearPair:
+def _stage(stage: StageKeys, train: TrainKeys) -> Stage:
+    if isinstance(stage, SpurStage):
+        return _pair(stage, train)
+    return stage.registered.build(stage.keys, stage.bearing_span_mm or train.bearing_span_mm)
+
+
+def _pair(stage: SpurStage, train: TrainKeys) -> GearPair:
     return GearPair(
         driver=_gear(stage.driver, train),
         driven=_gear(stage.driven, train),
@@ -240,6 +249,7 @@ def _gear(gear: GearKeys, train: TrainKeys) -> Gear:
         grade=gear.grade or train.grade,
         overrides=ToleranceOverrides(**overrides),
         thinning=train.thinning if train.E_sn_um is None else train.E_sn_um * _UM,
+        pin_diameter=train.pin_diameter_mm,
     )
 
 

@@ -14,8 +14,8 @@ from cadgen.gears.names import ORDERS
 if TYPE_CHECKING:
     from cadgen.api.files import Written
     from cadgen.api.gears import GearsPlan
-    from cadgen.gears.backlash import TrainPlay
     from cadgen.gears.joints import WholePlay
+    from cadgen.gears.train import TrainPlay
 
 RANKED_SHOWN = 8
 REASONS_SHOWN = 3
@@ -79,20 +79,19 @@ def gears(
 def _return_errors(plan: "GearsPlan") -> None:
     """Print play and return error of every stage and of the train, as made and by the standard alone."""
     from cadgen.cli.show import Output, plain_table
-    from cadgen.meshes.train_checks import exact_play
 
     table = plain_table(f"{plan.design.name}, {plan.order}, ratio {plan.play.train.ratio}")
     table.add_column("return error")
     for column in ("a, mm", "play, µm", "as cut", "least", "mean", "greatest"):
         table.add_column(column, justify="right")
-    for number, (pair, stage) in enumerate(zip(plan.layout.train.stages, plan.play.stages, strict=True), 1):
-        play = stage.j_bnmin * 1e3, stage.j_bnmax * 1e3
+    for number, (stage, play) in enumerate(zip(plan.layout.train.stages, plan.play.stages, strict=True), 1):
+        arc = stage.driven_pitch_radius * 1e3
         table.add_row(
-            f"stage {number}, {pair.driver.form.teeth}/{pair.driven.form.teeth}",
-            f"{pair.centre_distance:g}",
-            f"{play[0]:.1f}{' to ' if play[0] < 0 else '-'}{play[1]:.1f}",
-            f"{exact_play(pair) * pair.driven_pitch_radius * 1e3:.1f}",
-            *_angles(stage.B_min, (stage.B_min + stage.B_max) / 2, stage.B_max),
+            f"stage {number}, {stage.label}",
+            f"{stage.centre_distance:g}",
+            f"{play.B_min * arc:.1f}{' to ' if play.B_min < 0 else '-'}{play.B_max * arc:.1f}",
+            f"{stage.free_angle() * arc:.1f}",
+            *_angles(play.B_min, (play.B_min + play.B_max) / 2, play.B_max),
         )
     rows: list[tuple[str, TrainPlay | WholePlay]] = [("train", plan.play)]
     if plan.departures and plan.standard:
@@ -130,7 +129,7 @@ def _ranking(ranked: "Sequence[TrainPlay]", baseline: "TrainPlay") -> None:
     if len(ranked) < 2:
         return
     from cadgen.cli.show import Output, plain_table
-    from cadgen.gears.backlash import teeth_of
+    from cadgen.gears.train import teeth_of
 
     table = plain_table("\ntrains, best first")
     table.add_column("teeth, from the drive")
@@ -140,8 +139,8 @@ def _ranking(ranked: "Sequence[TrainPlay]", baseline: "TrainPlay") -> None:
         angles = [degrees(play.return_error_min), degrees(play.return_error_max)]
         change = 100 * (play.return_error_max / baseline.return_error_max - 1)
         pairs = play.train.stages
-        modules = _each([f"{pair.driver.form.normal_module:g}" for pair in pairs])
-        widths = _each([_each([f"{gear.form.width:g}" for gear in (pair.driver, pair.driven)], "/") for pair in pairs])
+        modules = _each(["-" if pair.module is None else f"{pair.module:g}" for pair in pairs])
+        widths = _each([_each([f"{wheel.width:g}" for wheel in pair.wheels], "/") for pair in pairs])
         table.add_row(teeth_of(play), modules, widths, *(f"{angle:.3f}°" for angle in angles), f"{change:+.2f} %")
     console = Output()
     console.print(table)
@@ -156,7 +155,7 @@ def _each(values: list[str], between: str = " ") -> str:
 def _choice(plan: "GearsPlan") -> None:
     """Print which train is made, why not those before it, and what the searched trains lack."""
     from cadgen.cli.show import Output
-    from cadgen.gears.backlash import teeth_of
+    from cadgen.gears.train import teeth_of
 
     console = Output()
     reasons: dict[str, list[str]] = {}
@@ -186,9 +185,12 @@ def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
     for name, facts in written.entry["files"].items():
         if "play_error_um" in facts:
             errors = facts["play_error_um"]
-            reading = f"play off by {max(map(abs, errors)):.3f} µm" if errors else "no play to measure: see the checks"
+            off = [abs(error) for error in errors or () if error is not None]
+            reading = f"play off by {max(off):.3f} µm" if off else "no play to measure: see the checks"
         elif "flank_error_um" in facts:
             reading = f"flank {facts['flank_error_um']:.5f} root {facts['root_error_um']:.4f} µm"
+        elif "rim_error_um" in facts:
+            reading = f"rim {facts['rim_error_um']:.5f} µm"
         elif "triangles" in facts:
             reading = f"watertight, {facts['triangles']} triangles"
         else:

@@ -9,8 +9,10 @@
 | `play`      | sections of play, tolerances and what is asked of the profile            |
 | `mechanics` | section of what turns the cam ahead of its gears, and what holds it      |
 | `as_built`  | sections of the car as it was built                                      |
+| `stage`     | sections of a stage of the train, with the keys of its kind              |
 | `train`     | sections of the gear train                                               |
 | `parse`     | TOML text as plain values                                                |
+| `kinds`     | the registered kinds that a design names                                 |
 | `schema`    | all other sections; ranges, defaults, how keys must fit each other       |
 | `keys`      | the schema as a list of keys, their units and ranges in words            |
 | `explain`   | what is wrong with a design, as sentences                                |

@@ -5,20 +5,16 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cadgen.cam.followers.kind import FollowerKind
-from cadgen.cam.followers.rod_kind import ROD
 from cadgen.design.keys import dotted, elsewhere, is_unit_slip, keys, last, nearest, shown, tables
+from cadgen.design.kinds import USUAL, Kinds, NamedKinds, Place
 from cadgen.design.section import HERE, listed
 from cadgen.errors import brief
-
-# A key's parts from the top, items of lists counted from 0.
-Place = tuple[str | int, ...]
 
 _WRONG_TYPE = {"float_type", "int_type", "int_from_float", "string_type", "tuple_type", "missing", "too_long"}
 _MOST_COMPARED = 100  # unknown keys with the known ones: nobody mistypes more
 
 
-def explain(error: ValidationError, most: int, follower: FollowerKind = ROD) -> tuple[list[tuple[Place, str]], int]:
+def explain(error: ValidationError, most: int, named: NamedKinds) -> tuple[list[tuple[Place, str]], int]:
     """Return the places of the first errors, with one sentence about each, and how many more there are.
 
     Unknown keys come first. What only follows from another error is left out: a required key that stands there under
@@ -29,9 +25,9 @@ def explain(error: ValidationError, most: int, follower: FollowerKind = ROD) -> 
     unknown = [item["loc"] for item in errors if item["type"] == "extra_forbidden"]
     holders = {item["loc"][:-1] for item in errors}
     inside = {place[:depth] for place in holders for depth in range(len(place) + 1)}
-    meant = {nearest(section(place[:-1]), str(place[-1]), follower) for place in unknown[:_MOST_COMPARED]}
+    meant = {nearest(section(place[:-1]), str(place[-1]), named.at(place)) for place in unknown[:_MOST_COMPARED]}
     missing = [item["loc"] for item in errors if item["type"] == "missing" and len(item["loc"]) == 1]
-    absent = [place for place in missing if section(place) in tables(follower) and section(place) not in meant]
+    absent = [place for place in missing if section(place) in tables(named.at(place)) and section(place) not in meant]
     if len(absent) < 2:
         absent = []
     rest = [
@@ -42,13 +38,13 @@ def explain(error: ValidationError, most: int, follower: FollowerKind = ROD) -> 
         and not (item["type"] == "missing" and dotted(*item["loc"]) in meant)
         and not (item["type"] == "too_short" and item["loc"] in inside)
     ]
-    sentences = [(place, unknown_key(place, follower)) for place in unknown[:most]]
+    sentences = [(place, unknown_key(place, named.at(place))) for place in unknown[:most]]
     if absent:
-        headings = listed([tables(follower)[section(place)].heading for place in absent], "and")
+        headings = listed([tables(named.at(place))[section(place)].heading for place in absent], "and")
         text = f"the sections {headings} are missing: add them (`cadgen gears` needs [train] alone)"
         sentences.append((absent[0], text))
     sentences += [
-        (item["loc"], _sentence(item["type"], item["loc"], item["input"], item.get("ctx", {}), follower))
+        (item["loc"], _sentence(item["type"], item["loc"], item["input"], item.get("ctx", {}), named.at(item["loc"])))
         for item in rest[: max(most - len(sentences), 0)]
     ]
     return sentences[:most], len(unknown) + bool(absent) + len(rest) - len(sentences[:most])
@@ -59,17 +55,17 @@ def section(place: Place) -> str:
     return dotted(*(part for part in place if isinstance(part, str)))
 
 
-def unknown_key(place: Place, follower: FollowerKind = ROD) -> str:
+def unknown_key(place: Place, kinds: Kinds = USUAL) -> str:
     """Say that there is no such key, which one was most likely meant, and what its section takes."""
     parent, wrong = section(place[:-1]), str(place[-1])
-    right = nearest(parent, wrong, follower)
+    right = nearest(parent, wrong, kinds)
     name = dotted(spoken(place[:-1]), brief(wrong) or '""')
     if right and is_unit_slip(wrong, right):
-        return f"{name} is not a key: write {right}, in {keys(follower)[right].unit}"
-    meant = [right] if right else elsewhere(parent, wrong, follower)
+        return f"{name} is not a key: write {right}, in {keys(kinds)[right].unit}"
+    meant = [right] if right else elsewhere(parent, wrong, kinds)
     hint = f"did you mean {listed(meant, 'or')}? " if meant else ""
     where = f"[{parent}]" if parent else "a design"
-    return f"{name} is not a key: {hint}{where} takes {listed(tables(follower)[parent].names, 'and')}"
+    return f"{name} is not a key: {hint}{where} takes {listed(tables(kinds)[parent].names, 'and')}"
 
 
 def spoken(place: Place) -> str:
@@ -90,7 +86,7 @@ def _of_item(place: Place) -> str:
     return f" in {spoken(place[: numbers[-1] + 1])}" if numbers else ""
 
 
-def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], follower: FollowerKind) -> str:
+def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], kinds: Kinds) -> str:
     if kind == "value_error":
         return str(context["error"]).replace(HERE, spoken(place))
     if kind == "missing" and isinstance(place[-1], int):  # of a pair, whose value pydantic gives
@@ -98,8 +94,8 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], f
     name, path = spoken(place), section(place)
     if kind == "too_long" and context["max_length"] > 2:  # a list, and not a pair
         return f"{name} has {len(value)} items; it can have at most {context['max_length']}: remove some"
-    if path in tables(follower):
-        table = tables(follower)[path]
+    if path in tables(kinds):
+        table = tables(kinds)[path]
         heading = table.heading
         needs = listed([last(key.name) for key in table.keys if key.required], "and")
         if kind == "missing":
@@ -107,7 +103,7 @@ def _sentence(kind: str, place: Place, value: Any, context: Mapping[str, Any], f
         if table.many and not isinstance(place[-1], int):
             return f"{name} is {shown(value)}; it must be sections: write {heading} before the keys of each"
         return f"{name} is {shown(value)}; it must be a section: write {heading} and its keys below it"
-    key = keys(follower)[path]
+    key = keys(kinds)[path]
     depth = depth_in_key(place)
     wanted = f"{key.kinds[depth]} in {key.unit}" if key.unit else key.kinds[depth]
     if kind == "missing" and depth == 0:

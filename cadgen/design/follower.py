@@ -1,16 +1,15 @@
 """The section [follower]: its keys are those of the kind that it names."""
 
 from collections.abc import Callable
-from dataclasses import MISSING, fields
 from functools import cache
-from typing import Annotated, Any, get_type_hints
+from typing import Annotated, Any
 
-from pydantic import Field, create_model
+from pydantic import Field
 
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.followers.table import codes, kind_of
-from cadgen.design.section import OneOf, Section
+from cadgen.design.section import OneOf, Section, keys_in, section_with
 
 
 class Follower(Section):
@@ -28,21 +27,13 @@ class Follower(Section):
     @property
     def keys(self) -> Any:
         """Keys of the file, as the dataclass of the follower's kind."""
-        kind = self.registered
-        return kind.keys(**{item.name: getattr(self, item.name) for item in fields(kind.keys)})
+        return keys_in(self, self.registered.keys)
 
 
 @cache
 def section_of(kind: FollowerKind) -> type[Follower]:
     """The section with the keys of a kind."""
-    hints = get_type_hints(kind.keys, include_extras=True)
-    keys: dict[str, Any] = {}
-    for item in fields(kind.keys):
-        meaning = next(text for text in hints[item.name].__metadata__ if isinstance(text, str))
-        default = ... if item.default is MISSING else item.default
-        keys[item.name] = hints[item.name], Field(default, description=meaning)
-    made: type[Follower] = create_model("Follower", __base__=Follower, __doc__=kind.meaning, **keys)
-    return made
+    return section_with(Follower, kind.meaning, kind.keys)
 
 
 def named_kind(values: object) -> FollowerKind:

@@ -11,11 +11,11 @@ from typing import Annotated, Any, Literal, get_args, get_origin
 from annotated_types import Ge, Gt, Le, Lt, MinLen
 from pydantic.fields import FieldInfo
 
-from cadgen.cam.followers.kind import FollowerKind
-from cadgen.cam.followers.rod_kind import ROD
 from cadgen.design.follower import Follower, section_of
+from cadgen.design.kinds import USUAL, Kinds
 from cadgen.design.schema import DesignFile
 from cadgen.design.section import OneOf, Section, listed
+from cadgen.design.stage import Stage, stage_section
 from cadgen.errors import escaped
 
 # How the ends of key names read in a sentence.
@@ -95,36 +95,36 @@ class Table:
 
 
 @cache
-def tables(follower: FollowerKind = ROD) -> dict[str, Table]:
-    """Every section of a design with some kind of follower by its dotted name, from the top down."""
-    return {table.name: table for table in _walk("", DesignFile, follower, required=True, many=False)}
+def tables(kinds: Kinds = USUAL) -> dict[str, Table]:
+    """Every section of a design with some kinds of follower and stage by its dotted name, from the top down."""
+    return {table.name: table for table in _walk("", DesignFile, kinds, required=True, many=False)}
 
 
 @cache
-def keys(follower: FollowerKind = ROD) -> dict[str, Key]:
-    """Every key of a design with some kind of follower by its dotted name."""
-    return {key.name: key for table in tables(follower).values() for key in table.keys}
+def keys(kinds: Kinds = USUAL) -> dict[str, Key]:
+    """Every key of a design with some kinds of follower and stage by its dotted name."""
+    return {key.name: key for table in tables(kinds).values() for key in table.keys}
 
 
-def nearest(parent: str, wrong: str, follower: FollowerKind = ROD) -> str | None:
+def nearest(parent: str, wrong: str, kinds: Kinds = USUAL) -> str | None:
     """Dotted name of the key or section, in the same section, that an unknown one was most likely meant for."""
-    names = tables(follower)[parent].names
+    names = tables(kinds)[parent].names
     stem = _stem(wrong)
     near = [name for name in names if _stem(name) == stem] or get_close_matches(wrong.lower(), names, 1)
     return dotted(parent, near[0]) if near else None
 
 
-def elsewhere(parent: str, wrong: str, follower: FollowerKind = ROD) -> list[str]:
+def elsewhere(parent: str, wrong: str, kinds: Kinds = USUAL) -> list[str]:
     """Dotted names of keys and sections of exactly this name in other sections, where they can be meant.
 
     With its section left out, a key may be that of any section of the first rank. In a wrong section it is meant for
     another only if no third has it: the width of a car is not that of a keyway.
     """
-    holders = [table.name for table in tables(follower).values() if table.name and wrong in table.names]
+    holders = [table.name for table in tables(kinds).values() if table.name and wrong in table.names]
     first = [dotted(holder, wrong) for holder in holders if "." not in holder]
     if not parent:
         return first
-    sole = len(first) == 1 and (len(holders) == 1 or first[0] in tables(follower))
+    sole = len(first) == 1 and (len(holders) == 1 or first[0] in tables(kinds))
     return first if sole else []
 
 
@@ -158,12 +158,14 @@ def _stem(name: str) -> str:
     return _UNIT_ENDING.sub("", name).lower()
 
 
-def _walk(name: str, section: type[Section], follower: FollowerKind, *, required: bool, many: bool) -> Iterator[Table]:
+def _walk(name: str, section: type[Section], kinds: Kinds, *, required: bool, many: bool) -> Iterator[Table]:
     own, below = [], []
     for part, info in section.model_fields.items():
         inner = _section_in(info.annotation)
         if inner is Follower:
-            inner = section_of(follower)
+            inner = section_of(kinds.follower)
+        elif inner is Stage:
+            inner = stage_section(kinds.stage)
         if inner:
             below.append((part, inner, info.is_required(), get_origin(info.annotation) is tuple))
         else:
@@ -171,7 +173,7 @@ def _walk(name: str, section: type[Section], follower: FollowerKind, *, required
     meaning = " ".join((section.__doc__ or "").split())
     yield Table(name, meaning, required, many, tuple(own), tuple(part for part, *_ in below))
     for part, inner, needed, repeated in below:
-        yield from _walk(dotted(name, part), inner, follower, required=needed, many=repeated)
+        yield from _walk(dotted(name, part), inner, kinds, required=needed, many=repeated)
 
 
 def _section_in(annotation: Any) -> type[Section] | None:

@@ -8,9 +8,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cadgen.cam.followers.kind import FollowerKind
-from cadgen.design.explain import Place, explain
-from cadgen.design.follower import named_kind
+from cadgen.design.explain import explain
+from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.names import usable_name
 from cadgen.design.override import override, quoted
 from cadgen.design.parse import DeepError, parse
@@ -90,7 +89,7 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overr
     try:
         checked = schema.model_validate(values)
     except ValidationError as error:
-        raise DesignError(_report(error, source, applied, named_kind(values))) from None
+        raise DesignError(_report(error, source, applied, NamedKinds.of(values))) from None
     return {**dict(checked), "source": source}
 
 
@@ -167,9 +166,9 @@ def _syntax(problem: str, file: str, text: str) -> str:
     return f"{where}: not TOML ({brief(match[1][:1].lower() + match[1][1:])}): correct `{quoted_line}`"
 
 
-def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]], follower: FollowerKind) -> str:
+def _report(error: ValidationError, source: str, applied: Sequence[tuple[Place, str]], named: NamedKinds) -> str:
     """One line for each error, after the file or the override that it comes from."""
-    sentences, more = explain(error, MAX_ERRORS_SHOWN, follower)
+    sentences, more = explain(error, MAX_ERRORS_SHOWN, named)
     lines = [f"{_blame(place, source, applied)}: {sentence}" for place, sentence in sentences]
     return "\n".join([*lines, *([f"and {more} more like these"] if more else [])])
 

@@ -3,10 +3,9 @@
 from itertools import pairwise
 from typing import Any
 
-from cadgen.cam.followers.kind import FollowerKind
-from cadgen.design.explain import Place, depth_in_key, section, spoken, unknown_key
-from cadgen.design.follower import named_kind
+from cadgen.design.explain import depth_in_key, section, spoken, unknown_key
 from cadgen.design.keys import keys, shown, tables
+from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.parse import parse
 from cadgen.errors import DesignError, brief, escaped
 
@@ -28,7 +27,7 @@ def override(values: dict[str, Any], text: str) -> Place:
     if not equals or not all(name.split(".")):
         raise DesignError(f"{quoted(text)}: write it as key=value, such as --set cam.thickness_mm=3.2")
     try:
-        place = _place(name, named_kind(values))
+        place = _place(name, NamedKinds.of(values))
         _apply(values, place, written)
     except DesignError as error:
         raise DesignError(f"{quoted(text)}: {error}") from None
@@ -41,11 +40,11 @@ def quoted(text: str) -> str:
     return line if len(line) <= _LONGEST_QUOTED else line[: _LONGEST_QUOTED - 3] + "..."
 
 
-def _place(name: str, follower: FollowerKind) -> Place:
+def _place(name: str, named: NamedKinds) -> Place:
     """Find a dotted name in the schema; after a key of lists its numbers count items."""
     place: Place = ()
     for part in name.split("."):
-        key, table = keys(follower).get(section(place)), tables(follower).get(section(place))
+        key, table = keys(named.at(place)).get(section(place)), tables(named.at(place)).get(section(place))
         if table and table.many and isinstance(place[-1], str):
             if not (part.isdecimal() and len(part) <= _MOST_DIGITS):
                 raise DesignError(
@@ -54,8 +53,8 @@ def _place(name: str, follower: FollowerKind) -> Place:
             place = (*place, int(part) - 1)
         elif key is None:
             place = (*place, part)
-            if section(place) not in keys(follower) and section(place) not in tables(follower):
-                raise DesignError(unknown_key(place, follower))
+            if section(place) not in keys(named.at(place)) and section(place) not in tables(named.at(place)):
+                raise DesignError(unknown_key(place, named.at(place)))
         elif part.isdecimal() and len(part) <= _MOST_DIGITS and depth_in_key(place) < len(key.kinds) - 1:
             place = (*place, int(part) - 1)
         else:

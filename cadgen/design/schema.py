@@ -19,7 +19,7 @@ from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
-from cadgen.design.train import Train
+from cadgen.design.train import Train, train_by_stages
 from cadgen.path.names import SplineKind
 
 THINNEST_DISC_MM = 0.1
@@ -232,7 +232,7 @@ class TrainFile(Section):
     machining: Machining = Machining()
     checks: Checks = Checks()
     export: Export = Export()
-    train: Train | None = None
+    train: SerializeAsAny[Train] | None = None
     play: Play | None = None
     mechanics: Mechanics | None = None
     tolerances: Tolerances = Tolerances()
@@ -243,6 +243,11 @@ class TrainFile(Section):
     @classmethod
     def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Follower | None:
         return by_kind(value, usual)
+
+    @field_validator("train", mode="wrap")
+    @classmethod
+    def _train_by_its_stages(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Train | None:
+        return train_by_stages(value, usual)
 
     @field_validator("name")
     @classmethod

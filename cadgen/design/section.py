@@ -2,11 +2,11 @@
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Annotated, Any
+from dataclasses import MISSING, dataclass, fields
+from typing import Annotated, Any, TypeVar, get_type_hints
 
 from annotated_types import Ge, Le
-from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, Strict
+from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, Strict, create_model
 from pydantic_core import CoreSchema, core_schema
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
@@ -53,3 +53,29 @@ class OneOf:
         if code not in self.codes():
             raise ValueError(f"{HERE} is {json.dumps(code[:80])}; it must be {self.allowed}")
         return code
+
+
+S = TypeVar("S", bound=Section)
+
+
+def section_with(base: type[S], meaning: str, keys: type[Any]) -> type[S]:
+    """Section that has the keys of a registered kind besides those of its base.
+
+    Args:
+        base: section with the keys that all kinds have.
+        meaning: docstring of the section, for the reference.
+        keys: dataclass of the kind's keys, each `Annotated` with limits and a phrase.
+    """
+    hints = get_type_hints(keys, include_extras=True)
+    more: dict[str, Any] = {}
+    for item in fields(keys):
+        phrase = next(text for text in hints[item.name].__metadata__ if isinstance(text, str))
+        default = ... if item.default is MISSING else item.default
+        more[item.name] = hints[item.name], Field(default, description=phrase)
+    made: type[S] = create_model(base.__name__, __base__=base, __doc__=meaning, **more)
+    return made
+
+
+def keys_in(section: Section, keys: type[Any]) -> Any:
+    """Values of a section as the dataclass of its kind's keys."""
+    return keys(**{item.name: getattr(section, item.name) for item in fields(keys)})

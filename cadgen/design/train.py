@@ -3,13 +3,15 @@
 What a gear or a stage does not say, the train says for all of them.
 """
 
+from collections.abc import Callable
 from typing import Annotated
 
 from annotated_types import Gt, Le
-from pydantic import Field, Strict
+from pydantic import Field, Strict, create_model
 
 from cadgen.design.joint import Held
 from cadgen.design.section import Section
+from cadgen.design.stage import StageItem, stage_kinds
 from cadgen.gears.names import Thinning
 
 # All orders of so many stages, 5040, are compared within a second; ten would take an hour.
@@ -17,44 +19,6 @@ MOST_STAGES = 7
 MOST_SIZES = 100  # modules or widths to choose from
 
 Lengths = Annotated[tuple[Annotated[float, Gt(0), Le(500)], ...], Strict(False)]
-
-
-class GearKeys(Section):
-    """One gear of a stage. Tolerances given here stand in for those of the standards."""
-
-    teeth: int = Field(ge=4, le=1000, description="z")
-    profile_shift: float = Field(default=0.0, ge=-2, le=2, description="x, in modules")
-    module_mm: float | None = Field(default=None, gt=0, le=10, description="m_n; left out, that of the train")
-    pressure_angle_deg: float | None = Field(
-        default=None, ge=10, le=35, description="alpha_n; left out, that of the train"
-    )
-    width_mm: float | None = Field(default=None, gt=0, le=500, description="b; left out, that of the train")
-    grade: int | None = Field(default=None, ge=3, le=12, description="tolerance grade; left out, that of the train")
-    f_pt_um: float | None = Field(default=None, ge=0, le=1e4, description="single pitch deviation")
-    F_beta_um: float | None = Field(default=None, ge=0, le=1e4, description="total helix deviation")
-    F_r_um: float | None = Field(default=None, ge=0, le=1e4, description="radial runout")
-    b_r_um: float | None = Field(default=None, ge=0, le=1e4, description="radial feed when cutting the teeth")
-    F_i_radial_um: float | None = Field(
-        default=None, ge=0, le=1e4, description="F_i'', total radial composite deviation"
-    )
-
-
-class Stage(Section):
-    """One stage, the first one next to the drive. One table [[train.stages]] for each."""
-
-    centre_distance_mm: float = Field(gt=0, le=2000, description="a")
-    bearing_span_mm: float | None = Field(default=None, gt=0, le=5000, description="l; left out, that of the train")
-    f_a_um: float | None = Field(
-        default=None, ge=0, le=1e4, description="deviation of the centre distance; left out, the standard's"
-    )
-    direction_deg: float | None = Field(
-        default=None,
-        ge=-360,
-        le=360,
-        description="of the line from the driver's axis to the driven gear's; left out, one is found that clears",
-    )
-    driver: GearKeys
-    driven: GearKeys
 
 
 class GearKeyway(Section):
@@ -189,10 +153,31 @@ class Train(Section):
     clearance_mm: float = Field(
         default=0.3, gt=0, le=100, description="least gap between bodies on different shafts, teeth in mesh apart"
     )
-    stages: Annotated[tuple[Stage, ...], Strict(False)] = Field(
+    stages: Annotated[tuple[StageItem, ...], Strict(False)] = Field(
         min_length=1, max_length=MOST_STAGES, description=f"at least one, and at most {MOST_STAGES}"
     )
     drive: Blank = Blank()
     intermediate: Blank = Blank()
     output: Blank = Blank()
     search: Search = Search()
+
+
+# A train without spur gears needs neither module nor width.
+_TOOTHLESS: type[Train] = create_model(
+    "Train",
+    __base__=Train,
+    __doc__=Train.__doc__,
+    module_mm=(float | None, Field(default=None, gt=0, le=10)),
+    width_mm=(float | None, Field(default=None, gt=0, le=500)),
+)
+
+
+def train_by_stages(value: object, usual: Callable[[object], Train | None]) -> Train | None:
+    """Check a section by the kinds of its stages.
+
+    Args:
+        value: values as the file has them.
+        usual: check of a train with spur gears.
+    """
+    kinds = stage_kinds({"train": value})
+    return _TOOTHLESS.model_validate(value) if kinds and None not in kinds else usual(value)

@@ -1,9 +1,9 @@
-"""From tolerances to play: eq. 1-13 of the paper for a stage, eq. 25-26 for a train, with least values too.
+"""From tolerances to play: eq. 1-13 of the paper for a stage of spur gears, with least values too.
 
 The symbols are the paper's. Its lengths called "normal backlash" (j_bn1, j_bn2, j_bn3) are arcs of the pitch
 circle: widening the axes by Δa opens 2 Δa tan α there, and thinning a tooth by E opens E. Only along the
 line of action are they shorter, by cos α. With the paper's α_t = 0, eq. 12 leaves them as they are, and
-eq. 13 is right; with α_t = α it would count cos α twice. `GearPair.normal_backlash` is the true one.
+eq. 13 is right; with α_t = α it would count cos α twice. `Pair.normal_backlash` is the true one.
 
 For profile-shifted pairs the arcs on the reference circles are carried over to the working pitch circles, a
 factor cos α / cos α_w, and axes further apart than the teeth need add the nominal play j_bn0. For unshifted
@@ -29,6 +29,8 @@ import numpy as np
 from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.names import Law, Thinning
+from cadgen.gears.pair import Gear, Pair
+from cadgen.gears.stage import Departure
 from cadgen.gears.tolerances import (
     GearTolerances,
     T,
@@ -36,7 +38,6 @@ from cadgen.gears.tolerances import (
     gear_tolerance,
     gear_tolerances,
 )
-from cadgen.gears.train import Gear, GearPair, Train
 
 # The paper's "end face angle" of eq. 3 and 12, and the base helix angle of spur gears (see above).
 ALPHA_T = 0.0
@@ -99,50 +100,18 @@ class StagePlay(Generic[T]):
     B_max: T
     B_min: T
 
+    def distribution(self: StagePlay[float], law: Law = "normal") -> ZoneSum:
+        """Distribution of the play on the pitch circle, in mm.
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Departure:
-    """An overridden tolerance: `used` in place of `standard`, in mm (None: no standard covers the size)."""
-
-    where: str
-    symbol: str
-    used: float
-    standard: float | None
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TrainPlay:
-    """A train with its stages' play, and its return error B_Σ at the output in rad (eq. 25)."""
-
-    train: Train
-    stages: tuple[StagePlay[float], ...]
-
-    @property
-    def return_error_max(self) -> float:
-        """Greatest B_Σ in rad: every stage at its B_max."""
-        return sum(stage.B_max / i for stage, i in self._at_output())
-
-    @property
-    def return_error_min(self) -> float:
-        """Least B_Σ in rad: every stage at its B_min."""
-        return sum(stage.B_min / i for stage, i in self._at_output())
-
-    def return_error_distribution(self, law: Law = "normal") -> ZoneSum:
-        """Distribution of B_Σ in rad: every contribution of every stage free in its own zone."""
-        parts = [
-            play_distribution(stage, law).scaled(1 / (pair.driven_pitch_radius * i))
-            for pair, (stage, i) in zip(self.train.stages, self._at_output(), strict=True)
-        ]
-        return ZoneSum(
-            names=tuple(f"stage {j}: {name}" for j, part in enumerate(parts, 1) for name in part.names),
-            low=np.concatenate([part.low for part in parts]),
-            high=np.concatenate([part.high for part in parts]),
-            law=law,
-        )
-
-    def _at_output(self) -> list[tuple[StagePlay[float], float]]:
-        """Each stage with its i_jn."""
-        return [(stage, float(i)) for stage, i in zip(self.stages, self.train.output_ratios, strict=True)]
+        Five independent contributions: the centre distance within ± f_a about a, each gear's thickness from E_sns
+        to E_sni, each gear's composite error from 0 to F_i''.
+        """
+        gears = (self.driver, self.driven)
+        thickness: list[tuple[float, float]] = [(gear.thickness_min, gear.thickness_max) for gear in gears]
+        composite: list[tuple[float, float]] = [(0.0, gear.composite_max) for gear in gears]
+        axes = (self.j_bn0 - self.j_bn1, self.j_bn0 + self.j_bn1)
+        low, high = np.array([axes, *thickness, *composite]).T
+        return ZoneSum(names=CONTRIBUTIONS, low=low, high=high, law=law)
 
 
 def play_equations(
@@ -219,7 +188,7 @@ def play_equations(
     )
 
 
-def stage_play(pair: GearPair) -> StagePlay[float]:
+def stage_play(pair: Pair) -> StagePlay[float]:
     """Play and return error of one stage, by the standards' tolerances or their overrides.
 
     f_a follows the coarser of both grades. Raises `DesignError` for a size that the standards do not cover.
@@ -240,50 +209,19 @@ def stage_play(pair: GearPair) -> StagePlay[float]:
     )
 
 
-def train_play(train: Train) -> TrainPlay:
-    """Play of every stage of a train; a `DesignError` names the stage it comes from."""
-    stages = []
-    for number, pair in enumerate(train.stages, 1):
-        try:
-            stages.append(stage_play(pair))
-        except DesignError as error:
-            raise DesignError(f"in stage {number}, {error}") from error
-    return TrainPlay(train=train, stages=tuple(stages))
-
-
-def teeth_of(play: TrainPlay) -> str:
-    """The stages of a train as driver/driven teeth, from the drive on."""
-    return " ".join(f"{pair.driver.form.teeth}/{pair.driven.form.teeth}" for pair in play.train.stages)
-
-
-def play_distribution(stage: StagePlay[float], law: Law = "normal") -> ZoneSum:
-    """Distribution of a stage's play on the pitch circle, in mm.
-
-    Five independent contributions: the centre distance within ± f_a about a, each gear's thickness from E_sns
-    to E_sni, each gear's composite error from 0 to F_i''.
-    """
-    gears = (stage.driver, stage.driven)
-    thickness = [(gear.thickness_min, gear.thickness_max) for gear in gears]
-    composite = [(0.0, gear.composite_max) for gear in gears]
-    axes = (stage.j_bn0 - stage.j_bn1, stage.j_bn0 + stage.j_bn1)
-    low, high = np.array([axes, *thickness, *composite]).T
-    return ZoneSum(names=CONTRIBUTIONS, low=low, high=high, law=law)
-
-
-def departures(train: Train) -> tuple[Departure, ...]:
-    """Every override of the train beside the standard's value."""
+def pair_departures(pair: Pair, number: int) -> tuple[Departure, ...]:
+    """Every override of a pair, stage `number` of its train, beside the standard's value."""
     found = []
-    for number, pair in enumerate(train.stages, 1):
-        for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
-            sizes = (gear.form.reference_diameter, gear.form.normal_module, gear.form.width, gear.grade)
-            where = f"stage {number}, {role} of {gear.form.teeth} teeth"
-            for symbol, used in gear.overrides.given().items():
-                standard = _standard(gear_tolerance, symbol, *sizes)
-                found.append(Departure(where=where, symbol=symbol, used=used, standard=standard))
-        if pair.centre_distance_deviation is not None:
-            standard = _standard(centre_distance_deviation, pair.centre_distance, _pair_grade(pair))
-            used = pair.centre_distance_deviation
-            found.append(Departure(where=f"stage {number}", symbol="f_a", used=used, standard=standard))
+    for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
+        sizes = (gear.form.reference_diameter, gear.form.normal_module, gear.form.width, gear.grade)
+        where = f"stage {number}, {role} of {gear.form.teeth} teeth"
+        for symbol, used in gear.overrides.given().items():
+            standard = _standard(gear_tolerance, symbol, *sizes)
+            found.append(Departure(where=where, symbol=symbol, used=used, standard=standard))
+    if pair.centre_distance_deviation is not None:
+        standard = _standard(centre_distance_deviation, pair.centre_distance, _pair_grade(pair))
+        used = pair.centre_distance_deviation
+        found.append(Departure(where=f"stage {number}", symbol="f_a", used=used, standard=standard))
     return tuple(found)
 
 
@@ -308,11 +246,11 @@ def _tolerances(gear: Gear) -> GearTolerances[float]:
     return gear_tolerances(form.reference_diameter, form.normal_module, form.width, gear.grade, gear.overrides)
 
 
-def _f_a(pair: GearPair) -> float:
+def _f_a(pair: Pair) -> float:
     if pair.centre_distance_deviation is not None:
         return pair.centre_distance_deviation
     return float(centre_distance_deviation(pair.centre_distance, _pair_grade(pair)))
 
 
-def _pair_grade(pair: GearPair) -> int:
+def _pair_grade(pair: Pair) -> int:
     return max(pair.driver.grade, pair.driven.grade)

@@ -1,4 +1,4 @@
-"""A gear's body from its teeth and its blank: bore, keyway, hub, web, lightening holes, and the walls they leave."""
+"""A wheel's body from its teeth and its blank: bore, keyway, hub, web, lightening holes, and the walls they leave."""
 
 from __future__ import annotations
 
@@ -6,26 +6,24 @@ from dataclasses import replace
 from math import asin, degrees, floor, hypot, isfinite, pi
 
 from cadgen.errors import DesignError
-from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.gears.stage import Wheel
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
 from cadgen.parts.features import DFlat, Hub, Keyway
 from cadgen.parts.loop import Loop, circle, loop_of
 
-# Least rim under the root in tooth heights: ISO 6336-3 gives no rim factor for a thinner one.
-LEAST_RIM = 0.5
 # Least wall elsewhere in mm: thinner ones bend under the cutter.
 LEAST_WALL = 0.4
 
 
-def gear_body(form: GearForm, blank: Blank | None = None) -> Body:
+def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
     """The body of one gear between the heights 0 and `form.width`, its hub above.
 
-    Without `blank` it is a plain disc. Raises `DesignError` for a tooth that cannot be cut (`tooth_of`) and for
+    Without `blank` it is a plain disc. Raises `DesignError` for a tooth that cannot be cut and for
     features that cut into each other, into the teeth, or leave too thin a wall.
     """
     blank = blank or Blank()
-    teeth = tooth_of(form).outline
+    teeth = form.outline
     holes = _checked_features(blank, form)
     bore = _bore(blank)
     hub = (circle(blank.hub.diameter),) if blank.hub else ()
@@ -45,7 +43,7 @@ def gear_body(form: GearForm, blank: Blank | None = None) -> Body:
     return Body(tuple(slabs), RadialHole(screw.diameter, width + screw.height, reach=blank.hub.diameter))
 
 
-def _checked_features(blank: Blank, form: GearForm) -> tuple[Loop, ...]:
+def _checked_features(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
     """The lightening holes of a gear, after the checks of all its features."""
     _check_kinds(blank, form)
     _check_bore(blank, form)
@@ -54,7 +52,7 @@ def _checked_features(blank: Blank, form: GearForm) -> tuple[Loop, ...]:
     return _lightening_holes(blank, form)
 
 
-def with_collar(blank: Blank, lower: GearForm, upper: GearForm, length: float, clearance: float = 0.0) -> Blank:
+def with_collar(blank: Blank, lower: Wheel, upper: Wheel, length: float, clearance: float = 0.0) -> Blank:
     """The blank of two gears on one shaft with a collar of `length` (mm) between them, if it has no hub of its own.
 
     The collar stays under the roots of both gears by `clearance` (mm), to a tenth of a millimetre, so that the gears in
@@ -73,7 +71,7 @@ def with_collar(blank: Blank, lower: GearForm, upper: GearForm, length: float, c
     return replace(blank, hub=Hub(diameter=max(floor(room * 10) / 10, least), length=length))
 
 
-def cluster_body(lower: GearForm, upper: GearForm, blank: Blank | None = None, turn: float = 0.0) -> Body:
+def cluster_body(lower: Wheel, upper: Wheel, blank: Blank | None = None, turn: float = 0.0) -> Body:
     """Two gears on one shaft as one body: `lower` made from `blank`, its hub as a collar, and `upper` on top.
 
     `turn` (rad) turns `upper` against `lower`. Raises `DesignError` as `gear_body` does, and where `upper`
@@ -90,11 +88,11 @@ def cluster_body(lower: GearForm, upper: GearForm, blank: Blank | None = None, t
             " put a collar (a hub with a length) between them",
         )
     top = body.slabs[-1].end
-    teeth = tooth_of(upper).outline.rotated(turn)
+    teeth = upper.outline.rotated(turn)
     return Body((*body.slabs, Slab(top, top + upper.width, (teeth, *_bore(blank)))), body.radial_hole)
 
 
-def fits(form: GearForm, blank: Blank, *, upper: bool | None = None) -> bool:
+def fits(form: Wheel, blank: Blank, *, upper: bool | None = None) -> bool:
     """Whether a gear, as cut, has room for this blank: alone, or as the `upper` or lower of two on a shaft.
 
     Its teeth are not looked at.
@@ -119,7 +117,7 @@ def _require(holds: bool, message: str) -> None:
         raise DesignError(message)
 
 
-def _require_positive(form: GearForm, **lengths: float) -> None:
+def _require_positive(form: Wheel, **lengths: float) -> None:
     for name, value in lengths.items():
         _require(
             isfinite(value) and value > 0,
@@ -127,13 +125,9 @@ def _require_positive(form: GearForm, **lengths: float) -> None:
         )
 
 
-def _least_rim(form: GearForm) -> float:
-    return LEAST_RIM * (form.tip_diameter - form.root_diameter) / 2
-
-
-def _rim_diameter(blank: Blank, form: GearForm) -> float:
+def _rim_diameter(blank: Blank, form: Wheel) -> float:
     """Where the rim ends inwards: at the web's recess if there is one, else as deep as the teeth need it."""
-    return form.root_diameter - 2 * (blank.web.rim_thickness if blank.web else _least_rim(form))
+    return form.root_diameter - 2 * (blank.web.rim_thickness if blank.web else form.least_rim)
 
 
 def _reach(blank: Blank) -> float:
@@ -149,7 +143,7 @@ def _least_hub(blank: Blank) -> float:
     return _reach(blank) + 2 * LEAST_WALL
 
 
-def _check_kinds(blank: Blank, form: GearForm) -> None:
+def _check_kinds(blank: Blank, form: Wheel) -> None:
     """Refuse features for a disc alone; keyway and set screw stand at the angle 0, under a tooth."""
     _require(not isinstance(blank.key, DFlat), f"{form} has a D-flat in its bore; give a keyway, or none")
     _require(blank.edge_break == 0, f"{form} has broken edges; give the teeth a tip chamfer instead")
@@ -160,7 +154,7 @@ def _check_kinds(blank: Blank, form: GearForm) -> None:
         _require(angle == 0, f"{form} has its {name} at {degrees(angle):g}°; give 0, which is under a tooth")
 
 
-def _check_bore(blank: Blank, form: GearForm) -> None:
+def _check_bore(blank: Blank, form: Wheel) -> None:
     """The keyway must fit the bore, and both must leave a rim under the root."""
     key, bore = blank.key, blank.bore_diameter
     _require(isfinite(bore) and bore >= 0, f"{form} has a bore of {bore:g} mm; give more than 0, or 0 for none")
@@ -170,7 +164,7 @@ def _check_bore(blank: Blank, form: GearForm) -> None:
             key.width < bore,
             f"{form} has a keyway of {key.width:g} mm width in a bore of {bore:g} mm; give a narrower one",
         )
-    largest = form.root_diameter - 2 * _least_rim(form)
+    largest = form.root_diameter - 2 * form.least_rim
     _require(
         _reach(blank) <= largest,
         f"{form} has a {'keyway' if key and bore <= largest else 'bore'} that reaches to"
@@ -179,7 +173,7 @@ def _check_bore(blank: Blank, form: GearForm) -> None:
     )
 
 
-def _check_upper(blank: Blank, upper: GearForm) -> None:
+def _check_upper(blank: Blank, upper: Wheel) -> None:
     """The upper of two gears needs a rim over the bore, and its teeth clear of the collar."""
     _check_bore(blank, upper)
     if blank.hub and blank.hub.length:
@@ -190,7 +184,7 @@ def _check_upper(blank: Blank, upper: GearForm) -> None:
         )
 
 
-def _check_web(blank: Blank, form: GearForm) -> None:
+def _check_web(blank: Blank, form: Wheel) -> None:
     """A web needs a hub to stand on, a width to be thinner than and a rim that carries the teeth."""
     if not blank.web:
         return
@@ -202,7 +196,7 @@ def _check_web(blank: Blank, form: GearForm) -> None:
         f"{form} has a web of {web.thickness:g} mm in a width of {form.width:g} mm; "
         + _range(LEAST_WALL, thickest, "leave the web out, or give a greater width"),
     )
-    least = _least_rim(form)
+    least = form.least_rim
     most = (form.root_diameter - blank.hub.diameter) / 2 - LEAST_WALL
     narrowest, widest = _reach(blank) + 2 * LEAST_WALL, form.root_diameter - 2 * (least + LEAST_WALL)
     smaller = f", or give a hub of {narrowest:.4g} to {widest:.4g} mm" if narrowest <= widest else ""
@@ -217,7 +211,7 @@ def _range(low: float, high: float, otherwise: str) -> str:
     return f"give {low:.4g} to {high:.4g} mm" if low <= high else otherwise
 
 
-def _check_hub(blank: Blank, form: GearForm) -> None:
+def _check_hub(blank: Blank, form: Wheel) -> None:
     """The hub must hold the bore and the set screw, and stay inside the root."""
     if not blank.hub:
         return
@@ -250,7 +244,7 @@ def _bore(blank: Blank) -> tuple[Loop, ...]:
     return (loop_of(blank.bore()) if blank.key else circle(blank.bore_diameter),)
 
 
-def _lightening_holes(blank: Blank, form: GearForm) -> tuple[Loop, ...]:
+def _lightening_holes(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
     if not blank.lightening:
         return ()
     count, diameter = blank.lightening.count, blank.lightening.hole_diameter

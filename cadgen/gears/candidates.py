@@ -17,9 +17,9 @@ from cadgen.gears.chains import BoolArray, Fit
 from cadgen.gears.contact import LEAST_ROOT_CLEARANCE
 from cadgen.gears.layout import Blanks, collar_length
 from cadgen.gears.limits import SearchLimits
+from cadgen.gears.pair import CENTRE_DISTANCE_ROUNDING
 from cadgen.gears.tolerances import COVERED_DIAMETERS, centre_distance_deviation, gear_tolerances
 from cadgen.gears.tooth import GearForm, involute
-from cadgen.gears.train import CENTRE_DISTANCE_ROUNDING
 from cadgen.gears.undercut import contact_ratios, missing_shifts
 
 # Pairs of gears within the limits that a search takes on: as many take some seconds and some hundred megabytes.

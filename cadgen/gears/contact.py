@@ -14,8 +14,8 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
+from cadgen.gears.pair import Pair
 from cadgen.gears.tooth import GearForm, Tooth, tooth_of
-from cadgen.gears.train import GearPair
 from cadgen.parts.loop import Points
 
 # Least contact ratio: with less than one pair in mesh the motion is passed on in jerks; the rest is for errors.
@@ -30,7 +30,7 @@ POSITIONS, PITCHES = 16001, 4
 TOGETHER = 2e-3
 
 
-def contact_ratio(pair: GearPair, centre_distance: float | None = None) -> float:
+def contact_ratio(pair: Pair, centre_distance: float | None = None) -> float:
     """ε_α of the formula: the part of the line of action on both gears' usable flanks, in base pitches; 0 if none.
 
     At the pair's own centre distance or at another one, in mm.
@@ -47,7 +47,7 @@ def contact_ratio(pair: GearPair, centre_distance: float | None = None) -> float
     return max(end - start, 0.0) / (pi * one.form.transverse_module * cos(one.form.transverse_pressure_angle))
 
 
-def found_contact_ratio(pair: GearPair) -> float:
+def found_contact_ratio(pair: Pair) -> float:
     """Pitches over which one flank of the driver carries, as cut; 0 if the flanks do not meet.
 
     Contact begins when the driver's flank is met near its root, at its own end or at that of the driven gear's

@@ -9,14 +9,13 @@ Each counts at its place: at the camshaft in full, elsewhere divided by the turn
 """
 
 from dataclasses import dataclass
-from math import degrees, tan
+from math import degrees
 
 import numpy as np
 
-from cadgen.gears.backlash import TrainPlay
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.names import Law
-from cadgen.gears.train import Train
+from cadgen.gears.train import Train, TrainPlay
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,10 +47,10 @@ def bearings(train: Train, clearance: float) -> tuple[Loose, ...]:
         Loose(
             name=f"bearings of stage {number}",
             least=0.0,
-            greatest=2 * clearance * tan(pair.working_pressure_angle) / pair.driven_pitch_radius / ratio,
+            greatest=stage.opened(clearance) / ratio,
             cure=f"preload the bearings of stage {number}, which have",
         )
-        for number, (pair, ratio) in enumerate(zip(train.stages, ratios, strict=True), 1)
+        for number, (stage, ratio) in enumerate(zip(train.stages, ratios, strict=True), 1)
     )
 
 

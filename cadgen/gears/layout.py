@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 
 from cadgen.errors import DesignError
 from cadgen.gears.blank import cluster_body, gear_body, with_collar
-from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import GearPair, Train
+from cadgen.gears.stage import Stage, Wheel
+from cadgen.gears.train import Train
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body
 from cadgen.parts.features import Keyway
@@ -58,13 +58,13 @@ class Blanks:
 class TrainPart:
     """One part at its place: its own frame turned by `angle` about z (rad) and set at `axis`, `height` (mm).
 
-    `gears` are one or two forms by rising height in the part's own frame, each with a tooth on the x axis, and
-    `stages` the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about x.
+    `gears` are one or two wheels by rising height in the part's own frame, each with a tooth on the x axis if it has
+    any, and `stages` the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about x.
     """
 
     name: str
     shaft: int
-    gears: tuple[GearForm, ...]
+    gears: tuple[Wheel, ...]
     stages: tuple[int, ...]
     blank: Blank
     body: Body
@@ -133,17 +133,6 @@ class _Disc:
     high: float
 
 
-def meshing_angle(pair: GearPair, driver_angle: float, direction: float) -> float:
-    """Angle of the driven gear whose teeth stand midway between those of the driver at `driver_angle`, in rad.
-
-    Both angles are those of a tooth's middle, and `direction` that from the driver's axis to the driven gear's.
-    The phases of both in pitches, counted from the line of centres, add up to half a pitch.
-    """
-    one, two = pair.driver.form.teeth, pair.driven.form.teeth
-    phase = one * (driver_angle - direction)
-    return (direction + pi + (pi - phase) / two) % (2 * pi)
-
-
 def lay_out(
     train: Train,
     blanks: Blanks | Sequence[Blank],
@@ -176,7 +165,7 @@ def lay_out(
     angle = 0.0
     for number, (part, axis) in enumerate(zip(parts, _axes(train, found), strict=True)):
         if number:
-            angle = meshing_angle(train.stages[number - 1], angle, found[number - 1])
+            angle = train.stages[number - 1].driven_angle(angle, found[number - 1])
         placed.append(replace(part, axis=axis, angle=angle))
     return TrainLayout(train=train, parts=tuple(placed), directions=found)
 
@@ -186,20 +175,20 @@ def collar_length(clearance: float) -> float:
     return max(COLLAR, 2 * clearance)
 
 
-def _collar_length(before: GearPair, after: GearPair, clearance: float) -> float:
+def _collar_length(before: Stage, after: Stage, clearance: float) -> float:
     """The same for gears of any widths: what the gears in mesh with both stand out towards each other comes on top."""
-    above = (before.driver.form.width - before.driven.form.width) / 2
-    below = (after.driven.form.width - after.driver.form.width) / 2
+    above = (before.wheels[0].width - before.wheels[1].width) / 2
+    below = (after.wheels[1].width - after.wheels[0].width) / 2
     return collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
 
 
 def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[TrainPart]:
     """The parts, all on one axis, at their heights."""
     stages = train.stages
-    first, last = stages[0].driver.form, stages[-1].driven.form
-    plane = stages[0].driven.form.width / 2
+    first, last = stages[0].wheels[0], stages[-1].wheels[1]
+    plane = stages[0].wheels[1].width / 2
 
-    def part(name: str, shaft: int, gears: tuple[GearForm, ...], blank: Blank, body: Body, height: float) -> TrainPart:
+    def part(name: str, shaft: int, gears: tuple[Wheel, ...], blank: Blank, body: Body, height: float) -> TrainPart:
         numbers = (shaft - 1, shaft) if len(gears) == 2 else (max(shaft - 1, 1),)
         return TrainPart(
             name=name,
@@ -217,7 +206,7 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
     drive = _made(1, "drive", gear_body, first, blanks[0])
     parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
-        lower, upper = before.driven.form, after.driver.form
+        lower, upper = before.wheels[1], after.wheels[0]
         length = _collar_length(before, after, clearance)
         blank = _made(shaft, "intermediate", with_collar, blanks[shaft - 1], lower, upper, length, clearance)
         body = _made(shaft, "intermediate", cluster_body, lower, upper, blank)
@@ -230,7 +219,7 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> list[Tr
     return parts
 
 
-def _made(shaft: int, place: str, make: Callable[..., M], *arguments: GearForm | Blank | float) -> M:
+def _made(shaft: int, place: str, make: Callable[..., M], *arguments: Wheel | Blank | float) -> M:
     try:
         return make(*arguments)
     except DesignError as error:
@@ -264,10 +253,10 @@ def _gears_and_hub(part: TrainPart) -> list[_Disc]:
         return _Disc(f"{name} on shaft {part.shaft}", stage, diameter / 2, *ends)
 
     bottom, top = part.gears[0], part.gears[-1]
-    found = [placed(f"the gear of {bottom.teeth} teeth", part.stages[0], bottom.tip_diameter, 0.0, bottom.width)]
+    found = [placed(bottom.noun, part.stages[0], bottom.tip_diameter, 0.0, bottom.width)]
     end = part.body.slabs[-1].end
     if len(part.gears) == 2:
-        found.append(placed(f"the gear of {top.teeth} teeth", part.stages[1], top.tip_diameter, end - top.width, end))
+        found.append(placed(top.noun, part.stages[1], top.tip_diameter, end - top.width, end))
     if hub := part.blank.hub:
         found.append(placed("the hub", None, hub.diameter, bottom.width, bottom.width + hub.length))
     return found

@@ -9,12 +9,12 @@ from math import ceil, degrees, floor, inf
 from typing import Self
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import train_play
 from cadgen.gears.chains import LONGEST_CHAIN
 from cadgen.gears.contact import LEAST_CONTACT_RATIO, contact_ratio
-from cadgen.gears.thinning import thinned
+from cadgen.gears.kinds.spur import GearPair, spur_pairs
+from cadgen.gears.pair import Gear
 from cadgen.gears.tooth import MINIMUM_TEETH
-from cadgen.gears.train import Gear, Train
+from cadgen.gears.train import Train
 from cadgen.gears.undercut import missing_shift
 
 # Limits of a search that is asked for nothing else. A stage that speeds up only wastes what another gains; more than
@@ -93,14 +93,15 @@ class SearchLimits:
         Raises `DesignError` for stages of different grade, pressure angle or bearing span: the search gives all
         stages the same.
         """
-        gears = [gear for stage in train.stages for gear in (stage.driver, stage.driven)]
+        pairs = spur_pairs(train, "the search is", "take --order as-given or reordered")
+        gears = [gear for stage in pairs for gear in (stage.driver, stage.driven)]
         _require_one("tolerance grade", (gear.grade for gear in gears))
         _require_one("pressure angle in degrees", (degrees(gear.form.normal_pressure_angle) for gear in gears))
         _require_one("bearing span in mm", (stage.bearing_span for stage in train.stages))
         teeth = [gear.form.teeth for gear in gears]
         axes = [stage.centre_distance for stage in train.stages]
         ratios = [float(stage.ratio) for stage in train.stages]
-        contact, undercut = _contact_and_undercut(train)
+        contact, undercut = _contact_and_undercut(pairs)
         return cls(
             ratio=train.ratio,
             stages=len(train.stages),
@@ -116,12 +117,12 @@ class SearchLimits:
         )
 
 
-def _contact_and_undercut(train: Train) -> tuple[float, float]:
-    """Least contact ratio and worst undercut of the train as cut, to the outer hundredth; of stages that can be cut."""
+def _contact_and_undercut(pairs: Iterable[GearPair]) -> tuple[float, float]:
+    """Least contact ratio and worst undercut of pairs as cut, to the outer hundredth; of those that can be cut."""
     contact, undercut = inf, 0.0
-    for pair in train.stages:
+    for pair in pairs:
         try:
-            cut = thinned(train_play(Train((pair,)))).stages[0]
+            cut = pair.as_cut()
             contact = min(contact, contact_ratio(cut))
             undercut = max(undercut, missing_shift(cut.driver.form), missing_shift(cut.driven.form))
         except DesignError:

@@ -13,14 +13,15 @@ from itertools import permutations
 import numpy as np
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import TrainPlay, train_play
 from cadgen.gears.candidates import Pairs, fit_of, form_of, pairs_within
 from cadgen.gears.chains import Fit, best_chains
+from cadgen.gears.kinds.spur import GearPair, spur_pairs
 from cadgen.gears.layout import Blanks
 from cadgen.gears.limits import SearchLimits
 from cadgen.gears.names import Order
+from cadgen.gears.stage import Stage
 from cadgen.gears.tolerances import ToleranceOverrides
-from cadgen.gears.train import GearPair, Train
+from cadgen.gears.train import Train, TrainPlay, train_play
 
 
 def arrange(train: Train, order: Order, limits: SearchLimits | None = None) -> tuple[TrainPlay, ...]:
@@ -92,8 +93,9 @@ class TrainSearch:
             )
         return tuple(train_play(Train(tuple(_stage(pairs, row, limits) for row in rows))) for rows in found)
 
-    def exclude(self, pair: GearPair) -> None:
+    def exclude(self, stage: Stage) -> None:
         """Leave out a pair, at every place: its teeth cannot be made, or fail their checks."""
+        (pair,) = spur_pairs(Train((stage,)), "the search is")
         driver, driven = pair.driver.form, pair.driven.form
         same = (self._pairs.driver == driver.teeth) & (self._pairs.driven == driven.teeth)
         same &= (self._pairs.module == driver.normal_module) & (self._pairs.width == driver.width)

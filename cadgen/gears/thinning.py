@@ -4,31 +4,26 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import cos, tan
+from typing import TypeVar
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import GearPlay, StagePlay, TrainPlay
+from cadgen.gears.backlash import GearPlay, StagePlay
+from cadgen.gears.pair import Gear, Pair
 from cadgen.gears.tooth import GearForm, tooth_of
-from cadgen.gears.train import Gear, GearPair, Train
+
+P = TypeVar("P", bound=Pair)
 
 
-def thinned(play: TrainPlay) -> Train:
-    """The train with every tooth thinned to the middle of its limits E_sns and E_sni.
+def as_cut(pair: P, play: StagePlay[float]) -> P:
+    """The pair with every tooth thinned to the middle of its limits E_sns and E_sni.
 
-    Raises `DesignError`, with the stage and what thins most, for a tooth that cannot be cut so or at its limits.
+    Raises `DesignError`, with what thins most, for a tooth that cannot be cut so or at its limits.
     """
-    stages = []
-    for number, (pair, found) in enumerate(zip(play.train.stages, play.stages, strict=True), 1):
-        deviations = []
-        for gear, limits in ((pair.driver, found.driver), (pair.driven, found.driven)):
-            try:
-                deviations.append(_deviation(gear, limits, pair, found))
-            except DesignError as error:
-                raise DesignError(f"in stage {number}, {error}") from error
-        stages.append(with_deviations(pair, *deviations))
-    return Train(tuple(stages))
+    gears = ((pair.driver, play.driver), (pair.driven, play.driven))
+    return with_deviations(pair, *(_deviation(gear, limits, pair, play) for gear, limits in gears))
 
 
-def with_deviations(pair: GearPair, driver: float, driven: float) -> GearPair:
+def with_deviations(pair: P, driver: float, driven: float) -> P:
     """The pair with teeth cut to E_sn = `driver` and `driven`, in mm."""
     one, two = (
         replace(gear, form=with_deviation(gear.form, deviation))
@@ -42,7 +37,7 @@ def with_deviation(form: GearForm, deviation: float) -> GearForm:
     return replace(form, tooth_thickness_deviation=deviation)
 
 
-def _deviation(gear: Gear, limits: GearPlay[float], pair: GearPair, found: StagePlay[float]) -> float:
+def _deviation(gear: Gear, limits: GearPlay[float], pair: Pair, found: StagePlay[float]) -> float:
     """E_sn of one gear in mm, after its tooth has been tried at full thickness, as cut and at both limits."""
     tooth_of(with_deviation(gear.form, 0.0))
     prescribed = None if isinstance(gear.thinning, str) else gear.thinning
@@ -68,7 +63,7 @@ def _deviation(gear: Gear, limits: GearPlay[float], pair: GearPair, found: Stage
     return asked
 
 
-def _source(gear: Gear, limits: GearPlay[float], pair: GearPair, found: StagePlay[float]) -> str:
+def _source(gear: Gear, limits: GearPlay[float], pair: Pair, found: StagePlay[float]) -> str:
     """The term of eq. 7-9 that thins most, with its values, and how to lessen it, in words."""
     alpha_n, alpha_w = pair.driver.form.normal_pressure_angle, pair.working_pressure_angle
     own = limits.tolerances

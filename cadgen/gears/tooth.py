@@ -23,6 +23,11 @@ from cadgen.errors import DesignError
 from cadgen.parts.loop import Arc, Curve, Involute, Line, Loop, Trochoid
 
 MINIMUM_TEETH = 4
+# Least rim under the root in tooth heights: ISO 6336-3 gives no rim factor for a thinner one.
+LEAST_RIM = 0.5
+# Chord error of a gear's mesh where the design gives none, per mm of module: the teeth of all sizes then have as many
+# facets, and the volume errs by less than 2e-4.
+CHORD_PER_MODULE = 2e-3
 # Outside these the basic rack has either no straight flank of use or no width at its tip.
 PRESSURE_ANGLE_RANGE = (radians(10.0), radians(35.0))
 # In modules: least tip land, neck above an undercut and height of flank; with less, teeth are pointed or break.
@@ -86,6 +91,26 @@ class GearForm:
 
     def __str__(self) -> str:
         return f"the gear with {self.teeth} teeth of module {self.normal_module:g}"
+
+    @property
+    def noun(self) -> str:
+        """What it is called where a body is meant."""
+        return f"the gear of {self.teeth} teeth"
+
+    @property
+    def outline(self) -> Loop:
+        """Transverse section of the whole gear, as cut; a `DesignError` for a tooth that cannot be cut (`tooth_of`)."""
+        return tooth_of(self).outline
+
+    @property
+    def least_rim(self) -> float:
+        """Least wall under the root, mm."""
+        return LEAST_RIM * (self.tip_diameter - self.root_diameter) / 2
+
+    @property
+    def usual_chord(self) -> float:
+        """Greatest chord error of its mesh where none is given, mm."""
+        return CHORD_PER_MODULE * self.normal_module
 
     @property
     def transverse_module(self) -> float:

@@ -1,4 +1,4 @@
-"""A gear train as numbers: gears made to a grade, pairs of them at a centre distance, stages in a row.
+"""A gear train: stages in a row, their play, and its return error (eq. 25-26 of the paper).
 
 The first stage is next to the drive, the last one turns the output: here, the camshaft.
 """
@@ -6,184 +6,23 @@ The first stage is next to the drive, the last one turns the output: here, the c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from fractions import Fraction
-from math import acos, cos, degrees, inf, prod, tan
-from typing import Self
+from math import prod
 
-from scipy.optimize import brentq
+import numpy as np
 
 from cadgen.errors import DesignError
-from cadgen.gears.names import Thinning
-from cadgen.gears.tolerances import GRADES, ToleranceOverrides
-from cadgen.gears.tooth import GearForm, involute
-
-# Where in its zone the thickness of a tooth is aimed at: its upper limit E_sns by eq. 7, the middle, or the lower limit
-# E_sni by eq. 9.
-# Centre distances are stated to the micrometre: one this much short, in mm, is rounded and not too small.
-CENTRE_DISTANCE_ROUNDING = 0.5e-3
-# Greatest working pressure angle that profile shifts may ask for, in rad (80°).
-STEEPEST_MESH = 1.4
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Gear:
-    """A spur gear and the tolerance grade it is made to; `overrides` stand in for the standards' values.
-
-    `thinning` is the thickness that the teeth are cut to: a place in the zone of the grade, or E_sn in mm. Raises
-    `DesignError` for a grade outside 3 to 12.
-    """
-
-    form: GearForm
-    grade: int = 7
-    overrides: ToleranceOverrides = field(default_factory=ToleranceOverrides)
-    thinning: Thinning | float = "middle"
-
-    def __post_init__(self) -> None:
-        if self.grade not in GRADES:
-            raise DesignError(
-                f"{self.form} has the tolerance grade {self.grade};"
-                f" give a whole number from {GRADES[0]} to {GRADES[-1]}"
-            )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class GearPair:
-    """One stage: `driver` turns `driven`.
-
-    The axes are `centre_distance` (a) apart, their bearings `bearing_span` (l), in mm.
-    `centre_distance_deviation` stands in for the standard's f_a. Raises `DesignError` if modules or pressure
-    angles differ, if the teeth jam or do not meet at a, or if a length is out of range.
-    """
-
-    driver: Gear
-    driven: Gear
-    centre_distance: float
-    bearing_span: float
-    centre_distance_deviation: float | None = None
-
-    def __post_init__(self) -> None:
-        one, two = self.driver.form, self.driven.form
-        if one.normal_module != two.normal_module:
-            raise DesignError(
-                f"{self} joins the modules {one.normal_module:g} and {two.normal_module:g} mm;"
-                " give both gears one module"
-            )
-        if one.normal_pressure_angle != two.normal_pressure_angle:
-            raise DesignError(
-                f"{self} joins the pressure angles {degrees(one.normal_pressure_angle):g}° and"
-                f" {degrees(two.normal_pressure_angle):g}°; give both gears one pressure angle"
-            )
-        if not 0 < self.bearing_span < inf:
-            raise DesignError(f"{self} has the bearing span {self.bearing_span:g} mm; give one above 0")
-        deviation = self.centre_distance_deviation
-        if deviation is not None and not 0 <= deviation < inf:
-            raise DesignError(f"{self} has the centre distance deviation {deviation:g} mm; give 0 or more")
-        least, reach = self.zero_backlash_centre_distance, (one.tip_diameter + two.tip_diameter) / 2
-        if not self.centre_distance >= least - CENTRE_DISTANCE_ROUNDING:
-            raise DesignError(
-                f"{self} jams at the centre distance {self.centre_distance:g} mm;"
-                f" give at least {least:.7g} mm, or smaller profile shifts or modules"
-            )
-        if not self.centre_distance < reach:
-            raise DesignError(
-                f"{self} of module {one.normal_module:g} does not meet at the centre distance"
-                f" {self.centre_distance:g} mm; give less than {reach:.6g} mm, or a larger module"
-            )
-
-    def __str__(self) -> str:
-        return _pair(self.driver.form, self.driven.form)
-
-    @property
-    def ratio(self) -> Fraction:
-        """i: turns of the driver per turn of the driven gear."""
-        return Fraction(self.driven.form.teeth, self.driver.form.teeth)
-
-    @property
-    def driven_pitch_radius(self) -> float:
-        """Radius of the driven gear's working pitch circle, in mm."""
-        one, two = self.driver.form.teeth, self.driven.form.teeth
-        return self.centre_distance * two / (one + two)
-
-    @property
-    def working_pressure_angle(self) -> float:
-        """α_w in rad at the stated centre distance."""
-        return self.pressure_angle(self.centre_distance)
-
-    @property
-    def zero_backlash_centre_distance(self) -> float:
-        """Centre distance in mm at which teeth of nominal thickness mesh without play; see `closest`."""
-        return closest(self.driver.form, self.driven.form)
-
-    def normal_backlash(self, centre_distance: float, thickness_deviation: float = 0.0) -> float:
-        """Play along the line of action in mm, by the exact geometry of involutes, without tolerances.
-
-        `thickness_deviation` is ΣE_sn, the sum of both gears' deviations on their reference circles, negative
-        for thinned teeth: j_bn = cos α [m Σz (inv α_w − inv α) − 2 m Σx tan α − ΣE_sn]. It turns the driven
-        gear by j_bn / r_b. Raises `DesignError` if the base circles overlap.
-        """
-        form, other = self.driver.form, self.driven.form
-        alpha = form.transverse_pressure_angle
-        opened = involute(self.pressure_angle(centre_distance)) - involute(alpha)
-        shift = 2 * (form.profile_shift + other.profile_shift) * tan(alpha)
-        nominal = form.transverse_module * ((form.teeth + other.teeth) * opened - shift)
-        return cos(alpha) * (nominal - thickness_deviation)
-
-    def thinned_to(self, driver: Thinning | float, driven: Thinning | float) -> Self:
-        """The same pair with other thicknesses that its teeth are to be cut to; see `Gear.thinning`."""
-        one, two = replace(self.driver, thinning=driver), replace(self.driven, thinning=driven)
-        return replace(self, driver=one, driven=two)
-
-    def by_the_standard(self) -> Self:
-        """The same pair without overrides."""
-        bare = ToleranceOverrides()
-        return replace(
-            self,
-            driver=replace(self.driver, overrides=bare),
-            driven=replace(self.driven, overrides=bare),
-            centre_distance_deviation=None,
-        )
-
-    def pressure_angle(self, centre_distance: float) -> float:
-        """α_w in rad at a centre distance in mm; `DesignError` if the base circles overlap there."""
-        base = (self.driver.form.base_diameter + self.driven.form.base_diameter) / 2
-        if not centre_distance >= base:
-            raise DesignError(
-                f"{self} has overlapping base circles at the centre distance {centre_distance:g} mm;"
-                f" give at least {base:.4f} mm"
-            )
-        return acos(base / centre_distance)
-
-
-def closest(driver: GearForm, driven: GearForm) -> float:
-    """Centre distance in mm at which teeth of nominal thickness mesh without play.
-
-    inv α_w = inv α + 2 tan α (x_1 + x_2)/(z_1 + z_2). Raises `DesignError` if the profile shifts allow none.
-    """
-    teeth = driver.teeth + driven.teeth
-    reference = driver.transverse_module * teeth / 2
-    shift = driver.profile_shift + driven.profile_shift
-    if shift == 0:
-        return reference
-    alpha = driver.transverse_pressure_angle
-    wanted = involute(alpha) + 2 * tan(alpha) * shift / teeth
-    if not 0 < wanted < involute(STEEPEST_MESH):
-        raise DesignError(
-            f"{_pair(driver, driven)} has profile shifts of {shift:g} together; bring their sum nearer to 0"
-        )
-    mesh: float = brentq(lambda angle: involute(angle) - wanted, 0.0, STEEPEST_MESH, xtol=1e-15)
-    return reference * cos(alpha) / cos(mesh)
-
-
-def _pair(driver: GearForm, driven: GearForm) -> str:
-    return f"the pair of {driver.teeth} and {driven.teeth} teeth"
+from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.names import Law
+from cadgen.gears.stage import Departure, Play, Stage
 
 
 @dataclass(frozen=True, slots=True)
 class Train:
     """Stages from the drive to the output. Raises `DesignError` if there is none."""
 
-    stages: tuple[GearPair, ...]
+    stages: tuple[Stage, ...]
 
     def __post_init__(self) -> None:
         if not self.stages:
@@ -207,3 +46,72 @@ class Train:
     def by_the_standard(self) -> Train:
         """The same train without overrides."""
         return Train(tuple(stage.by_the_standard() for stage in self.stages))
+
+    def departures(self) -> tuple[Departure, ...]:
+        """Every tolerance of its own beside the standard's value."""
+        return tuple(departure for number, stage in enumerate(self.stages, 1) for departure in stage.departures(number))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrainPlay:
+    """A train with its stages' play, and its return error B_Σ at the output in rad (eq. 25)."""
+
+    train: Train
+    stages: tuple[Play, ...]
+
+    @property
+    def return_error_max(self) -> float:
+        """Greatest B_Σ in rad: every stage at its B_max."""
+        return sum(stage.B_max / i for stage, i in self._at_output())
+
+    @property
+    def return_error_min(self) -> float:
+        """Least B_Σ in rad: every stage at its B_min."""
+        return sum(stage.B_min / i for stage, i in self._at_output())
+
+    def return_error_distribution(self, law: Law = "normal") -> ZoneSum:
+        """Distribution of B_Σ in rad: every contribution of every stage free in its own zone."""
+        parts = [
+            play.distribution(law).scaled(1 / (stage.driven_pitch_radius * i))
+            for stage, (play, i) in zip(self.train.stages, self._at_output(), strict=True)
+        ]
+        return ZoneSum(
+            names=tuple(f"stage {j}: {name}" for j, part in enumerate(parts, 1) for name in part.names),
+            low=np.concatenate([part.low for part in parts]),
+            high=np.concatenate([part.high for part in parts]),
+            law=law,
+        )
+
+    def _at_output(self) -> list[tuple[Play, float]]:
+        """Each stage's play with its i_jn."""
+        return [(play, float(i)) for play, i in zip(self.stages, self.train.output_ratios, strict=True)]
+
+
+def train_play(train: Train) -> TrainPlay:
+    """Play of every stage of a train; a `DesignError` names the stage it comes from."""
+    plays = []
+    for number, stage in enumerate(train.stages, 1):
+        try:
+            plays.append(stage.play())
+        except DesignError as error:
+            raise DesignError(f"in stage {number}, {error}") from error
+    return TrainPlay(train=train, stages=tuple(plays))
+
+
+def thinned(train: Train) -> Train:
+    """The train as it is made: every tooth thinned to the middle of its limits.
+
+    Raises `DesignError`, with the stage and what thins most, for a tooth that cannot be cut so or at its limits.
+    """
+    stages = []
+    for number, stage in enumerate(train.stages, 1):
+        try:
+            stages.append(stage.as_cut())
+        except DesignError as error:
+            raise DesignError(f"in stage {number}, {error}") from error
+    return Train(tuple(stages))
+
+
+def teeth_of(play: TrainPlay) -> str:
+    """The stages of a train as driver/driven teeth, from the drive on."""
+    return " ".join(stage.label for stage in play.train.stages)

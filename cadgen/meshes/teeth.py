@@ -22,14 +22,12 @@ import manifold3d
 import numpy as np
 
 from cadgen.errors import CheckError
-from cadgen.gears.tooth import GearForm, tooth_of
-from cadgen.gears.train import GearPair
+from cadgen.gears.engaged import LEAST_OVERLAP
+from cadgen.gears.stage import Stage, Wheel
 from cadgen.parts.loop import Points
 
 # Greatest distance of a section's chords from the tooth curves, in mm.
 CHORD_TOLERANCE = 1e-5
-# Overlap in mm² below which teeth only touch: ten times the rounding of manifold3d's sections (1e-8 mm).
-LEAST_OVERLAP = 1e-8
 # At which the search for a limit of the play stops, in rad.
 ANGLE_STEP = 1e-8
 # Teeth to either side of the line of centres: a contact ratio below 3 needs no more.
@@ -131,16 +129,17 @@ class MeasuredPair:
         return f"the sections with {teeth} at {self.centre_distance:g} mm {fault}"
 
 
-def section_of(form: GearForm, chord_tolerance: float = CHORD_TOLERANCE) -> Section:
-    """Section of a gear from its exact curves."""
-    corners = tooth_of(form).outline.polygon(chord_tolerance)
-    return Section(corners.reshape(form.teeth, -1))
+def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> Section:
+    """Section of a wheel from its exact curves."""
+    outline = wheel.outline
+    return Section(outline.polygon(chord_tolerance).reshape(outline.repeats, -1))
 
 
-def measured_pair(pair: GearPair, centre_distance: float | None = None) -> MeasuredPair:
-    """A pair by its exact curves, as cut, at its own centre distance or at another one."""
-    distance = pair.centre_distance if centre_distance is None else centre_distance
-    return MeasuredPair(section_of(pair.driver.form), section_of(pair.driven.form), distance)
+def measured_pair(stage: Stage, centre_distance: float | None = None) -> MeasuredPair:
+    """A stage by its exact curves, as cut, at its own centre distance or at another one."""
+    apart = stage.centre_distance if centre_distance is None else centre_distance
+    driver, driven = stage.wheels
+    return MeasuredPair(section_of(driver), section_of(driven), apart)
 
 
 def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> float:

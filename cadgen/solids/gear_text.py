@@ -16,15 +16,17 @@ from numpy.typing import NDArray
 
 from cadgen.errors import FileError
 from cadgen.gears.bezier import bernstein
-from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.gears.stage import Wheel
 from cadgen.meshes.teeth import CHORD_TOLERANCE, Section
-from cadgen.parts.loop import Curve, Involute, Trochoid, chord_parameters
+from cadgen.parts.loop import Arc, Curve, Involute, Loop, Trochoid, chord_parameters
 
 _SOLID = re.compile(r"#(\d+)=MANIFOLD_SOLID_BREP\(.*?(?=#\d+=(?:STYLED_ITEM|\(GEOMETRIC_REPRESENTATION_CONTEXT))")
 _POINT = re.compile(r"#(\d+)=CARTESIAN_POINT\('',\(([^)]*)\)\)")
 _BEZIER = re.compile(
     r"=B_SPLINE_CURVE_WITH_KNOTS\('',\d+,\(([^)]*)\),\.UNSPECIFIED\.,\.F\.,\.F\.,\((\d+),\2\),\(0\.,1\.\)"
 )
+_CIRCLE = re.compile(r"=CIRCLE\('',#(\d+),([^)]*)\)")
+_AXES = re.compile(r"#(\d+)=AXIS2_PLACEMENT_3D\('',#(\d+),")
 _SAMPLES = np.linspace(0.0, 1.0, 33)
 # Ends of curves that belong together are no further apart, in mm: the rounding of the poles and no more.
 _SAME_END = 1e-6
@@ -39,14 +41,16 @@ class GearContent:
     Attributes:
         solid: text of the solid, as by `solids_in`.
         sections: section of every gear, from below.
-        flank_error: greatest distance of a flank from the exact flank, mm.
-        root_error: greatest distance of a root curve from the exact root curve, mm.
+        flank_error: greatest distance of a flank from the exact flank, mm; None without teeth.
+        root_error: greatest distance of a root curve from the exact root curve, mm; None without teeth.
+        rim_error: greatest distance of an arc of a rim without teeth from the exact one, mm; None if all have teeth.
     """
 
     solid: bytes
     sections: tuple[Section, ...]
-    flank_error: float
-    root_error: float
+    flank_error: float | None
+    root_error: float | None
+    rim_error: float | None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,7 +71,7 @@ def solids_in(text: str) -> list[bytes]:
     return solids
 
 
-def read_gear(path: Path, gears: Sequence[GearForm], starts: Sequence[float]) -> GearContent:
+def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> GearContent:
     """Read a part with `gears` that begin at the heights `starts` (mm).
 
     Raises `FileError` if the file cannot be read, is not of one solid, or has other tooth curves than the gears.
@@ -80,21 +84,51 @@ def read_gear(path: Path, gears: Sequence[GearForm], starts: Sequence[float]) ->
     if not bare.endswith("END-ISO-10303-21;") or len(solids) != 1 or "SI_UNIT(.MILLI.,.METRE.)" not in bare:
         raise FileError(f"{path.name} is not a whole STEP file of one solid in mm: export it again")
     curves = _curves(bare, path)
-    sections, flank_error, root_error = [], 0.0, 0.0
-    for form, start in zip(gears, starts, strict=True):
+    sections: list[Section] = []
+    errors: dict[type[Curve], float] = {}
+    for wheel, start in zip(gears, starts, strict=True):
+        outline, heights = wheel.outline, (start, start + wheel.width)
+        tooth_curves = [exact for exact in outline.curves if isinstance(exact, Involute | Trochoid)]
+        if not tooth_curves:
+            errors[Arc] = max(errors.get(Arc, 0.0), _rim_error(outline, bare, heights, path))
+            sections.append(Section(outline.polygon(CHORD_TOLERANCE).reshape(outline.repeats, -1)))
+            continue
         rows: list[NDArray[np.complex128]] = []
-        for exact in tooth_of(form).outline.curves:
-            if not isinstance(exact, Involute | Trochoid):
-                continue
-            poles = _matched(exact, form.teeth, curves, (start, start + form.width), path)
-            deviation = _deviation(exact, poles)
-            if isinstance(exact, Involute):
-                flank_error = max(flank_error, deviation)
-            else:
-                root_error = max(root_error, deviation)
+        for exact in tooth_curves:
+            poles = _matched(exact, outline.repeats, curves, heights, path)
+            errors[type(exact)] = max(errors.get(type(exact), 0.0), _deviation(exact, poles))
             rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
         sections.append(Section(np.concatenate(rows, axis=1)))
-    return GearContent(solid=solids[0], sections=tuple(sections), flank_error=flank_error, root_error=root_error)
+    return GearContent(
+        solid=solids[0],
+        sections=tuple(sections),
+        flank_error=errors.get(Involute),
+        root_error=errors.get(Trochoid),
+        rim_error=errors.get(Arc),
+    )
+
+
+def _rim_error(outline: Loop, bare: str, heights: tuple[float, float], path: Path) -> float:
+    """Greatest distance of the arcs of a rim without teeth from the file's circles, at both of its ends, mm."""
+    points, axes = dict(_POINT.findall(bare)), dict(_AXES.findall(bare))
+    try:
+        circles = np.array(
+            [
+                [*map(float, points[axes[place]].split(",")), float(radius)]
+                for place, radius in _CIRCLE.findall(bare)
+                if place in axes  # and not in the plane of a surface's parameters
+            ]
+        ).reshape(-1, 4)
+    except (KeyError, ValueError) as error:
+        raise FileError(f"{path.name} is damaged: export it again") from error
+    worst = 0.0
+    for arc in (curve for curve in outline.curves if isinstance(curve, Arc)):
+        for centre in arc.centre * outline.turns:
+            for height in heights:
+                wanted = np.array([centre.real, centre.imag, height, arc.radius])
+                off = np.abs(circles - wanted).sum(axis=1).min(initial=np.inf)
+                worst = max(worst, float(off))
+    return worst
 
 
 def _curves(bare: str, path: Path) -> list[_Curves]:

@@ -9,10 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import Departure, StagePlay, departures, play_distribution, stage_play, train_play
+from cadgen.gears.backlash import StagePlay, stage_play
+from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.pair import Gear
+from cadgen.gears.stage import Departure
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train, train_play
 
 # Eq. 1 and 10 are the first order in the opening Δ of the axes; the second, cot(α_w) Δ²/a, is known, and the
 # third is at most this part of it for the pairs tried here (Δ/a < 0.01).
@@ -63,13 +66,13 @@ def test_the_paper_s_return_errors_of_the_train(paper):
 
 
 def test_the_slip_is_reported_beside_the_standard(paper):
-    assert departures(paper) == (
+    assert paper.departures() == (
         Departure(where="stage 1, driver of 30 teeth", symbol="b_r", used=0.052, standard=0.043),
     )
     standard = train_play(paper.by_the_standard())
     # By hand from the table values: T_sn1 = 2 tan 20° √(18² + 43²) = 33.933 instead of 40.057 µm.
     assert 1000 * (train_play(paper).stages[0].j_bn2 - standard.stages[0].j_bn2) == pytest.approx(6.123, abs=5e-4)
-    assert departures(paper.by_the_standard()) == ()
+    assert paper.by_the_standard().departures() == ()
 
 
 def test_every_intermediate_value_of_the_first_stage_by_hand(paper):
@@ -185,7 +188,7 @@ def test_the_distribution_spans_least_to_greatest_around_its_mean(choice, law):
 
 def test_a_stage_s_distribution_adds_its_five_contributions_one_by_one(paper):
     stage = stage_play(paper.stages[0])
-    total = play_distribution(stage)
+    total = stage.distribution()
     assert (total.minimum, total.maximum) == pytest.approx((stage.j_bnmin, stage.j_bnmax))
     widths = [2 * stage.j_bn1, stage.driver.T_sn, stage.driven.T_sn]
     widths += [2 * um / 1000 * tan(radians(20)) for um in (21, 33)]
@@ -203,7 +206,7 @@ def test_a_train_outside_the_standards_names_its_stage(paper):
 def test_an_override_without_a_standard_value_reports_none():
     everything = {"f_pt": 0.01, "F_beta": 0.012, "F_r": 0.018, "b_r": 0.05, "F_i_radial": 0.02}
     small = replace(pair(9, 20, **everything), centre_distance_deviation=0.01)
-    found = {(d.where, d.symbol): (d.used, d.standard) for d in departures(Train((small,)))}
+    found = {(d.where, d.symbol): (d.used, d.standard) for d in Train((small,)).departures()}
     assert found[("stage 1, driver of 9 teeth", "f_pt")] == (0.01, None)
     assert found[("stage 1, driver of 9 teeth", "b_r")] == (0.05, 0.03)
     assert found[("stage 1", "f_a")] == (0.01, pytest.approx(0.011))

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from cadgen.gears.contact import contact_ratio, found_contact_ratio
+from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.pair import Gear
 from cadgen.gears.tooth import GearForm, tooth_of
-from cadgen.gears.train import Gear, GearPair
 from cadgen.meshes.teeth import LEAST_OVERLAP, measured_pair
 
 # Steps of the search over a pitch, and four of them for what ends between two.

@@ -9,11 +9,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import train_play
-from cadgen.gears.layout import Blanks, TrainLayout, lay_out, meshing_angle
-from cadgen.gears.thinning import thinned
+from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.layout import Blanks, TrainLayout, lay_out
+from cadgen.gears.pair import Gear
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train, thinned
 from cadgen.meshes.prisms import body_mesh
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, SetScrew
@@ -32,7 +32,7 @@ def train(*stages: tuple[int, int], module: float = 0.5, **form: float) -> Train
     for teeth in stages:
         one, two = (Gear(form=GearForm(teeth=z, normal_module=module, width=4.0, **form)) for z in teeth)
         pairs.append(GearPair(driver=one, driven=two, centre_distance=module * sum(teeth) / 2, bearing_span=60.0))
-    return thinned(train_play(Train(tuple(pairs))))
+    return thinned(Train(tuple(pairs)))
 
 
 def shared_volume(layout: TrainLayout) -> float:
@@ -88,7 +88,7 @@ def test_whatever_can_be_laid_out_is_free_of_collisions(stages, directions):
 def test_a_tooth_of_one_meets_a_space_of_the_other(z1, z2, angle, direction):
     """Counted from the line of centres, the driver's phase in pitches and the driven gear's add up to one half."""
     pair = train((z1, z2), module=2.0).stages[0]
-    driven = meshing_angle(pair, angle, direction)
+    driven = pair.driven_angle(angle, direction)
     phases = z1 * (angle - direction) + z2 * (driven - direction - pi)
     assert cos(phases) == pytest.approx(-1.0, abs=1e-9)
 

@@ -11,15 +11,17 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears import chains
-from cadgen.gears.backlash import stage_play, train_play
+from cadgen.gears.backlash import stage_play
 from cadgen.gears.contact import contact_ratio
+from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.layout import Blanks, lay_out
 from cadgen.gears.limits import SearchLimits
+from cadgen.gears.pair import Gear
 from cadgen.gears.search import TrainSearch, all_orders, arrange, search_trains
-from cadgen.gears.thinning import thinned, with_deviations
+from cadgen.gears.thinning import with_deviations
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train, thinned
 from cadgen.gears.undercut import missing_shift
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub
@@ -267,7 +269,7 @@ def test_only_trains_that_can_be_laid_out_are_searched_for(collar):
 
     def laid_out(play):
         try:
-            lay_out(thinned(play), blanks, clearance=0.3)
+            lay_out(thinned(play.train), blanks, clearance=0.3)
         except DesignError:
             return False
         return True
@@ -315,7 +317,7 @@ def test_usual_limits_are_widened_to_the_train_given():
     limits = SearchLimits.like(paper())
     assert (limits.stage_ratio, limits.contact_ratio, limits.undercut) == ((1.0, 10.0), 1.2, 0.5)
     wide = SearchLimits.like(Train((pair(12, 144), pair(40, 30))))
-    cut = thinned(train_play(Train((pair(12, 144),)))).stages[0]
+    cut = thinned(Train((pair(12, 144),))).stages[0]
     assert wide.stage_ratio == (0.75, 12.0)
     assert 1.1 <= wide.contact_ratio <= contact_ratio(cut) < wide.contact_ratio + 0.02
     assert missing_shift(cut.driver.form) <= wide.undercut < missing_shift(cut.driver.form) + 0.02

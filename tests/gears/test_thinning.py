@@ -6,11 +6,11 @@ from math import pi
 import pytest
 
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import train_play
-from cadgen.gears.thinning import thinned
+from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.pair import Gear
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train, thinned, train_play
 
 
 def pair(z1: int = 30, z2: int = 150, span: float = 80.0, grade: int = 7, f_a: float | None = None, **given: float):
@@ -39,13 +39,13 @@ def pair(z1: int = 30, z2: int = 150, span: float = 80.0, grade: int = 7, f_a: f
 def test_teeth_thinned_away_name_the_stage_and_what_thins_most(changes, source):
     play = train_play(Train((pair(40, 120), pair(**changes))))
     with pytest.raises(DesignError, match=rf"in stage 2, the gear with 30 teeth of module 0\.5 .*{source}"):
-        thinned(play)
+        thinned(play.train)
 
 
 def test_a_limit_that_cannot_be_cut_is_named_though_the_middle_could():
     play = train_play(Train((pair(b_r=0.5),)))
     with pytest.raises(DesignError, match=r"in stage 1, .*at the lower limit of its thickness.*b_r = 500 µm"):
-        thinned(play)
+        thinned(play.train)
 
 
 def cut_to(made: GearPair, thinning) -> GearPair:
@@ -54,7 +54,7 @@ def cut_to(made: GearPair, thinning) -> GearPair:
 
 def test_a_given_thinning_is_blamed_itself():
     with pytest.raises(DesignError, match=r"E_sn = -10000 µm, which is given; give one nearer to 0"):
-        thinned(train_play(Train((cut_to(pair(), -10.0),))))
+        thinned(Train((cut_to(pair(), -10.0),)))
 
 
 def test_a_tooth_that_fails_at_full_thickness_is_not_blamed_on_thinning():
@@ -62,7 +62,7 @@ def test_a_tooth_that_fails_at_full_thickness_is_not_blamed_on_thinning():
     pointed = replace(made.driver, form=replace(made.driver.form, profile_shift=1.6))
     play = train_play(Train((replace(made, driver=pointed, centre_distance=45.78),)))
     with pytest.raises(DesignError, match=r"in stage 1, the gear with 30 teeth of module 0\.5 has pointed teeth"):
-        thinned(play)
+        thinned(play.train)
 
 
 @pytest.mark.parametrize("choice", ["least", "middle", "greatest", -0.05, 0.02])
@@ -72,7 +72,7 @@ def test_teeth_are_cut_to_what_is_asked_and_their_zone_lies_about_it(choice):
     play = train_play(Train((cut_to(pair(20, 60), choice),)))
     moved, shifts = play.stages[0], []
     for gear, own, limits in zip(
-        (g.form for s in thinned(play).stages for g in (s.driver, s.driven)),
+        (g.form for s in thinned(play.train).stages for g in (s.driver, s.driven)),
         (moved.driver, moved.driven),
         (grade.driver, grade.driven),
         strict=True,

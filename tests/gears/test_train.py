@@ -9,9 +9,11 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
+from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.pair import Gear
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train
 
 teeth = st.integers(8, 200)
 shifts = st.floats(-0.2, 0.6)

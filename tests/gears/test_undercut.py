@@ -7,9 +7,10 @@ import pytest
 
 from cadgen.errors import DesignError
 from cadgen.gears.contact import contact_ratio
+from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.pair import Gear
 from cadgen.gears.thinning import with_deviations
 from cadgen.gears.tooth import GearForm, tooth_of
-from cadgen.gears.train import Gear, GearPair
 from cadgen.gears.undercut import contact_ratios, missing_shift
 
 

@@ -9,12 +9,13 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import CheckError, DesignError
-from cadgen.gears.backlash import train_play
 from cadgen.gears.contact import contact_ratio
-from cadgen.gears.thinning import thinned, with_deviations
+from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.pair import Gear
+from cadgen.gears.thinning import with_deviations
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train, thinned, train_play
 from cadgen.meshes.teeth import (
     LEAST_OVERLAP,
     MeasuredPair,
@@ -86,7 +87,7 @@ def test_the_return_error_of_the_train_is_that_of_equation_25(paper):
 
 
 def test_the_return_error_as_cut_over_a_turn_of_the_drive(paper):
-    cut = thinned(paper).stages
+    cut = thinned(paper.train).stages
     stages = [measured_pair(made) for made in cut]
     computed = sum(
         arc(made, made.centre_distance) / made.driven_pitch_radius / float(ratio)

@@ -7,9 +7,10 @@ import pytest
 
 from cadgen.check import Check, CheckCode
 from cadgen.design.load import load_design
+from cadgen.gears.engaged import PLAY_LIMIT_UM, cycle
 from cadgen.gears.thinning import with_deviations
 from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section, section_of
-from cadgen.meshes.train_checks import PLAY_LIMIT_UM, _bodies, _worst, cycle, meshes, play_error_um, return_error_um
+from cadgen.meshes.train_checks import _bodies, _worst, meshes, play_error_um, return_error_um
 from cadgen.workflow.gears.plan import plan_gears
 
 
@@ -26,6 +27,10 @@ def sections(pair, **off):
     ]
     changed = with_deviations(pair, *deviations)
     return MeasuredPair(section_of(changed.driver.form), section_of(changed.driven.form), pair.centre_distance)
+
+
+def over_a_pitch(pair, engaged):
+    return cycle(engaged, pair.free_angle(), pair.driver.form.teeth, pair.driven_pitch_radius)
 
 
 @pytest.mark.slow
@@ -45,7 +50,7 @@ def test_parts_in_one_place_share_all_their_volume(layout):
 def test_the_cycle_tells_teeth_a_micrometre_too_thick_or_too_thin(layout, thicker, within, past):
     for pair in layout.train.stages[:2]:
         for role in ("driver", "driven"):
-            over, least = cycle(pair, sections(pair, **{role: thicker}))
+            over, least = over_a_pitch(pair, sections(pair, **{role: thicker}))
             assert (over <= LEAST_OVERLAP) is within
             assert (least >= LEAST_OVERLAP) is past
 
@@ -72,7 +77,7 @@ def test_the_cycle_finds_what_is_wrong_only_elsewhere_in_the_pitch(layout):
         overlaps.append(raised.overlap(angle, turned) > LEAST_OVERLAP)
     assert any(overlaps)
     assert not all(overlaps)
-    assert cycle(pair, raised)[0] > LEAST_OVERLAP
+    assert over_a_pitch(pair, raised)[0] > LEAST_OVERLAP
 
 
 def test_play_and_return_error_are_off_by_what_the_teeth_are(layout):

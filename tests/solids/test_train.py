@@ -7,11 +7,11 @@ import pytest
 from build123d import import_step
 
 from cadgen.errors import FileError
-from cadgen.gears.backlash import train_play
+from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.layout import Blanks, lay_out
-from cadgen.gears.thinning import thinned
+from cadgen.gears.pair import Gear
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Gear, GearPair, Train
+from cadgen.gears.train import Train, thinned
 from cadgen.meshes.teeth import MeasuredPair, measured_pair
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, SetScrew
@@ -34,7 +34,7 @@ def layout():
         intermediate=Blank(bore_diameter=2.0, hub=Hub(diameter=6.0, length=1.0)),
         output=Blank(bore_diameter=4.0, key=Keyway(width=1.0, depth=0.6)),
     )
-    return lay_out(thinned(train_play(Train((pair(25, 48), pair(24, 36))))), blanks)
+    return lay_out(thinned(Train((pair(25, 48), pair(24, 36)))), blanks)
 
 
 @pytest.fixture(scope="module")

@@ -19,6 +19,7 @@ from cadgen.cam.followers.rod_kind import ROD
 from cadgen.design.follower import section_of
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
 from cadgen.design.schema import DesignFile
+from cadgen.design.stage import stage_section
 
 Place = tuple[str | int, ...]
 
@@ -98,7 +99,10 @@ def keys() -> tuple[Key, ...]:
     schema = DesignFile.model_json_schema()
     # The keys of a follower are those of the kind that a file names, or of the rod.
     schema["properties"]["follower"] = section_of(ROD).model_json_schema()
-    return tuple(_walk(schema, schema.get("$defs", {}), ()))
+    # Those of a stage are those of spur gears.
+    stage = stage_section(None).model_json_schema()
+    defs = {**schema["$defs"], **stage["$defs"], "Stage": stage}
+    return tuple(_walk(schema, defs, ()))
 
 
 def _walk(node: dict[str, Any], defs: dict[str, Any], place: Place) -> Iterator[Key]:

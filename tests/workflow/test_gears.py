@@ -12,9 +12,9 @@ from cadgen.build import gear_model
 from cadgen.check import Check, CheckCode
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import teeth_of
 from cadgen.gears.search import search_trains
 from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import teeth_of
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM
 from cadgen.workflow.gears import files, made
 from cadgen.workflow.gears import plan as workflow
@@ -189,7 +189,7 @@ def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(mo
     """The checks themselves are replaced: which trains they fail is what is tried here."""
     failing = set()
 
-    def judge(layout, plays, chord):
+    def judge(layout, chord):
         wrong = layout.train.stages[0].driver.form.teeth in failing
         return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, "max"),)
 
@@ -368,11 +368,11 @@ def test_the_trial_searches_find_what_passes():
 def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
     """The pairs of a train that fails are left out; the checks themselves are replaced."""
 
-    def judge(layout, plays, chords):
+    def judge(layout, chords):
         wrong = any(pair.driven.form.teeth > 140 for pair in layout.train.stages)
         return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, "max"),)
 
-    def failing(layout, plays):
+    def failing(layout):
         return [n for n, pair in enumerate(layout.train.stages) if pair.driven.form.teeth > 140]
 
     monkeypatch.setattr(made, "gear_checks", judge)

@@ -16,6 +16,7 @@ from cadgen.design.schema import Design
 from cadgen.deviations import quantities
 from cadgen.deviations.names import Place
 from cadgen.errors import FileError, brief
+from cadgen.gears.kinds.spur import spur_pairs
 from cadgen.gears.search import arrange
 from cadgen.measurement.calibrate import calibrate as judge
 from cadgen.measurement.calibrate import calibrate_tricycle
@@ -302,7 +303,8 @@ def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
     """Ratio and driven wheel's teeth of each stage, in the order that the car has; nothing without [train]."""
     if design.train is None:
         return (), ()
-    pairs = arrange(gear_model.train(design), design.optimize.order)[0].train.stages
+    train = arrange(gear_model.train(design), design.optimize.order)[0].train
+    pairs = spur_pairs(train, "a calibration is")
     return tuple(float(pair.ratio) for pair in pairs), tuple(pair.driven.form.teeth for pair in pairs)
 
 

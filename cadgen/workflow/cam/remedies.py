@@ -183,7 +183,7 @@ def _split_wheel(sheet: _Sheet) -> list[Remedy]:
     if not trains or sheet.design.play is not None:
         return []
     teeth = trains[sheet.design.optimize.order].teeth
-    if teeth is None:
+    if teeth is None or not teeth.train.stages[-1].toothed:
         return []
     last = teeth.stages[-1]
     low, high = sheet.band.ends

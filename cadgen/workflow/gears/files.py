@@ -15,14 +15,14 @@ from cadgen.errors import DesignError, FileError
 from cadgen.export.folder import publishing
 from cadgen.export.formats import TRAIN_FORMATS, chosen_formats, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
-from cadgen.gears.backlash import TrainPlay
-from cadgen.gears.inspection import Inspection
+from cadgen.gears.engaged import LEAST_OVERLAP, PLAY_LIMIT_UM, cycle
 from cadgen.gears.layout import TrainLayout, TrainPart
-from cadgen.gears.tooth import GearForm
+from cadgen.gears.stage import Wheel
+from cadgen.gears.train import TrainPlay
 from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.prisms import body_mesh
-from cadgen.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section
-from cadgen.meshes.train_checks import PLAY_LIMIT_UM, cycle, exact_play, meshes, play_error_um, return_error_um
+from cadgen.meshes.teeth import MeasuredPair, Section
+from cadgen.meshes.train_checks import meshes, play_error_um, return_error_um
 from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import parts_facts, plan_facts
 from cadgen.workflow.gears.plan import GearsPlan
@@ -72,16 +72,12 @@ class PlannedTrain(Protocol):
     def passed(self) -> bool:
         """Whether every check keeps its limit."""
 
-    def chord(self, gears: Sequence[GearForm]) -> float:
+    def chord(self, gears: Sequence[Wheel]) -> float:
         """Greatest chord error of a part's mesh, mm."""
 
     @property
     def play(self) -> TrainPlay:
         """Play and return error of the train."""
-
-    @property
-    def inspection(self) -> tuple[tuple[Inspection, ...], ...]:
-        """Sizes for inspection of every part's gears, in the order of the parts."""
 
 
 def write_gears(
@@ -113,7 +109,7 @@ def write_train(
     """
     makers = {ending: (label, partial(make, plan, plan.stem)) for ending, (label, make) in _MAKERS.items()}
     wanted = chosen_formats(formats, TRAIN_FORMATS)
-    teeth = sum(gear.teeth for part in plan.layout.parts for gear in part.gears)
+    teeth = sum(gear.outline.repeats for part in plan.layout.parts for gear in part.gears)
     if "step" in wanted and teeth > MOST_STEP_TEETH:
         others = ",".join(ending for ending in TRAIN_FORMATS if ending != "step")
         raise DesignError(
@@ -209,10 +205,16 @@ def tooth_errors(name: str, content: GearContent) -> dict[str, Any]:
     Raises:
         FileError: a distance is beyond its limit.
     """
-    flank, root = content.flank_error * 1e3, content.root_error * 1e3
-    _require(flank <= FLANK_LIMIT_UM, name, f"has flanks {flank:.2g} µm off")
-    _require(root <= ROOT_LIMIT_UM, name, f"has roots {root:.2g} µm off")
-    return {"flank_error_um": flank, "root_error_um": root}
+    facts: dict[str, Any] = {}
+    for curve, error, limit in (
+        ("flank", content.flank_error, FLANK_LIMIT_UM),
+        ("root", content.root_error, ROOT_LIMIT_UM),
+        ("rim", content.rim_error, FLANK_LIMIT_UM),
+    ):
+        if error is not None:
+            facts[f"{curve}_error_um"] = error * 1e3
+            _require(error * 1e3 <= limit, name, f"has {curve}s {error * 1e3:.2g} µm off")
+    return facts
 
 
 def _assembly(plan: PlannedTrain, file: str, read: Sequence[AssembledPart], parts: Sequence[Part]) -> dict[str, Any]:
@@ -236,26 +238,32 @@ def _in_mesh(plan: PlannedTrain, name: str, sections: list[tuple[Section, ...]])
     """Play of every stage, and return error of the train, measured on the sections in the files.
 
     Over a pitch the sections do not overlap just within the computed play, and do just past it. Teeth that jam, do
-    not hold each other, or at times are not in mesh, have no play to measure.
+    not hold each other, or at times are not in mesh, have no play to measure; nor have stages without teeth.
     """
     cut = plan.layout.train.stages
-    if not meshes(cut):
+    toothed = [stage for stage in cut if stage.toothed]
+    if not (toothed and meshes(toothed)):
         return {"play_um": None, "play_error_um": None, "return_error_error_um": None}
     measured = [
-        MeasuredPair(before[-1], after[0], pair.centre_distance)
-        for before, after, pair in zip(sections, sections[1:], cut, strict=False)
+        MeasuredPair(before[-1], after[0], stage.centre_distance)
+        for before, after, stage in zip(sections, sections[1:], cut, strict=False)
     ]
-    errors = [play_error_um(pair, sections_in_mesh) for pair, sections_in_mesh in zip(cut, measured, strict=True)]
-    total = return_error_um(cut, measured)
-    worst = max(map(abs, [*errors, total]))
+    errors = [
+        play_error_um(stage, found) if stage.toothed else None for stage, found in zip(cut, measured, strict=True)
+    ]
+    total = return_error_um(cut, measured) if None not in errors else None
+    worst = max((abs(error) for error in (*errors, total) if error is not None), default=0.0)
     _require(worst <= PLAY_LIMIT_UM, name, f"has a play {worst:.2g} µm off the computed one")
-    for number, (pair, sections_in_mesh) in enumerate(zip(cut, measured, strict=True), 1):
-        within, past = cycle(pair, sections_in_mesh)
+    for number, (stage, found) in enumerate(zip(cut, measured, strict=True), 1):
+        if not stage.toothed:
+            continue
+        within, past = cycle(found, stage.free_angle(), found.driver.teeth, stage.driven_pitch_radius)
         held = within <= LEAST_OVERLAP <= past
         _require(held or not plan.passed, name, f"has teeth in stage {number} whose play is not the same over a pitch")
     return {
         "play_um": [
-            exact_play(pair) * pair.driven_pitch_radius * 1e3 + error for pair, error in zip(cut, errors, strict=True)
+            None if error is None else stage.free_angle() * stage.driven_pitch_radius * 1e3 + error
+            for stage, error in zip(cut, errors, strict=True)
         ],
         "play_error_um": errors,
         "return_error_error_um": total,
@@ -302,7 +310,8 @@ def _tables(plan: PlannedTrain, stem: str, staging: Path) -> Iterator[Result]:
     rows = table_of(plan)
     name = f"{stem}_parts.csv"
     text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, list(rows[0]), lineterminator="\n")
+    columns = dict.fromkeys(key for row in rows for key in row)
+    writer = csv.DictWriter(text, list(columns), lineterminator="\n")
     writer.writeheader()
     writer.writerows({key: _cell(value) for key, value in row.items()} for row in rows)
     (staging / name).write_text(text.getvalue(), encoding="ascii", newline="\n")
@@ -317,7 +326,7 @@ def _tables(plan: PlannedTrain, stem: str, staging: Path) -> Iterator[Result]:
 def table_of(plan: PlannedTrain) -> list[dict[str, Any]]:
     """The table of parts with what the shop measures, one row per gear; volume and mass are the whole part's."""
     rows = []
-    for part in parts_facts(plan.layout, plan.play, plan.inspection):
+    for part in parts_facts(plan.layout):
         whole = {"part": part["name"], "shaft": part["shaft"]}
         body = {
             "bore_mm": part["bore_mm"],

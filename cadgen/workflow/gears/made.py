@@ -7,11 +7,9 @@ from dataclasses import dataclass
 
 from cadgen.check import Check
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import GearPlay, TrainPlay
-from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.layout import Blanks, TrainLayout, lay_out
-from cadgen.gears.thinning import thinned
-from cadgen.gears.tooth import GearForm, tooth_of
+from cadgen.gears.stage import Wheel
+from cadgen.gears.train import Train, TrainPlay, thinned
 from cadgen.meshes.train_checks import gear_checks
 from cadgen.parts.blank import Blank
 
@@ -27,13 +25,11 @@ class MadeTrain:
     Attributes:
         play: play and return error of the train and its stages, mm and rad.
         layout: parts at their places, with thinned teeth.
-        inspection: sizes for inspection of every part's gears, in the order of the parts, mm.
         checks: every figure with its verdict.
     """
 
     play: TrainPlay
     layout: TrainLayout
-    inspection: tuple[tuple[Inspection, ...], ...]
     checks: tuple[Check, ...]
 
 
@@ -42,8 +38,7 @@ def make_train(
     blanks: Blanks | Sequence[Blank],
     directions: Sequence[float | None] | None,
     clearance: float,
-    chord: Callable[[Sequence[GearForm]], float],
-    pin: float | None = None,
+    chord: Callable[[Sequence[Wheel]], float],
 ) -> MadeTrain:
     """Thin the teeth of a train, lay it out, and measure it in mesh.
 
@@ -53,21 +48,21 @@ def make_train(
         directions: directions of the stages' lines of centres, rad; None for any.
         clearance: least gap between bodies on different shafts, mm.
         chord: function of the gears of a part that returns the greatest chord error of its mesh, mm.
-        pin: diameter of the pins for inspection, mm; None for pins that suit each gear.
 
     Raises:
         DesignError: a gear, its blank or the layout is impossible, with the stage or the shaft in the message; or the
             chords are too short for so many teeth.
     """
-    layout = lay_out(thinned(play), blanks, directions, clearance)
+    layout = lay_out(thinned(play.train), blanks, directions, clearance)
     chords = [chord(part.gears) for part in layout.parts]
     _require_meshable(layout, chords)
-    return MadeTrain(play, layout, _inspections(layout, play, pin), gear_checks(layout, play.stages, chords))
+    _inspect(layout.train)
+    return MadeTrain(play, layout, gear_checks(layout, chords))
 
 
 def _require_meshable(layout: TrainLayout, chords: Sequence[float]) -> None:
     corners = sum(
-        len(tooth_of(gear).outline.polygon(chord))
+        len(gear.outline.polygon(chord))
         for part, chord in zip(layout.parts, chords, strict=True)
         for gear in part.gears
     )
@@ -79,25 +74,10 @@ def _require_meshable(layout: TrainLayout, chords: Sequence[float]) -> None:
         )
 
 
-def role_of(play: TrainPlay, shaft: int, stage: int) -> GearPlay[float]:
-    """Play of the gear of a stage that sits on a shaft, both counted from 1.
-
-    A stage's driver sits on the shaft of its number, the driven gear on the next.
-    """
-    of_stage = play.stages[stage - 1]
-    return of_stage.driven if shaft > stage else of_stage.driver
-
-
-def _inspections(layout: TrainLayout, play: TrainPlay, pin: float | None) -> tuple[tuple[Inspection, ...], ...]:
-    """Sizes for inspection of every part's gears, between E_sns and E_sni."""
-    by_part = []
-    for part in layout.parts:
-        of_part = []
-        for form, stage in zip(part.gears, part.stages, strict=True):
-            role = role_of(play, part.shaft, stage)
-            try:
-                of_part.append(inspection_of(form, role.E_sns, role.E_sni, pin))
-            except DesignError as error:
-                raise DesignError(f"in stage {stage}, {error}") from error
-        by_part.append(tuple(of_part))
-    return tuple(by_part)
+def _inspect(train: Train) -> None:
+    """Refuse gears that the shop could not measure."""
+    for number, stage in enumerate(train.stages, 1):
+        try:
+            stage.wheel_facts()
+        except DesignError as error:
+            raise DesignError(f"in stage {number}, {error}") from error

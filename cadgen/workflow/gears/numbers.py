@@ -13,15 +13,16 @@ from cadgen.check import Check
 from cadgen.errors import FileError
 from cadgen.export.formats import GEAR_FORMATS, chosen_formats
 from cadgen.export.manifest import Written
-from cadgen.gears.backlash import TrainPlay, train_play
 from cadgen.gears.blank import gear_body
-from cadgen.gears.inspection import Inspection, inspection_of
+from cadgen.gears.inspection import inspection_of
+from cadgen.gears.kinds.spur_facts import form_facts
 from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.stage import Wheel
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Train
+from cadgen.gears.train import Train, TrainPlay, train_play
 from cadgen.parts.blank import Blank
 from cadgen.progress import Progress, silent
-from cadgen.workflow.gears.facts import checks_facts, form_facts, parts_facts, return_error, stages_facts
+from cadgen.workflow.gears.facts import checks_facts, parts_facts, return_error, stages_facts
 from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, publish, tooth_errors, write_stl
 from cadgen.workflow.gears.made import MadeTrain, make_train
 
@@ -59,11 +60,6 @@ class TrainPlan:
         return self.train.checks
 
     @property
-    def inspection(self) -> tuple[tuple[Inspection, ...], ...]:
-        """Sizes for inspection of every part's gears, in the order of the parts, mm."""
-        return self.train.inspection
-
-    @property
     def passed(self) -> bool:
         """Whether every check keeps its limit."""
         return all(check.passed for check in self.checks)
@@ -78,7 +74,7 @@ class TrainPlan:
         """One line for STEP files."""
         return f"gear train {self.name}"
 
-    def chord(self, gears: Sequence[GearForm]) -> float:
+    def chord(self, gears: Sequence[Wheel]) -> float:
         """Greatest chord error of a part's mesh, mm."""
         return usual_chord(gears)
 
@@ -93,9 +89,9 @@ class TrainPlan:
             "passed": self.passed,
             "ratio": str(self.play.train.ratio),
             "return_error_deg": return_error(self.play),
-            "stages": stages_facts(self.layout, self.play),
+            "stages": stages_facts(self.layout),
             "checks": checks_facts(self.checks),
-            "parts": parts_facts(self.layout, self.play, self.train.inspection),
+            "parts": parts_facts(self.layout),
         }
 
 
@@ -142,18 +138,18 @@ def part_of(form: GearForm, blank: Blank) -> TrainPart:
     )
 
 
-def solid_of(part: TrainPart, name: str, shaft: int = 1) -> Part:
-    """The part as a solid; `shaft` decides its colour."""
+def solid_of(form: GearForm, part: TrainPart, name: str, shaft: int = 1) -> Part:
+    """A gear's part as a solid; `shaft` decides its colour."""
     from cadgen.solids.gear import body_solid
     from cadgen.solids.kernel import Part
     from cadgen.solids.train import colour_of_shaft
 
-    form = part.gears[0]
     description = f"spur gear of {form.teeth} teeth, module {form.normal_module:g} mm"
     return Part(solid=body_solid(part.body), name=name, description=description, colour=colour_of_shaft(shaft))
 
 
 def write_gear(
+    form: GearForm,
     part: TrainPart,
     name: str,
     out: Path,
@@ -163,6 +159,7 @@ def write_gear(
     """Write, read back, judge and publish the files of one gear.
 
     Args:
+        form: numbers of its teeth.
         part: gear as a part, from `part_of`.
         name: name of the gear; the names of its files begin with it.
         out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
@@ -174,16 +171,15 @@ def write_gear(
         FileError: a file cannot be written, or holds something else when it is read back.
     """
     makers = {
-        "step": ("STEP", partial(_step_file, part, name)),
+        "step": ("STEP", partial(_step_file, form, part, name)),
         "stl": ("STL", partial(_stl_file, part, name)),
     }
     wanted = chosen_formats(formats, GEAR_FORMATS)
-    return publish(f"{name}_gear", gear_facts(part, name), _FRAME, makers, wanted, out, progress)
+    return publish(f"{name}_gear", gear_facts(form, part, name), _FRAME, makers, wanted, out, progress)
 
 
-def gear_facts(part: TrainPart, name: str) -> dict[str, Any]:
+def gear_facts(form: GearForm, part: TrainPart, name: str) -> dict[str, Any]:
     """One gear as plain values, with what the shop measures on it as it is cut."""
-    form = part.gears[0]
     deviation = form.tooth_thickness_deviation
     sizes = inspection_of(form, deviation, deviation)
     return {
@@ -199,13 +195,13 @@ def gear_facts(part: TrainPart, name: str) -> dict[str, Any]:
     }
 
 
-def _step_file(part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
+def _step_file(form: GearForm, part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
     """Write a STEP file; require one valid solid with name and exact volume by the kernel, tooth curves by its text."""
     from cadgen.solids.gear_text import read_gear
     from cadgen.solids.step import read_part, step_bytes
 
     file = staging / f"{name}.step"
-    solid = solid_of(part, name)
+    solid = solid_of(form, part, name)
     file.write_bytes(step_bytes(solid))
     again = read_part(file)
     if not again.valid or again.bodies != 1 or again.name != name or again.description != solid.description:

@@ -9,17 +9,14 @@ from cadgen.build import gear_model
 from cadgen.check import Check
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
-from cadgen.gears.backlash import Departure, TrainPlay, departures, teeth_of, train_play
-from cadgen.gears.inspection import Inspection, inspection_of
 from cadgen.gears.joints import WholePlay
+from cadgen.gears.kinds.spur import GearPair, spur_pairs
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.limits import SearchLimits
 from cadgen.gears.names import Order
 from cadgen.gears.search import TrainSearch, arrange
-from cadgen.gears.thinning import thinned
-from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import GearPair, Train
-from cadgen.gears.undercut import missing_shift
+from cadgen.gears.stage import Departure, Stage, Wheel
+from cadgen.gears.train import Train, TrainPlay, teeth_of, train_play
 from cadgen.meshes.train_checks import failing_stages
 from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.made import MadeTrain, make_train
@@ -63,7 +60,6 @@ class GearsPlan:
         departures: overrides beside the standard's values.
         notes: sentences on the train: keys of the design that searched trains lack, and the meaning of its thinning.
         layout: parts at their places, with thinned teeth.
-        inspection: sizes for inspection of every part's gears, in the order of the parts, mm.
         checks: every figure with its verdict.
     """
 
@@ -78,7 +74,6 @@ class GearsPlan:
     departures: tuple[Departure, ...]
     notes: tuple[str, ...]
     layout: TrainLayout
-    inspection: tuple[tuple[Inspection, ...], ...]
     checks: tuple[Check, ...]
 
     @property
@@ -106,7 +101,7 @@ class GearsPlan:
         """One line for STEP files."""
         return f"gear train, {self.order}, design {self.design.content_hash[:12]}"
 
-    def chord(self, gears: Sequence[GearForm]) -> float:
+    def chord(self, gears: Sequence[Wheel]) -> float:
         """Greatest chord error of a part's mesh, mm."""
         return gear_model.mesh_chord(self.design, gears)
 
@@ -141,15 +136,14 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progres
         play=made.play,
         skipped=skipped,
         standard=_by_the_standard(made.play.train),
-        departures=departures(made.play.train),
+        departures=made.play.train.departures(),
         notes=(
             *_thinning_notes(design, made),
-            *_undercut_notes(made.layout),
+            *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
             *_joint_notes(design, made.play),
             *(_notes(design, given, limits) if limits else ()),
         ),
         layout=made.layout,
-        inspection=made.inspection,
         checks=made.checks,
     )
 
@@ -175,9 +169,9 @@ class _Candidates:
     def __init__(self, ranked: tuple[TrainPlay, ...], limits: SearchLimits | None, design: TrainDesign) -> None:
         self.ranked, self.limits, self.ended = ranked, limits, ""
         self._blanks, self._clearance = gear_model.blanks(design), gear_model.train_keys(design).clearance_mm
-        self._failing: dict[GearPair, None] = {}
+        self._failing: dict[Stage, None] = {}
 
-    def exclude(self, pairs: Iterable[GearPair]) -> None:
+    def exclude(self, pairs: Iterable[Stage]) -> None:
         """Try no train with any of these pairs from here on."""
         self._failing.update(dict.fromkeys(pairs))
 
@@ -225,7 +219,7 @@ def _first_made(
         except DesignError as error:
             skipped.append(Skipped(play, str(error)))
             if trains.limits:
-                trains.exclude(pair for pair in play.train.stages if not _can_be_cut(design, pair))
+                trains.exclude(pair for pair in play.train.stages if not _can_be_cut(pair))
             continue
         wrong = [check.name for check in made.checks if not check.passed]
         if not wrong:
@@ -233,7 +227,7 @@ def _first_made(
         failed.append((len(skipped), made))
         skipped.append(Skipped(play, f"its check of {' and '.join(wrong)} fails"))
         if trains.limits:
-            trains.exclude(play.train.stages[number] for number in failing_stages(made.layout, play.stages))
+            trains.exclude(play.train.stages[number] for number in failing_stages(made.layout))
         if len(failed) == MOST_MEASURED:
             trains.ended = f"{MOST_MEASURED} trains were measured and fail"
             break
@@ -251,14 +245,10 @@ def _first_made(
     )
 
 
-def _can_be_cut(design: TrainDesign, pair: GearPair) -> bool:
+def _can_be_cut(stage: Stage) -> bool:
     """Whether the teeth of a stage can be cut and inspected, whatever stands beside it."""
-    play = train_play(Train((pair,)))
     try:
-        cut = thinned(play).stages[0]
-        pin = gear_model.train_keys(design).pin_diameter_mm
-        for gear, role in ((cut.driver, play.stages[0].driver), (cut.driven, play.stages[0].driven)):
-            inspection_of(gear.form, role.E_sns, role.E_sni, pin)
+        stage.as_cut().wheel_facts()
     except DesignError:
         return False
     return True
@@ -272,7 +262,6 @@ def _make(design: TrainDesign, given: Train, play: TrainPlay) -> MadeTrain:
         _directions(given, play.train, gear_model.directions(design)),
         keys.clearance_mm,
         lambda gears: gear_model.mesh_chord(design, gears),
-        keys.pin_diameter_mm,
     )
 
 
@@ -290,8 +279,11 @@ def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:
     """Meaning of the design's tooth thickness for the return error, in words."""
     keys = gear_model.train_keys(design)
     zone = "and play, return error and the limits in the table of parts are those of such teeth"
+    plays = [stage.play() for stage in made.play.train.stages if isinstance(stage, GearPair)]
+    if not plays:
+        return ()
     if keys.E_sn_um is not None:
-        widths = [role.T_sn * 1e3 for stage in made.play.stages for role in (stage.driver, stage.driven)]
+        widths = [role.T_sn * 1e3 for play in plays for role in (play.driver, play.driven)]
         return (
             f"E_sn = {keys.E_sn_um:g} µm is the design's own: teeth are cut within T_sn / 2 = {min(widths) / 2:.0f} to"
             f" {max(widths) / 2:.0f} µm of it, {zone}",
@@ -308,30 +300,16 @@ def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
     return (whole.sentence(),) if whole.loose else ()
 
 
-def _undercut_notes(layout: TrainLayout) -> tuple[str, ...]:
-    """Gears that are undercut as they are cut, and how far, in words."""
-    notes = []
-    for number, pair in enumerate(layout.train.stages, 1):
-        for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
-            if (missing := missing_shift(gear.form)) > 0:
-                notes.append(
-                    f"the {role} of stage {number}, of {gear.form.teeth} teeth, is undercut: as cut it has the profile"
-                    f" shift {gear.form.generating_profile_shift:.2f}, {missing:.2f} modules less than would leave its"
-                    " flanks whole"
-                )
-    return tuple(notes)
-
-
 def _notes(design: TrainDesign, given: Train, limits: SearchLimits) -> tuple[str, ...]:
     """Limits of the search, and the keys that searched trains do not take over from the stages given, in words."""
-    gears = [gear for pair in given.stages for gear in (pair.driver, pair.driven)]
+    gears = [gear for pair in spur_pairs(given, "the search is") for gear in (pair.driver, pair.driven)]
     notes = [f"searched: {limits}"]
     if left := gear_model.limits_left_out(design):
         notes.append(
             f"not given in [train.search]: {left}; sizes that are left out span those of the given stages, the other"
             " limits are the usual ones, widened to the given stages where these go further"
         )
-    if departures(given):
+    if given.departures():
         notes.append(
             "searched gears are made to the standard's tolerances, without those that the design gives for its own;"
             " they are compared with the given train by the standard"

@@ -1,0 +1,53 @@
+"""The registered kinds that a design names, which decide what keys it has."""
+
+from dataclasses import dataclass
+
+from cadgen.cam.followers.kind import FollowerKind
+from cadgen.cam.followers.rod_kind import ROD
+from cadgen.design.follower import named_kind
+from cadgen.design.stage import stage_kinds
+from cadgen.gears.kinds.kind import StageKind
+
+# A key's parts from the top, items of lists counted from 0.
+Place = tuple[str | int, ...]
+
+
+@dataclass(frozen=True)
+class Kinds:
+    """Kinds that decide what keys there are at a place of a design.
+
+    Attributes:
+        follower: kind of follower.
+        stage: kind of the stage that holds the place; None for spur gears.
+    """
+
+    follower: FollowerKind = ROD
+    stage: StageKind | None = None
+
+
+USUAL = Kinds()
+
+
+@dataclass(frozen=True)
+class NamedKinds:
+    """Kinds that a whole design names.
+
+    Attributes:
+        follower: kind of follower.
+        stages: kind of each stage of the train; None for spur gears.
+    """
+
+    follower: FollowerKind = ROD
+    stages: tuple[StageKind | None, ...] = ()
+
+    @classmethod
+    def of(cls, values: object) -> "NamedKinds":
+        """Kinds that raw values name; the usual ones where they name none that is known."""
+        return cls(named_kind(values), stage_kinds(values))
+
+    def at(self, place: Place) -> Kinds:
+        """Kinds that decide at a place."""
+        match place:
+            case ("train", "stages", int(number), *_) if number < len(self.stages):
+                return Kinds(self.follower, self.stages[number])
+        return Kinds(self.follower)

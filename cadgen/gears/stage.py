@@ -1,0 +1,200 @@
+"""What a stage of a train is, whatever passes its motion on: two wheels on parallel axes that turn against each other.
+
+The train, its play, its layout, its checks and its files go by this and by nothing else. Spur gears are the first kind
+(`kinds.spur`); friction discs, which have no teeth, are that of the how-to page.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Protocol, Self
+
+from cadgen.check import Check
+from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.engaged import Engage
+from cadgen.gears.names import Law
+from cadgen.parts.loop import Loop
+
+
+class Wheel(Protocol):
+    """One wheel of a stage, without what it has besides its rim; its own axis at the origin.
+
+    `str` of it names it at the head of a sentence.
+    """
+
+    @property
+    def width(self) -> float:
+        """Of the face, mm."""
+
+    @property
+    def tip_diameter(self) -> float:
+        """Of the circle that holds the rim, mm."""
+
+    @property
+    def root_diameter(self) -> float:
+        """Of the circle that the rim leaves whole, mm; the same for a plain disc."""
+
+    @property
+    def least_rim(self) -> float:
+        """Least wall under that circle, mm."""
+
+    @property
+    def outline(self) -> Loop:
+        """Section of the rim as it is made, with its first pitch about the x axis.
+
+        Raises:
+            DesignError: it cannot be made.
+        """
+
+    @property
+    def noun(self) -> str:
+        """What it is called where a body is meant: `the gear of 20 teeth`."""
+
+    @property
+    def usual_chord(self) -> float:
+        """Greatest chord error of its mesh where none is given, mm."""
+
+
+class Play(Protocol):
+    """Play of a stage at its driven shaft: a zone, and how it is distributed in it."""
+
+    @property
+    def B_min(self) -> float:  # noqa: N802  # noqa: N802
+        """Least free angle of the driven wheel, rad; below 0 the stage may jam."""
+
+    @property
+    def B_max(self) -> float:  # noqa: N802  # noqa: N802
+        """Greatest, rad."""
+
+    def distribution(self, law: Law = "normal") -> ZoneSum:
+        """Its independent contributions as arcs of the driven wheel's pitch circle, mm."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Departure:
+    """An overridden tolerance: `used` in place of `standard`, in mm (None: no standard covers the size)."""
+
+    where: str
+    symbol: str
+    used: float
+    standard: float | None
+
+
+class Stage(ABC):
+    """One stage: a driver turns a driven wheel.
+
+    What has a body here holds for stages without teeth and tolerances.
+
+    Attributes:
+        noun: what it consists of: `spur gears`.
+        centre_distance: of the axes, mm.
+        bearing_span: between the bearings of either shaft, mm.
+    """
+
+    __slots__ = ()
+
+    noun: str
+    centre_distance: float
+    bearing_span: float
+
+    @property
+    @abstractmethod
+    def wheels(self) -> tuple[Wheel, Wheel]:
+        """Driver and driven wheel."""
+
+    @property
+    @abstractmethod
+    def ratio(self) -> Fraction:
+        """i: turns of the driver per turn of the driven wheel, which turns the other way."""
+
+    @property
+    @abstractmethod
+    def driven_pitch_radius(self) -> float:
+        """Radius at which the driven wheel is driven, mm: play and errors are arcs of this circle."""
+
+    @property
+    @abstractmethod
+    def label(self) -> str:
+        """Driver and driven wheel in a table, such as the teeth of both: `20/60`."""
+
+    @property
+    def module(self) -> float | None:
+        """Of the teeth, mm; None without teeth."""
+        return None
+
+    @abstractmethod
+    def play(self) -> Play:
+        """Its play.
+
+        Raises:
+            DesignError: it cannot be known.
+        """
+
+    @abstractmethod
+    def free_angle(self) -> float:
+        """Play at the driven shaft as it is made, its sizes in the middle, rad."""
+
+    def opened(self, clearance: float) -> float:
+        """Play that axes further apart by as much, mm, add at the driven shaft, rad; none where they are pressed on."""
+        return 0.0
+
+    def as_cut(self) -> Self:
+        """The stage as it is made for the play it is to have.
+
+        Raises:
+            DesignError: it cannot be made.
+        """
+        return self
+
+    def by_the_standard(self) -> Self:
+        """The same stage without tolerances of its own."""
+        return self
+
+    def departures(self, number: int) -> tuple[Departure, ...]:
+        """Its own tolerances beside those of the standard; `number` is that of the stage, from 1."""
+        return ()
+
+    @abstractmethod
+    def driven_angle(self, driver_angle: float, direction: float) -> float:
+        """Angle of the driven wheel in mesh with a driver at an angle, rad.
+
+        Args:
+            driver_angle: of the driver, rad.
+            direction: from the driver's axis to that of the driven wheel, rad.
+        """
+
+    @property
+    def toothed(self) -> bool:
+        """Whether its play is the room between flanks, which can be measured on the outlines of both wheels."""
+        return False
+
+    def meshes(self, engage: Engage) -> bool:
+        """Whether its flanks, as made, hold each other with some play all the time; `engage` as of `checks`."""
+        return False
+
+    @abstractmethod
+    def checks(self, engage: Engage) -> tuple[Check, ...]:
+        """Figures of the stage as it is made, with limits and verdicts; of one code there is one.
+
+        Args:
+            engage: a stage, perhaps of another thickness, and a centre distance, mm -> its outlines set against each
+                other.
+        """
+
+    def notes(self, number: int) -> tuple[str, ...]:
+        """What to know of the stage as it is made, a sentence each, in small letters and without a full stop."""
+        return ()
+
+    @abstractmethod
+    def facts(self) -> dict[str, Any]:
+        """What the manifest says of the stage as it is made: plain values by their keys, which end in the unit."""
+
+    @abstractmethod
+    def wheel_facts(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What the table of parts says of driver and driven wheel, alike: what the shop makes and measures them by.
+
+        Raises:
+            DesignError: a wheel that it could not measure.
+        """
