@@ -20,7 +20,7 @@ from cadgen.measurement.verdict import SIGMAS, Judgement, unclaimed, within_erro
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
-DWARFED = 10.0
+DWARFED = 6.0  # of noise and form error; up to six effects take some of what a wrong design leaves, too
 # Beside a rest of this many times that, the size of an effect is the rest's as much as its own.
 LARGE = 3.0
 # Noise between runs this many times that of the instrument is another thing than the instrument.
