@@ -174,20 +174,31 @@ def fit(
 
     if stepwise.any():
         x, _ = _tried(misfit_at, x, stepwise, bounds, _COARSE)
-    misfit = misfit_at(x)
-    spectrum, covariance = _least(misfit, joint.within), np.empty((0, 0))
+    misfit, covariance = misfit_at(x), np.empty((0, 0))
+    # A run that is left out is judged by one spectrum, whatever it is.
+    allowed = joint.within if joint.within.any() else ~joint.within
     if len(x):
-        # The best spectrum may change as the fit improves: once more if it does.
-        for _ in range(3):
+        # A large discrepancy is forgiving, and so the first to be fitted with; but it may hide what an effect does, and
+        # with a slight one the values go on from there.
+        fits = []
+        for size in np.unique(joint.beside[allowed])[::-1]:
+            spectrum = _least(misfit, allowed & (joint.beside == size))
             x, covariance = _settled(white, tangents, x, spectrum, bounds, steps)
             misfit = misfit_at(x)
-            before, spectrum = spectrum, _least(misfit, joint.within)
+            fits.append((float(misfit[allowed].min()), spectrum, x, covariance, misfit))
+        _, spectrum, x, covariance, misfit = min(fits, key=lambda entry: entry[0])
+        # The best spectrum may change as the fit improves: once more if it does.
+        for _ in range(2):
+            before, spectrum = spectrum, _least(misfit, allowed)
             if spectrum == before:
                 break
+            x, covariance = _settled(white, tangents, x, spectrum, bounds, steps)
+            misfit = misfit_at(x)
         if stepwise.any():
             x, variance = _tried(misfit_at, x, stepwise, bounds, _FINE)
             covariance[np.diag_indices(len(x))] += np.where(stepwise, variance, 0.0)
             misfit = misfit_at(x)
+    spectrum = _least(misfit, allowed)
     parameters = sum(len(e.parameters) for e in effects)
     return Hypothesis(
         effects=effects,

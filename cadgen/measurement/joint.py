@@ -125,6 +125,11 @@ class Joint:
         return self.parts[0].evidence.within
 
     @cached_property
+    def beside(self) -> Array:
+        """Size of the discrepancy in each of them, as a multiple of what it may be."""
+        return np.array([spectrum.beside for spectrum in self.grid])
+
+    @cached_property
     def constant(self) -> Array:
         """log det C for each spectrum."""
         return np.asarray(np.sum([part.evidence.constant for part in self.parts], axis=0))

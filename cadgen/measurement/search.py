@@ -35,6 +35,8 @@ ROUNDS = 4
 CHANCE = 3.0
 # An effect of the instrument and one of the part are told apart by data in which they differ by this share.
 PARTED = 0.02
+# Values that are better than those fitted by this much, in -2 log L, lie in another valley.
+BETTER = 1.0
 # Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
 COLLINEAR = 0.99999
 
@@ -122,15 +124,21 @@ def find(joint: Joint) -> list[Hypothesis]:
 
 
 def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hypothesis], search: Search) -> None:
-    """Fit subsets exactly that are not among those fitted, and add them."""
+    """Fit subsets exactly, and add them; one that is fitted already again if the values to begin from are better."""
     for effects, start in subsets:
         key = frozenset(e.key for e in effects)
-        if key not in fitted:
-            try:
-                fitted[key] = fit(joint, effects, start, search)
-            except DesignError:
-                # On its way the fit met a disc that no rod can follow: no such part was measured.
-                continue
+        try:
+            if key not in fitted or _misfit(joint, start) < fitted[key].misfit[fitted[key].within] - BETTER:
+                anew = fit(joint, effects, start, search)
+                fitted[key] = min(fitted.get(key, anew), anew, key=lambda h: h.score)
+        except DesignError:
+            # On its way the fit met a disc that no rod can follow: no such part was measured.
+            continue
+
+
+def _misfit(joint: Joint, active: Active) -> float:
+    """-2 log L of values, by the best spectrum that keeps the floor."""
+    return float(joint.misfit(joint.whiten(joint.residual(active)))[joint.within].min())
 
 
 def parted(joint: Joint) -> tuple[Effect, ...]:
@@ -196,19 +204,32 @@ def _promising(
     named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
     datum_start = [(e, v) for e, v in best.active if e in joint.datum]
     chosen = rated[:REFINED] + named[:NAMED]
-    if leaves_more:
-        # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted.
-        beside: dict[frozenset[str], Rated] = {}
-        for r in rated:
-            if any(e.beside for e in r.effects):
-                beside.setdefault(frozenset(e.key for e in r.effects), r)
-        chosen += [r for r in list(beside.values())[:NAMED] if r not in chosen]
-    return [(r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen]
+    starts: list[Start] = []
+    if leaves_more or any(e.shape for e in best.effects):
+        # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted; and a
+        # shape without a name may stand for it.
+        beside = [r for r in rated if any(e.beside for e in r.effects) and not any(e.shape for e in r.effects)]
+        chosen += [r for r in beside[:NAMED] if r not in chosen]
+        starts = [_alone(effect, core, beside, best) for effect in core if effect.beside]
+    return [*starts, *((r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen)]
+
+
+def _alone(effect: Effect, core: tuple[Effect, ...], beside: list[Rated], best: Hypothesis) -> Start:
+    """What acts beside another with that other and no more, from the values of the likeliest subset that holds both."""
+    pair = tuple(e for e in core if e is effect or e.key == getattr(effect.beside, "key", None))
+    near = next((r for r in beside if effect in r.effects), None)
+    values = _cut(near.effects, near.estimate) if near else best.active
+    datum = [(e, v) for e, v in best.active if e not in best.effects]
+    return pair, [*datum, *((e, v) for e, v in values if e in pair)]
 
 
 def _leaves_more(joint: Joint, best: Hypothesis) -> bool:
-    """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?"""
-    left = joint.standardise(joint.residual(best.active), best.within)
+    """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?
+
+    Asked at the least discrepancy, for as large as it may be it would hide what an effect does better.
+    """
+    spectrum = int(np.argmin(np.where(joint.within & (joint.beside == joint.beside.min()), best.misfit, np.inf)))
+    left = joint.standardise(joint.residual(best.active), spectrum)
     return bool(left @ left > len(left) + CHANCE * np.sqrt(2 * len(left)))
 
 
