@@ -210,17 +210,21 @@ def _promising(
         # shape without a name may stand for it.
         beside = [r for r in rated if any(e.beside for e in r.effects) and not any(e.shape for e in r.effects)]
         chosen += [r for r in beside[:NAMED] if r not in chosen]
-        starts = [_alone(effect, core, beside, best) for effect in core if effect.beside]
+        starts = [_accompanied(effect, core, beside, best) for effect in core if effect.beside]
     return [*starts, *((r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen)]
 
 
-def _alone(effect: Effect, core: tuple[Effect, ...], beside: list[Rated], best: Hypothesis) -> Start:
-    """What acts beside another with that other and no more, from the values of the likeliest subset that holds both."""
-    pair = tuple(e for e in core if e is effect or e.key == getattr(effect.beside, "key", None))
-    near = next((r for r in beside if effect in r.effects), None)
-    values = _cut(near.effects, near.estimate) if near else best.active
+def _accompanied(companion: Effect, core: tuple[Effect, ...], beside: list[Rated], best: Hypothesis) -> Start:
+    """The names of the best subset with what acts beside another, and that other; what is unknown from the likeliest.
+
+    Without its anonymous shapes, for they may have stood for it.
+    """
+    wanted = {e.key for e in (*best.effects, companion, companion.beside) if e and not e.shape}
+    near = next((r for r in beside if companion in r.effects), None)
+    values = _cut(near.effects, near.estimate) if near else []
     datum = [(e, v) for e, v in best.active if e not in best.effects]
-    return pair, [*datum, *((e, v) for e, v in values if e in pair)]
+    known = {e.key: (e, v) for e, v in (*values, *best.active) if e.key in wanted}
+    return tuple(e for e in core if e.key in wanted), [*datum, *known.values()]
 
 
 def _leaves_more(joint: Joint, best: Hypothesis) -> bool:
