@@ -215,10 +215,7 @@ def _promising(
 
 
 def _accompanied(companion: Effect, core: tuple[Effect, ...], beside: list[Rated], best: Hypothesis) -> Start:
-    """The names of the best subset with what acts beside another, and that other; what is unknown from the likeliest.
-
-    Without its anonymous shapes, for they may have stood for it.
-    """
+    """The best subset less its anonymous shapes, with what acts beside another, and that other."""
     wanted = {e.key for e in (*best.effects, companion, companion.beside) if e and not e.shape}
     near = next((r for r in beside if companion in r.effects), None)
     values = _cut(near.effects, near.estimate) if near else []
