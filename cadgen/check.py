@@ -30,6 +30,8 @@ class CheckCode(StrEnum):
     THINNEST_WALL = "thinnest-wall"
     CLOSURE = "closure"
     BLEND_START = "blend-start"
+    CHANCE_WORSE = "chance-worse"
+    RUNS_EXPLAINED = "runs-explained"
     EDGES_BROKEN_MORE = "edges-broken-more"
     LIFT_ERROR_WITH_PLAY = "lift-error-with-play"
     CAM_RUNS_AHEAD = "cam-runs-ahead"

@@ -18,7 +18,7 @@ from cadgen.errors import CheckError
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.workflow.cam.against import Against
-from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
+from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play, outlook_sentence
 from cadgen.workflow.cam.cures import Cures as Cures
 from cadgen.workflow.cam.cures import find_cures
 from cadgen.workflow.cam.manifest import cam_facts
@@ -220,6 +220,11 @@ class Cam:
         if "cures" not in self.__dict__:
             self.__dict__["cures"] = find_cures(self.computed, progress)
         return self.cures
+
+    @property
+    def expected(self) -> str:
+        """What a cam of an as-built design is expected to do, in a sentence; empty if nothing was measured."""
+        return outlook_sentence(self.computed.design)
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -120,6 +120,19 @@ class Effect(Section):
                 raise ValueError(f"{where} {name} is {self.numbers[name]:g}; it must be a whole number from 1")
 
 
+class Outlook(Section):
+    """What the new cam is expected to do, by all that was measured; written by `cadgen calibrate`."""
+
+    old_mm: float = Field(ge=0, le=1e7, description="mean distance from the planned end of the run, on the old cam")
+    new_mm: float = Field(ge=0, le=1e7, description="the same on a new cam made for `effects`")
+    least_mm: float = Field(ge=0, le=1e7, description="the new one is nearer with a chance of 5 %")
+    most_mm: float = Field(ge=0, le=1e7, description="the new one is farther off with a chance of 5 %")
+    chance_worse: float = Field(ge=0, le=1, description="that the new one is farther off than the old one")
+    explained: bool | None = Field(
+        default=None, description="whether the effects explain the measured track; left out if none was measured"
+    )
+
+
 class AsBuilt(Section):
     """The car as it was built and measured: written by `cadgen calibrate`, taken into account by every command."""
 
@@ -128,6 +141,7 @@ class AsBuilt(Section):
         description="of the cam that was on the car when it was measured, made from this design with `cut_for` in the "
         "place of `effects`",
     )
+    outlook: Outlook | None = None
     sources: Annotated[tuple[Source, ...], Strict(False)] = ()
     effects: Annotated[tuple[Effect, ...], Strict(False)] = ()
     cut_for: Annotated[tuple[Effect, ...], Strict(False)] = Field(

@@ -8,6 +8,7 @@
 | `effect`       | what an effect is: a change at one stage of a model, with parameters and bounds |
 | `disc`         | effects on the disc's outline about its bore                                    |
 | `lift`         | effects of the mount, the follower and the instrument on a measured lift        |
+| `instrument`   | effects of the instrument, beside those of the part that they look like          |
 | `transmission` | effects of the train between motor and camshaft, and of its encoders            |
 | `track`        | effects of the car that a cam steers                                            |
 | `tricycle`     | effects of a car whose front wheel is logged                                    |

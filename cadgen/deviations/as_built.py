@@ -31,6 +31,9 @@ from cadgen.deviations.names import Place
 from cadgen.errors import DesignError
 from cadgen.steering.car import Car
 
+# Which of a disc's effects stand still on the shaft, whatever way the disc's key is turned.
+_OF_SHAFT = (quantities.ECCENTRIC_BORE, quantities.SHAFT_RUNOUT)
+
 _Act = Callable[[Disc, Array, Any], Disc]
 
 # Points at which a cut outline is found, mm: shifts are smooth at this scale, and their spline errs by less than 1 nm.
@@ -232,7 +235,7 @@ class AsBuilt:
         for placed in self.effects:
             if placed.effect.stage is DISC and placed.place in places:
                 values, act = np.array(placed.values), placed.effect.act
-                if placed.place == "car" and placed.effect.quantity == quantities.ECCENTRIC_BORE:
+                if placed.place == "car" and placed.effect.quantity in _OF_SHAFT:
                     c, s = np.cos(turned), np.sin(turned)
                     values = np.array([c * values[0] + s * values[1], c * values[1] - s * values[0]])
                 if placed.effect.quantity == quantities.AXIS_REVERSAL:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from cadgen.deviations.disc import LAST_LOBE, NOSE_WIDTHS_DEG, PROFILE_EFFECTS, undulation, worn_nose
 from cadgen.deviations.effect import Effect
+from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT
 from cadgen.deviations.lift import LIFT_EFFECTS
 from cadgen.deviations.track import TRACK_EFFECTS
 from cadgen.deviations.transmission import RETURN_ERROR, TRAIN_EFFECTS, runout, tooth_mesh
@@ -107,8 +108,8 @@ _MESHES = Family(
     lambda match, given: tooth_mesh(int(match[1]), 1.0),
 )
 
-LIFT = Catalogue(*LIFT_EFFECTS, families=(_NOSES,))
-PROFILE = Catalogue(*PROFILE_EFFECTS, families=(_NOSES, _UNDULATIONS))
+LIFT = Catalogue(*LIFT_EFFECTS, *LIFT_INSTRUMENT, families=(_NOSES,))
+PROFILE = Catalogue(*PROFILE_EFFECTS, *PROFILE_INSTRUMENT, families=(_NOSES, _UNDULATIONS))
 TRANSMISSION = Catalogue(*TRAIN_EFFECTS, families=(_RUNOUTS, _MESHES))
 TRACK = Catalogue(*TRACK_EFFECTS)
 STEERED_TRACK = Catalogue(*TRICYCLE_EFFECTS)

@@ -125,6 +125,11 @@ def ramped_reversal(disc: Disc, p: Array, at: Array) -> Disc:
     return replace(disc, points=disc.points - share * (15 - 10 * share**2 + 3 * share**4) / 8 * p / 2)
 
 
+def _sheared(disc: Disc, p: Array, at: object) -> Disc:
+    """A machine whose axes enclose 90 degrees plus p goes to x - p y where it is sent to x."""
+    return replace(disc, points=disc.points - p[0] * disc.points[:, ::-1] * np.array([1.0, 0.0]))
+
+
 def _travel(disc: Disc) -> Array:
     """Direction in which the cutter runs, shape (n, 2)."""
     return np.stack([-disc.normal[:, 1], disc.normal[:, 0]], axis=1)
@@ -192,6 +197,26 @@ AXIS_REVERSAL = Effect(
 )
 
 
+OUT_OF_SQUARE = Effect(
+    name="axes out of square",
+    stage=DISC,
+    parameters=(
+        Parameter(
+            name="square_deg",
+            unit="deg",
+            lower=-1.0,
+            upper=1.0,
+            step=0.01,
+            meaning="+: the axes of the machine that cut it enclose more than 90°",
+        ),
+    ),
+    act=_sheared,
+    places=("process", "part"),
+    confused_with="lobing of order two",
+    separated_by="measure the diagonals of a square that the same machine cut",
+)
+
+
 def _harmonic(order: int) -> Callable[[Disc, Array, object], Disc]:
     def act(disc: Disc, p: Array, at: object) -> Disc:
         return disc.moved(p[0] * np.cos(order * disc.angle) + p[1] * np.sin(order * disc.angle))
@@ -199,7 +224,14 @@ def _harmonic(order: int) -> Callable[[Disc, Array, object], Disc]:
     return act
 
 
-PROFILE_EFFECTS = (ECCENTRIC_BORE, CUTTER_COMPENSATION, UNIFORM_SCALE, ANISOTROPIC_SCALE, AXIS_REVERSAL)
+PROFILE_EFFECTS = (
+    ECCENTRIC_BORE,
+    CUTTER_COMPENSATION,
+    UNIFORM_SCALE,
+    ANISOTROPIC_SCALE,
+    AXIS_REVERSAL,
+    OUT_OF_SQUARE,
+)
 
 LAST_LOBE = 8  # jaws of a chuck and supports of a spindle make up to eight lobes; finer is waviness
 

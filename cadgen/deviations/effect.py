@@ -80,6 +80,8 @@ class Effect:
         places: where the effect may be, the likeliest first; any effect may be `noted`.
         given: numbers that are not fitted but make it this effect, by the names they are written under.
         beside: effect without which it does nothing; with that it counts as one cause.
+        looks_like: effect of the part or the car that it may be taken for: where the data do not part them, they are
+            one cause under two names.
         parts: effects that it stands for while a search begins, each with its share of the parameters in order.
         variant: makes entries of one name different (which nose, from which width the search begins).
         cause: what its orders and places share; the name if empty.
@@ -104,6 +106,7 @@ class Effect:
     places: tuple[Place, ...] = ("noted",)
     given: tuple[tuple[str, float], ...] = ()
     beside: "Effect | None" = None
+    looks_like: "Effect | None" = None
     parts: tuple["Effect", ...] = ()
 
     @property
@@ -115,6 +118,11 @@ class Effect:
     def sort(self) -> str:
         """Name of the cause: what all its orders and places share."""
         return self.cause or self.name
+
+    @property
+    def instrument(self) -> bool:
+        """True of an effect of the instrument, which changes nothing but its own record."""
+        return self.looks_like is not None and self.places == ("noted",)
 
     @property
     def steps(self) -> Array:

@@ -102,7 +102,7 @@ def _drift(reading: Array, p: Array, at: Readings) -> Array:
     return np.asarray(reading + p[0] * at.elapsed)
 
 
-_HELD_BY_FRICTION = Effect(
+BACKLASH = Effect(
     name="backlash",
     stage=ANGLE,
     parameters=(_play("whole play at the camshaft; the cam lags by half of it either way"),),
@@ -113,29 +113,43 @@ _HELD_BY_FRICTION = Effect(
     confused_with="lost motion by friction",
     separated_by="hold the drive still and turn the camshaft to and fro by hand",
 )
+PHASE = Effect(
+    name="phase",
+    stage=ANGLE,
+    parameters=(
+        Parameter(
+            name="phase_deg",
+            unit="deg",
+            lower=-5.0,
+            upper=5.0,
+            step=0.05,
+            meaning="+: the cam stands ahead, in its sense of turning",
+        ),
+    ),
+    act=_phase,
+    quantity=quantities.CAM_PHASE,
+    places=("car",),
+    confused_with="backlash held by the spring",
+    separated_by="mark the keyway and read the divider at the mark",
+)
+SHAFT_RUNOUT = replace(
+    ECCENTRIC_BORE,
+    name="run-out of the shaft",
+    parameters=tuple(
+        replace(p, name=p.name.replace("eccentric", "shaft"), meaning=f"+: it runs out towards {way} of the outline")
+        for p, way in zip(ECCENTRIC_BORE.parameters, ("+x", "+y"), strict=True)
+    ),
+    quantity=quantities.SHAFT_RUNOUT,
+    places=("car",),
+    looks_like=ECCENTRIC_BORE,
+    confused_with="an eccentric bore",
+    separated_by="measure the profile about the bore on a CMM, and put a dial on the shaft",
+)
 LIFT_EFFECTS = (
     # The shaft's run-out looks the same, and stays with the car.
     replace(ECCENTRIC_BORE, places=("car", "part", "process")),
-    Effect(
-        name="phase",
-        stage=ANGLE,
-        parameters=(
-            Parameter(
-                name="phase_deg",
-                unit="deg",
-                lower=-5.0,
-                upper=5.0,
-                step=0.05,
-                meaning="+: the cam stands ahead, in its sense of turning",
-            ),
-        ),
-        act=_phase,
-        quantity=quantities.CAM_PHASE,
-        places=("car",),
-        twins=("zero of the divider",),
-        confused_with="backlash held by the spring",
-        separated_by="mark the keyway and read the divider at the mark",
-    ),
+    SHAFT_RUNOUT,
+    PHASE,
     Effect(
         name="rod radius",
         stage=FOLLOWER,
@@ -187,9 +201,9 @@ LIFT_EFFECTS = (
         confused_with="backlash",
         separated_by="tap the lever before each reading: friction lets go, backlash stays",
     ),
-    _HELD_BY_FRICTION,
+    BACKLASH,
     replace(
-        _HELD_BY_FRICTION,
+        BACKLASH,
         name="backlash, held by the spring",
         cause="backlash",
         parameters=(_play("whole play at the camshaft; the spring turns the cam downhill by half of it"),),

@@ -11,6 +11,7 @@ A gain of the lever and an error of the wheelbase turn every curvature into the 
 order in the angle, a yaw of the rear axle from a steering zero.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -230,7 +231,48 @@ def steering_bump(centre_deg: float, width_deg: float) -> Effect:
     )
 
 
+def _form(name: str, act: Callable[[Array, Array, Array], Array], unit: str, limit: float) -> Effect:
+    """A form without a name that runs through the whole turn."""
+    number = Parameter(name=f"{name.split()[-1]}_{_ENDS[unit]}", unit=unit, lower=-limit, upper=limit, step=limit / 1e3)
+    return Effect(
+        name=name,
+        stage=STEERING,
+        parameters=(number,),
+        act=act,
+        shape=True,
+        numerous=True,
+        separated_by="look at the linkage, and drive the same path twice on end",
+    )
+
+
+_ENDS = {"deg": "deg", "%": "percent"}
+# What a linkage that gives, a wheel that slides and a zero that wanders make of the steering's tangent.
+SMOOTH_FORMS = (
+    _form("steering that drifts", lambda tan, p, at: np.asarray(tan + p[0] * at / TURN), "deg", 5.0),
+    _form("steering that bends", lambda tan, p, at: np.asarray(tan + p[0] * np.abs(tan)), "%", 30.0),
+    _form("steering that fades", lambda tan, p, at: np.asarray(tan * (1 - p[0] * tan**2)), "%", 300.0),
+)
+
+
+def _worn(run: Running, p: Array, at: object) -> Running:
+    return replace(run, wear=run.wear + float(p[0]))
+
+
+WHEEL_THAT_SHRINKS = replace(
+    SMOOTH_FORMS[0],
+    name="travel that fades",
+    stage=RUNNING,
+    parameters=(Parameter(name="fades_percent", unit="%", lower=-20.0, upper=20.0, step=0.05),),
+    act=_worn,
+)
+
+
 def track_forms() -> tuple[Effect, ...]:
     """Play at several frictions for a search to begin from, and the local forms that compete."""
     bumps = [steering_bump(c, w) for w in (5.0, 15.0) for c in np.arange(w / 2, 360.0, w)]
-    return (*(rubbing(BACKLASH, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS), *bumps)
+    return (
+        *(rubbing(BACKLASH, SLIDING_FRICTION, _rubbing, mu) for mu in FRICTIONS),
+        *SMOOTH_FORMS,
+        WHEEL_THAT_SHRINKS,
+        *bumps,
+    )

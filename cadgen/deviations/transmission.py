@@ -17,16 +17,21 @@ from cadgen.deviations.rows import Rows
 
 
 @dataclass(frozen=True, kw_only=True)
-class Turns(Rows):
-    """What is known of each reading.
+class Turned:
+    """Where effects of the train act, shape (n,) each.
 
     Attributes:
-        turned: angle of the motor divided by the nominal ratio, shape (n,), rad.
-        torque: that the cam asks of its shaft, relative to its greatest, shape (n,).
+        turned: angle of the motor divided by the nominal ratio, rad.
+        torque: that the cam asks of its shaft, relative to its greatest.
     """
 
     turned: Array
     torque: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Turns(Turned, Rows):
+    """What is known of each reading."""
 
 
 @dataclass(frozen=True)
@@ -52,28 +57,28 @@ def _deg(name: str, meaning: str, limit: float, lower: float | None = None) -> P
     return Parameter(name=name, unit="deg", lower=low, upper=limit, step=limit / 200, meaning=meaning)
 
 
-def _play(play: Play, p: Array, at: Turns) -> Play:
+def _play(play: Play, p: Array, at: Turned) -> Play:
     return replace(play, width=float(p[0]))
 
 
-def _friction(play: Play, p: Array, at: Turns) -> Play:
+def _friction(play: Play, p: Array, at: Turned) -> Play:
     return replace(play, friction=float(p[0]))
 
 
-def _rubbing(play: Play, p: Array, at: Turns) -> Play:
+def _rubbing(play: Play, p: Array, at: Turned) -> Play:
     return _friction(_play(play, p[:1], at), p[1:], at)
 
 
-def _rate(angle: Array, p: Array, at: Turns) -> Array:
+def _rate(angle: Array, p: Array, at: Turned) -> Array:
     return np.asarray(angle * (1 + p[0]))
 
 
-def _wind_up(angle: Array, p: Array, at: Turns) -> Array:
+def _wind_up(angle: Array, p: Array, at: Turned) -> Array:
     return np.asarray(angle - p[0] * at.torque)
 
 
-def _periodic(order: float) -> Callable[[Array, Array, Turns], Array]:
-    def act(angle: Array, p: Array, at: Turns) -> Array:
+def _periodic(order: float) -> Callable[[Array, Array, Turned], Array]:
+    def act(angle: Array, p: Array, at: Turned) -> Array:
         return np.asarray(angle + p[0] * np.cos(order * at.turned) + p[1] * np.sin(order * at.turned))
 
     return act

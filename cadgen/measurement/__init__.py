@@ -11,6 +11,8 @@
 | `units`      | records in another unit than their header says, by what the design lets expect                  |
 | `shapes`     | forms without a name that compete with the catalogue                                            |
 | `noise`      | what does not repeat between runs                                                               |
+| `joint`      | records of one car as one: shared effects, one evidence                                         |
+| `merged`     | the catalogues of several records as one                                                        |
 | `evidence`   | likelihood of a residual with noise, datum and form error accounted for                         |
 | `hypothesis` | a subset of effects, fitted exactly and scored                                                  |
 | `search`     | all small subsets, linearised; the best are fitted                                              |
@@ -18,11 +20,12 @@
 | `friction`   | play and friction of one car: whether the data part them, and what is known of the play         |
 | `doubt`      | what speaks against a verdict: bounds, a rest that dwarfs every effect, too little data         |
 | `findings`   | effects with their numbers; a diagnosis by evidence, and one by runs left out                   |
-| `diagnose`   | the way through all of these for one record, and the test on runs left out                      |
+| `diagnose`   | the way through all of these for records of one car, and the test on runs left out              |
 | `leave_out`  | subsets by their path error on runs left out, where errors accumulate                           |
 | `steered`    | the diagnosis that follows from it                                                              |
 | `zones`      | the return error implied by mean turns over smooth, jump and reverse zones                      |
-| `together`   | one quantity in several kinds of data: agreement, and rivals that other data decide             |
-| `calibrate`  | the entry: records of one car, what one kind says known to the others                           |
+| `together`   | what is claimed, each quantity at work once, where data that are judged apart show it too       |
+| `calibrate`  | the entry: records of one car, judged together                                                  |
+| `outlook`    | where the car ends on the old cam, and on a new one made for what is claimed                    |
 | `reference`  | the catalogues as a page of documentation                                                       |
 """

@@ -1,7 +1,7 @@
 """From measured data to a verdict: noise, search, comparison of the rivals, and a test on runs left out."""
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,115 +9,215 @@ from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, Active, Effect
 from cadgen.deviations.quantities import Quantity
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved, unfit
-from cadgen.measurement.evidence import Evidence
-from cadgen.measurement.findings import Candidate, EvidenceDiagnosis, Finding, HeldOut, PerRun, Residual, Value
+from cadgen.measurement.evidence import Evidence, grid_of
+from cadgen.measurement.findings import Candidate, EvidenceDiagnosis, Finding, HeldOut, Likely, PerRun, Residual, Value
 from cadgen.measurement.friction import with_friction_judged, with_known_play
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
-from cadgen.measurement.models.base import Model, slopes
+from cadgen.measurement.joint import Build, Joint, Part
+from cadgen.measurement.models.base import Model, repeating, slopes
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Datum, Record
 from cadgen.measurement.search import find
 from cadgen.measurement.verdict import Judgement, judge, registered
 
-Build = Callable[[Record], Model]
 Step = Callable[[str], None]
+# A subset less likely than this does not change what is expected of the car.
+LEAST_WEIGHT = 1e-3
+# Noise that falls to this share once the likeliest effects are taken out was theirs.
+NOT_NOISE = 0.8
+# A discrepancy is said if one of its numbers is so many standard deviations from nothing.
+SURE_SIGMAS = 4.0
 # Verdicts beside which it counts that a quantity is not named.
 SOUND = ("none", "traced", "combination")
 
 
 def diagnose(
-    record: Record, build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
-) -> EvidenceDiagnosis:
-    """Trace what a record shows to effects, or say why not.
+    records: Sequence[Record], build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
+) -> tuple[EvidenceDiagnosis, ...]:
+    """Trace what records of one car show to effects, or say why not.
 
     Args:
-        record: measured data of one kind.
+        records: measured data, one record of each kind.
         build: makes the forward model of a record; called again for records with some runs left out.
         step: told what is being done.
         play: return error that was measured apart, and its standard deviation, rad.
 
+    Returns:
+        What each record shows by the joint verdict.
+
     Raises:
         FileError: one run only, with too few rows to tell its noise.
     """
-    step(f"{record.source}: telling noise from what repeats")
-    model = build(record)
-    refuse_too_few(record, model)
-    noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
-    evidence = Evidence(model, noise)
-    step(f"{record.source}: comparing all small subsets of {len(model.catalogue)} effects")
-    found = find(model, evidence)
-    judgement, best = judge(model, evidence, noise, found)
+    models = [build(record) for record in records]
+    parts, grid = [], grid_of(models)
+    for record, model in zip(records, models, strict=True):
+        step(f"{record.source}: telling noise from what repeats")
+        refuse_too_few(record, model)
+        noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
+        parts.append(Part(record, build, model, noise, Evidence(model, noise, grid)))
+    joint = Joint.of(parts)
+    step(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.numerous)} effects")
+    found = find(joint)
+    quieter = [_less_noise(part, found[0]) for part in joint.parts]
+    if any(new is not old for new, old in zip(quieter, joint.parts, strict=True)):
+        # Runs that were taken differently differ by an effect, and not by noise alone.
+        joint = replace(joint, parts=tuple(quieter))
+        found = find(joint)
+    judgement, best = judge(joint, found)
     found_alone = best
-    best, another = with_known_play(model, evidence, best, play)
-    play_known = best is not found_alone
-    none = next(h for h in found if not h.effects)
-    before, after = (registered(model, noise, model.residual(h.active)) for h in (none, best))
-    judgement = doubted(judgement, record, model, noise, best, after, unfit(model, evidence, noise, best))
-    judgement = with_friction_judged(judgement, best, play_known=play_known)
+    best, another = with_known_play(joint, best, play)
+    for part in joint.parts:
+        after = registered(part.model, part.noise, part.residual(best.active) - _discrepancy(part, joint, best)[0])
+        chance = unfit(part.model, part.evidence, part.noise, best, part.residual(best.active))
+        judgement = doubted(judgement, part.record, part.model, part.noise, best, after, chance)
+    judgement = with_friction_judged(judgement, best, play_known=best is not found_alone)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))
-    left, repeating = [], []
+    result = _Result(joint, judgement, best, found, best is not found_alone)
+    return tuple(_told(result, part, step) for part in joint.parts)
+
+
+@dataclass(frozen=True)
+class _Result:
+    """The joint verdict, the subset that it is on, all that were fitted, and whether a known play is in it."""
+
+    joint: Joint
+    judgement: Judgement
+    best: Hypothesis
+    found: list[Hypothesis]
+    play_known: bool
+
+
+def _less_noise(part: Part, best: Hypothesis) -> Part:
+    """A part with the noise that is left of it by the likeliest effects, if that is much less."""
+    noise = resolved(part.record, estimate_noise(part.model, part.residual(best.active)))
+    if noise.rms > NOT_NOISE * part.noise.rms:
+        return part
+    return replace(part, noise=noise, evidence=Evidence(part.model, noise, part.evidence.grid))
+
+
+def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:
+    """What one record shows by the joint verdict."""
+    joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
+    none = next(h for h in result.found if not h.effects)
+    before, after = (registered(model, noise, part.residual(h.active)) for h in (none, best))
+    datum, held, against = _datum(record.kind.datum, part, best)
+    held_out = []
     for run in range(record.runs) if record.runs > 1 else ():
         step(f"{record.source}: run {run + 1} left out")
-        whole, less = _held_out(record, model, build, noise, best, run)
-        left.append(whole)
-        repeating.append(less)
-    scale = UNITS[model.unit]
+        held_out.append(_held_out(joint, part, best, run))
+    residual, per_run = _figures(model, noise, before, after, held_out)
+    entries = [(part.names[e.key], v, s) for e, v, s in best.values() if e.key in part.names]
+    twins = {e.key: e.twins for e in best.effects}
+    findings = tuple(
+        replace(_finding(best, part.names[e.key], v, s), twins=twins[e.key])
+        for e, v, s in best.values()
+        if e.key in part.names
+    )
+    here = {e.name: part.names[e.key].name for e in best.effects if e.key in part.names}
+    judgement = replace(
+        result.judgement,
+        claimed=tuple(here[name] for name in result.judgement.claimed if name in here),
+        limits=(*result.judgement.limits, *against),
+    )
     return EvidenceDiagnosis(
         source=record.source,
         kind=record.kind,
         unit=model.unit,
         judgement=judgement,
-        findings=tuple(_finding(best, *entry) for entry in best.values()),
-        datum=_datum(record.kind.datum, model, noise, best),
+        findings=findings,
+        leads=tuple(here[e.name] for e in best.effects if joint.kinds.get(e.key) is part.kind and e.name in here),
+        datum=datum,
+        held=held,
+        discrepancy=_discrepancy(part, joint, best)[1],
         candidates=tuple(
             Candidate(
                 tuple(e.name for e in h.effects),
-                h.score - found[0].score,
+                h.score - result.found[0].score,
                 tuple(_finding(h, *entry) for entry in h.values()),
             )
-            for h in found
+            for h in result.found
         ),
-        residual=Residual(
-            before=_rms(before) / scale,
-            after=_rms(after) / scale,
-            noise=noise.rms / scale,
-            left_out=HeldOut(_rms(np.concatenate(left)) / scale, _rms(np.concatenate(repeating)) / scale)
-            if left
-            else None,
-        ),
-        per_run=PerRun(
-            _by_run(before, model) / scale,
-            _by_run(after, model) / scale,
-            np.array([_rms(part) for part in left]) / scale if left else None,
-        ),
+        residual=residual,
+        per_run=per_run,
         correlation=noise.correlation,
         place=model.rows.place,
         run=model.rows.run.astype(float),
         before=before,
         after=after,
-        active=[(e, v) for e, v in best.active if e in best.effects],
+        active=[(e, v) for e, v, _ in entries],
         measured=model.measured,
-        unnamed=_unnamed(record.kind.absences, model, evidence, judgement, best),
-        play_known=play_known,
+        unnamed=_unnamed(part, result),
+        play_known=result.play_known,
+        score=best.score,
+        likely=_likely(result),
+        beside=_beside(part, result),
     )
 
 
-def _unnamed(
-    quantities: tuple[Quantity, ...], model: Model, evidence: Evidence, judgement: Judgement, best: Hypothesis
-) -> dict[Quantity, Finding]:
+def _likely(result: _Result) -> tuple[Likely, ...]:
+    """The subsets that may be true, the reported one with the values reported, with their weights."""
+    joint, best = result.joint, result.best
+    fitted = [best, *(h for h in result.found if h.key != best.key)]
+    least = min(h.score for h in fitted)
+    weight = np.exp([(least - h.score) / 2 for h in fitted])
+    weight /= weight.sum()
+    out = []
+    for h, share in zip(fitted, weight, strict=True):
+        if share < LEAST_WEIGHT and h is not best:
+            continue
+        first = len(h.covariance) - sum(len(v) for _, v, _ in h.values())
+        effects = tuple(((joint.kinds[e.key].code, joint.own_name(e)), e, v) for e, v, _ in h.values())
+        out.append(Likely(float(share), effects, h.covariance[first:, first:]))
+    total = sum(likely.weight for likely in out)
+    return tuple(replace(likely, weight=likely.weight / total) for likely in out)
+
+
+def _beside(part: Part, result: _Result) -> tuple[complex, float]:
+    """What repeats beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
+    if part.model.measured is None:
+        return 0j, 0.0
+    ends = np.flatnonzero(part.model.rows.run == 0)
+    last = ends[[len(ends) // 2 - 1, -1]]
+    columns, spectrum = repeating(part.model)[last], result.joint.grid.index(result.best.spectrum)
+    x, y = columns @ part.evidence.repeating(part.evidence.whiten(part.residual(result.best.active)), spectrum)
+    spread = np.trace(columns @ part.evidence.unsure(spectrum) @ columns.T) / 2
+    return complex(x, y), float(np.sqrt(spread))
+
+
+def _figures(
+    model: Model, noise: Noise, before: Array, after: Array, held_out: list[tuple[Array, Array]]
+) -> tuple[Residual, PerRun]:
+    """Root mean squares of all rows and of each run, in the record's unit; `held_out` as of `_held_out`."""
+    scale = UNITS[model.unit]
+    whole, less = ([pair[k] for pair in held_out] for k in (0, 1))
+    left_out = HeldOut(*(_rms(np.concatenate(parts)) / scale for parts in (whole, less))) if held_out else None
+    return Residual(_rms(before) / scale, _rms(after) / scale, noise.rms / scale, left_out), PerRun(
+        _by_run(before, model) / scale,
+        _by_run(after, model) / scale,
+        np.array([_rms(part) for part in whole]) / scale if held_out else None,
+    )
+
+
+def _unnamed(part: Part, result: _Result) -> dict[Quantity, Finding]:
     """How much of some quantities there could be where several runs and a sound verdict name none."""
-    if model.rows.runs < 2 or judgement.verdict not in SOUND:
+    joint, best, judgement = result.joint, result.best, result.judgement
+    # Beside a form that has a place and a size, what is not there would have been seen too.
+    sound = judgement.verdict in SOUND or (judgement.verdict == "partial" and best.spectrum.within)
+    if part.model.rows.runs < 2 or not sound:
         return {}
-    unnamed = {}
-    for effect in model.catalogue:
+    named = {e.quantity for e in best.effects}
+    unnamed: dict[Quantity, Finding] = {}
+    for effect in joint.core:
         quantity = effect.quantity
-        if quantity not in quantities or effect in best.effects or quantity is None or quantity in unnamed:
+        if quantity is None or quantity not in part.kind.absences or quantity in named or quantity in unnamed:
+            continue
+        if joint.kinds[effect.key] is not part.kind:
             continue
         if effect.beside and effect.beside.name not in judgement.claimed:
             continue
         # With the effects found free beside it, what they could hide of it widens its error.
-        beside = fit(model, evidence, (*best.effects, effect), best.active, Search(1))
+        beside = fit(joint, (*best.effects, effect), best.active, Search(1))
         unnamed[quantity] = next(_finding(beside, *entry) for entry in beside.values() if entry[0] == effect)
     return unnamed
 
@@ -131,12 +231,30 @@ def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> F
     return Finding(effect.name, numbers, effect.twins, at_bound, effect.given)
 
 
-def _datum(datum: Datum, model: Model, noise: Noise, best: Hypothesis) -> tuple[Finding, ...]:
-    """The datum freedoms of each run, beside the effects."""
+def _discrepancy(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Finding | None]:
+    """What the discrepancy adds to the best subset's residual, and its numbers where they are sure."""
+    model, evidence = part.model, part.evidence
+    of, orders = model.discrepancy, model.form.shape[1]
+    spectrum = joint.grid.index(best.spectrum)
+    values = evidence.repeating(evidence.whiten(part.residual(best.active)), spectrum)[orders:]
+    sigma = np.sqrt(np.diag(evidence.unsure(spectrum))[orders:])
+    shown = tuple(
+        Value(name, float(v / UNITS[unit]), float(s / UNITS[unit]), unit)
+        for (name, unit), v, s in zip(of.numbers, values, sigma, strict=False)
+    )
+    sure = any(abs(v.value) > SURE_SIGMAS * v.sigma for v in shown)
+    return of.columns @ values, Finding(of.words, shown, (), ()) if sure else None
+
+
+def _datum(datum: Datum, part: Part, best: Hypothesis) -> tuple[tuple[Finding, ...], str, tuple[str, ...]]:
+    """The datum freedoms of each run beside the effects, what was known of them, and what speaks against that."""
     if not datum.numbers:
-        return ()
-    fitted = (datum.fit or _offsets)(model, model.residual(best.active), noise.sigma, best.active, best.datum())
-    return tuple(
+        return (), "", ()
+    model, noise = part.model, part.noise
+    mine = [(part.names[e.key], v, s) for e, v, s in best.datum() if e.key in part.names]
+    fitted = (datum.fit or _offsets)(model, part.residual(best.active), noise.sigma, part.own(best.active), mine)
+    held, against = datum.notes(model, *fitted) if datum.notes else ("", ())
+    found = tuple(
         Finding(
             f"{datum.name}, run {run + 1}",
             tuple(
@@ -148,6 +266,7 @@ def _datum(datum: Datum, model: Model, noise: Noise, best: Hypothesis) -> tuple[
         )
         for run, (values, sigmas) in enumerate(zip(*fitted, strict=True))
     )
+    return found, held, against
 
 
 def _offsets(
@@ -161,31 +280,19 @@ def _offsets(
     return np.asarray(values, dtype=float).reshape(shape), np.asarray(error, dtype=float).reshape(shape)
 
 
-def _held_out(
-    record: Record, model: Model, build: Build, noise: Noise, best: Hypothesis, run: int
-) -> tuple[Array, Array]:
-    """Residual of a run with effects from the others: datum refitted, without and with their form error."""
-    inside = model.rows.run != run
-    train = build(record.only(np.setdiff1d(np.arange(record.runs), [run])))
-    test = build(record.only(np.array([run])))
-    learn, judged = (
-        Noise(noise.sigma[rows], noise.correlation, noise.slip * (part.rows.runs > 1), part.rows.runs)
-        for rows, part in ((inside, train), (~inside, test))
-    )
-    evidence = Evidence(train, learn, grid=(best.spectrum,))
-    active = _refit(train, evidence, best)
-    form = evidence.form_error(evidence.whiten(train.residual(active)), 0)
+def _held_out(joint: Joint, part: Part, best: Hypothesis, run: int) -> tuple[Array, Array]:
+    """Residual of a run with effects from all else: datum refitted, without and with what repeats in the others."""
+    others, test = joint.without(part, run, best.spectrum)
+    train = next(p for p, whole in zip(others.parts, joint.parts, strict=True) if whole is part)
+    # A step within one run is no use for another.
+    effects = tuple(e for e in best.effects if not e.one_run)
+    active = fit(others, effects, best.active, Search(1)).active
+    repeats = train.evidence.repeating(train.evidence.whiten(train.residual(active)), 0)
     own = test.residual(active)
     # Of a datum that is no column, the run left out has its own value too.
-    turned = slopes(test, test.datum, active)
-    return registered(test, judged, own, turned), registered(test, judged, own - test.form @ form, turned)
-
-
-def _refit(model: Model, evidence: Evidence, best: Hypothesis) -> Active:
-    """The best subset fitted to some of the runs; a step within one run is no use for another."""
-    known = {e.key for e in model.catalogue}
-    effects = tuple(e for e in best.effects if e.key in known or not e.one_run)
-    return fit(model, evidence, effects, best.active, Search(1)).active
+    turned = slopes(test.model, test.model.datum, test.own(active))
+    less = own - repeating(test.model) @ repeats
+    return registered(test.model, test.noise, own, turned), registered(test.model, test.noise, less, turned)
 
 
 def _by_run(residual: Array, model: Model) -> Array:

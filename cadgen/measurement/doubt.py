@@ -11,16 +11,16 @@ from cadgen.deviations.friction import NO_FRICTION
 from cadgen.errors import FileError
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import Hypothesis
-from cadgen.measurement.models.base import Model, highest_order
+from cadgen.measurement.models.base import Model, highest_order, repeating
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.remarks import instrument
-from cadgen.measurement.search import LARGEST_SUBSET
+from cadgen.measurement.search import MOST_CAUSES
 from cadgen.measurement.verdict import SIGMAS, Judgement, unclaimed, within_error, within_words
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
-DWARFED = 10.0
+DWARFED = 6.0  # of noise and form error; up to six effects take some of what a wrong design leaves, too
 # Beside a rest of this many times that, the size of an effect is the rest's as much as its own.
 LARGE = 3.0
 # Noise between runs this many times that of the instrument is another thing than the instrument.
@@ -42,7 +42,7 @@ def refuse_too_few(record: Record, model: Model) -> None:
     Raises:
         FileError: it has not.
     """
-    rows, columns = len(model.rows.run), model.form.shape[1] + model.offsets.shape[1]
+    rows, columns = len(model.rows.run), repeating(model).shape[1] + model.offsets.shape[1]
     if record.runs == 1 and rows < LEAST_OVER * columns:
         raise FileError(
             f"{record.source}: one run of {rows} rows cannot tell noise from {int(model.order.max())} orders of form "
@@ -61,7 +61,7 @@ def resolved(record: Record, noise: Noise) -> Noise:
     return replace(noise, sigma=np.maximum(noise.sigma, least))
 
 
-def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> float:
+def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis, residual: Array) -> float:
     """The chance that noise and form error alone leave so much that repeats, by F-test; 1 if it cannot be told.
 
     r' C^-1 r is chi-square with as many degrees of freedom as rows less parameters. Those from which the noise was told
@@ -69,12 +69,12 @@ def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> f
     """
     if not noise.freedom:
         return 1.0
-    residual = evidence.standardise(model.residual(best.active), evidence.grid.index(best.spectrum))
+    white = evidence.standardise(residual, evidence.grid.index(best.spectrum))
     fitted = model.offsets.shape[1] + sum(len(e.parameters) for e in (*model.datum, *best.effects))
-    extra = len(residual) - fitted - noise.freedom
+    extra = len(white) - fitted - noise.freedom
     if extra < 1:
         return 1.0
-    ratio = (float(residual @ residual) - noise.freedom) / extra
+    ratio = (float(white @ white) - noise.freedom) / extra
     return float(f_distribution.sf(ratio, extra, noise.freedom))
 
 
@@ -107,10 +107,10 @@ def doubted(
             f"what remains is {left / allowed:.1f} times what noise and the stated form error make: nothing is claimed"
         )
         return replace(judgement, claimed=(), limits=(*judgement.limits, limit))
-    if causes(best.effects) == LARGEST_SUBSET and chance < UNFIT:
+    if causes(best.effects) >= MOST_CAUSES and chance < UNFIT:
         sentence = (
             f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "
-            f"form error: there are more than {LARGEST_SUBSET} effects, so sizes are not sure and nothing is claimed."
+            f"form error: there are more than {MOST_CAUSES} effects, so sizes are not sure and nothing is claimed."
         )
         return replace(judgement, verdict="ambiguous", sentence=sentence, claimed=())
     # That there is no friction is as sure a finding as that there is some.

@@ -1,23 +1,25 @@
 """How well a set of columns explains a residual, with the form error and the noise taken into account.
 
-The measured residual is y = X p + D d + F b + e: effects, datum freedoms, form error and noise. The form error has a
-variance spectrum by order k,
+The measured residual is y = X p + D d + F b + e: effects, datum freedoms, what repeats without a name, and noise.
+What repeats is the form error, and a discrepancy that each kind of record has of its own (`models.base.Discrepancy`),
+such as the floor under a track, whose amplitudes have a stated spread. The form error has a variance spectrum by order,
     S_k = s^2 c / (1 + (k / k0)^2)^q,   sum of S_k = s^2,
 whose size s is held to the stated floor, and whose knee k0 and steepness q are unknown: every hypothesis may choose
-among the spectra of a grid. With F and D integrated out (D with a flat prior),
+among the spectra of a grid. With F and D integrated out (D with the spread that is known of it, or a flat prior),
     -2 log L = r' C^-1 r + log det C,   C = noise + F S F',
 all from the products of columns by Woodbury's identity, so a whole catalogue costs one Cholesky factor of the size
 of F for each spectrum (Rasmussen and Williams, Gaussian Processes for Machine Learning, sec. 2.7 and A.3).
 """
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve, solve_triangular
 
 from cadgen.arrays import Array
-from cadgen.measurement.models.base import Model, per_run
+from cadgen.measurement.models.base import Model, per_run, repeating
 from cadgen.measurement.noise import Noise
 
 KNEES = (3.0, 6.0, 12.0, 25.0)
@@ -30,11 +32,13 @@ FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to wh
 
 @dataclass(frozen=True)
 class Spectrum:
-    """One member of the grid: size as a multiple of the floor, knee and steepness."""
+    """One member of the grid: size as a multiple of the floor, knee and steepness; and the discrepancy's size as a
+    multiple of what it may be, where the record's kind has one."""
 
     size: float
     knee: float
     steepness: float
+    beside: float = 1.0
 
     @property
     def within(self) -> bool:
@@ -51,6 +55,15 @@ class Spectrum:
 GRID = tuple(
     Spectrum(size, knee, steepness) for size, knee, steepness in product(WITHIN_FLOOR + BEYOND_FLOOR, KNEES, STEEPNESS)
 )
+# A floor may be as good as level, and then the car is known by so much more closely.
+SLIGHT = 0.1
+
+
+def grid_of(models: Sequence[Model]) -> tuple[Spectrum, ...]:
+    """The grid that models share: where any of them has a discrepancy, it is slight or as large as it may be."""
+    if not any(model.discrepancy.columns.shape[1] for model in models):
+        return GRID
+    return tuple(replace(spectrum, beside=beside) for beside in (SLIGHT, 1.0) for spectrum in GRID)
 
 
 class Evidence:
@@ -59,15 +72,15 @@ class Evidence:
     def __init__(self, model: Model, noise: Noise, grid: tuple[Spectrum, ...] = GRID) -> None:
         self.grid, self._noise, self._run = grid, noise, model.rows.run
         self.within = np.array([s.within for s in grid])
-        parts, flat = [model.form], model.form.shape[1]
+        parts, flat = [repeating(model)], model.form.shape[1] + model.discrepancy.columns.shape[1]
         known = np.empty(0)
         if noise.slip > 0:
             # Each run's own setting of the divider, and through it the mean of all: known no better than this.
             own = per_run(self._run) * model.slip[:, None]
             parts.append(own)
-            known = np.full(own.shape[1], noise.slip**2)
+            known = np.append(known, np.full(own.shape[1], noise.slip**2))
         parts.append(model.offsets)
-        free = np.zeros(model.offsets.shape[1])
+        free = 1 / model.spread**2
         self.basis = self.whiten(np.hstack(parts))
         gram = self.basis.T @ self.basis
         self._gram = gram
@@ -76,9 +89,10 @@ class Evidence:
         self.prior, self._factors, constants = [], [], []
         for spectrum in grid:
             variance = np.maximum(spectrum.variance(model.order, model.floor), 1e-300)
-            precision = np.concatenate([1 / variance, 1 / known if known.size else known, free])
+            beside = (spectrum.beside * model.discrepancy.sigma) ** 2
+            precision = np.concatenate([1 / variance, 1 / beside, 1 / known, free])
             factor = cho_factor(gram + np.diag(precision), lower=True)
-            constants.append(2 * np.sum(np.log(np.diag(factor[0]))) + np.sum(np.log(variance)))
+            constants.append(2 * np.sum(np.log(np.diag(factor[0]))) + np.sum(np.log(variance)) + np.sum(np.log(beside)))
             self._factors.append(factor)
             self.prior.append(precision)
         self.constant = np.array(constants)
@@ -129,7 +143,12 @@ class Evidence:
             self._roots[spectrum] = (turned * bend) @ turned.T
         return np.asarray(z + self.basis @ (self._roots[spectrum] @ (self.basis.T @ z)))
 
-    def form_error(self, residual: Array, spectrum: int) -> Array:
-        """Most likely coefficients of the form error given a whitened residual, shape (q,)."""
+    def unsure(self, spectrum: int) -> Array:
+        """Covariance of what `repeating` gives, shape (q + k, q + k)."""
+        factor = self._factors[spectrum]
+        return np.asarray(cho_solve(factor, np.eye(len(factor[0]))))[: self._flat, : self._flat]
+
+    def repeating(self, residual: Array, spectrum: int) -> Array:
+        """Most likely coefficients of form error and discrepancy given a whitened residual, shape (q + k,)."""
         mixed = self.basis.T @ residual
         return np.asarray(cho_solve(self._factors[spectrum], mixed, check_finite=False))[: self._flat]

@@ -7,7 +7,7 @@ noise, and a form error that repeats; by runs left out there are path errors alo
 from dataclasses import dataclass, field
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active
+from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.quantities import Quantity
 from cadgen.measurement.record import Kind
 from cadgen.measurement.verdict import SIGMAS, Judgement, within_error
@@ -167,18 +167,40 @@ class Diagnosis:
         return int(self.run.max()) + 1
 
 
+@dataclass(frozen=True, slots=True)
+class Likely:
+    """A subset that may be true, by all records together.
+
+    Attributes:
+        weight: its chance among those that may be.
+        effects: kind of data that each stands in and its name there, the effect, and its values in internal units.
+        covariance: of all values in order.
+    """
+
+    weight: float
+    effects: tuple[tuple[tuple[str, str], Effect, Array], ...]
+    covariance: Array
+
+
 @dataclass(frozen=True, kw_only=True)
 class EvidenceDiagnosis(Diagnosis):
     """Diagnosis of a record by the evidence of its residuals.
 
     Attributes:
         datum: fitted freedoms, never claimed; those of each run in order.
+        leads: effects found that stand in this kind's own catalogue, and are claimed by this record.
+        held: what was known of these beforehand, in words; empty if nothing was.
+        discrepancy: of the record's kind (see `models.base.Discrepancy`), never claimed; None where none is sure.
         residual: before and after.
         per_run: the same for each run.
         correlation: of the noise between neighbours.
-        known: effects that another record shows, and that this one was judged with.
         unnamed: how much there could be of the quantities of `Kind.absences` that a sound verdict does not name, by
             quantity, fitted beside what it does.
+        score: of the subset reported, by the criterion; of all records judged together.
+        contradicted: whether the record was judged apart from others of the car that it contradicts.
+        likely: subsets that may be true by all records together, the same for each of them.
+        beside: of a track, what repeats beside the effects at the end of the run, x + iy, and its standard deviation,
+            mm.
         play_known: whether the play found has in it what was measured of it apart.
     """
 
@@ -186,9 +208,15 @@ class EvidenceDiagnosis(Diagnosis):
     residual: Residual
     per_run: PerRun
     correlation: float
-    known: tuple[str, ...] = ()
+    leads: tuple[str, ...] = ()
+    held: str = ""
+    discrepancy: Finding | None = None
     unnamed: dict[Quantity, Finding] = field(default_factory=dict)
     play_known: bool = False
+    score: float = 0.0
+    contradicted: bool = False
+    likely: tuple[Likely, ...] = ()
+    beside: tuple[complex, float] = (0j, 0.0)
 
 
 @dataclass(frozen=True, kw_only=True)

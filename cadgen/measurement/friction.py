@@ -9,9 +9,8 @@ from dataclasses import replace
 
 from cadgen.deviations.effect import Effect
 from cadgen.deviations.friction import MEASURE_FRICTION
-from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
-from cadgen.measurement.models.base import Model
+from cadgen.measurement.joint import Joint
 from cadgen.measurement.verdict import Judgement, unclaimed
 
 # Play and friction are parted if their standard deviations are no more than these, the play's relative to its size.
@@ -20,14 +19,12 @@ PARTED_PLAY, PARTED_FRICTION = 0.015, 0.015
 ANOTHER = 3.3
 
 
-def with_known_play(
-    model: Model, evidence: Evidence, best: Hypothesis, known: tuple[float, float] | None
-) -> tuple[Hypothesis, str]:
+def with_known_play(joint: Joint, best: Hypothesis, known: tuple[float, float] | None) -> tuple[Hypothesis, str]:
     """The best subset with what is known of the play, if it holds friction beside it.
 
     Args:
-        model, evidence: of the record.
-        best: its best subset.
+        joint: the records.
+        best: their best subset.
         known: play and its standard deviation, rad.
 
     Returns:
@@ -45,7 +42,7 @@ def with_known_play(
             f"{error / number.scale:.3f}° that these data show beside friction, and was not used: make sure that it "
             "is of the same car"
         )
-    again = fit(model, evidence, best.effects, best.active, Search(len(model.rows.run)), {play.key: known})
+    again = fit(joint, best.effects, best.active, Search(joint.rows), {play.key: known})
     return replace(again, penalty=best.penalty, spectrum=best.spectrum), ""
 
 

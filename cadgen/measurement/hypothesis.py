@@ -11,8 +11,8 @@ from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
-from cadgen.measurement.evidence import Evidence, Spectrum
-from cadgen.measurement.models.base import Model, slopes
+from cadgen.measurement.evidence import Spectrum
+from cadgen.measurement.joint import Joint
 
 # Gauss-Newton from the linear estimate settles in two or three steps; more means the subset does not fit.
 _MOST_STEPS = 12
@@ -84,9 +84,9 @@ class Hypothesis:
         """The claims, and the names of what they become for some values."""
         return self.claims | {effect.includes.name for effect in self.effects if effect.includes}
 
-    def at(self, evidence: Evidence, *, loose: bool) -> "Hypothesis":
+    def at(self, joint: Joint, *, loose: bool) -> "Hypothesis":
         """The same with the spectrum that keeps the floor, or with the one that exceeds it."""
-        return replace(self, spectrum=evidence.grid[self.beyond if loose else self.within])
+        return replace(self, spectrum=joint.grid[self.beyond if loose else self.within])
 
     def datum(self) -> list[tuple[Effect, Array, Array]]:
         """The datum freedoms in the same form as `values`."""
@@ -134,8 +134,7 @@ class Search:
 
 
 def fit(
-    model: Model,
-    evidence: Evidence,
+    joint: Joint,
     effects: tuple[Effect, ...],
     start: Active,
     search: Search,
@@ -144,14 +143,13 @@ def fit(
     """Fit a subset and the datum exactly, with the form error as a random effect.
 
     Args:
-        model: forward model with its data.
-        evidence: its noise and form error.
+        joint: the records.
         effects: the subset.
         start: values to begin from; effects without one begin at their own start.
         search: for the penalty.
         known: value and standard deviation of effects' first numbers by the effects' keys, from other measurements.
     """
-    chosen = (*model.datum, *effects)
+    chosen = (*joint.datum, *effects)
     begin = {effect.key: values for effect, values in start}
     bounds = np.concatenate([e.bounds for e in chosen], axis=1) if chosen else np.empty((2, 0))
     x = np.concatenate([begin.get(e.key, e.start) for e in chosen]) if chosen else np.empty(0)
@@ -165,31 +163,42 @@ def fit(
     stepwise = np.array([p.stepwise for e in chosen for p in e.parameters], dtype=bool)
 
     def white(values: Array, spectrum: int) -> Array:
-        return np.append(evidence.standardise(model.residual(active(values)), spectrum), prior.residual(values))
+        return np.append(joint.standardise(joint.residual(active(values)), spectrum), prior.residual(values))
 
     def tangents(values: Array, spectrum: int) -> Array:
-        columns = slopes(model, chosen, active(values)) * ~stepwise
-        return np.vstack([-evidence.standardise(columns, spectrum), prior.rows])
+        columns = joint.slopes(chosen, active(values)) * ~stepwise
+        return np.vstack([-joint.standardise(columns, spectrum), prior.rows])
 
     def misfit_at(values: Array) -> Array:
-        return evidence.misfit(evidence.whiten(model.residual(active(values))))
+        return joint.misfit(joint.whiten(joint.residual(active(values))))
 
     if stepwise.any():
         x, _ = _tried(misfit_at, x, stepwise, bounds, _COARSE)
-    misfit = misfit_at(x)
-    spectrum, covariance = _least(misfit, evidence.within), np.empty((0, 0))
+    misfit, covariance = misfit_at(x), np.empty((0, 0))
+    # A run that is left out is judged by one spectrum, whatever it is.
+    allowed = joint.within if joint.within.any() else ~joint.within
     if len(x):
-        # The best spectrum may change as the fit improves: once more if it does.
-        for _ in range(3):
+        # A large discrepancy is forgiving, and so the first to be fitted with; but it may hide what an effect does, and
+        # with a slight one the values go on from there.
+        fits = []
+        for size in np.unique(joint.beside[allowed])[::-1]:
+            spectrum = _least(misfit, allowed & (joint.beside == size))
             x, covariance = _settled(white, tangents, x, spectrum, bounds, steps)
             misfit = misfit_at(x)
-            before, spectrum = spectrum, _least(misfit, evidence.within)
+            fits.append((float(misfit[allowed].min()), spectrum, x, covariance, misfit))
+        _, spectrum, x, covariance, misfit = min(fits, key=lambda entry: entry[0])
+        # The best spectrum may change as the fit improves: once more if it does.
+        for _ in range(2):
+            before, spectrum = spectrum, _least(misfit, allowed)
             if spectrum == before:
                 break
+            x, covariance = _settled(white, tangents, x, spectrum, bounds, steps)
+            misfit = misfit_at(x)
         if stepwise.any():
             x, variance = _tried(misfit_at, x, stepwise, bounds, _FINE)
             covariance[np.diag_indices(len(x))] += np.where(stepwise, variance, 0.0)
             misfit = misfit_at(x)
+    spectrum = _least(misfit, allowed)
     parameters = sum(len(e.parameters) for e in effects)
     return Hypothesis(
         effects=effects,
@@ -198,8 +207,8 @@ def fit(
         misfit=misfit,
         penalty=search.penalty(effects, parameters) - _overlap(covariance, effects, log(search.rows)),
         within=spectrum,
-        beyond=_least(misfit, ~evidence.within),
-        spectrum=evidence.grid[spectrum],
+        beyond=_least(misfit, ~joint.within),
+        spectrum=joint.grid[spectrum],
         at_bound=_on_bounds(chosen, x, bounds),
     )
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 from cadgen.arrays import Array
-from cadgen.measurement.models.base import Model, per_run
+from cadgen.measurement.models.base import Model, per_run, repeating
 
 Index = NDArray[np.intp]
 
@@ -59,7 +59,7 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
         freedom = len(residual) - int(np.count_nonzero(count))
     else:
         # What all runs share is no noise, the mean least of all: a disc too large all round errs in size.
-        free = np.hstack([model.offsets, np.ones((len(residual), 1)), model.form, *own])
+        free = np.hstack([model.offsets, np.ones((len(residual), 1)), repeating(model), *own])
         centred = np.column_stack([free, residual])
         freedom = len(residual)
     basis, target = centred[:, :-1], centred[:, -1]

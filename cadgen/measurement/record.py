@@ -32,13 +32,6 @@ class Method(Enum):
     ZONE_MEANS = "least squares of mean turns; there are no runs"
 
 
-class Knowledge(Enum):
-    """Results of one kind of data that are taken as known when the other kinds are judged."""
-
-    DISC = "effects on the disc"
-    PLAY = "return error"
-
-
 class Abscissa(Enum):
     """Label of the axis over which a picture shows the residual."""
 
@@ -89,12 +82,15 @@ class Datum:
         name: of one run's.
         numbers: name and unit of each; they are the model's `offsets`, run by run.
         fit: of the numbers, where they are not the offsets alone.
+        notes: (model, values, standard deviations) -> what was known of them beforehand, in words, and what speaks
+            against that; shape (runs, numbers) each, internal units.
     """
 
     words: str
     name: str = ""
     numbers: tuple[tuple[str, str], ...] = ()
     fit: DatumFit | None = None
+    notes: Callable[[Any, Array, Array], tuple[str, tuple[str, ...]]] | None = None
 
 
 def _no_check(record: "Record") -> None:
@@ -125,7 +121,6 @@ class Kind:
         most_rows: of all files of the kind together.
         least_rows: of each run.
         around: whether it is to show the whole turn of the cam, as few and far points cannot.
-        tells, takes: what it says that other kinds are judged with, and what it is judged with.
         absences: quantities of which a sound verdict that does not name them says that there is little.
         nearness: among kinds that show one quantity, the least is nearest to what the car drives with.
         rod_on: whether the rod is on the disc and the car runs, so that friction acts beside the play.
@@ -148,8 +143,6 @@ class Kind:
     most_rows: int = MOST_ROWS
     least_rows: int = LEAST_ROWS
     around: bool = False
-    tells: Knowledge | None = None
-    takes: tuple[Knowledge, ...] = ()
     absences: tuple[Quantity, ...] = ()
     nearness: int
     rod_on: bool = False

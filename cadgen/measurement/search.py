@@ -7,8 +7,8 @@ After each round the catalogue is linearised anew about the best exact fit, unti
 """
 
 from collections import Counter
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 
 import numpy as np
@@ -17,13 +17,15 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect, causes
 from cadgen.errors import DesignError
-from cadgen.measurement.evidence import Evidence
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
-from cadgen.measurement.models.base import Model, slopes
+from cadgen.measurement.joint import Joint
 
 Index = NDArray[np.intp]
+Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
 
-LARGEST_SUBSET = 3
+# Causes of which all subsets are tried, and that a subset may have which grows from the best one while that leaves more
+# than noise and form error.
+LARGEST_SUBSET, MOST_CAUSES = 3, 6
 # Subsets that get an exact fit in each round, and that the numerous effects are tried beside.
 REFINED = 5
 NAMED = 2
@@ -31,6 +33,10 @@ BASES = 20
 ROUNDS = 4
 # What is left is more than chance if its chi-square is so many standard deviations above its mean.
 CHANCE = 3.0
+# An effect of the instrument and one of the part are told apart by data in which they differ by this share.
+PARTED = 0.02
+# Values that are better than those fitted by this much, in -2 log L, lie in another valley.
+BETTER = 1.0
 # Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
 COLLINEAR = 0.99999
 
@@ -57,10 +63,10 @@ class Rated:
 class Numerous:
     """The many effects that enter one at a time: whitened once, with their products among their own columns."""
 
-    def __init__(self, evidence: Evidence, columns: Columns) -> None:
+    def __init__(self, joint: Joint, columns: Columns) -> None:
         self.effects, self.spans = columns.effects, columns.spans
-        self.white = evidence.whiten(columns.values)
-        self.halves = evidence.halves(self.white)
+        self.white = joint.whiten(columns.values)
+        self.halves = joint.halves(self.white)
         sorts = [(s.stop - s.start, bool(e.parts)) for e, s in zip(self.effects, self.spans, strict=True)]
         self.groups = [
             self._group(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
@@ -94,89 +100,145 @@ class Round:
     always: Index
 
 
-def find(model: Model, evidence: Evidence) -> list[Hypothesis]:
+def find(joint: Joint) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
-    core = tuple(e for e in model.catalogue if not e.numerous)
-    named = tuple(e for e in model.catalogue if e.numerous)
-    entries = Counter(e.sort for e in model.catalogue if not (e.shape or e.parts or e.beside))
-    anonymous = len(model.shapes) + sum(e.shape for e in named)
-    search = Search(len(model.rows.run), entries, max(anonymous, 1))
-    none = fit(model, evidence, (), [], search)
+    core, named = parted(joint), joint.numerous
+    entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
+    anonymous = len(joint.shapes) + sum(e.shape for e in named)
+    search = Search(joint.rows, entries, max(anonymous, 1))
+    none = fit(joint, (), [], search)
     fitted = {none.key: none}
     best = none
     # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
-    many = Numerous(evidence, _joined(_tangents(model, named, none), _shape_columns(model, model.shapes)))
+    many = Numerous(joint, _joined(_tangents(joint, named, none), _shape_columns(joint)))
     for _ in range(ROUNDS):
-        for effects, start in _promising(model, evidence, best, core, many, search):
-            key = frozenset(e.key for e in effects)
-            if key not in fitted:
-                try:
-                    fitted[key] = fit(model, evidence, effects, start, search)
-                except DesignError:
-                    # On its way the fit met a disc that no rod can follow: no such part was measured.
-                    continue
+        _fit_new(joint, _promising(joint, best, core, many, search), fitted, search)
         leader = min(fitted.values(), key=lambda h: h.score)
         if leader is best:
             break
         best = leader
+        # What acts beside another linearises badly, and may look needed where it is not.
+        less = [tuple(e for e in best.effects if e is not companion) for companion in best.effects if companion.beside]
+        _fit_new(joint, [(effects, best.active) for effects in less], fitted, search)
     return sorted(fitted.values(), key=lambda h: h.score)
 
 
+def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hypothesis], search: Search) -> None:
+    """Fit subsets exactly, and add them; one that is fitted already again if the values to begin from are better."""
+    for effects, start in subsets:
+        key = frozenset(e.key for e in effects)
+        try:
+            if key not in fitted or _misfit(joint, start) < fitted[key].misfit[fitted[key].within] - BETTER:
+                anew = fit(joint, effects, start, search)
+                fitted[key] = min(fitted.get(key, anew), anew, key=lambda h: h.score)
+        except DesignError:
+            # On its way the fit met a disc that no rod can follow: no such part was measured.
+            continue
+
+
+def _misfit(joint: Joint, active: Active) -> float:
+    """-2 log L of values, by the best spectrum that keeps the floor."""
+    return float(joint.misfit(joint.whiten(joint.residual(active)))[joint.within].min())
+
+
+def parted(joint: Joint) -> tuple[Effect, ...]:
+    """The freely combining effects, less those of the instrument that are another's twins in these data.
+
+    Two are told apart if their responses, less the datum, enclose an angle that `PARTED` is the sine of.
+    """
+    kept = {e.key: e for e in joint.core}
+    datum = [(e, e.start) for e in joint.datum]
+    free = np.linalg.qr(joint.whiten(np.hstack([joint.offsets, joint.slopes(joint.datum, datum)])))[0]
+
+    def response(effect: Effect) -> Array:
+        white = joint.whiten(joint.slopes((effect,), datum))
+        return np.linalg.qr(white - free @ (free.T @ white))[0]
+
+    for effect in joint.core:
+        other = effect.looks_like and kept.get(effect.looks_like.key)
+        if not other:
+            continue
+        mine, others = response(effect), response(other)
+        if np.linalg.norm(mine - others @ (others.T @ mine), 2) < PARTED:
+            del kept[effect.key]
+            by = f"{other.separated_by}; {effect.name}: {effect.separated_by}"
+            kept[other.key] = replace(other, twins=(*other.twins, effect.name), separated_by=by)
+    return tuple(kept.values())
+
+
 def _promising(
-    model: Model,
-    evidence: Evidence,
+    joint: Joint,
     best: Hypothesis,
     core: tuple[Effect, ...],
     many: Numerous,
     search: Search,
-) -> list[tuple[tuple[Effect, ...], Active]]:
+) -> list[Start]:
     """The subsets of least linearised score about the best one so far, with estimates to begin from."""
     # Numerous effects that have entered combine freely from now on.
     core = core + tuple(e for e in best.effects if e.numerous)
-    free = _tangents(model, core, best)
-    datum = slopes(model, model.datum, best.active)
+    free = _tangents(joint, core, best)
+    datum = joint.slopes(joint.datum, best.active)
     # What the residual would be without the active effects follows from their own tangents.
     known = [_value_in(best, e)[: s.stop - s.start] for e, s in zip(free.effects, free.spans, strict=True)]
-    bare = model.residual(best.active) + (free.values @ np.concatenate(known) if known else 0.0)
-    white = evidence.whiten(np.column_stack([free.values, datum, bare]))
-    halves = evidence.halves(white)
+    bare = joint.residual(best.active) + (free.values @ np.concatenate(known) if known else 0.0)
+    white = joint.whiten(np.column_stack([free.values, datum, bare]))
+    halves = joint.halves(white)
     width = free.values.shape[1]
     this = Round(
         free,
         white.T @ white - np.swapaxes(halves, 1, 2) @ halves,
         white.T @ many.white - np.swapaxes(halves, 1, 2) @ many.halves,
-        evidence.constant[evidence.within],
+        joint.constant[joint.within],
         np.arange(width, width + datum.shape[1]),
     )
-    rated = sorted(_rate_free(this, search), key=lambda r: r.score)
-    bases = [r for r in rated if causes(r.effects) < LARGEST_SUBSET][:BASES]
+    leaves_more = _leaves_more(joint, best)
+    subsets = set(_subsets(free.effects))
+    if leaves_more:
+        subsets |= set(_grown(free.effects, best))
+    rated = sorted(_rate_free(this, subsets, search), key=lambda r: r.score)
+    most = MOST_CAUSES if leaves_more else LARGEST_SUBSET
+    bases = [r for r in rated if causes(r.effects) < most][:BASES]
     rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
     rated.sort(key=lambda r: r.score)
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
-    datum_start = [(e, v) for e, v in best.active if e in model.datum]
+    datum_start = [(e, v) for e, v in best.active if e in joint.datum]
     chosen = rated[:REFINED] + named[:NAMED]
-    if _leaves_more(model, evidence, best):
-        # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted.
-        beside: dict[frozenset[str], Rated] = {}
-        for r in rated:
-            if any(e.beside for e in r.effects):
-                beside.setdefault(frozenset(e.key for e in r.effects), r)
-        chosen += [r for r in list(beside.values())[:NAMED] if r not in chosen]
-    return [(r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen]
+    starts: list[Start] = []
+    if leaves_more or any(e.shape for e in best.effects):
+        # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted; and a
+        # shape without a name may stand for it.
+        beside = [r for r in rated if any(e.beside for e in r.effects) and not any(e.shape for e in r.effects)]
+        chosen += [r for r in beside[:NAMED] if r not in chosen]
+        starts = [_accompanied(effect, core, beside, best) for effect in core if effect.beside]
+    return [*starts, *((r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen)]
 
 
-def _leaves_more(model: Model, evidence: Evidence, best: Hypothesis) -> bool:
-    """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?"""
-    left = evidence.standardise(model.residual(best.active), best.within)
+def _accompanied(companion: Effect, core: tuple[Effect, ...], beside: list[Rated], best: Hypothesis) -> Start:
+    """The best subset less its anonymous shapes, with what acts beside another, and that other."""
+    wanted = {e.key for e in (*best.effects, companion, companion.beside) if e and not e.shape}
+    near = next((r for r in beside if companion in r.effects), None)
+    values = _cut(near.effects, near.estimate) if near else []
+    datum = [(e, v) for e, v in best.active if e not in best.effects]
+    known = {e.key: (e, v) for e, v in (*values, *best.active) if e.key in wanted}
+    return tuple(e for e in core if e.key in wanted), [*datum, *known.values()]
+
+
+def _leaves_more(joint: Joint, best: Hypothesis) -> bool:
+    """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?
+
+    Asked at the least discrepancy, for as large as it may be it would hide what an effect does better.
+    """
+    spectrum = int(np.argmin(np.where(joint.within & (joint.beside == joint.beside.min()), best.misfit, np.inf)))
+    left = joint.standardise(joint.residual(best.active), spectrum)
     return bool(left @ left > len(left) + CHANCE * np.sqrt(2 * len(left)))
 
 
-def _rate_free(this: Round, search: Search) -> Iterator[Rated]:
-    """Every subset of the freely combining effects."""
+def _rate_free(this: Round, subsets: Iterable[tuple[int, ...]], search: Search) -> Iterator[Rated]:
+    """Subsets of the freely combining effects, and none of them, by their places."""
     free = this.free
     bundles: dict[int, list[tuple[int, ...]]] = {0: [()]}
-    for subset in _subsets(free.effects):
+    for subset in sorted(subsets):
         width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
         bundles.setdefault(width, []).append(subset)
     for width, subsets in bundles.items():
@@ -204,6 +266,19 @@ def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
             companions = [i for i, e in enumerate(effects) if e.beside in chosen]
             for more in range(len(companions) + 1):
                 yield from (tuple(sorted(subset + some)) for some in combinations(companions, more))
+
+
+def _grown(effects: tuple[Effect, ...], best: Hypothesis) -> Iterator[tuple[int, ...]]:
+    """The best subset with one or two effects more, or with one more and one less: how subsets beyond three grow."""
+    inside = tuple(i for i, e in enumerate(effects) if e.key in best.key)
+    outside = [i for i in range(len(effects)) if i not in inside]
+    for more in (*combinations(outside, 1), *combinations(outside, 2)):
+        for less in (None, *inside) if len(more) == 1 else (None,):
+            subset = tuple(sorted({*inside, *more} - {less}))
+            chosen = [effects[i] for i in subset]
+            paired = all(e.beside is None or e.beside in chosen for e in chosen)
+            if paired and _compatible(chosen) and LARGEST_SUBSET < causes(chosen) <= MOST_CAUSES:
+                yield subset
 
 
 def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
@@ -252,8 +327,8 @@ def _solve(
     return misfit[least, rows], (estimate[..., 0] / size)[least, rows], smallest > 1 - COLLINEAR
 
 
-def _tangents(model: Model, effects: tuple[Effect, ...], best: Hypothesis) -> Columns:
-    values = slopes(model, effects, best.active)
+def _tangents(joint: Joint, effects: tuple[Effect, ...], best: Hypothesis) -> Columns:
+    values = joint.slopes(effects, best.active)
     ends = np.cumsum([0, *(len(e.parameters) for e in effects)])
     # A second parameter that does nothing yet (a width at no depth) has no column of its own.
     alive = np.linalg.norm(values, axis=0) > 0
@@ -263,21 +338,20 @@ def _tangents(model: Model, effects: tuple[Effect, ...], best: Hypothesis) -> Co
     return Columns(tuple(effects[i] for i in useful), tuple(spans[i] for i in useful), values[:, alive])
 
 
-def _shape_columns(model: Model, shapes: tuple[Effect, ...]) -> Columns:
+def _shape_columns(joint: Joint) -> Columns:
     """Shapes act on the reading alone and in proportion to their size, so their columns are read off."""
-    nothing = np.zeros(len(model.rows.run))
     columns: list[Array] = []
     spans = []
-    for shape in shapes:
+    for shape in joint.shapes:
         first = len(columns)
         for k, step in enumerate(shape.steps):
             values = shape.start.copy()
             values[k] += step
-            column = shape.act(nothing, values, model.rows) / step
+            column = joint.shape_column(shape, values) / step
             if np.any(column):
                 columns.append(column)
         spans.append(slice(first, len(columns)))
-    return Columns(shapes, tuple(spans), np.stack(columns, axis=1) if columns else nothing[:, None][:, :0])
+    return Columns(joint.shapes, tuple(spans), np.stack(columns, axis=1) if columns else np.empty((joint.rows, 0)))
 
 
 def _joined(one: Columns, two: Columns) -> Columns:

@@ -6,7 +6,6 @@ All act at the stage `READING` on what the instrument shows, and know a row only
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.effect import READING, UNITS, Effect, Parameter
@@ -25,13 +24,13 @@ def _size(name: str, unit: str) -> Parameter:
     return Parameter(name=f"{name}_{unit}", unit=unit, lower=-limit, upper=limit, step=limit / 1000)
 
 
-def harmonic(order: int, unit: str) -> Effect:
+def harmonic(order: float, unit: str) -> Effect:
     """p0 cos(n theta) + p1 sin(n theta)."""
 
     def act(reading: Array, p: Array, at: Rows) -> Array:
         return np.asarray(reading + p[0] * np.cos(order * at.place) + p[1] * np.sin(order * at.place))
 
-    return _shape(f"harmonic of order {order}", (_size("cos", unit), _size("sin", unit)), act)
+    return _shape(f"harmonic of order {order:g}", (_size("cos", unit), _size("sin", unit)), act)
 
 
 def bump(centre_deg: float, width_deg: float, unit: str) -> Effect:
@@ -98,11 +97,11 @@ def _shape(
     )
 
 
-def shapes(rows: Rows, unit: str, orders: NDArray[np.intp] | range) -> tuple[Effect, ...]:
+def shapes(rows: Rows, unit: str, orders: Array | range) -> tuple[Effect, ...]:
     """Every competing form: harmonics of given orders, bumps and sectors all over the turn, steps in each run."""
     if unit not in UNITS:
         raise KeyError(unit)
-    forms = [harmonic(int(order), unit) for order in orders]
+    forms = [harmonic(float(order), unit) for order in orders]
     for width in BUMP_WIDTHS_DEG:
         centres = np.arange(0.0, 360.0, BUMP_PITCH * width)
         near = np.min(np.abs((rows.place[:, None] - np.radians(centres) + np.pi) % TURN - np.pi), axis=0)

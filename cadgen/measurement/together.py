@@ -1,9 +1,7 @@
-"""Several kinds of data of one car: what one record claims is known to the others.
+"""What the records of a car claim, each physical quantity at work once.
 
-An effect has a name of its own in each kind of data (play is *backlash* in a track, a *return error* in a train); what
-they mean is one physical quantity. Where two records claim it, their values must agree; where one is ambiguous, the
-claim of another leaves only those of its likely subsets that hold it. What a lift shows beside a disc whose bore is
-known from its profile is the shaft's: a quantity of its own, and nothing to compare with the whole.
+Data with a forward model are judged together (`joint`), and claim a thing once. Mean turns over zones and logged
+steering are judged by themselves: where they show a quantity that the others show too, the values must agree.
 """
 
 from collections.abc import Sequence
@@ -14,7 +12,7 @@ import numpy as np
 from scipy.stats import chi2
 
 from cadgen.deviations.friction import NO_FRICTION
-from cadgen.deviations.quantities import ECCENTRIC_BORE, RETURN_ERROR, Quantity
+from cadgen.deviations.quantities import RETURN_ERROR, Quantity
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Value
 from cadgen.measurement.record import Kind
 
@@ -23,9 +21,6 @@ AGREE = 1e-3
 
 # Play beyond this share of the tabled return error would have been seen: what is certainly less is none.
 NO_PLAY = 0.1
-
-# What an effect is that shows beside the same one of a known profile.
-BESIDE_PROFILE = {ECCENTRIC_BORE: Quantity("run-out of the shaft")}
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,23 +31,17 @@ class Claim:
         source, kind: of the record.
         finding: the effect with its values.
         informed: True if its value was fitted with the same quantity measured in another record.
-        remainder: True if an effect of this name was known from the profile, so that this is what it leaves.
     """
 
     source: str
     kind: Kind
     finding: Finding
-    remainder: bool = False
     informed: bool = False
 
     @property
     def quantity(self) -> Quantity:
         """What it is physically."""
-        quantity = self.kind.quantity(self.finding.effect)
-        if self.remainder:
-            beside = Quantity(f"{self.finding.effect} beside the profile's ({self.kind.code})")
-            return BESIDE_PROFILE.get(quantity, beside)
-        return quantity
+        return self.kind.quantity(self.finding.effect)
 
     @property
     def absent(self) -> bool:
@@ -82,24 +71,12 @@ class Shared:
         return self.chance > AGREE
 
 
-@dataclass(frozen=True, slots=True)
-class Settled:
-    """An ambiguous record that others decide.
-
-    Attributes:
-        claims: what it may now claim.
-        by: claims of the other records that decide it.
-        left: likely subsets that hold these, best first.
-    """
-
-    claims: tuple[Claim, ...]
-    by: tuple[Claim, ...]
-    left: tuple[tuple[str, ...], ...]
-
-
 def claims(diagnosis: Diagnosis) -> tuple[Claim, ...]:
-    """What a diagnosis claims."""
-    return tuple(_claim(diagnosis, f) for f in diagnosis.findings if f.effect in diagnosis.judgement.claimed)
+    """What a diagnosis claims: of what several records show together, that which stands in its own catalogue."""
+    claimed = set(diagnosis.judgement.claimed)
+    if isinstance(diagnosis, EvidenceDiagnosis):
+        claimed &= set(diagnosis.leads)
+    return tuple(_claim(diagnosis, f) for f in diagnosis.findings if f.effect in claimed)
 
 
 def no_play(source: str, kind: Kind, fitted: Finding, tabled_deg: float) -> Claim | None:
@@ -153,43 +130,11 @@ def shared(found: Sequence[Claim]) -> tuple[Shared, ...]:
     return tuple(out)
 
 
-def settled(diagnosis: Diagnosis, others: Sequence[Claim]) -> Settled | None:
-    """What the claims of other records decide in an ambiguous one, or None.
-
-    Of its likely subsets those remain that hold every quantity that another record claims and that at least one of them
-    holds, with a value that agrees; claimed is what all of them have in common.
-    """
-    likely = {
-        tuple(sorted(f.effect for f in diagnosis.findings)),
-        *(tuple(sorted(names)) for names in diagnosis.judgement.rivals),
-    }
-    subsets = [c for c in diagnosis.candidates if tuple(sorted(c.effects)) in likely]
-    if diagnosis.verdict != "ambiguous" or diagnosis.runs < 2 or len(subsets) < 2:
-        return None
-    left, by = subsets, []
-    for claim in others:
-        holding = [c for c in left if any(_same(claim, _claim(diagnosis, f)) for f in c.findings)]
-        if holding and len(holding) < len(left):
-            left = holding
-            by.append(claim)
-    common = set(left[0].effects).intersection(*(c.effects for c in left)) - set(diagnosis.judgement.claimed)
-    if not by or not common:
-        return None
-    new = tuple(_claim(diagnosis, f) for f in left[0].findings if f.effect in common and not f.within_error)
-    if not new:
-        return None
-    return Settled(new, tuple(by), tuple(c.effects for c in left))
-
-
 def _claim(diagnosis: Diagnosis, finding: Finding) -> Claim:
     if not isinstance(diagnosis, EvidenceDiagnosis):
         return Claim(diagnosis.source, diagnosis.kind, finding)
     informed = diagnosis.play_known and diagnosis.kind.quantity(finding.effect) == RETURN_ERROR
-    return Claim(diagnosis.source, diagnosis.kind, finding, finding.effect in diagnosis.known, informed)
-
-
-def _same(claim: Claim, other: Claim) -> bool:
-    return claim.quantity == other.quantity and _mean([claim.finding, other.finding])[1] > AGREE
+    return Claim(diagnosis.source, diagnosis.kind, finding, informed)
 
 
 def _mean(found: Sequence[Finding]) -> tuple[tuple[Value, ...], float]:

@@ -12,10 +12,10 @@ from scipy.stats import norm
 from scipy.stats import t as student
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import UNITS
-from cadgen.measurement.evidence import Evidence
+from cadgen.deviations.effect import UNITS, Active
 from cadgen.measurement.hypothesis import Hypothesis
-from cadgen.measurement.models.base import Model, fourier, per_run
+from cadgen.measurement.joint import Joint, Part
+from cadgen.measurement.models.base import Model, fourier, per_run, repeating
 from cadgen.measurement.noise import Noise
 
 Verdict = Literal[
@@ -132,37 +132,45 @@ def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement
     return replace(judgement, verdict="ambiguous", sentence=sentence)
 
 
-def judge(model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
+def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
     """Weigh the fitted subsets against each other and against what they leave; and the subset that is reported."""
-    found = [h for h in found if not _below_floor(model, noise, h)]
+    found = [h for h in found if not _below_floor(joint, h)]
     tight = found[0]
     loose = min(found, key=lambda h: h.loose_score)
     if tight.score <= loose.loose_score + LOOSE:
-        judgement, best = _within_floor(model, evidence, noise, found)
+        judgement, best = _within_floor(joint, found)
     else:
-        judgement, best = _beyond_floor(model, evidence, noise, loose, found)
-    left = _left_over(model, evidence, noise, best)
+        judgement, best = _beyond_floor(joint, loose, found)
+    left, where = max((_left_over(part, joint, best), part.record.source) for part in joint.parts)
     if judgement.verdict in ("untraced shape", "partial", "none") and left > LEFT_OVER:
         sentence = (
             f"What remains is {left:.1f} times the noise and neither an effect of the catalogue nor a shape that "
             "repeats: check that the design belongs to this file, and the file's units."
         )
         return replace(judgement, verdict="unexplained", sentence=sentence, claimed=()), best
-    if judgement.verdict != "none" and _runs_disagree(model, noise, best):
+    if left > LEFT_OVER:
+        limit = f"what remains in {where} is {left:.1f} times its noise and has no name: something else is at work too"
+        judgement = replace(judgement, limits=(*judgement.limits, limit))
+    if judgement.verdict != "none" and any(_runs_disagree(part, best) for part in joint.parts):
         sentence = "The runs differ from each other by more than the noise within them: nothing is claimed."
         return replace(judgement, verdict="runs disagree", sentence=sentence, claimed=()), best
-    if noise.runs == 1:
+    if all(part.noise.runs == 1 for part in joint.parts):
         limit = "one run only: noise cannot be told from what repeats, so no name is certain; repeat the measurement"
         words = f"One run only: consistent with {_names(best)}, but noise cannot be told from what repeats."
         if judgement.verdict != "none":
             judgement = replace(judgement, verdict="ambiguous", sentence=words)
-        return replace(judgement, claimed=(), limits=(limit,)), best
-    return judgement, best
+        return replace(judgement, claimed=(), limits=(limit, *judgement.limits)), best
+    return _less_single_runs(joint, judgement, best), best
 
 
-def _within_floor(
-    model: Model, evidence: Evidence, noise: Noise, found: list[Hypothesis]
-) -> tuple[Judgement, Hypothesis]:
+def _less_single_runs(joint: Joint, judgement: Judgement, best: Hypothesis) -> Judgement:
+    """A judgement that claims nothing which only records of one run show, of which the noise is not known."""
+    several = [part for part in joint.parts if part.noise.runs > 1]
+    alone = [e.name for e in best.effects if not any(e.key in part.names for part in several)]
+    return unclaimed(judgement, alone, "of one run only, whose noise cannot be told from what repeats")
+
+
+def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
     distinct = _distinct(found)
     weight = np.exp([(found[0].score - h.score) / 2 for h in distinct])
     weight /= weight.sum()
@@ -181,12 +189,13 @@ def _within_floor(
     anonymous = any(e.shape for e in best.effects)
     verdict: Verdict
     if not best.effects:
-        verdict, rivals = ("runs disagree" if _runs_disagree(model, noise, best) else "none"), []
+        disagree = any(_runs_disagree(part, best) for part in joint.parts)
+        verdict, rivals = ("runs disagree" if disagree else "none"), []
     elif anonymous and not best.claims:
         verdict = "untraced shape"
     elif anonymous:
         verdict = "partial"
-        if _explained(model, noise, found, best) < MOST:
+        if _explained(joint, found, best) < MOST:
             common = frozenset()
     elif best.claims != common:
         verdict = "ambiguous"
@@ -194,13 +203,13 @@ def _within_floor(
         verdict = "traced" if len(best.effects) == 1 else "combination"
     judgement = Judgement(
         verdict=verdict,
-        sentence=_sentence(model, verdict, best, rivals, sorted(reported - best.claims)),
+        sentence=_sentence(verdict, best, rivals, sorted(reported - best.claims)),
         claimed=tuple(sorted(common)),
         reported=tuple(sorted(reported)),
         rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
         separate=_separate([best, *rivals]),
     )
-    return judgement, best.at(evidence, loose=False)
+    return judgement, best.at(joint, loose=False)
 
 
 def _distinct(found: list[Hypothesis]) -> list[Hypothesis]:
@@ -211,17 +220,22 @@ def _distinct(found: list[Hypothesis]) -> list[Hypothesis]:
     return list(first.values())
 
 
-def _below_floor(model: Model, noise: Noise, h: Hypothesis) -> bool:
-    """Do effects of the subset, one or some together, change the registered residual by less than a share of the floor?
+def _below_floor(joint: Joint, h: Hypothesis) -> bool:
+    """Do effects of the subset, one or some together, change no registered residual by a share of its floor?
 
     Together, because two near twins of opposite sign can make any small shape that neither makes.
     """
-    whole = model.residual(h.active)
     for some in chain.from_iterable(combinations(h.key, size) for size in range(1, len(h.key) + 1)):
-        change = whole - model.residual([(e, v) for e, v in h.active if e.key not in some])
-        if np.sqrt(np.mean(registered(model, noise, change) ** 2)) < LEAST_OF_FLOOR * model.floor:
+        rest = [(e, v) for e, v in h.active if e.key not in some]
+        if not any(_shows(part, h.active, rest) for part in joint.parts):
             return True
     return False
+
+
+def _shows(part: Part, whole: Active, rest: Active) -> bool:
+    """Do the effects that `rest` lacks change a record by more than a share of its floor?"""
+    change = registered(part.model, part.noise, part.residual(whole) - part.residual(rest))
+    return bool(np.sqrt(np.mean(change**2)) >= LEAST_OF_FLOOR * part.model.floor)
 
 
 def registered(model: Model, noise: Noise, residual: Array, more: Array | None = None) -> Array:
@@ -234,29 +248,33 @@ def registered(model: Model, noise: Noise, residual: Array, more: Array | None =
     return np.asarray(residual - free @ fit)
 
 
-def _explained(model: Model, noise: Noise, found: list[Hypothesis], best: Hypothesis) -> float:
-    """Share of the registered residual's square that the named effects take away."""
+def _explained(joint: Joint, found: list[Hypothesis], best: Hypothesis) -> float:
+    """Share of the registered residuals' square, each over its noise, that the named effects take away."""
     none = next(h for h in found if not h.effects)
     named = [(e, v) for e, v in best.active if not e.shape]
-    before, after = (registered(model, noise, model.residual(a)) for a in (none.active, named))
-    return 1.0 - float(np.sum(after**2) / np.sum(before**2))
+    before, after = (
+        sum(float(np.sum((registered(p.model, p.noise, p.residual(a)) / p.noise.rms) ** 2)) for p in joint.parts)
+        for a in (none.active, named)
+    )
+    return 1.0 - after / before
 
 
-def _beyond_floor(
-    model: Model, evidence: Evidence, noise: Noise, loose: Hypothesis, found: list[Hypothesis]
-) -> tuple[Judgement, Hypothesis]:
+def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
     """No subset leaves a residual within the floor: an unknown shape is there, alone or beside effects."""
     alone = min((h for h in found if not h.claims), key=lambda h: h.loose_score)
     best = loose if loose.claims and loose.loose_score < alone.loose_score - BESIDE_UNKNOWN else alone
-    if best.claims and _explained(model, noise, found, best) < MOST:
+    if best.claims and _explained(joint, found, best) < MOST:
         best = alone
     verdict: Verdict = "partial" if best.claims else "untraced shape"
-    beyond = best.at(evidence, loose=True)
-    place, size = _largest(model, evidence, beyond)
+    beyond = best.at(joint, loose=True)
+    _, place, size, part = max((_largest(part, joint, beyond) for part in joint.parts), key=lambda found: found[0])
+    unit = part.model.unit
     words = (
         f"what remains is no effect of the catalogue: a smooth shape beyond the stated form error, largest "
-        f"({size / UNITS[model.unit]:+.3g} {model.unit}) at {np.degrees(place):.0f} deg"
+        f"({size / UNITS[unit]:+.3g} {unit}) at {np.degrees(place):.0f} deg"
     )
+    if len(joint.parts) > 1:
+        words += f" in {part.record.source}"
     if best.claims:
         words = f"partly consistent with {_names(best)}; {words}"
     judgement = Judgement(
@@ -270,34 +288,39 @@ def _beyond_floor(
     return judgement, beyond
 
 
-def _left_over(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis) -> float:
-    """RMS of the whitened residual less its most likely form error: 1 if only noise is left."""
-    residual = model.residual(best.active)
-    form = evidence.form_error(evidence.whiten(residual), evidence.grid.index(best.spectrum))
-    left = registered(model, noise, residual - model.form @ form)
-    return float(np.sqrt(np.mean((left / noise.sigma) ** 2)))
+def _repeating(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Array]:
+    """Residual of a part, and the most likely coefficients of what repeats in it."""
+    residual = part.residual(best.active)
+    return residual, part.evidence.repeating(part.evidence.whiten(residual), joint.grid.index(best.spectrum))
 
 
-def _largest(model: Model, evidence: Evidence, best: Hypothesis) -> tuple[float, float]:
-    """Place and size of the greatest value of the form error."""
-    form = evidence.form_error(evidence.whiten(model.residual(best.active)), evidence.grid.index(best.spectrum))
-    values = model.form @ form
+def _left_over(part: Part, joint: Joint, best: Hypothesis) -> float:
+    """RMS of the whitened residual less its most likely form error and discrepancy: 1 if only noise is left."""
+    residual, repeats = _repeating(part, joint, best)
+    left = registered(part.model, part.noise, residual - repeating(part.model) @ repeats)
+    return float(np.sqrt(np.mean((left / part.noise.sigma) ** 2)))
+
+
+def _largest(part: Part, joint: Joint, best: Hypothesis) -> tuple[float, float, float, Part]:
+    """The greatest value of the form error over the noise; its place, its size and the part."""
+    values = part.model.form @ _repeating(part, joint, best)[1][: part.model.form.shape[1]]
     values = values - values.mean()
     worst = int(np.argmax(np.abs(values)))
-    return float(model.rows.place[worst]), float(values[worst])
+    size = float(values[worst])
+    return abs(size) / part.noise.rms, float(part.model.rows.place[worst]), size, part
 
 
-def _runs_disagree(model: Model, noise: Noise, best: Hypothesis) -> bool:
+def _runs_disagree(part: Part, best: Hypothesis) -> bool:
     """Do the runs differ smoothly, by more than the noise between neighbours allows?"""
-    rows = model.rows
+    model, noise, rows = part.model, part.noise, part.model.rows
     if rows.runs < 2:
         return False
-    residual = model.residual(best.active)
+    residual = part.residual(best.active)
     smooth, _ = fourier(rows.place, SMOOTH_ORDERS)
     contrasts = [smooth * (rows.run == run)[:, None] for run in range(1, rows.runs)]
     # A divider set differently for each run is index error, and counted as noise.
     own = [per_run(rows.run) * model.slip[:, None]] if model.slip.size else []
-    base = np.hstack([model.offsets, model.form, *own])
+    base = np.hstack([model.offsets, repeating(model), *own])
     both = np.hstack([base, *contrasts])
     squares, ranks = [], []
     for columns in (base, both):
@@ -310,7 +333,7 @@ def _runs_disagree(model: Model, noise: Noise, best: Hypothesis) -> bool:
     return bool(f_distribution.sf(ratio / inflation, extra, left) < DISAGREE)
 
 
-def _sentence(model: Model, verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> str:
+def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> str:
     if verdict == "none":
         return "No effect beyond noise and the stated form error."
     if verdict == "runs disagree":

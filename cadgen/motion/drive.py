@@ -94,6 +94,7 @@ class Running:
         phase: angle by which the cam stands ahead on its shaft, rad.
         play: return error B at the camshaft, rad.
         friction: sliding, between rod and disc.
+        wear: share of the travel that is lost at the end of the turn, growing evenly from its start.
     """
 
     car: Car
@@ -101,6 +102,7 @@ class Running:
     phase: float = 0.0
     play: float = 0.0
     friction: float = 0.0
+    wear: float = 0.0
 
 
 def start_pose(track: Track) -> Pose:
@@ -120,7 +122,7 @@ def wheel_radius(length: float, ratio: float) -> float:
 
 
 def driven(
-    nodes: Array, wheel: Callable[[Array], Array], car: Car, length: float, start: Pose, rule: Rule
+    nodes: Array, wheel: Callable[[Array], Array], car: Car, length: float | Array, start: Pose, rule: Rule
 ) -> tuple[Array, Complex]:
     """Heading and position of the drive wheel at motor positions, by integration of eq. 21 and 23.
 
@@ -130,7 +132,8 @@ def driven(
         nodes: motor positions between which the steering is smooth, shape (n,), increasing, rad.
         wheel: tangent of the front wheel's angle at motor positions, shape (n - 1, s) -> the same.
         car: its dimensions and slip; its steering zero and gain are in `wheel`.
-        length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
+        length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm; where it changes
+            along the run, on each step, shape (n - 1, 1).
         start: pose at the first node.
         rule: integration rule on each step, with s nodes.
 

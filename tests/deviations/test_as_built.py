@@ -213,7 +213,7 @@ def test_a_nose_that_is_not_there_is_refused(carbon_free_car):
     ("kind", "name", "near"),
     [
         ("track", "steerin zero", "steering zero"),
-        ("lift", "steering zero", "rod radius"),
+        ("lift", "steering zero", "index error"),
         ("profile", "lobing, order 30", "lobing"),
     ],
 )

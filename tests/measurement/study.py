@@ -199,7 +199,8 @@ def same(name: str, claim: str) -> bool:
 
 def run(car: syn.Car, case: Case) -> EvidenceDiagnosis:
     """Diagnose one case without knowing it."""
-    return diagnose(case.record, nominal(car).model)
+    (told,) = diagnose([case.record], nominal(car).model)
+    return told
 
 
 @cache

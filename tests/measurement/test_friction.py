@@ -139,10 +139,10 @@ def test_no_friction_without_a_sure_play(nominal, world):
 
 def test_a_play_of_another_car_is_not_used(nominal, world):
     best = _best(nominal, world, 0.01, 0.01)
-    same, why = with_known_play(None, None, best, (radians(0.5), radians(0.01)))
+    same, why = with_known_play(None, best, (radians(0.5), radians(0.01)))
     assert same is best
     assert "0.500°, is not the 0.800 ± 0.010°" in why
-    assert with_known_play(None, None, best, None) == (best, "")
+    assert with_known_play(None, best, None) == (best, "")
 
 
 def test_friction_of_nothing_is_claimed_where_data_would_have_shown_it():

@@ -16,7 +16,7 @@ from cadgen.deviations.track import STEERING
 from cadgen.errors import FileError
 from cadgen.measurement import kinds
 from cadgen.measurement.calibrate import calibrate
-from cadgen.measurement.models.base import elapsed, fourier, per_run
+from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, per_run, unknown
 from cadgen.measurement.record import Column, Datum, Kind, Span
 from cadgen.measurement.shapes import shapes
 from cadgen.records.load import load
@@ -41,6 +41,7 @@ PROTRACTOR = Effect(
 class ForkModel:
     """Angle of the fork by cam angle, the protractor's zero free in each run."""
 
+    behind = ()
     unit = "deg"
     measured = None
     datum = ()
@@ -54,6 +55,7 @@ class ForkModel:
         self.rows = Rows(run=record.run, place=angle, elapsed=elapsed(record.run), cell=cell)
         self.catalogue, self.shapes = record.kind.catalogue.effects, shapes(self.rows, self.unit, range(1, 9))
         self.offsets, (self.form, self.order) = per_run(record.run), fourier(angle, 12)
+        self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(angle))
 
     def residual(self, active):
         expected = self._angle

@@ -11,7 +11,7 @@ from cadgen.deviations.rows import Rows
 from cadgen.measurement.doubt import unfit
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.hypothesis import LEAST_PRICE, Hypothesis, Search, _overlap
-from cadgen.measurement.models.base import fourier, highest_order, per_run
+from cadgen.measurement.models.base import Discrepancy, fourier, highest_order, per_run
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.verdict import _within_floor
 
@@ -24,6 +24,8 @@ def _model(angles: int = 60, runs: int = 3, *, slip: bool = False, floor: float 
     return SimpleNamespace(
         rows=rows,
         offsets=per_run(run),
+        spread=np.full(runs, np.inf),
+        discrepancy=Discrepancy.none(len(run)),
         form=form,
         order=order,
         floor=floor,
@@ -48,6 +50,29 @@ def test_misfit_is_that_of_the_dense_covariance():
         dense.append(residual @ projected @ residual + determinant)
     ours = evidence.misfit(evidence.whiten(residual))
     assert ours[1] - ours[0] == pytest.approx(dense[1] - dense[0], rel=1e-9)
+
+
+def test_known_freedoms_and_a_discrepancy_are_those_of_the_dense_covariance():
+    model, rng = _model(), np.random.default_rng(12)
+    columns = np.stack([model.rows.place, np.cos(8 * model.rows.place)], axis=1)
+    model.spread, model.discrepancy = np.array([2.0, 3.0, 0.5]), Discrepancy("", columns, np.array([0.7, 1.4]))
+    spectrum = Spectrum(1.0, 2.0, 1.0)
+    evidence = Evidence(model, Noise(np.full(180, 1.5), 0.0, 0.0, 3), (spectrum,))
+    C = np.diag(np.full(180, 1.5**2)) + (model.form * spectrum.variance(model.order, model.floor)) @ model.form.T
+    C += (model.offsets * model.spread**2) @ model.offsets.T + (columns * np.array([0.7, 1.4]) ** 2) @ columns.T
+    dense, ours = [], []
+    for residual in rng.normal(0, 4, (2, 180)):
+        dense.append(residual @ np.linalg.solve(C, residual))
+        ours.append(float(evidence.misfit(evidence.whiten(residual))[0]))
+    assert ours[1] - ours[0] == pytest.approx(dense[1] - dense[0], rel=1e-9)
+    # What is most likely of the amplitudes is their covariance with the rows, and their spread shrinks by it.
+    beside = np.hstack([model.form, columns])
+    prior = np.append(spectrum.variance(model.order, model.floor), [0.49, 1.96])
+    assert evidence.repeating(evidence.whiten(residual), 0) == pytest.approx(
+        prior * (beside.T @ np.linalg.solve(C, residual)), rel=1e-6
+    )
+    left = np.diag(prior) - (beside * prior).T @ np.linalg.solve(C, beside * prior)
+    assert evidence.unsure(0) == pytest.approx(left, rel=1e-6, abs=1e-9)
 
 
 def test_standardised_squares_are_the_misfit_without_its_determinant():
@@ -100,7 +125,7 @@ def test_chance_of_a_rest_is_even_for_noise_and_form_error_and_small_for_more():
         drawn = model.form @ (size * rng.normal(size=len(size))) + rng.normal(0, 3.0, 600)
         model.residual = lambda active: drawn + more * np.sin(20 * model.rows.place)
         noise = estimate_noise(model, model.residual([]))
-        return unfit(model, Evidence(model, noise, (spectrum,)), noise, best)
+        return unfit(model, Evidence(model, noise, (spectrum,)), noise, best, model.residual([]))
 
     even = [chance(0.0) for _ in range(60)]
     assert 0.35 < np.mean(even) < 0.65
@@ -193,8 +218,8 @@ def test_a_twin_is_claimed_at_odds_of_six_to_one_and_the_other_told(gap, sure):
     # exp(3 / 2) is 4.5 and exp(4 / 2) is 7.4; a superset that adds nothing is not claimed and no rival.
     gain, axial, drift = (_effect(name) for name in ("gain", "axial", "drift"))
     found = [_fitted(0, gain), _fitted(gap, axial), _fitted(9, gain, drift), _fitted(60)]
-    evidence = SimpleNamespace(grid=(Spectrum(1.0, 3.0, 1.0),) * 2)
-    judgement, best = _within_floor(_model(), evidence, Noise(np.ones(180), 0.0, 0.0, 3), found)
+    joint = SimpleNamespace(grid=(Spectrum(1.0, 3.0, 1.0),) * 2, parts=())
+    judgement, best = _within_floor(joint, found)
     assert judgement.claimed == (("gain",) if sure else ())
     assert judgement.verdict == ("traced" if sure else "ambiguous")
     assert judgement.reported == ("axial", "gain")

@@ -1,4 +1,4 @@
-"""One thing in several kinds of data: known to the others, compared, and deciding between rivals."""
+"""One thing in several kinds of data: one effect where they are judged together, compared where they are not."""
 
 from dataclasses import replace
 
@@ -8,9 +8,9 @@ import pytest
 from cadgen.deviations.quantities import RETURN_ERROR
 from cadgen.measurement.calibrate import calibrate
 from cadgen.measurement.diagnose import diagnose
-from cadgen.measurement.findings import Candidate, Finding, Value
-from cadgen.measurement.kinds import TRACK, TRANSMISSION, ZONES
-from cadgen.measurement.together import Claim, at_work, claims, no_play, settled, shared
+from cadgen.measurement.findings import Finding, Value
+from cadgen.measurement.kinds import PROFILE, TRACK, TRANSMISSION, ZONES
+from cadgen.measurement.together import Claim, at_work, claims, no_play, shared
 from tests.measurement import synthetic as syn
 from tests.measurement.synthetic_drive import Train, transmission_record
 
@@ -28,38 +28,33 @@ def records(synthetic_car):
 
 @pytest.fixture(scope="module")
 def together(records, nominal):
-    """Both judged, the profile first and by itself."""
+    """Both judged as of one car."""
     return calibrate(records, nominal)
 
 
 @pytest.fixture(scope="module")
-def apart(records, nominal, together):
-    """Each judged as if the other were not there."""
-    return diagnose(records[0], nominal.model), together[1]
+def lift_alone(records, nominal):
+    """The lift judged as if there were no profile."""
+    (told,) = diagnose(records[:1], nominal.model)
+    return told
 
 
 @pytest.mark.slow
-def test_what_a_profile_explains_is_not_blamed_on_the_lift_again(together, apart):
-    lift, profile = together
-    assert profile.judgement.claimed == ("eccentric bore",)
-    assert lift.known == ("eccentric bore",)
-    assert (lift.verdict, lift.judgement.claimed) == ("none", ())
-    # The lift alone says the same by its own data: 36 um of run-out move the rod by some 20 um rms.
-    assert apart[0].judgement.claimed == ("eccentric bore",)
-    assert apart[0].residual.before > 4 * lift.residual.before
-    assert lift.residual.before < 1.3 * apart[0].residual.after
-
-
-@pytest.mark.slow
-def test_an_eccentric_bore_is_one_in_lift_and_profile(apart):
-    found = [claim for told in apart for claim in claims(told)]
-    (bore,) = shared(found)
-    assert bore.quantity.name == "eccentric bore"
-    assert bore.agrees
-    alone = [v.sigma for claim in found for v in claim.finding.values]
-    for value, truth in zip(bore.values, (30.0, 20.0), strict=True):
+def test_what_two_records_show_is_one_effect_and_claimed_once(together, lift_alone):
+    _, profile = together
+    for told in together:
+        assert told.judgement.claimed == ("eccentric bore",)
+        assert [f.effect for f in told.findings] == ["eccentric bore"]
+        assert told.findings[0].values == profile.findings[0].values
+    (claim,) = [claim for told in together for claim in claims(told)]
+    assert claim.kind is PROFILE
+    for value, truth in zip(claim.finding.values, (30.0, 20.0), strict=True):
         assert value.value == pytest.approx(truth, abs=4 * value.sigma)
-        assert value.sigma < min(alone)
+    # Alone the lift cannot tell whose it is; with the profile it is the disc's.
+    assert lift_alone.findings[0].twins == ("run-out of the shaft",)
+    assert claim.finding.twins == ()
+    # And both know it better than the lift alone.
+    assert all(b.sigma < a.sigma for a, b in zip(lift_alone.findings[0].values, claim.finding.values, strict=True))
 
 
 def _play(effect, value, sigma=0.01):
@@ -75,44 +70,6 @@ def test_play_is_one_thing_under_its_names():
     (play,) = shared([found[0], replace(found[1], finding=_play("return error", 0.9))])
     assert not play.agrees
     assert shared(found[:1]) == ()
-
-
-@pytest.fixture(scope="module")
-def rivals(apart):
-    """An ambiguous lift: backlash, or friction with a phase; made up, since only names and values matter here."""
-    friction = Finding("lost motion by friction", (Value("lost_motion_um", 5.0, 0.2, "um"),), (), ())
-    backlash = _play("backlash", 0.31, 0.02)
-    judgement = replace(
-        apart[0].judgement,
-        verdict="ambiguous",
-        claimed=(),
-        reported=("backlash", "lost motion by friction"),
-        rivals=(("backlash",),),
-    )
-    candidates = (
-        Candidate(("lost motion by friction",), 0.0, (friction,)),
-        Candidate(("backlash",), 1.0, (backlash,)),
-        Candidate((), 90.0),
-    )
-    return replace(apart[0], judgement=judgement, findings=(friction,), candidates=candidates)
-
-
-@pytest.mark.slow
-def test_the_claim_of_another_record_decides_between_rivals(rivals):
-    train = Claim("train", TRANSMISSION, _play("return error", 0.30))
-    decided = settled(rivals, [train])
-    assert decided is not None
-    assert decided.by == (train,)
-    assert [claim.finding.effect for claim in decided.claims] == ["backlash"]
-    assert decided.claims[0].finding.values[0].value == 0.31
-    assert decided.left == (("backlash",),)
-
-
-@pytest.mark.slow
-def test_a_value_that_does_not_agree_decides_nothing(rivals, apart):
-    assert settled(rivals, [Claim("train", TRANSMISSION, _play("return error", 1.2))]) is None
-    assert settled(rivals, []) is None
-    assert settled(apart[1], [Claim("train", TRANSMISSION, _play("return error", 0.3))]) is None
 
 
 @pytest.mark.slow
@@ -134,6 +91,7 @@ def test_what_a_lift_shows_beside_a_known_profile_is_the_shafts(synthetic_car, n
     ]
     assert [claim.quantity.name for claim in found] == ["run-out of the shaft", "eccentric bore"]
     assert shared(found) == ()
+    assert [v.value for v in found[1].finding.values] == pytest.approx([30.0, -15.0], abs=3.0)
     for value, truth in zip(found[0].finding.values, (40.0, 20.0), strict=True):
         assert value.value == pytest.approx(truth, abs=4 * value.sigma)
 
@@ -155,7 +113,7 @@ def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_w
     rng = np.random.default_rng(44)
     record = transmission_record(synthetic_car, Train(), rng, noise_deg=0.03)
     forward = np.tile(np.arange(721) < 361, record.runs)
-    both, one_way = (diagnose(part, nominal.model) for part in (record, record.where(forward)))
+    both, one_way = (diagnose([part], nominal.model)[0] for part in (record, record.where(forward)))
     assert (both.verdict, one_way.verdict) == ("none", "none")
     claim = no_play(both.source, both.kind, both.unnamed[RETURN_ERROR], 0.96)
     assert claim.absent
@@ -165,4 +123,4 @@ def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_w
     # Against a return error that the scatter hides nothing can be said.
     assert no_play(both.source, both.kind, both.unnamed[RETURN_ERROR], 0.02) is None
     # Where play is named, or a single run names nothing, there is no such claim.
-    assert diagnose(record.only(np.array([0])), nominal.model).unnamed == {}
+    assert diagnose([record.only(np.array([0]))], nominal.model)[0].unnamed == {}

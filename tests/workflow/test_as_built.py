@@ -10,6 +10,7 @@ from click.testing import CliRunner
 
 from cadgen.build import cam_model, variation
 from cadgen.cam.contact import roll
+from cadgen.check import CheckCode
 from cadgen.cli import cli
 from cadgen.curves.closed import Outline
 from cadgen.design.load import load_design, packaged_designs
@@ -17,7 +18,7 @@ from cadgen.errors import DesignError
 from cadgen.export.dxf import read_dxf
 from cadgen.workflow.calibration.plan import nominal_of
 from cadgen.workflow.cam import files
-from cadgen.workflow.cam.as_built import as_built_sentences
+from cadgen.workflow.cam.as_built import as_built_sentences, outlook_checks, outlook_sentence
 from cadgen.workflow.cam.files import write_cam
 from cadgen.workflow.cam.manifest import as_built_facts
 from cadgen.workflow.cam.plan import plan_cam
@@ -279,3 +280,22 @@ def test_a_new_cam_is_measured_against_the_key_as_cut(built, carbon_free_car):
     theta = np.linspace(0.1, 5.9, 200)
     want = carbon_free_car.lift.tan_beta(theta - np.radians(0.8))
     assert np.abs(nominal.lift.tan_beta(theta) - want).max() < 2e-6
+
+
+def test_a_cam_that_may_be_worse_is_refused_and_the_outlook_comes_first(built):
+    table = "[as_built.outlook]\nold_mm = 900.0\nnew_mm = 700.0\nleast_mm = 90.0\nmost_mm = 2000.0\n"
+    zero = effect("track", "steering zero", "car", steering_zero_deg=0.3)
+    assert (outlook_sentence(built(zero)), outlook_checks(built(zero))) == ("", ())
+    sure, unsure, rest = (
+        built(zero.replace("[[as_built.effects]]", f"{table}{more}\n[[as_built.effects]]", 1))
+        for more in (
+            "chance_worse = 0.01\nexplained = true",
+            "chance_worse = 0.31",
+            "chance_worse = 0.0\nexplained = false",
+        )
+    )
+    assert outlook_sentence(sure).startswith("The new cam is expected to end the run 700.0 mm off")
+    assert [check.passed for check in outlook_checks(sure)] == [True, True]
+    assert [check.code for check in outlook_checks(unsure) if not check.passed] == [CheckCode.CHANCE_WORSE]
+    assert [check.code for check in outlook_checks(rest) if not check.passed] == [CheckCode.RUNS_EXPLAINED]
+    assert CheckCode.RUNS_EXPLAINED in [check.code for check in plan_cam(rest, "actual").failed]

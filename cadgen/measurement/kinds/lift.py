@@ -8,7 +8,7 @@ from cadgen.deviations import catalogue
 from cadgen.measurement.admission import refuse_twice
 from cadgen.measurement.models.lift import LiftModel
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.record import Column, Datum, Kind, Knowledge, Record, Span
+from cadgen.measurement.record import Column, Datum, Kind, Record, Span
 
 
 def _check(record: Record) -> None:
@@ -23,7 +23,8 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
 
 
 def _model(record: Record, nominal: Nominal) -> LiftModel:
-    return LiftModel(record, nominal.lift, nominal.follower, nominal.disc, floor=nominal.form_error)
+    n = nominal
+    return LiftModel(record, n.rolled, n.lift, n.follower, noses=len(n.disc.noses), floor=n.form_error)
 
 
 KIND = Kind(
@@ -41,6 +42,5 @@ KIND = Kind(
     check=_check,
     spans=_spans,
     around=True,
-    takes=(Knowledge.DISC,),
     nearness=4,
 )

@@ -12,7 +12,7 @@ from cadgen.errors import FileError
 from cadgen.measurement.models.base import per_run, slopes
 from cadgen.measurement.models.profile import ProfileModel
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.record import Column, Datum, Kind, Knowledge, Record, Span
+from cadgen.measurement.record import Column, Datum, Kind, Record, Span
 
 MOST_TURN = 2 * pi + 0.5  # of one run, rad: a little over a turn may be measured twice
 
@@ -62,6 +62,5 @@ KIND = Kind(
     check=_check,
     spans=_spans,
     around=True,
-    tells=Knowledge.DISC,
     nearness=0,
 )

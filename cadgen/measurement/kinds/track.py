@@ -8,9 +8,12 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.deviations import catalogue, quantities
 from cadgen.measurement.admission import refuse_twice
+from cadgen.measurement.models.start import NUMBERS, doubts
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.record import Abscissa, Column, Datum, Kind, Knowledge, Record, Span
+from cadgen.measurement.record import Abscissa, Column, Datum, Kind, Record, Span
+
+PLANNED_ROWS = 36
 
 
 def _check(record: Record) -> None:
@@ -28,7 +31,12 @@ def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
 
 
 def _model(record: Record, nominal: Nominal) -> TrackModel:
-    return TrackModel(record, nominal.lift, nominal.car, nominal.track, nominal.forces, floor=nominal.form_error)
+    n = nominal
+    return TrackModel(record, n.rolled, n.lift, n.car, n.track, n.forces, floor=n.form_error)
+
+
+def _starts(model: TrackModel, values: Array, sigmas: Array) -> tuple[str, tuple[str, ...]]:
+    return f"held to {model.used}", doubts(model.used, model.stated, values, sigmas)
 
 
 KIND = Kind(
@@ -44,15 +52,24 @@ KIND = Kind(
     datum=Datum(
         words="the start pose of each run",
         name="start pose",
-        numbers=(("start_x_mm", "mm"), ("start_y_mm", "mm"), ("start_heading_deg", "deg")),
+        numbers=NUMBERS,
+        notes=_starts,
     ),
     model=_model,
     check=_check,
     spans=_spans,
-    takes=(Knowledge.DISC, Knowledge.PLAY),
     absences=(quantities.RETURN_ERROR, quantities.SLIDING_FRICTION),
     nearness=1,
     rod_on=True,
     abscissa=Abscissa.TRAVEL,
     plan_view=True,
 )
+
+
+def run_of(nominal: Nominal) -> TrackModel:
+    """The model of a car that runs as designed: for what effects do to its run, where no track was measured."""
+    motor = np.arange(0.0, 360.0, 360.0 / PLANNED_ROWS)
+    x, y = nominal.track.position(motor / 360.0 * nominal.track.length).T
+    columns = {"cam_angle_deg": motor, "x_mm": x, "y_mm": y}
+    run = np.zeros(len(motor), dtype=np.intp)
+    return _model(Record(kind=KIND, columns=columns, run=run, remarks=(), source="the planned track"), nominal)

@@ -8,7 +8,7 @@ from cadgen.deviations import catalogue, quantities
 from cadgen.errors import DesignError, FileError
 from cadgen.measurement.models.transmission import TransmissionModel
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.record import Column, Datum, Kind, Knowledge, Record, Span
+from cadgen.measurement.record import Column, Datum, Kind, Record, Span
 
 MOST_TURN_DEG = 400.0  # of a camshaft that is to turn once and come back
 
@@ -55,7 +55,6 @@ KIND = Kind(
     model=_model,
     check=_check,
     spans=_spans,
-    tells=Knowledge.PLAY,
     absences=(quantities.RETURN_ERROR,),
     nearness=3,
 )

@@ -1,17 +1,44 @@
 """Interface of every forward model to the search."""
 
-from typing import Protocol
+from dataclasses import dataclass, field
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.effect import Active, Effect, Stage
 from cadgen.deviations.rows import Rows
+
+
+@dataclass(frozen=True)
+class Discrepancy:
+    """What no effect makes but every record of a kind may hold: columns with amplitudes of a known spread.
+
+    Attributes:
+        words: as in "fitted and never claimed: the slope of the floor".
+        columns: response to one unit of each amplitude, shape (n, k).
+        sigma: standard deviation of each amplitude beforehand, internal units, shape (k,).
+        numbers: name and unit of each amplitude that is reported; empty where none is.
+    """
+
+    words: str = ""
+    columns: Array = field(default_factory=lambda: np.empty((0, 0)))
+    sigma: Array = field(default_factory=lambda: np.empty(0))
+    numbers: tuple[tuple[str, str], ...] = ()
+
+    @classmethod
+    def none(cls, rows: int) -> "Discrepancy":
+        """Nothing beside effects and form error, of so many rows."""
+        return cls(columns=np.empty((rows, 0)))
 
 
 class Model(Protocol):
     """A forward model with its data."""
+
+    @property
+    def behind(self) -> tuple[Stage[Any], ...]:
+        """Stages at which effects that other kinds of data show change this one too."""
 
     @property
     def unit(self) -> str:
@@ -38,6 +65,14 @@ class Model(Protocol):
         """Linear datum freedoms as columns, shape (n, d)."""
 
     @property
+    def spread(self) -> Array:
+        """Standard deviation of each of these beforehand, shape (d,); infinite where nothing is known of it."""
+
+    @property
+    def discrepancy(self) -> Discrepancy:
+        """What repeats beside effects and form error."""
+
+    @property
     def form(self) -> Array:
         """Response to each harmonic of the form error, for one unit of amplitude, shape (n, q)."""
 
@@ -59,6 +94,16 @@ class Model(Protocol):
 
     def residual(self, active: Active) -> Array:
         """Measured less expected with some effects active, shape (n,), internal units."""
+
+
+def repeating(model: Model) -> Array:
+    """Columns of form error and discrepancy, shape (n, q + k): what repeats between runs without a name."""
+    return np.hstack([model.form, model.discrepancy.columns])
+
+
+def unknown(columns: Array) -> Array:
+    """Infinite standard deviations for freedoms of which nothing is known, one for each column."""
+    return np.full(columns.shape[1], np.inf)
 
 
 def fourier(angle: Array, last: int) -> tuple[Array, Array]:

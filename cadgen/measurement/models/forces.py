@@ -22,21 +22,23 @@ class Forces:
 
     cut: LiftCurve
     mechanics: Mechanics
-    _known: dict[tuple[float, bool], Leads] = field(default_factory=dict, repr=False)
+    _known: dict[tuple[float, bool, int], Leads] = field(default_factory=dict, repr=False)
 
-    def leads(self, friction: float, *, back: bool = False) -> Leads:
+    def leads(self, friction: float, *, back: bool = False, lift: LiftCurve | None = None) -> Leads:
         """Where the cam leads with a sliding friction; remembered, since most differences leave friction alone.
 
         Args:
             friction: between rod and disc.
             back: of a cam that is turned back, by the angle that it has turned back.
+            lift: that the disc gives, where that is not the one it was cut for.
         """
-        key = friction, back
+        cut = lift or self.cut
+        key = friction, back, id(cut)
         if key not in self._known:
             if len(self._known) >= _KEPT:
                 self._known.pop(next(iter(self._known)))
             mechanics = replace(self.mechanics, friction=friction)
-            self._known[key] = mechanics.leads(self.cut.mirrored if back else self.cut)
+            self._known[key] = mechanics.leads(cut.mirrored if back else cut)
         return self._known[key]
 
     def drawn(self, friction: float) -> tuple[Array, Array]:

@@ -3,15 +3,15 @@
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.catalogue import PROFILE
 from cadgen.deviations.disc import DISC, NOSE_WIDTHS_DEG, Disc, undulation, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, Parameter, Stage, through
+from cadgen.deviations.instrument import MACHINE
 from cadgen.deviations.rows import Rows
-from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run, slopes
+from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, highest_order, per_run, slopes, unknown
 from cadgen.measurement.record import Record
 from cadgen.measurement.shapes import shapes
 
@@ -20,6 +20,11 @@ UNDULATIONS = 120
 
 
 CLOCK = Stage[Array]("clock")
+
+
+def _polar(points: Array) -> tuple[Array, Array]:
+    """Polar angles in [0, 2 pi) and radii of points, shape (n,) each."""
+    return np.arctan2(points[:, 1], points[:, 0]) % TURN, np.linalg.norm(points, axis=1)
 
 
 def _clock(angle: Array, p: Array, at: Rows) -> Array:
@@ -46,19 +51,19 @@ class ProfileModel:
         own: clocking of each run against the bare design, shape (runs,), rad.
     """
 
+    behind = ()
     unit = "um"
     measured = None
 
     def __init__(self, record: Record, disc: Disc, *, floor: float) -> None:
         points = np.stack([record["x_mm"], record["y_mm"]], axis=1)
-        self._radius = np.linalg.norm(points, axis=1)
-        self._disc = disc
+        self._points, self._disc = points, disc
         # Rising polar angle over a little more than a turn, each joint once, for interpolation.
         self._forward = np.concatenate([[True], np.diff(self._disc.angle) > 0])
         radial = np.stack([np.cos(self._disc.angle), np.sin(self._disc.angle)], axis=1)
         self._slant = np.sum(self._disc.normal * radial, axis=1)
-        seen = np.arctan2(points[:, 1], points[:, 0]) % TURN
-        self.own = np.array([self._clocked(seen, record.run == k) for k in range(record.runs)])
+        seen, radius = _polar(points)
+        self.own = np.array([self._clocked(seen[mine], radius[mine]) for mine in record.parts])
         place = (seen - self.own[record.run]) % TURN
         self.rows = Rows(
             run=record.run, place=place, elapsed=elapsed(record.run), cell=np.full(len(place), -1, dtype=np.intp)
@@ -72,6 +77,7 @@ class ProfileModel:
         self.datum: tuple[Effect, ...] = (CLOCKING,)
         turned = slopes(self, self.datum, [])
         self.offsets = (turned * per_run(record.run))[:, 1:]
+        self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(place))
         # Form is what departs from the mean: a disc too large all round errs in size, which is an effect.
         self.form, self.order = fourier(place, min(FORM_ORDERS, last))
         self.floor = floor
@@ -85,19 +91,26 @@ class ProfileModel:
     def residual(self, active: Active) -> Array:
         """Distance outside the expected outline, mm."""
         disc = through(DISC, self._disc, active, self.rows)
-        angle = through(CLOCK, self.rows.place, active, self.rows)
+        seen, radius = _polar(through(MACHINE, self._points, active, self.rows))
+        angle = through(CLOCK, seen - self.own[self.rows.run], active, self.rows)
         offset = through(READING, np.zeros(len(angle)), active, self.rows)
-        return self._distance(disc, angle, self._radius) - offset
+        return self._distance(disc, angle, radius) - offset
 
-    def _clocked(self, seen: Array, mine: NDArray[np.bool_]) -> float:
-        """Clocking of one run against the bare design."""
+    def _clocked(self, seen: Array, radius: Array) -> float:
+        """Clocking of one run against the bare design; the part may be turned by quarters of a turn on the machine."""
+        found: list[tuple[float, float]] = []
+        for quarter in (0.0, TURN / 4, TURN / 2, 3 * TURN / 4):
 
-        def off(clocking: Array) -> Array:
-            return self._distance(self._disc, seen[mine] - clocking[0], self._radius[mine])
+            def off(clocking: Array, quarter: float = quarter) -> Array:
+                return self._distance(self._disc, seen - quarter - clocking[0], radius)
 
-        lower, upper = CLOCKING.bounds
-        found = least_squares(off, CLOCKING.start, bounds=(lower, upper), x_scale=CLOCKING.steps)
-        return float(found.x[0])
+            # A quarter that is wrong dwarfs every effect: one look tells it.
+            if found and np.sum(off(CLOCKING.start) ** 2) > found[0][0]:
+                continue
+            fitted = least_squares(off, CLOCKING.start, bounds=CLOCKING.bounds, x_scale=CLOCKING.steps)
+            found.append((2 * float(fitted.cost), quarter + float(fitted.x[0])))
+        clocking = min(found)[1]
+        return clocking if clocking < TURN / 2 else clocking - TURN
 
     def _distance(self, disc: Disc, angle: Array, radius: Array) -> Array:
         """Of points at polar angles and radii from a disc, along its normal."""

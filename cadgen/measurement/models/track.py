@@ -1,6 +1,7 @@
 """The track of the drive wheel: motor position -> cam angle behind the play -> steering -> heading -> place."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
@@ -8,8 +9,12 @@ from cadgen.deviations.catalogue import TRACK
 from cadgen.deviations.effect import Active, Effect, through
 from cadgen.deviations.rows import Rows
 from cadgen.deviations.track import RUNNING, STEERING, track_forms
+from cadgen.deviations.transmission import MESH, RATIO, Turned
 from cadgen.measurement.models.base import elapsed, fourier
+from cadgen.measurement.models.floor import floor as floor_of
 from cadgen.measurement.models.forces import Forces
+from cadgen.measurement.models.rolled import Rolled
+from cadgen.measurement.models.start import Starts, scattered, setting
 from cadgen.measurement.record import Record
 from cadgen.motion.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.path.track import Track
@@ -29,11 +34,13 @@ class TrackModel:
     """
 
     unit = "mm"
+    behind = (*Rolled.stages, RATIO, MESH)
 
     def __init__(
-        self, record: Record, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
+        self, record: Record, rolled: Rolled, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
     ) -> None:
-        self._lift, self._car, self._forces = lift, car, forces
+        self._rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
+        self._steepest = float(np.abs(lift.tan_beta(np.linspace(0.0, TURN, STEPS), nu=1)).max())
         self._nominal = Running(car=car, length=track.length)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
         self._start = start_pose(track)
@@ -60,65 +67,77 @@ class TrackModel:
         self.datum: tuple[Effect, ...] = ()
         self.floor = floor / forces.mechanics.follower.inner
         self.slip = np.empty(0)
-        self.offsets = self._pose(run, record.runs)
-        self.form, self.order = self._form_response(record)
+        self._starts = Starts(run, axis, self.measured)
+        self.stated = setting(record)
+        self.used = scattered(self._starts.poses(self.place([])), self.stated)
+        self.offsets, self.spread = self._starts.columns, np.tile(self.used.spread, record.runs)
+        angle, mean = self._mean()
+        at = np.searchsorted(angle, self._motor).astype(np.intp)
+        self.form, self.order = self._form_response(angle, mean, at)
+        self.discrepancy = floor_of(mean, at, axis)
 
     def residual(self, active: Active) -> Array:
-        """Measured less expected coordinates, mm."""
-        place = self._run(active)
-        part = np.where(self._axis == 0, place.real, place.imag)
-        return np.asarray(self.measured - part)
+        """Measured less expected coordinates, linear in the start poses (see `start`), mm."""
+        return self._starts.residual(self.place(active))
 
-    def _run(self, active: Active) -> Array:
+    def place(self, active: Active) -> NDArray[np.complex128]:
+        """Where the car is at each row, started as by design, x + iy, mm."""
+        return self._driven(active, self._motor)
+
+    def finish(self, active: Active) -> complex:
+        """Where the run ends, at the beginning of the cam's closing blend, x + iy, mm."""
+        return complex(self._driven(active, np.array([self._lift.blend_start]))[0])
+
+    def _driven(self, active: Active, motor: Array) -> NDArray[np.complex128]:
         run = through(RUNNING, self._nominal, active, self._grid)
+        lift = self._rolled.lift(active, self.rows)
         nodes, following = self._grid, None
         if run.play > 0:
             # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
-            following = self._forces.leads(run.friction).follow(self._lift, run.play)
-            nodes = np.union1d(nodes, following.joints(run.phase, TURN + run.phase) - run.phase)
+            changed = None if lift is self._lift else lift
+            following = self._forces.leads(run.friction, lift=changed).follow(lift, run.play)
+            joints = following.joints(run.phase, TURN + run.phase) - run.phase
+            nodes = np.union1d(nodes, joints - (self._asked(joints, active) - joints))
 
         def wheel(motor: Array) -> Array:
-            angle = motor + run.phase
-            rod = self._lift.tan_beta(angle if following is None else following.cam_angle(angle))
+            angle = self._asked(motor, active) + run.phase
+            rod = lift.tan_beta(angle if following is None else following.cam_angle(angle))
             return through(STEERING, wheel_tangent(rod, run.car), active, motor)
 
-        _, place = driven(nodes, wheel, run.car, run.length, self._start, MIDPOINT)
-        at = np.interp(self._motor, nodes, np.arange(len(nodes)))
+        length = run.length * (1 - run.wear * (nodes[1:] + nodes[:-1])[:, None] / 2 / TURN)
+        _, place = driven(nodes, wheel, run.car, length, self._start, MIDPOINT)
+        at = np.interp(motor, nodes, np.arange(len(nodes)))
         low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
 
-    def _pose(self, run: Array, runs: int) -> Array:
-        """Columns for the start of each run: x, y and heading about its first point, along the measured track."""
-        columns = []
-        for k in range(runs):
-            mine = run == k
-            across = {}
-            for axis in (0, 1):
-                values = self.measured[mine & (self._axis == axis)]
-                across[axis] = values - values[0]
-            for axis in (0, 1):
-                columns.append((mine & (self._axis == axis)).astype(float))
-            turned = np.zeros(len(run))
-            turned[mine & (self._axis == 0)] = -across[1]
-            turned[mine & (self._axis == 1)] = across[0]
-            columns.append(turned)
-        return np.stack(columns, axis=1)
+    def _asked(self, motor: Array, active: Active) -> Array:
+        """Cam angle that the gears ask for at motor positions, rad; the cam is set on its shaft at the start."""
+        if not any(effect.stage in (RATIO, MESH) for effect, _ in active):
+            return motor
+        turned = np.append(motor.ravel(), 0.0)
+        slope = np.asarray(self._lift.tan_beta(turned % TURN, nu=1))
+        at = Turned(turned=turned, torque=slope / self._steepest)
+        asked = through(MESH, through(RATIO, turned, active, at), active, at)
+        return np.asarray((asked[:-1] - asked[-1]).reshape(motor.shape))
 
-    def _form_response(self, record: Record) -> tuple[Array, Array]:
-        """How the places answer a steering error of each order, about the measured track."""
+    def _mean(self) -> tuple[Array, NDArray[np.complex128]]:
+        """Motor positions, in order, and the mean of what was measured there, x + iy."""
         angle = np.unique(self._motor)
         mean = np.zeros((2, len(angle)))
         for axis in (0, 1):
             mine = self._axis == axis
             which = np.searchsorted(angle, self._motor[mine])
             mean[axis] = np.bincount(which, self.measured[mine]) / np.bincount(which)
-        ahead = np.diff(mean[0] + 1j * mean[1])
+        return angle, mean[0] + 1j * mean[1]
+
+    def _form_response(self, angle: Array, mean: NDArray[np.complex128], at: NDArray[np.intp]) -> tuple[Array, Array]:
+        """How the places answer a steering error of each order, about the measured track."""
+        ahead = np.diff(mean)
         middle = (angle[1:] + angle[:-1]) / 2
         T = self._lift.tan_beta(middle)
         gain = -self._car.wheelbase / (self._car.wheelbase + self._car.drive_wheel_offset * T) ** 2
         waves, order = fourier(middle, FORM_ORDERS)
         turn = waves * (gain * np.abs(ahead))[:, None]
         heading = np.cumsum(turn, axis=0) - turn / 2
-        place = np.vstack([np.zeros(waves.shape[1]), np.cumsum(heading * (1j * ahead)[:, None], axis=0)])
-        at = place[np.searchsorted(angle, self._motor)]
-        return np.where((self._axis == 0)[:, None], at.real, at.imag), order
+        place = np.vstack([np.zeros(waves.shape[1]), np.cumsum(heading * (1j * ahead)[:, None], axis=0)])[at]
+        return np.where((self._axis == 0)[:, None], place.real, place.imag), order

@@ -12,13 +12,16 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.deviations.catalogue import TRANSMISSION
 from cadgen.deviations.effect import READING, Active, Effect, through
 from cadgen.deviations.transmission import MESH, PLAY, RATIO, Play, Turns, train_orders
-from cadgen.measurement.models.base import elapsed, fourier, highest_order, per_run
+from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, highest_order, per_run, unknown
 from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.record import Record
 from cadgen.measurement.shapes import shapes
 
 FORM_ORDERS = 30
 SHAPE_ORDERS = 60
+# What repeats with the motor: its own turn, its poles and the teeth of its pinion, as far as the readings resolve it.
+MOTOR_HARMONICS = 12
+COGGING = np.radians(0.005)
 # Where in the play a run begins is set by chance: its first degrees of cam angle take it up and are not used.
 TAKE_UP_DEG = 5.0
 
@@ -26,6 +29,7 @@ TAKE_UP_DEG = 5.0
 class TransmissionModel:
     """Cam angle by motor angle, forward and back, the inclinometer's zero free in each run."""
 
+    behind = ()
     unit = "deg"
     measured = None
 
@@ -65,9 +69,13 @@ class TransmissionModel:
         )
         highest = highest_order(turned[~back], run[~back])
         self.catalogue = (*TRANSMISSION.effects, *train_orders(ratios, teeth, highest))
-        self._shape_orders = range(1, min(SHAPE_ORDERS, highest) + 1)
+        motor = np.arange(1.0, MOTOR_HARMONICS + 1.0) * float(np.prod(ratios))
+        motor = np.asarray(motor[(motor > FORM_ORDERS) & (motor <= highest)], dtype=float)
+        self._shape_orders = np.union1d(np.arange(1, min(SHAPE_ORDERS, highest) + 1), motor)
         self.datum: tuple[Effect, ...] = ()
         self.offsets = per_run(run)
+        self.spread = unknown(self.offsets)
+        self.discrepancy = _cogging(turned, motor)
         self.form, self.order = fourier(turned, min(FORM_ORDERS, highest))
         self.floor = floor
         self.slip = np.empty(0)
@@ -87,6 +95,13 @@ class TransmissionModel:
             drawn = None if play.friction is None else self._forces.drawn(play.friction)
             angle = follow(asked, self._run_all, play.width, drawn)
         return np.asarray(self._reading - through(READING, angle[self._used], active, self.rows))
+
+
+def _cogging(turned: Array, orders: Array) -> Discrepancy:
+    """What repeats with every turn of the motor, or several times in it: poles, and teeth of the first pinion."""
+    waves = turned[:, None] * orders
+    columns = np.hstack([np.cos(waves), np.sin(waves)])
+    return Discrepancy("what repeats with the motor's turns", columns, np.full(columns.shape[1], COGGING))
 
 
 def follow(asked: Array, run: NDArray[np.intp], width: float, drawn: tuple[Array, Array] | None = None) -> Array:

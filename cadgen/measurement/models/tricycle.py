@@ -11,7 +11,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.deviations.catalogue import STEERED_TRACK
 from cadgen.deviations.effect import Active, Effect, through
 from cadgen.deviations.tricycle import DELAY, MARKER, STEERING, TRAVEL, WHEELBASE, Log
-from cadgen.measurement.models.base import elapsed
+from cadgen.measurement.models.base import Discrepancy, elapsed, unknown
 from cadgen.measurement.record import Record
 
 # Every so many rows enter the fit: 20 rows a second say no more than two of a path that bends over seconds.
@@ -24,6 +24,7 @@ class TricycleModel:
     Rows hold first the x and then the y of a run.
     """
 
+    behind = ()
     unit = "mm"
 
     def __init__(self, record: Record, wheelbase: float) -> None:
@@ -65,6 +66,7 @@ class TricycleModel:
         self.slip = np.empty(0)
         self.form, self.order = np.empty((len(run), 0)), np.empty(0)
         self.offsets = self._pose(measured)
+        self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(run))
 
     def residual(self, active: Active) -> Array:
         """Measured less expected coordinates, mm."""

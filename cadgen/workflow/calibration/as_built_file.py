@@ -40,6 +40,17 @@ def _table(calibration: Calibration) -> str:
         "# Written by cadgen calibrate: what this car was measured to be. Every command takes it into account.",
         f'profile = "{calibration.profile}"',
     ]
+    if (o := calibration.outlook) is not None:
+        lines += [
+            "",
+            f"[{_TABLE}.outlook]",
+            f"old_mm = {o.old:.1f}",
+            f"new_mm = {o.new:.1f}",
+            f"least_mm = {o.least:.1f}",
+            f"most_mm = {o.most:.1f}",
+            f"chance_worse = {o.worse:.4f}",
+            *([] if o.explained is None else [f"explained = {str(o.explained).lower()}"]),
+        ]
     for source in calibration.sources:
         lines += [
             "",

@@ -13,6 +13,7 @@ from cadgen.errors import FileError
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
+from cadgen.measurement.outlook import Outlook
 from cadgen.measurement.together import Shared
 from cadgen.progress import Progress, silent
 from cadgen.report.calibration import draw_record
@@ -45,16 +46,19 @@ def document(calibration: Calibration) -> dict[str, Any]:
         "records": [_record(diagnosis) for diagnosis in c.diagnoses],
         "zones": c.zones and _zones(c.zones),
         "shared": [_shared(quantity) for quantity in c.shared],
-        "settled": [
-            {
-                "source": source,
-                "claims": [claim.finding.effect for claim in decided.claims],
-                "by": [{"source": claim.source, "effect": claim.finding.effect} for claim in decided.by],
-            }
-            for source, decided in c.settled.items()
-        ],
         "as_built": [_built(built) for built in c.built],
+        "outlook": c.outlook and _outlook(c.outlook),
         "versions": versions(),
+    }
+
+
+def _outlook(o: Outlook) -> dict[str, Any]:
+    return {
+        "old_mm": o.old,
+        "new_mm": o.new,
+        "new_90_percent_mm": [o.least, o.most],
+        "chance_worse": o.worse,
+        "explained": o.explained,
     }
 
 
@@ -166,11 +170,12 @@ def _by_evidence(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[st
     play, friction = (diagnosis.unnamed.get(q) for q in (quantities.RETURN_ERROR, quantities.SLIDING_FRICTION))
     held_out = [None] * diagnosis.runs if p.held_out is None else p.held_out.tolist()
     return {
-        "known_from_profile": list(diagnosis.known),
         "effects": effects,
         "unnamed_play": play and _finding(play),
         "unnamed_friction": friction and _finding(friction),
         "datum": [_finding(f) for f in diagnosis.datum],
+        "datum_held": diagnosis.held,
+        "discrepancy": diagnosis.discrepancy and _finding(diagnosis.discrepancy),
         "unit": diagnosis.unit,
         "residual": {
             "before": _plain(r.before),
@@ -200,11 +205,12 @@ def _by_paths(diagnosis: Diagnosis, effects: list[dict[str, Any]]) -> dict[str, 
     assert isinstance(diagnosis, PathDiagnosis)
     r, p = diagnosis.residual, diagnosis.per_run
     return {
-        "known_from_profile": [],
         "effects": effects,
         "unnamed_play": None,
         "unnamed_friction": None,
         "datum": [],
+        "datum_held": "",
+        "discrepancy": None,
         "unit": diagnosis.unit,
         "residual": {
             "before": _plain(r.before),

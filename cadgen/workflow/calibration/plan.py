@@ -23,13 +23,15 @@ from cadgen.measurement.calibrate import calibrate_tricycle
 from cadgen.measurement.diagnose import SOUND
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
+from cadgen.measurement.outlook import Outlook
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
-from cadgen.measurement.together import Claim, Settled, Shared, at_work, claims, no_friction, no_play, settled, shared
+from cadgen.measurement.together import Claim, Shared, at_work, claims, no_friction, no_play, shared
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.progress import Progress, silent
 from cadgen.records.load import digest, load
+from cadgen.workflow.calibration.new_cam import expected_of
 from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
 from cadgen.workflow.cam.plan import plan_cam
 
@@ -82,9 +84,9 @@ class Calibration:
         sources: the files.
         diagnoses: what each kind with a forward model shows.
         zones: on means over zones.
-        claims: what the verdicts claim, with what is settled, and that there is no play where that was seen.
-        settled: source of an ambiguous record -> what others decide in it.
+        claims: what the verdicts claim, and that there is no play where that was seen.
         warnings: what does not fit, but was let pass.
+        outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
     """
@@ -99,9 +101,9 @@ class Calibration:
     diagnoses: tuple[Diagnosis, ...]
     zones: ZoneMeans | None
     claims: tuple[Claim, ...]
-    settled: dict[str, Settled]
     warnings: tuple[str, ...]
     holds: tuple[float, float] | None = None
+    outlook: Outlook | None = None
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
@@ -113,7 +115,9 @@ class Calibration:
             if best is not claim:
                 built.append(Built(claim, "noted", best))
                 continue
-            built.append(Built(taken, _place(taken), mean_of=() if taken is best else tuple(c.source for c in alike)))
+            built.append(
+                Built(taken, _place(taken, alike), mean_of=() if taken is best else tuple(c.source for c in alike))
+            )
         return tuple(built)
 
     @cached_property
@@ -200,7 +204,7 @@ def calibrate(
     _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
     diagnoses: dict[Kind, Diagnosis] = {}
-    track_length, holds = None, None
+    track_length, holds, known = None, None, None
     records = {method: [s.record for s in sources if s.kind.method is method] for method in Method}
     zones = (
         zone_means(design, join(records[Method.ZONE_MEANS]), _train(design)[0]) if records[Method.ZONE_MEANS] else None
@@ -220,9 +224,7 @@ def calibrate(
     found = _claims(design, diagnoses.values(), zones)
     if not any(c.absent and c.quantity == quantities.RETURN_ERROR and c.kind.rod_on for c in found):
         holds = None
-    others = {d.source: [c for c in found if c.source != d.source] for d in diagnoses.values()}
-    decided = {d.source: rivals for d in diagnoses.values() if (rivals := settled(d, others[d.source]))}
-    return Calibration(
+    calibration = Calibration(
         design=design,
         profile=profile,
         form_error_um=floor,
@@ -232,11 +234,14 @@ def calibrate(
         sources=tuple(sources),
         diagnoses=tuple(diagnoses[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in diagnoses),
         zones=zones,
-        claims=(*found, *(claim for rivals in decided.values() for claim in rivals.claims)),
-        settled=decided,
+        claims=tuple(found),
         warnings=tuple(_warnings(design, profile, sources)),
         holds=holds,
     )
+    if known is None:
+        return calibration
+    placed = [(built.claim, built.place) for built in calibration.built]
+    return replace(calibration, outlook=expected_of(design, known, calibration.diagnoses, placed))
 
 
 def calibrate_each(
@@ -321,8 +326,17 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
     return [claim for claim in found if claim is not None]
 
 
-def _place(claim: Claim) -> Place:
+def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
+    """What becomes of a claim by default: nothing that may be the instrument's in all kinds of data that show it."""
+    if all(_instruments(other) for other in alike):
+        return "noted"
     return claim.kind.named(claim.finding.effect, dict(claim.finding.given)).places[0]
+
+
+def _instruments(claim: Claim) -> bool:
+    """Whether data cannot tell a claim from an effect of their instrument."""
+    twins = (claim.kind.catalogue.named(name) for name in claim.finding.twins)
+    return any(twin is not None and twin.instrument for twin in twins)
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:

@@ -20,6 +20,7 @@ from cadgen.measurement.findings import (
     PerRun,
     Value,
 )
+from cadgen.measurement.outlook import WORSE, Outlook
 from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
 from cadgen.workflow.calibration.plan import Built, Calibration, Source
@@ -39,7 +40,8 @@ def report(calibration: Calibration) -> list[Block]:
     """Report of a calibration, in paragraphs and tables."""
     c = calibration
     floor = f"; form error of the disc {c.form_error_um:g} µm rms ({c.form_error_from})" if c.track_length else ""
-    blocks: list[Block] = [f"{c.design.name}, {c.profile} profile{floor}."]
+    blocks: list[Block] = [expected(c.outlook)] if c.outlook else []
+    blocks.append(f"{c.design.name}, {c.profile} profile{floor}.")
     if c.wheelbase is not None:
         by = "a file says so" if c.wheelbase[1] else "the design's, since no file says it"
         blocks.append(
@@ -48,15 +50,33 @@ def report(calibration: Calibration) -> list[Block]:
     blocks += [f"Warning: {text}." for text in c.warnings]
     for diagnosis in c.diagnoses:
         blocks += _record(diagnosis, c.files(diagnosis.kind))
-        if decided := c.settled.get(diagnosis.source):
-            names = " and ".join(claim.finding.effect for claim in decided.claims)
-            by_claims = "; ".join(f"{claim.finding.effect} from {claim.source}" for claim in decided.by)
-            blocks.append(f"Decided by the other data ({by_claims}): {names}, which counts as claimed.")
     if c.zones is not None:
         blocks += _zones(c.zones)
     blocks += _together(c)
     blocks += _built(c)
     return blocks
+
+
+def expected(o: Outlook) -> str:
+    """What a new cam is expected to do, and why not to cut it."""
+    words = (
+        f"A new cam made for what is claimed is expected to end the run {_length(o.new)} mm off ({_length(o.least)} to "
+        f"{_length(o.most)} mm in 90 %), the old one {_length(o.old)} mm; it is worse with a chance of {o.worse:.1%}."
+    )
+    why = []
+    if o.explained is False:
+        why.append("what is found does not explain the measured runs")
+    if o.worse > WORSE:
+        why.append("it may be worse than the old one")
+    if why:
+        return f"Do not cut it: {listed(why, 'and')}; see what to measure below. {words}"
+    if o.explained is None:
+        return f"{words} No track was measured, so what else the car has is not in this."
+    return words
+
+
+def _length(size: float) -> str:
+    return f"{size:.0f}" if size >= 10 else f"{size:.1f}"
 
 
 def summary(each: Sequence[Calibration]) -> list[Block]:
@@ -118,8 +138,6 @@ def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
         Heading(f"{diagnosis.kind.code}: {diagnosis.source} ({counts})"),
         f"Verdict: {diagnosis.verdict}. {j.sentence}",
     ]
-    if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.known:
-        blocks.append(f"Taken as known from the profile: {' and '.join(diagnosis.known)}.")
     for finding in diagnosis.findings:
         claimed = "" if finding.effect in j.claimed else " (not claimed)"
         blocks.append(f"  {finding.effect}{claimed}: {_sizes(finding)}")
@@ -128,6 +146,8 @@ def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
     elif isinstance(diagnosis, PathDiagnosis):
         blocks += ["", _path_errors(diagnosis, files), ""]
     blocks.append(f"Fitted and never claimed: {_datum(diagnosis)}.")
+    if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.discrepancy:
+        blocks.append(f"Beside the effects, and never claimed: {sizes([diagnosis.discrepancy])}.")
     verb = "decide" if diagnosis.verdict == "ambiguous" else "make sure"
     if diagnosis.verdict not in ("unexplained", "runs disagree"):
         blocks += [f"To {verb}, {text}." for text in j.separate]
@@ -183,7 +203,8 @@ def _datum(diagnosis: Diagnosis) -> str:
         low, high = (end(values, key=lambda v: v.value) for end in (min, max))
         several = f"{shown(low)[0]} to {shown(high)[0]}" if len(values) > 1 else " ± ".join(shown(low))
         numbers.append(f"{name} {several}")
-    return diagnosis.kind.datum.words + (f" ({'; '.join(numbers)})" if numbers else "")
+    held = f", {diagnosis.held}" if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.held else ""
+    return diagnosis.kind.datum.words + held + (f" ({'; '.join(numbers)})" if numbers else "")
 
 
 def _candidates(diagnosis: Diagnosis, files: Sequence[Source]) -> Table:
@@ -292,8 +313,6 @@ def sentence(built: Built) -> str:
     if built.instead is not None:
         place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
     name = f"no {finding.effect}" if built.claim.absent else finding.effect
-    if built.claim.remainder:
-        name += f" beside the profile's ({built.claim.quantity.name})"
     signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.given)).parameters)
     of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
     return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."

@@ -4,6 +4,7 @@ from math import degrees, radians
 
 from cadgen.arrays import TURN
 from cadgen.build import cam_model, gear_model, variation
+from cadgen.check import Check, CheckCode
 from cadgen.design.as_built import Effect
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
@@ -42,6 +43,55 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
             "measured one stood: without a keyway or D-flat nothing does it for you."
         )
     return lines
+
+
+def outlook_sentence(design: Design) -> str:
+    """What the new cam is expected to do; empty if nothing was measured that says it."""
+    outlook = design.as_built and design.as_built.outlook
+    if not outlook:
+        return ""
+    return (
+        f"The new cam is expected to end the run {outlook.new_mm:.1f} mm off ({outlook.least_mm:.1f} to "
+        f"{outlook.most_mm:.1f} mm in 90 %), the old one {outlook.old_mm:.1f} mm; it is worse with a chance of "
+        f"{outlook.chance_worse:.1%}."
+    )
+
+
+def outlook_checks(design: Design) -> tuple[Check, ...]:
+    """Whether a new cam is worth its cutting, by what was measured of the car: nothing without [as_built.outlook]."""
+    outlook = design.as_built and design.as_built.outlook
+    if not outlook:
+        return ()
+    # Only here: it needs the models of all kinds of data, and most designs have no outlook.
+    from cadgen.measurement.outlook import WORSE
+
+    remedy = "measure what cadgen calibrate asks for, and calibrate again"
+    checks = [
+        Check(
+            CheckCode.CHANCE_WORSE,
+            "chance to be worse than the old cam",
+            100 * outlook.chance_worse,
+            "%",
+            100 * WORSE,
+            "max",
+            "end of the run",
+            remedy,
+        )
+    ]
+    if outlook.explained is not None:
+        checks.append(
+            Check(
+                CheckCode.RUNS_EXPLAINED,
+                "measured runs explained",
+                float(outlook.explained),
+                "",
+                1.0,
+                "min",
+                "1: yes, 0: no",
+                remedy,
+            )
+        )
+    return tuple(checks)
 
 
 def _friction_sentences(design: Design) -> list[str]:

@@ -25,6 +25,7 @@ from cadgen.parts.blank import Blank
 from cadgen.path.track import Track
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains, task_of
+from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
@@ -158,6 +159,7 @@ def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
     checks = (
         *check_cam(lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
+        *outlook_checks(design),
     )
     return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks)
 
@@ -188,7 +190,7 @@ def _plan_against_play(
         chosen.cut,
         chosen.wanted.trims,
         blank,
-        checks.of(chosen),
+        (*checks.of(chosen), *outlook_checks(design)),
         against,
     )
 

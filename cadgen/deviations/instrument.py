@@ -1,0 +1,122 @@
+"""Effects of the instrument, each beside the effect of the part or the car that it looks like.
+
+What the data do not part is one cause under two names, and is cut into no part by default. A gauge ring, a part that is
+turned on the machine, a second direction or another kind of data parts them.
+
+Stages: `MACHINE` (points as a measuring machine gave them, shape (n, 2), mm, on the way back to the true ones), those
+of a lift. `at` are the rows.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.deviations.disc import ANISOTROPIC_SCALE, CUTTER_COMPENSATION, OUT_OF_SQUARE, UNIFORM_SCALE
+from cadgen.deviations.effect import Effect, Parameter, Stage
+from cadgen.deviations.lift import ANGLE, BACKLASH, PHASE, Readings
+from cadgen.deviations.names import Place
+
+MACHINE = Stage[Array]("machine")
+_NOTED: tuple[Place, ...] = ("noted",)
+_TURN_IT = "measure again with the part turned by 90 degrees on the machine: what turns with it is the part's"
+
+
+def _scaled(points: Array, p: Array, at: object) -> Array:
+    return np.asarray(points / (1 + p))
+
+
+def _squared(points: Array, p: Array, at: object) -> Array:
+    """A machine whose axes enclose 90 degrees plus p reads x + p y where x is."""
+    return np.stack([points[:, 0] - p[0] * points[:, 1], points[:, 1]], axis=1)
+
+
+def _turned_once(angle: Array, p: Array, at: Readings) -> Array:
+    return np.asarray(angle + p[0] * np.cos(at.place) + p[1] * np.sin(at.place))
+
+
+STYLUS_RADIUS = replace(
+    CUTTER_COMPENSATION,
+    name="stylus radius",
+    parameters=(
+        replace(CUTTER_COMPENSATION.parameters[0], name="stylus_um", meaning="+: the stylus is larger than corrected"),
+    ),
+    places=_NOTED,
+    looks_like=CUTTER_COMPENSATION,
+    confused_with="cutter compensation",
+    separated_by="measure a gauge ring or a gauge block with the same stylus",
+)
+MACHINE_SCALE = Effect(
+    name="scale of the measuring machine",
+    stage=MACHINE,
+    parameters=(replace(UNIFORM_SCALE.parameters[0], name="machine_percent", meaning="+: it reads too much"),),
+    act=_scaled,
+    family="scale of the machine",
+    looks_like=UNIFORM_SCALE,
+    confused_with="uniform scale",
+    separated_by="measure a gauge block, part and block at 20 degrees Celsius",
+)
+AXIS_SCALE = Effect(
+    name="axis scale of the measuring machine",
+    stage=MACHINE,
+    parameters=tuple(
+        replace(p, name=f"machine_{axis}_percent", meaning=f"+: it reads too much along {axis}")
+        for p, axis in zip(ANISOTROPIC_SCALE.parameters, "xy", strict=True)
+    ),
+    act=_scaled,
+    family="scale of the machine",
+    includes=MACHINE_SCALE,
+    looks_like=ANISOTROPIC_SCALE,
+    confused_with="anisotropic scale",
+    separated_by=_TURN_IT,
+)
+SQUARENESS = Effect(
+    name="squareness of the measuring machine",
+    stage=MACHINE,
+    parameters=(
+        replace(OUT_OF_SQUARE.parameters[0], name="machine_square_deg", meaning="+: its axes enclose more than 90°"),
+    ),
+    act=_squared,
+    looks_like=OUT_OF_SQUARE,
+    confused_with="a part cut by a machine whose axes are out of square",
+    separated_by=_TURN_IT,
+)
+DIVIDER_ZERO = replace(
+    PHASE,
+    name="zero of the divider",
+    parameters=(
+        Parameter(
+            name="divider_deg", unit="deg", lower=-5.0, upper=5.0, step=0.05, meaning="+: it stands ahead of its mark"
+        ),
+    ),
+    quantity=None,
+    places=_NOTED,
+    looks_like=PHASE,
+    confused_with="phase",
+)
+INDEX_ERROR = Effect(
+    name="index error",
+    stage=ANGLE,
+    parameters=tuple(
+        Parameter(name=f"index_{part}_deg", unit="deg", lower=-2.0, upper=2.0, step=0.02, meaning=f"+: ahead at {at}")
+        for part, at in (("cos", "0°"), ("sin", "90°"))
+    ),
+    act=_turned_once,
+    confused_with="an eccentric bore",
+    separated_by="turn the divider by half a turn on the shaft and measure again",
+)
+READING_LAG = replace(
+    BACKLASH,
+    name="lag of the reading",
+    parameters=(
+        replace(BACKLASH.parameters[0], name="reading_lag_deg", meaning="by which it lags, half of it either way"),
+    ),
+    quantity=None,
+    places=_NOTED,
+    looks_like=BACKLASH,
+    confused_with="backlash",
+    separated_by="measure at half the speed, or standing still: a lag follows the speed",
+)
+
+PROFILE_INSTRUMENT = (STYLUS_RADIUS, MACHINE_SCALE, AXIS_SCALE, SQUARENESS)
+LIFT_INSTRUMENT = (DIVIDER_ZERO, INDEX_ERROR, READING_LAG)

@@ -1,0 +1,220 @@
+"""All records of a car as one: shared parameters, one evidence; each record with its own datum, noise and discrepancy.
+
+An effect that two kinds of data show under two names (play is *backlash* in a track, *return error* in a train) is
+one effect of the joint catalogue. What is measured further up the chain motor, cam angle, lift, steering, track changes
+what is measured further down, wherever the model there passes the effect's stage (`Model.behind`). Noise, datum and
+discrepancy of the records are independent, so their products and their logarithms of likelihood add up. One record is
+the case of one part, whose effects are its own.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import block_diag
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.measurement.evidence import Evidence, Spectrum
+from cadgen.measurement.merged import Merged
+from cadgen.measurement.models.base import Model, slopes
+from cadgen.measurement.noise import Noise
+from cadgen.measurement.record import Kind, Record
+
+Build = Callable[[Record], Model]
+
+_KEPT = 64  # of residuals of a part: most differences leave most parts alone
+
+
+@dataclass(frozen=True)
+class Part:
+    """One record as it is judged.
+
+    Attributes:
+        record: measured data of one kind.
+        build: makes the forward model of a record, or of some of its runs.
+        model: of the record.
+        noise: of the record.
+        evidence: of the model with that noise.
+        names: by the keys of joint effects that act in this record, the effect that they are here.
+    """
+
+    record: Record
+    build: Build
+    model: Model
+    noise: Noise
+    evidence: Evidence
+    names: dict[str, Effect] = field(default_factory=dict)
+    _known: dict[bytes, Array] = field(default_factory=dict, repr=False)
+
+    @property
+    def kind(self) -> Kind:
+        """Of data."""
+        return self.record.kind
+
+    def own(self, active: Active) -> list[tuple[Effect, Array]]:
+        """Joint effects as those of this record, without what does nothing here."""
+        return [(self.names[e.key], v) for e, v in active if e.key in self.names]
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected with joint effects active, shape (n,), internal units; remembered."""
+        mine = self.own(active)
+        key = b"".join(effect.key.encode() + np.asarray(values, dtype=float).tobytes() for effect, values in mine)
+        if key not in self._known:
+            if len(self._known) >= _KEPT:
+                self._known.pop(next(iter(self._known)))
+            self._known[key] = self.model.residual(mine)
+        return self._known[key]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Joint:
+    """Records of one car, judged by one evidence.
+
+    Attributes:
+        parts: the records.
+        core: effects that combine freely.
+        numerous: effects that enter a subset one at a time.
+        shapes: forms without a name, each of one part.
+        datum: effects that are always fitted.
+        kinds: by the keys of effects, the kind of data whose catalogue they stand in.
+    """
+
+    parts: tuple[Part, ...]
+    core: tuple[Effect, ...]
+    numerous: tuple[Effect, ...]
+    shapes: tuple[Effect, ...]
+    datum: tuple[Effect, ...]
+    kinds: dict[str, Kind]
+
+    @classmethod
+    def of(cls, parts: Sequence[Part]) -> "Joint":
+        """Records joined: their catalogues merged."""
+        merged = Merged.of([(part.kind, part.model) for part in parts])
+        return cls(
+            parts=tuple(replace(part, names=names) for part, names in zip(parts, merged.names, strict=True)),
+            core=tuple(e for e in merged.catalogue if not e.numerous),
+            numerous=tuple(e for e in merged.catalogue if e.numerous),
+            shapes=merged.shapes,
+            datum=merged.datum,
+            kinds=merged.kinds,
+        )
+
+    @cached_property
+    def spans(self) -> tuple[slice, ...]:
+        """Rows of each part among all."""
+        ends = np.cumsum([0, *(len(part.model.rows.run) for part in self.parts)]).tolist()
+        return tuple(slice(a, b) for a, b in pairwise(ends))
+
+    @property
+    def rows(self) -> int:
+        """How many numbers were measured."""
+        return int(self.spans[-1].stop)
+
+    @property
+    def grid(self) -> tuple[Spectrum, ...]:
+        """Spectra of the form error; all parts choose the same."""
+        return self.parts[0].evidence.grid
+
+    @property
+    def within(self) -> NDArray[np.bool_]:
+        """Which of them keep the stated floor."""
+        return self.parts[0].evidence.within
+
+    @cached_property
+    def beside(self) -> Array:
+        """Size of the discrepancy in each of them, as a multiple of what it may be."""
+        return np.array([spectrum.beside for spectrum in self.grid])
+
+    @cached_property
+    def constant(self) -> Array:
+        """log det C for each spectrum."""
+        return np.asarray(np.sum([part.evidence.constant for part in self.parts], axis=0))
+
+    @property
+    def source(self) -> str:
+        """Names of the files."""
+        return ", ".join(part.record.source for part in self.parts)
+
+    @property
+    def offsets(self) -> Array:
+        """Linear datum freedoms of all parts as columns, shape (n, d)."""
+        return np.asarray(block_diag(*(part.model.offsets for part in self.parts)), dtype=float)
+
+    def residual(self, active: Active) -> Array:
+        """Measured less expected of all records, shape (n,), each in its own internal unit."""
+        return np.concatenate([part.residual(active) for part in self.parts])
+
+    def slopes(self, effects: tuple[Effect, ...], active: Active) -> Array:
+        """How the expected values answer each parameter, shape (n, sum of parameters); see `models.base.slopes`."""
+        widths = np.cumsum([0, *(len(e.parameters) for e in effects)])
+        out = np.zeros((self.rows, int(widths[-1])))
+        for part, span in zip(self.parts, self.spans, strict=True):
+            here = [i for i, e in enumerate(effects) if e.key in part.names and self._searched(part, e)]
+            own = tuple(part.names[effects[i].key] for i in here)
+            columns = np.concatenate([np.arange(widths[i], widths[i + 1]) for i in here] or [np.empty(0, dtype=int)])
+            out[span, columns.astype(int)] = slopes(part.model, own, part.own(active))
+        return out
+
+    def _searched(self, part: Part, effect: Effect) -> bool:
+        """Numerous effects are searched for in the record that shows them best; the others join in the exact fit."""
+        return not effect.numerous or self.kinds[effect.key] is part.kind
+
+    def own_name(self, effect: Effect) -> str:
+        """What an effect is called in the kind of data whose catalogue it stands in."""
+        part = next(part for part in self.parts if part.kind is self.kinds[effect.key])
+        return part.names[effect.key].name
+
+    def shape_column(self, shape: Effect, step: Array) -> Array:
+        """Reading of a form without a name, which acts in one part alone, shape (n,)."""
+        out = np.zeros(self.rows)
+        for part, span in zip(self.parts, self.spans, strict=True):
+            if shape.key in part.names:
+                rows = part.model.rows
+                out[span] = part.names[shape.key].act(np.zeros(len(rows.run)), step, rows)
+        return out
+
+    def whiten(self, columns: Array) -> Array:
+        """Divide each part by its noise; see `Evidence.whiten`."""
+        return np.concatenate([p.evidence.whiten(columns[s]) for p, s in zip(self.parts, self.spans, strict=True)])
+
+    def halves(self, white: Array) -> Array:
+        """See `Evidence.halves`; those of all parts below each other, shape (g, q, m)."""
+        return np.concatenate(
+            [p.evidence.halves(white[s]) for p, s in zip(self.parts, self.spans, strict=True)], axis=1
+        )
+
+    def misfit(self, white: Array) -> Array:
+        """-2 log L of a whitened residual for every spectrum."""
+        parts = [p.evidence.misfit(white[s]) for p, s in zip(self.parts, self.spans, strict=True)]
+        return np.asarray(np.sum(parts, axis=0), dtype=float)
+
+    def standardise(self, columns: Array, spectrum: int) -> Array:
+        """See `Evidence.standardise`."""
+        return np.concatenate(
+            [p.evidence.standardise(columns[s], spectrum) for p, s in zip(self.parts, self.spans, strict=True)]
+        )
+
+    def without(self, part: Part, run: int, spectrum: Spectrum) -> tuple["Joint", Part]:
+        """The same with one run of a part left out, and that run; noises as they are, one spectrum of form error."""
+        others = np.setdiff1d(np.arange(part.record.runs), [run])
+        train, test = (_only(part, runs, spectrum) for runs in (others, np.array([run])))
+        parts = [
+            train
+            if other.record is part.record
+            else replace(other, evidence=Evidence(other.model, other.noise, (spectrum,)))
+            for other in self.parts
+        ]
+        return replace(self, parts=tuple(parts)), test
+
+
+def _only(part: Part, runs: NDArray[np.intp], spectrum: Spectrum) -> Part:
+    """Some runs of a part, by one spectrum of the form error."""
+    record = part.record.only(runs)
+    model, rows = part.build(record), np.isin(part.model.rows.run, runs)
+    slip = part.noise.slip * (len(runs) > 1)
+    noise = Noise(part.noise.sigma[rows], part.noise.correlation, slip, len(runs))
+    return Part(record, part.build, model, noise, Evidence(model, noise, (spectrum,)), part.names)

@@ -1,0 +1,143 @@
+"""The start pose of each run of a car: set by hand, so known within a spread beforehand, and entered exactly.
+
+A path P that begins at F, started (x, y) aside and turned by psi, is F + (x + iy) + (P - F) e^(i psi). For every path
+the most likely pose is found in closed form (Kabsch 1976, in the plane). About it a pose is linear, so the residual of
+the turned path plus that pose's share of the columns is what linear freedoms, with their spread about zero, explain.
+"""
+
+from dataclasses import dataclass
+from math import radians
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import chi2
+
+from cadgen.arrays import Array
+from cadgen.measurement.record import Record
+from cadgen.measurement.remarks import said
+
+# A car set by hand against a line, where no file says how: mm and rad, standard deviations.
+BY_HAND_MM, BY_HAND_RAD = 5.0, radians(0.5)
+NUMBERS = (("start_x_mm", "mm"), ("start_y_mm", "mm"), ("start_heading_deg", "deg"))
+# Starts that scatter so much by chance are none that were set as the file says.
+CHANCE = 1e-3
+_NUMBER = r"([0-9.]*[0-9])"
+
+
+@dataclass(frozen=True)
+class Setting:
+    """How a start was set: standard deviations of its place, mm, and heading, rad, and whether a file says so."""
+
+    place: float
+    heading: float
+    stated: bool
+
+    @property
+    def spread(self) -> Array:
+        """Of x, y and heading, shape (3,)."""
+        return np.array([self.place, self.place, self.heading])
+
+    def __str__(self) -> str:
+        source = "as the file says" if self.stated else "no file says how it was set"
+        return f"{self.place:g} mm and {np.degrees(self.heading):.3g}°, {source}"
+
+
+def setting(record: Record) -> Setting:
+    """What the remark `start set to 3 mm and 0.15 deg` says, or that of a start set by hand."""
+    stated = said(record, rf"\bstart\b.*?\b{_NUMBER} *mm\b.*?\b{_NUMBER} *deg\b")
+    if stated and min(map(float, stated)) > 0:
+        return Setting(float(stated[0]), radians(float(stated[1])), True)
+    return Setting(BY_HAND_MM, BY_HAND_RAD, False)
+
+
+class Starts:
+    """Start poses of measured runs.
+
+    Attributes:
+        columns: response to x, y and heading of each run, shape (n, 3 runs).
+    """
+
+    def __init__(self, run: NDArray[np.intp], axis: NDArray[np.intp], measured: Array) -> None:
+        """Take the rows of a track.
+
+        Args:
+            run, axis: of each row, shape (n,); rows hold first the x and then the y of a run.
+            measured: coordinates, shape (n,), mm.
+        """
+        runs = range(int(run.max()) + 1)
+        self._rows = [tuple(np.flatnonzero((run == k) & (axis == a)) for a in (0, 1)) for k in runs]
+        self._measured = [measured[x] + 1j * measured[y] for x, y in self._rows]
+        self.columns = np.zeros((len(run), 3 * len(self._rows)))
+        for k, ((x, y), measured_run) in enumerate(zip(self._rows, self._measured, strict=True)):
+            across = 1j * (measured_run - measured_run[0])
+            self.columns[x, 3 * k], self.columns[y, 3 * k + 1] = 1.0, 1.0
+            self.columns[x, 3 * k + 2], self.columns[y, 3 * k + 2] = across.real, across.imag
+
+    def residual(self, place: NDArray[np.complex128]) -> Array:
+        """Measured less expected coordinates, linear in the start poses, shape (n,), mm.
+
+        Args:
+            place: of the car as started by design at each row, x + iy, shape (n,), mm.
+        """
+        out = np.empty(len(place))
+        for (x, y), measured in zip(self._rows, self._measured, strict=True):
+            path = place[x] - place[x[0]]
+            turned = _turned(path, measured)
+            left = measured - place[x[0]] - path * np.exp(1j * turned) + 1j * turned * (measured - measured[0])
+            out[x], out[y] = left.real, left.imag
+        return out
+
+    def poses(self, place: NDArray[np.complex128]) -> Array:
+        """The most likely pose of each run against a path, shape (runs, 3), mm and rad."""
+        out = []
+        for (x, _), measured in zip(self._rows, self._measured, strict=True):
+            path = place[x] - place[x[0]]
+            turned = _turned(path, measured)
+            aside = np.mean(measured - place[x[0]] - path * np.exp(1j * turned))
+            out.append((aside.real, aside.imag, turned))
+        return np.array(out)
+
+
+def _turned(path: NDArray[np.complex128], measured: NDArray[np.complex128]) -> float:
+    """By which a path is turned so that it comes nearest to what was measured, rad."""
+    return float(np.angle(np.vdot(path - path.mean(), measured - measured.mean())))
+
+
+def scattered(poses: Array, stated: Setting) -> Setting:
+    """The setting that runs show, where they scatter by more than was stated; else that.
+
+    Args:
+        poses: of each run, shape (runs, 3). What all runs share, such as an effect's, is left out.
+        stated: of the file.
+    """
+    if len(poses) < 2:
+        return stated
+    spread, freedom = np.std(poses, axis=0, ddof=1), len(poses) - 1
+    beyond = spread > stated.spread * np.sqrt(chi2.isf(CHANCE, freedom) / freedom)
+    place = float(spread[:2].max()) if beyond[:2].any() else stated.place
+    return Setting(place, float(spread[2]) if beyond[2] else stated.heading, stated.stated)
+
+
+def doubts(used: Setting, stated: Setting, values: Array, sigmas: Array) -> tuple[str, ...]:
+    """What is amiss with the starts: runs that scatter by more than was stated, or start off together.
+
+    Args:
+        used: setting that runs were judged with.
+        stated: of the file.
+        values, sigmas: start poses as fitted and their standard deviations, shape (runs, 3), mm and rad.
+    """
+    found = []
+    if used != stated:
+        found.append(
+            f"the starts scatter by {used.place:.3g} mm and {np.degrees(used.heading):.3g}°, not by {stated}: they "
+            "were judged with the scatter that they show; set the car against a stop"
+        )
+    mean = values.mean(axis=0)
+    error = np.sqrt((used.spread**2 + np.mean(sigmas**2, axis=0)) / len(values))
+    if chi2.sf(np.sum((mean / error) ** 2), 3) < CHANCE:
+        found.append(
+            f"all runs start off together, by ({mean[0]:.1f}, {mean[1]:.1f}) mm and {np.degrees(mean[2]):.2f}°, where "
+            f"{used.place:.3g} mm and {np.degrees(used.heading):.3g}° were expected: make sure of the camera's frame, "
+            "and of the line from which the car starts"
+        )
+    return tuple(found)

@@ -1,0 +1,162 @@
+"""The loop closed on paper: where the car as built ends, on the old cam and on a new one made for what is claimed.
+
+A new cam takes out what is claimed and left to it, at the values found; everything else stays, and so does the error
+of the values. To first order that error moves the end on the new cam as it does on the old one. So with P the end of
+the run on the cam that was measured, p what the car has, and c what the new cam is made for,
+    old error = P(p) - P(0),    new error = P(p without what goes with the old disc) - P(c),
+each plus what the records show beside all effects. p is drawn from the likely subsets, claimed or not, by their
+weights, and within each from its normal distribution about the values found.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.measurement.findings import EvidenceDiagnosis, Likely
+from cadgen.measurement.kinds.track import KIND, run_of
+from cadgen.measurement.models.track import TrackModel
+from cadgen.measurement.nominal import Nominal
+
+DRAWS = 4000
+RANGE = (5.0, 95.0)  # percent
+# A rest of this many times the noise is not explained, and what the new cam will do is not known.
+EXPLAINED = 1.3
+# A new cam that is worse than the old one with more than this chance is not cut without being told to.
+WORSE = 0.05
+# A gain smaller than this is none: two cams that end as near as a car can be set again, mm.
+SAME = 1.0
+
+Name = tuple[str, str]  # code of the kind of data that an effect is claimed in, and its name there
+
+
+@dataclass(frozen=True)
+class Outlook:
+    """What a new cam is expected to do.
+
+    Attributes:
+        old, new: mean distance from the planned end of the run, mm.
+        least, most: between which the new one lies with a chance of 90 %, mm.
+        worse: chance that the new one is farther off than the old one.
+        explained: whether the effects found explain the measured runs, and no record contradicts another; None where no
+            track was measured.
+    """
+
+    old: float
+    new: float
+    least: float
+    most: float
+    worse: float
+    explained: bool | None
+
+    @property
+    def sound(self) -> bool:
+        """Whether nothing speaks against cutting it."""
+        return self.explained is not False and self.worse <= WORSE
+
+
+def outlook(
+    told: tuple[EvidenceDiagnosis, ...], nominal: Nominal, taken: Mapping[Name, Array], gone: frozenset[Name]
+) -> Outlook:
+    """Predict the end of the run on the old cam and on a new one.
+
+    Args:
+        told: what the records of the car show, by one verdict.
+        nominal: the design that they were measured against.
+        taken: what the new cam is made for, with the values, internal units.
+        gone: what goes with the old disc.
+    """
+    model = run_of(nominal)
+    track = next((d for d in told if d.kind is KIND), None)
+    beside, spread = (0j, 0.0) if track is None else track.beside
+    rng = np.random.default_rng(0)
+    counts = rng.multinomial(DRAWS, [likely.weight for likely in told[0].likely])
+    draws = [
+        _drawn(model, likely, count, taken, gone, rng)
+        for likely, count in zip(told[0].likely, counts.tolist(), strict=True)
+        if count
+    ]
+    old, new = (np.concatenate([pair[k] for pair in draws]) for k in (0, 1))
+    rest = beside + spread * (rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS))
+    old, new = np.abs(old + rest), np.abs(new + rest)
+    least, most = np.percentile(new, RANGE)
+    return Outlook(
+        old=float(old.mean()),
+        new=float(new.mean()),
+        least=float(least),
+        most=float(most),
+        worse=float(np.mean(new > old + SAME)),
+        explained=False if told[0].contradicted else None if track is None else _explained(track),
+    )
+
+
+def _explained(track: EvidenceDiagnosis) -> bool:
+    """Do the effects with what repeats beside them leave no more than noise on the runs left out?"""
+    r = track.residual
+    left = r.after if r.left_out is None else r.left_out.repeating
+    return track.verdict not in ("unexplained", "runs disagree") and left <= EXPLAINED * r.noise
+
+
+def _drawn(
+    model: TrackModel,
+    likely: Likely,
+    count: int,
+    taken: Mapping[Name, Array],
+    gone: frozenset[Name],
+    rng: np.random.Generator,
+) -> tuple[Array, Array]:
+    """Errors of the end, x + iy, on the old cam and on the new one, drawn from one subset, shape (count,) each, mm."""
+    here = [(name, _in_track(model, effect, name[0]), values) for name, effect, values in likely.effects]
+    acting: Active = [(effect, values) for _, effect, values in here if effect]
+    stays: Active = [(effect, values) for name, effect, values in here if effect and name not in gone]
+    kept = np.array([e is not None and n not in gone for n, e, v in here for _ in v], dtype=bool)
+    ways = np.concatenate([_ways(model, effect, acting, len(values)) for _, effect, values in here] or [np.empty(0)])
+    known = [(name, _in_track(model, effect, name[0])) for name, effect, _ in likely.effects]
+    cut_for: Active = [(effect, taken[name]) for name, effect in known if effect and name in taken]
+    others = [name for name in taken if name not in {n for n, _ in known}]
+    cut_for = [*cut_for, *((e, taken[n]) for n in others if (e := _of_name(model, n)))]
+    drawn = (
+        rng.multivariate_normal(np.zeros(len(ways)), likely.covariance, count) if len(ways) else np.zeros((count, 0))
+    )
+    old = model.finish(acting) - model.finish([]) + drawn @ ways
+    new = model.finish(stays) - model.finish(cut_for) + drawn @ (ways * kept)
+    return old, new
+
+
+def _ways(model: TrackModel, effect: Effect | None, active: Active, width: int) -> Array:
+    """How the end answers each number of an effect, shape (numbers,), complex."""
+    if effect is None:
+        return np.zeros(width, dtype=complex)
+    values = next(v for e, v in active if e is effect)
+    others = [(e, v) for e, v in active if e is not effect]
+    out = np.zeros(width, dtype=complex)
+    lower, upper = effect.bounds
+    for k, step in enumerate(effect.steps):
+        ends = []
+        for sign in (-1.0, 1.0):
+            moved = np.array(values, dtype=float)
+            moved[k] = np.clip(moved[k] + sign * step, lower[k], upper[k])
+            ends.append((moved[k], model.finish([*others, (effect, moved)])))
+        out[k] = (ends[1][1] - ends[0][1]) / (ends[1][0] - ends[0][0])
+    return out
+
+
+def _in_track(model: TrackModel, effect: Effect, kind: str) -> Effect | None:
+    """What an effect of any kind of data is on the road; None where it does nothing to the car."""
+    if kind == KIND.code:
+        return effect
+    if effect.quantity is not None:
+        same = next((e for e in KIND.catalogue.effects if e.quantity == effect.quantity), None)
+        if same is not None:
+            return same
+    return effect if effect.stage in model.behind and not (effect.instrument or effect.shape) else None
+
+
+def _of_name(model: TrackModel, name: Name) -> Effect | None:
+    """The same for what only data that were judged apart show, such as the play of zones."""
+    from cadgen.measurement.kinds import kind_of
+
+    effect = kind_of(name[0]).catalogue.named(name[1])
+    return None if effect is None else _in_track(model, effect, name[0])

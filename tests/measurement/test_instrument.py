@@ -1,0 +1,38 @@
+"""What the instrument does and what the part: twins in one record, parted by a part that is turned on the machine."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from cadgen.measurement.calibrate import calibrate
+from cadgen.measurement.record import join
+from tests.measurement import synthetic as syn
+
+
+def _profiles(car, shear, seed=60):
+    """The part as it lies and turned by a quarter, on a machine that reads x + shear y, mm."""
+    rng = np.random.default_rng(seed)
+    bench = syn.bench_with(syn.form_error(rng, 2e-3), {})
+    records = []
+    for clock in (0.2, 90.1):
+        record = syn.profile_record(car, bench, rng, noise_um=2.0, runs=2, clock_deg=clock, turn=syn.TURN, scatter=0.0)
+        x, y = record["x_mm"], record["y_mm"]
+        records.append(replace(record, columns={"x_mm": x + shear * y, "y_mm": y}))
+    return records
+
+
+@pytest.mark.slow
+def test_a_turned_part_shows_whose_the_shear_is(synthetic_car, nominal):
+    shear = 0.04 * syn.DEG
+    straight, turned = _profiles(synthetic_car, shear)
+    (one,) = calibrate([straight], nominal)
+    assert one.judgement.claimed == ("axes out of square",)
+    assert one.findings[0].twins == ("squareness of the measuring machine",)
+    (both,) = calibrate([join([straight, turned])], nominal)
+    assert both.judgement.claimed == ("squareness of the measuring machine",)
+    (finding,) = both.findings
+    assert finding.twins == ()
+    assert finding.values[0].value == pytest.approx(0.04, abs=4 * finding.values[0].sigma)
+    # The clocking of each run as the generator set it, a quarter of a turn with it.
+    assert [f.values[0].value for f in both.datum] == pytest.approx([0.2, 0.2, 90.1, 90.1], abs=0.05)
