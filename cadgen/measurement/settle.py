@@ -1,7 +1,7 @@
 """Least squares within bounds, content when a further step is small beside the errors of the values.
 
 Gauss-Newton with Levenberg's damping (Marquardt 1963): a step p changes half the sum of squares by g'p + p'J'J p / 2,
-with g = J'r. Where that gain is below `_CONTENT` every value is within a hundredth of its standard deviation of where
+with g = J'r. Where that gain is below `_CONTENT` every value is within a twentieth of its standard deviation of where
 it would end, in any combination of values, whatever their units: a criterion that general solvers do not offer, and
 past which they go on for most of their steps.
 """
