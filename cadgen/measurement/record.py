@@ -21,6 +21,7 @@ from cadgen.measurement.models.base import Model
 MOST_ROWS = 20_000
 LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
 MOST_RUNS = 100  # each brings columns of its own, such as its start pose; real cars are driven ten times
+MOST_TOGETHER = 10_000  # rows of several kinds, whose effects all act in each: 1.8 GB
 MOST_ENTRIES = 500_000  # rows times runs, in columns of runs and their products: 0.9 GB
 
 
@@ -269,6 +270,21 @@ def refuse_many(kind: Kind, rows: int, name: str) -> None:
         raise FileError(
             f"{name}: {rows} rows, more than the {most} that can be judged together; "
             f"keep one row in {-(-rows // most)}, or give fewer files"
+        )
+
+
+def refuse_many_together(records: Sequence[Record]) -> None:
+    """Refuse more rows of several kinds than can be judged by one model.
+
+    Raises:
+        FileError: there are more; says how many to keep.
+    """
+    rows = sum(len(record.run) for record in records)
+    if len(records) > 1 and rows > MOST_TOGETHER:
+        raise FileError(
+            f"{', '.join(record.source for record in records)}: {rows} rows of {len(records)} kinds, more than the "
+            f"{MOST_TOGETHER} that can be judged by one model; keep one row in {-(-rows // MOST_TOGETHER)}, or give "
+            "fewer files"
         )
 
 
