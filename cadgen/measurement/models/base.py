@@ -1,6 +1,7 @@
 """Interface of every forward model to the search."""
 
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any, Protocol
 
 import numpy as np
@@ -149,25 +150,34 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active) -> Array:
     Central differences over each parameter's own step; one-sided where a bound is in the way. An effect that is
     active is varied about its value, any other about its start. In place of an effect on disc or rod its change of the
     lift to first order is varied, so that the rod is rolled once and not for every difference; what follows the lift
-    is smooth, so that a small step to one side will do.
+    is smooth, so that a small step to one side will do. So does a step for the numerous ones that are not active: they
+    are small, and looked at to first order alone.
     """
     values = {effect.key: v for effect, v in active}
-    columns, base = [], None
+
+    @cache
+    def base() -> Array:
+        return model.residual(active)
+
+    columns = []
     for effect in effects:
         rolled = model.rolled if model.rolled and effect.stage in model.rolled.stages else None
         others = [(e, v) for e, v in active if e.key != effect.key]
-        middle = values.get(effect.key, effect.start)
-        lower, upper = effect.bounds
+        middle = np.asarray(values.get(effect.key, effect.start), dtype=float)
         for k, step in enumerate(effect.steps):
             if rolled:
-                base = model.residual(active) if base is None else base
                 standing = rolled.first_order(effect, k, active, model.rows), np.array([SMALL * step])
-                columns.append((base - model.residual([*active, standing])) / (SMALL * step))
+                columns.append((base() - model.residual([*active, standing])) / (SMALL * step))
                 continue
-            ends = []
-            for sign in (-1.0, 1.0):
-                moved = np.array(middle, dtype=float)
-                moved[k] = np.clip(moved[k] + sign * step, lower[k], upper[k])
-                ends.append((moved[k], model.residual([*others, (effect, moved)])))
-            columns.append((ends[0][1] - ends[1][1]) / (ends[1][0] - ends[0][0]))
+            one_sided = effect.numerous and effect.key not in values
+            low, high = (middle if one_sided else _moved(effect, middle, k, -step)), _moved(effect, middle, k, step)
+            before = base() if one_sided else model.residual([*others, (effect, low)])
+            columns.append((before - model.residual([*others, (effect, high)])) / (high[k] - low[k]))
     return np.stack(columns, axis=1) if columns else np.empty((len(model.rows.run), 0))
+
+
+def _moved(effect: Effect, values: Array, number: int, by: float) -> Array:
+    """Values of which one is moved, as far as its bounds let it."""
+    moved, (lower, upper) = values.copy(), effect.bounds
+    moved[number] = np.clip(moved[number] + by, lower[number], upper[number])
+    return moved
