@@ -39,7 +39,7 @@ def sentences(source: str) -> Iterator[str]:
 
 
 def named(text: str) -> set[str]:
-    """What a text names that looks like a key of the design file."""
+    """Words of a text that look like keys of the design file."""
     found = DOTTED.findall(text)
     return {name for name in found if name.partition(".")[0] in SECTIONS and not name.endswith(FILES)} - set(OTHERS)
 

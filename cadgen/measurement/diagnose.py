@@ -100,7 +100,7 @@ def _less_noise(part: Part, best: Hypothesis) -> Part:
 
 
 def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:
-    """What one record shows by the joint verdict."""
+    """Diagnosis of one record by the joint verdict."""
     joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
     none = next(h for h in result.found if not h.effects)
     before, after = (registered(model, noise, part.residual(h.active)) for h in (none, best))
@@ -178,7 +178,7 @@ def _likely(result: _Result) -> tuple[Likely, ...]:
 
 
 def _beside(part: Part, result: _Result) -> tuple[complex, float]:
-    """What repeats beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
+    """Repeating error beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
     if part.model.measured is None:
         return 0j, 0.0
     ends = np.flatnonzero(part.model.rows.run == 0)
@@ -232,11 +232,11 @@ def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> F
         for p, v, s in zip(effect.parameters, values, sigma, strict=True)
     )
     at_bound = tuple(p.name for p in effect.parameters if p.name in best.at_bound)
-    return Finding(effect.name, numbers, effect.twins, at_bound, effect.given)
+    return Finding(effect.name, numbers, effect.twins, at_bound, effect.indices)
 
 
 def _discrepancy(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Finding | None]:
-    """What the discrepancy adds to the best subset's residual, and its numbers where they are sure."""
+    """Share of the discrepancy in the best subset's residual, and its numbers where they are significant."""
     model, evidence = part.model, part.evidence
     of, orders = model.discrepancy, model.form.shape[1]
     spectrum = joint.grid.index(best.spectrum)

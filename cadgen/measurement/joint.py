@@ -164,7 +164,7 @@ class Joint:
         return not effect.numerous or self.kinds[effect.key] is part.kind
 
     def own_name(self, effect: Effect) -> str:
-        """What an effect is called in the kind of data whose catalogue it stands in."""
+        """Name of an effect in the kind of data whose catalogue it stands in."""
         part = next(part for part in self.parts if part.kind is self.kinds[effect.key])
         return part.names[effect.key].name
 

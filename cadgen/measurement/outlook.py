@@ -34,7 +34,7 @@ Name = tuple[str, str]  # code of the kind of data that an effect is claimed in,
 
 @dataclass(frozen=True)
 class Outlook:
-    """What a new cam is expected to do.
+    """Expected errors at the end of the run on the old cam and on a new one.
 
     Attributes:
         old, new: distance from the planned end of the run, median of the draws, mm.
@@ -144,7 +144,7 @@ def _ways(model: TrackModel, effect: Effect | None, active: Active, width: int) 
 
 
 def _in_track(model: TrackModel, effect: Effect, kind: str) -> Effect | None:
-    """What an effect of any kind of data is on the road; None where it does nothing to the car."""
+    """Effect in the track that corresponds to one of any kind of data; None where it does not move the car."""
     if kind == KIND.code:
         return effect
     if effect.quantity is not None:

@@ -174,13 +174,13 @@ class Kind:
         known = self.catalogue.named(effect)
         return (known and known.quantity) or Quantity(f"{effect} ({self.code})")
 
-    def named(self, name: str, given: Mapping[str, float] | None = None) -> Effect:
+    def named(self, name: str, indices: Mapping[str, float] | None = None) -> Effect:
         """The effect that is written under a name, with the numbers that belong to the name (`Catalogue.named`).
 
         Raises:
             DesignError: there is no such effect; names the nearest.
         """
-        if effect := self.catalogue.named(name, given):
+        if effect := self.catalogue.named(name, indices):
             return effect
         names = [entry.name for entry in self.catalogue.entries]
         near = get_close_matches(name, names, 3, 0.5) or names

@@ -1,4 +1,4 @@
-"""What the data cannot bear is not claimed, and what they cannot show is said."""
+"""Nothing is claimed beyond the evidence of the data, and their limits are stated."""
 
 from dataclasses import replace
 

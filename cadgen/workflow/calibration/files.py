@@ -284,7 +284,7 @@ def _finding(finding: Finding, claimed: bool | None = None) -> dict[str, Any]:
     return {
         **facts,
         "values": values,
-        "given": dict(finding.given),
+        "given": dict(finding.indices),
         "cannot_be_told_from": list(finding.twins),
         "on_bound": list(finding.at_bound),
     }

@@ -1,4 +1,4 @@
-"""What a new cam is expected to do that is made for what a calibration claims."""
+"""Expected run of the car on a new cam that compensates the effects a calibration claims."""
 
 from collections.abc import Sequence
 

@@ -327,10 +327,10 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
 
 
 def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
-    """What becomes of a claim by default: nothing that may be the instrument's in all kinds of data that show it."""
+    """Default place of a claim: none for an effect that may be the instrument's in all kinds of data that show it."""
     if all(_instruments(other) for other in alike):
         return "noted"
-    return claim.kind.named(claim.finding.effect, dict(claim.finding.given)).places[0]
+    return claim.kind.named(claim.finding.effect, dict(claim.finding.indices)).places[0]
 
 
 def _instruments(claim: Claim) -> bool:

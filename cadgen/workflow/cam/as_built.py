@@ -46,7 +46,7 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
 
 
 def outlook_sentence(design: Design) -> str:
-    """What the new cam is expected to do; empty if nothing was measured that says it."""
+    """Expected run of the car on the new cam; empty if no measurement predicts it."""
     outlook = design.as_built and design.as_built.outlook
     if not outlook:
         return ""
