@@ -9,6 +9,7 @@ from cadgen.api.files import Written, folder_of
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
+    from cadgen.api.advice import Advice
     from cadgen.report.text import Block
     from cadgen.workflow.calibration import plan as calibrations
 
@@ -73,6 +74,20 @@ class Calibration(Generic[D]):
             return self.design
         text = as_built_text(self.computed, self.design.text)
         return type(self.design).from_toml(text, f"{self.computed.design.name}_as_built")
+
+    def next_measurement(self, *, progress: Progress = silent) -> "Advice":
+        """Rank what could be measured next by where the run is then expected to end on a new cam.
+
+        Args:
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            FileError: the data contradict each other.
+        """
+        from cadgen.api.advice import Advice
+        from cadgen.workflow.calibration.advice import after
+
+        return Advice(after(self.computed, progress), measured=True)
 
     @property
     def report(self) -> "list[Block]":

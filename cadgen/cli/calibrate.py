@@ -22,6 +22,13 @@ from cadgen.optimize.profiles.actual import ACTUAL
     help="Judge each file alone, as if each came from another car. Prints one table; with --out, no pictures and no "
     "as-built design are written.",
 )
+@click.option(
+    "--next",
+    "ask_next",
+    is_flag=True,
+    help="Say also what to measure next, ranked by where the run is then expected to end on a new cam; without a FILE, "
+    "what to measure first.",
+)
 @overrides_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
 @out_option(help="Folder for the report, its pictures, JSON and the as-built design; without it no file is written.")
@@ -30,6 +37,7 @@ def calibrate(
     profile: str,
     form_error_um: float | None,
     each: bool,
+    ask_next: bool,
     overrides: tuple[str, ...],
     as_json: bool,
     out: Path | None,
@@ -46,16 +54,29 @@ def calibrate(
     from cadgen.design.load import packaged_designs
     from cadgen.report.text import write
 
-    design, files = design_and_files(arguments, packaged_designs())
+    design, files = design_and_files(arguments, packaged_designs(), some=not ask_next)
     loaded = Design.load(design, overrides)
+    if ask_next and each:
+        raise click.UsageError("--next is asked of one car, and --each judges files of several: give one of them")
+    if not files:
+        if out is not None:
+            raise click.UsageError("without a measured file there is nothing to write: remove --out")
+        with show.progress(not as_json) as progress:
+            first = loaded.next_measurement(profile=profile, form_error_um=form_error_um, progress=progress)
+        if as_json:
+            show.document({"next": first.facts()})
+        else:
+            write(first.report, show.Output())
+        return
     result: Calibration[Design] | Calibrations[Design]
     with show.progress(not as_json) as progress:
         judge = loaded.calibrate_each if each else loaded.calibrate
         result = judge(files, profile=profile, form_error_um=form_error_um, progress=progress)
+        advice = result.next_measurement(progress=progress) if ask_next and isinstance(result, Calibration) else None
         written = None if out is None else result.write(out, progress=progress)
     if as_json:
-        show.document(result.facts())
+        show.document(result.facts() | ({} if advice is None else {"next": advice.facts()}))
         return
-    write(result.report, show.Output())
+    write([*result.report, *(advice.report if advice else ())], show.Output())
     if written is not None and out is not None:
         show.files(written, out)

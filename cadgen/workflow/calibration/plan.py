@@ -87,6 +87,7 @@ class Calibration:
         claims: what the verdicts claim, and that there is no play where that was seen.
         warnings: what does not fit, but was let pass.
         outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
+        nominal: the design as data of its kinds were judged against it; None without such data.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
     """
@@ -104,6 +105,7 @@ class Calibration:
     warnings: tuple[str, ...]
     holds: tuple[float, float] | None = None
     outlook: Outlook | None = None
+    nominal: Nominal | None = None
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
@@ -237,6 +239,7 @@ def calibrate(
         claims=tuple(found),
         warnings=tuple(_warnings(design, profile, sources)),
         holds=holds,
+        nominal=known,
     )
     if known is None:
         return calibration
