@@ -33,8 +33,6 @@ from cadgen.measurement.outlook import ways
 from cadgen.measurement.proposals import NOISE
 from cadgen.measurement.record import Kind, Record
 
-# Where no record shows how much repeats: the stated form error with a middling spectrum, and a floor as it may be.
-TYPICAL = Spectrum(1.0, 6.0, 1.0)
 _FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to what the rows say of it
 
 
@@ -172,27 +170,29 @@ class Linear:
         return np.concatenate([np.concatenate(out) * self.scale, (last[0] + 1j * last[1]) / np.sqrt(self.repeats)])
 
     @cached_property
-    def spectrum(self) -> Spectrum:
-        """Of what repeats: the likeliest by the records so far."""
-        if not self.measured:
-            return TYPICAL
-        grid = [s for s in grid_of(self.models[: self.measured]) if s.within]
+    def spectra(self) -> tuple[tuple[Spectrum, ...], Array]:
+        """Spectra of what repeats that keep the stated floor, and the chance of each by the records so far."""
+        grid = tuple(s for s in grid_of([self.track]) if s.within)
         misfit = np.zeros(len(grid))
-        for model, noise, left in zip(self.models, self.noises, self._left, strict=False):
-            evidence = Evidence(model, noise, tuple(grid))
-            misfit += evidence.misfit(evidence.whiten(left))
-        return grid[int(np.argmin(misfit))]
+        for kind, model, noise in zip(self.kinds, self.models, self.noises, strict=False):
+            evidence = Evidence(model, noise, grid)
+            misfit += evidence.misfit(evidence.whiten(model.residual(self.own(kind, self.best))))
+        chance = np.exp((misfit.min() - misfit) / 2)
+        return grid, chance / chance.sum()
 
     @property
-    def _left(self) -> list[Array]:
-        return [model.residual(self.own(kind, self.best)) for kind, model in zip(self.kinds, self.models, strict=True)]
+    def spectrum(self) -> Spectrum:
+        """The likeliest of them."""
+        grid, chance = self.spectra
+        return grid[int(np.argmax(chance))]
 
     @cached_property
     def repeats(self) -> Array:
-        """Precision of each amplitude of what repeats in a track."""
-        form = self.spectrum.variance(self.track.order, self.track.floor)
-        beside = (self.spectrum.beside * self.track.discrepancy.sigma) ** 2
-        return 1 / np.concatenate([form, beside])
+        """Precision of each amplitude of what repeats in a track, the mean over the spectra."""
+        track, (grid, chance) = self.track, self.spectra
+        form = np.array([s.variance(track.order, track.floor) for s in grid])
+        beside = np.array([(s.beside * track.discrepancy.sigma) ** 2 for s in grid])
+        return np.asarray(1 / (chance @ np.hstack([form, beside])))
 
     def _columns(self, kind: Kind, model: Model, active: Active, idle: frozenset[Quantity]) -> Array:
         """How a record answers one standard deviation in each direction, shape (n, size)."""
