@@ -50,6 +50,11 @@ def after(calibration: Calibration, progress: Progress = silent) -> Next:
     """
     c = calibration
     told = [d for d in c.diagnoses if isinstance(d, EvidenceDiagnosis)]
+    if not told and c.zones is None:
+        raise FileError(
+            "what to measure next is reckoned for the car that the cam steers, and only logged runs of another one were "
+            "given: drive that one on a path of another shape, and give --predict what you left out"
+        )
     if any(d.contradicted for d in told):
         raise FileError(
             "what to measure next cannot be said while the records contradict each other: leave out those that are "
@@ -116,7 +121,7 @@ def words(n: Next, *, measured: bool) -> list[Block]:
         f"{_mm(n.now.most)} mm in 90 %), with what no record shows yet as [tolerances] allow, or as is usual. With one "
         "measurement more:",
         Table(
-            ("measure", "mm off", "up to (95 %)", "nearer by"),
+            ("measure", "mm off", "95 %", "nearer"),
             tuple((e.words, _mm(e.end.mean), _mm(e.end.most), f"{max(n.shrinks(e), 0.0):.0%}") for e in n.ranked),
         ),
     ]

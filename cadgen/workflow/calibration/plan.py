@@ -220,7 +220,7 @@ def calibrate(
         holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
-        wheelbase = _wheelbase(design, logged)
+        wheelbase = wheelbase_of(design, logged)
         diagnosis = calibrate_tricycle(logged, wheelbase[0], progress)
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
@@ -351,7 +351,7 @@ def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[f
     return MACHINED_UM, "machined: no file says printed"
 
 
-def _wheelbase(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
+def wheelbase_of(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
     """Wheelbase of the logged car, mm, and whether it is from a file."""
     stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
     if len(stated) > 1:
