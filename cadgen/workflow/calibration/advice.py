@@ -52,8 +52,8 @@ def after(calibration: Calibration, progress: Progress = silent) -> Next:
     told = [d for d in c.diagnoses if isinstance(d, EvidenceDiagnosis)]
     if not told and c.zones is None:
         raise FileError(
-            "what to measure next is reckoned for the car that the cam steers, and only logged runs of another one were "
-            "given: drive that one on a path of another shape, and give --predict what you left out"
+            "what to measure next is reckoned for the car that the cam steers, and only logged runs of another one "
+            "were given: drive that one on a path of another shape, and give --predict what you left out"
         )
     if any(d.contradicted for d in told):
         raise FileError(
