@@ -40,7 +40,6 @@ KIND = Kind(
     datum=Datum(words="the zero of the dial in each run", name="zero of the dial", numbers=(("zero_um", "um"),)),
     model=_model,
     check=_check,
-    counts=2000,  # a dial of hundredths that goes round twenty times
     spans=_spans,
     around=True,
     nearness=4,
