@@ -11,6 +11,7 @@
 | `gear`     | a gear by its numbers                                                      |
 | `gears`    | pairs and trains of gears, by their numbers or of a design                 |
 | `calibration` | a judgement of measured data, and the design built from it              |
+| `advice`   | what to measure next; runs predicted with what was found                   |
 | `adjustment` | settings after trial runs                                                |
 | `design`   | a design and what can be done with it                                      |
 

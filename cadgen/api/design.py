@@ -17,6 +17,7 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
+    from cadgen.api.advice import Advice
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.gears import GearTrain
@@ -258,6 +259,19 @@ class Design:
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self._whole()
         computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
         return Calibration(computed, Design(design, self.text, self.file))
+
+    def next_measurement(
+        self, *, profile: str = "actual", form_error_um: float | None = None, progress: Progress = silent
+    ) -> "Advice":
+        """Rank what to measure first on a car of this design; `Calibration.next_measurement` does it after data.
+
+        Arguments and errors as in `calibrate`.
+        """
+        from cadgen.api.advice import Advice
+        from cadgen.workflow.calibration.advice import before
+
+        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
+        return Advice(before(self._whole(), profile, error, progress), measured=False)
 
     def calibrate_each(
         self,

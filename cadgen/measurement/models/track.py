@@ -82,15 +82,21 @@ class TrackModel:
         """Measured less expected coordinates, linear in the start poses (see `start`), mm."""
         return self._starts.residual(self.place(active))
 
+    def as_logged(self, active: Active) -> Array:
+        """The same, started as by design, mm."""
+        place = self.place(active)
+        return np.asarray(self.measured - np.where(self._axis == 0, place.real, place.imag))
+
     def place(self, active: Active) -> NDArray[np.complex128]:
         """Where the car is at each row, started as by design, x + iy, mm."""
-        return self._driven(active, self._motor)
+        return self.at(active, self._motor)
 
     def finish(self, active: Active) -> complex:
         """Where the run ends, at the beginning of the cam's closing blend, x + iy, mm."""
-        return complex(self._driven(active, np.array([self._lift.blend_start]))[0])
+        return complex(self.at(active, np.array([self._lift.blend_start]))[0])
 
-    def _driven(self, active: Active, motor: Array) -> NDArray[np.complex128]:
+    def at(self, active: Active, motor: Array) -> NDArray[np.complex128]:
+        """The same at any motor positions."""
         run = through(RUNNING, self._nominal, active, self._grid)
         lift = self.rolled.lift(active, self.rows)
         nodes, following = self._grid, None
