@@ -41,17 +41,17 @@ def passages(poses: Poses, car: Car, gates: Sequence[Gate]) -> tuple[Passage, ..
     Of a gate that is passed several times the best passage counts that leaves the order.
     """
     passed, earliest = [], 0.0
+    tracks = {point: poses.track(place_of(point, car)) for point in {gate.point for gate in gates}}
     for gate in gates:
-        result, first = _passage(poses, car, gate, 0.0 if gate.free else earliest)
+        result, first = _passage(poses, tracks[gate.point], gate, 0.0 if gate.free else earliest)
         passed.append(result)
         if not gate.free:
             earliest = max(earliest, first)
     return tuple(passed)
 
 
-def _passage(poses: Poses, car: Car, gate: Gate, since: float) -> tuple[Passage, float]:
+def _passage(poses: Poses, track: Complex, gate: Gate, since: float) -> tuple[Passage, float]:
     """Best passage from a place on, and the earliest place at which the gate is passed; `since` if it is not."""
-    track = poses.track(place_of(gate.point, car))
     place, margin, off = (_through_segment if len(gate.place.points) > 1 else _through_disc)(track, gate)
     headed = _headed(poses, gate, place)
     later = place >= since

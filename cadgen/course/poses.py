@@ -1,6 +1,7 @@
 """A run of the car as poses, close enough together that straight lines between them err by microns."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,13 +31,18 @@ class Poses:
     def __len__(self) -> int:
         return len(self.heading)
 
+    @cached_property
+    def ahead(self) -> Complex:
+        """Directions of travel as x + iy of length 1, shape (n,)."""
+        return np.asarray(np.exp(1j * self.heading))
+
     def track(self, point: Point) -> Complex:
         """Positions x + iy of a point of the car, shape (n,), mm.
 
         Args:
             point: place in the car's frame, mm.
         """
-        return np.asarray(self.fork + complex(*point) * np.exp(1j * self.heading))
+        return np.asarray(self.fork + complex(*point) * self.ahead)
 
     def at(self, place: Array) -> "Poses":
         """Poses at places along the run.

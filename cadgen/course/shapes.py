@@ -1,13 +1,14 @@
 """Distances between parts of the car and what is on the course, with shapely, which is imported when it is needed."""
 
+from math import cos, hypot, pi
 from typing import Any
 
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.course.body import Body, Wheel
+from cadgen.course.body import Body, PartName, Wheel
 from cadgen.course.course import Point, Shape
-from cadgen.course.poses import Poses
+from cadgen.course.poses import Complex, Poses
 
 
 def geometry(shape: Shape) -> Any:
@@ -36,15 +37,38 @@ def wheel_areas(wheel: Wheel, poses: Poses) -> Any:
     return _shaped(complex(*wheel.centre) + turned * corners, poses)
 
 
-def _placed(points: tuple[Point, ...], poses: Poses) -> Any:
-    return _shaped(np.broadcast_to(np.array(points) @ [1, 1j], (len(poses), len(points))), poses)
+def points(places: Complex) -> Any:
+    """Points x + iy on the floor, an array of n."""
+    import shapely
+
+    return shapely.points(np.stack([places.real, places.imag], axis=-1))
+
+
+def hidden_wheels(body: Body) -> tuple[PartName, ...]:
+    """Wheels that the outline covers, the front wheel however it is turned: they are never nearer than it."""
+    import shapely
+
+    outline = shapely.Polygon(body.corners)
+
+    def area(wheel: Wheel) -> Any:
+        if wheel.steered:
+            return shapely.Point(wheel.centre).buffer(hypot(wheel.radius, wheel.width / 2) / cos(pi / 64))
+        x, y = wheel.centre
+        return shapely.box(x - wheel.radius, y - wheel.width / 2, x + wheel.radius, y + wheel.width / 2)
+
+    return tuple(wheel.name for wheel in body.wheels if outline.covers(area(wheel)))
+
+
+def _placed(corners: tuple[Point, ...], poses: Poses) -> Any:
+    there = np.array([complex(*corner) for corner in corners])
+    return _shaped(np.broadcast_to(there, (len(poses), len(there))), poses)
 
 
 def _shaped(corners: Any, poses: Poses) -> Any:
     """Points in the car's frame, x + iy, shape (n, k), as areas, lines or points on the floor."""
     import shapely
 
-    placed = poses.fork[:, None] + corners * np.exp(1j * poses.heading)[:, None]
+    placed = poses.fork[:, None] + corners * poses.ahead[:, None]
     xy = np.stack([placed.real, placed.imag], axis=-1)
     if xy.shape[1] == 1:
         return shapely.points(xy[:, 0])
@@ -74,8 +98,8 @@ def room_inside(parts: Any, edge: Shape) -> Array:
     area = geometry(edge)
     room = np.asarray(shapely.distance(parts, area.boundary), dtype=float)
     for number in np.flatnonzero(~shapely.covers(area, parts)):
-        points = shapely.points(shapely.get_coordinates(parts[number]))
-        room[number] = -max(float(shapely.distance(points, area).max()), _depth_outside(parts[number], area))
+        corners = shapely.points(shapely.get_coordinates(parts[number]))
+        room[number] = -max(float(shapely.distance(corners, area).max()), _depth_outside(parts[number], area))
     return room
 
 
@@ -87,9 +111,9 @@ def _depth(part: Any, there: Any) -> float:
     if common.is_empty:
         return 0.0
     inner = shapely.get_coordinates(common.representative_point())
-    points = shapely.points(np.vstack([shapely.get_coordinates(common), inner]))
+    corners = shapely.points(np.vstack([shapely.get_coordinates(common), inner]))
     rims = [each.boundary for each in (part, there) if each.geom_type == "Polygon"]
-    return max((float(shapely.distance(points, rim).max()) for rim in rims), default=0.0)
+    return max((float(shapely.distance(corners, rim).max()) for rim in rims), default=0.0)
 
 
 def _depth_outside(part: Any, area: Any) -> float:

@@ -9,7 +9,8 @@ nearest pose are dropped, the others are halved, until what is left cannot be ne
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import hypot
+from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from cadgen.arrays import Array
 from cadgen.course.body import Body, PartName
 from cadgen.course.course import Obstacle, Shape
 from cadgen.course.poses import Poses
-from cadgen.course.shapes import clearances, outlines, room_inside, wheel_areas
+from cadgen.course.shapes import clearances, hidden_wheels, outlines, points, room_inside, wheel_areas
 
 _CLOSE = 5e-3  # mm
 _CLOSE_INSIDE = 1.0, 0.02  # mm, and as a share: where the car overlaps a thing, its depth need not be known so well
@@ -45,41 +46,49 @@ class Approach:
 
 def approach(poses: Poses, body: Body, obstacle: Obstacle) -> Approach:
     """Nearest approach of the car to an obstacle; what passes under the body is approached by the wheels alone."""
-    under = obstacle.height < body.clearance
-    return _nearest(poses, body, lambda parts: clearances(parts, obstacle.shape), wheels_only=under)
+    parts = _parts(body, wheels_only=obstacle.height < body.clearance)
+    return _nearest(poses, body, parts, lambda areas: clearances(areas, obstacle.shape))
 
 
 def approach_to_edge(poses: Poses, body: Body, edge: Shape) -> Approach:
     """Nearest approach of the car to the edge of the field, from inside."""
-    return _nearest(poses, body, lambda parts: room_inside(parts, edge), wheels_only=False)
+    return _nearest(poses, body, _parts(body), lambda areas: room_inside(areas, edge))
 
 
-def _nearest(poses: Poses, body: Body, distances: Callable[[object], Array], *, wheels_only: bool) -> Approach:
-    parts: list[PartName] = [wheel.name for wheel in body.wheels]
-    if body.corners and not wheels_only:
-        parts.append("outline")
+def _parts(body: Body, *, wheels_only: bool = False) -> dict[PartName, Callable[[Poses], Any]]:
+    """Parts of the car that can be nearest, each as areas by poses: a wheel that the outline covers cannot."""
+    bodied = bool(body.corners) and not wheels_only
+    hidden = hidden_wheels(body) if bodied else ()
+    parts: dict[PartName, Callable[[Poses], Any]] = {
+        wheel.name: partial(wheel_areas, wheel) for wheel in body.wheels if wheel.name not in hidden
+    }
+    if bodied:
+        parts["outline"] = partial(outlines, body)
+    return parts
 
+
+def _nearest(
+    poses: Poses, body: Body, parts: dict[PartName, Callable[[Poses], Any]], distances: Callable[[Any], Array]
+) -> Approach:
     def at(places: Array) -> Array:
         """Distances of all parts, shape (parts, n)."""
         there = poses.at(places)
-        rows = [distances(wheel_areas(wheel, there)) for wheel in body.wheels]
-        if body.corners and not wheels_only:
-            rows.append(distances(outlines(body, there)))
-        return np.stack(rows)
+        return np.stack([distances(areas(there)) for areas in parts.values()])
 
-    front = max((hypot(wheel.radius, wheel.width / 2) for wheel in body.wheels if wheel.steered), default=0.0)
-    radius = max(
-        [hypot(*corner) for corner in body.corners]
-        + [hypot(*wheel.centre) + hypot(wheel.radius, wheel.width / 2) for wheel in body.wheels]
-    )
-    reach = poses.reach(radius, front)
     numbers = np.arange(len(poses), dtype=float)
+    radius = body.radius
+    reach = poses.reach(radius, body.steered_radius)
     edges = np.interp(np.linspace(0.0, reach[-1], _FIRST + 1), reach, numbers) if reach[-1] > 0 else numbers[[0, -1]]
-    values = at(edges)
-    best = _best(edges, values)
-    start, stop = edges[:-1], edges[1:]
+    # The fork axis is a point of the car: no part is nearer than it by more than the radius, and the least not farther.
+    there = poses.at(edges).fork
+    fork = distances(points(there))
+    kept = (fork[:-1] + fork[1:] - reach[-1] / (len(edges) - 1)) / 2 - radius <= fork.min()
+    start, stop = edges[:-1][kept], edges[1:][kept]
+    asked = np.unique(np.concatenate([start, stop]))
+    values = at(asked)
+    best = _best(asked, values)
     near = values.min(axis=0)
-    d0, d1 = near[:-1], near[1:]
+    d0, d1 = near[np.searchsorted(asked, start)], near[np.searchsorted(asked, stop)]
     for _ in range(_MOST_HALVINGS):
         apart = np.interp(stop, numbers, reach) - np.interp(start, numbers, reach)
         open_ = _least_between(d0, d1, apart) < best[0] - _close(best[0])
@@ -94,7 +103,7 @@ def _nearest(poses: Poses, body: Body, distances: Callable[[object], Array], *, 
         d0, d1 = np.concatenate([d0, between]), np.concatenate([between, d1])
     clearance, place, part = best
     travel = float(np.interp(place, numbers, poses.travel))
-    return Approach(clearance=clearance, place=place, travel=travel, part=parts[part])
+    return Approach(clearance=clearance, place=place, travel=travel, part=list(parts)[part])
 
 
 def _least_between(d0: Array, d1: Array, apart: Array) -> Array:

@@ -273,7 +273,7 @@ def poses_of(run: Run, car: Car) -> Poses:
         run: run of the car, with what happens between its steps.
         car: the car that ran.
     """
-    drive_wheel, fork = (np.asarray(wheel @ [1, 1j], dtype=complex) for wheel in (run.drive_wheel, run.front_wheel))
+    drive_wheel, fork = (wheel[:, 0] + 1j * wheel[:, 1] for wheel in (run.drive_wheel, run.front_wheel))
     return Poses(
         fork=fork,
         heading=run.heading,
