@@ -189,9 +189,9 @@ def fleet(run: "ToleranceRun") -> None:
     ):
         texts = ", ".join(f"{name} {value:.3g}{unit}" for name, value in values.items())
         console.print(f"{label} error at the end: {texts}")
-    console.print(
-        f"{100 * result.passed:.2f} % pass all {result.gates} gates of {design.tolerances.gate_width_mm:g} mm"
-    )
+    gates = "" if result.gate_width is None else f"pass all {result.gates} gates of {result.gate_width:g} mm"
+    course = f"keep the course: {result.watched}" if result.watched else ""
+    console.print(f"{100 * result.passed:.2f} % {' and '.join(filter(None, [gates, course]))}")
     table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
     for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
         table.add_column(column, justify="left" if column == "tolerance" else "right")

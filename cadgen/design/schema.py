@@ -260,6 +260,23 @@ class TrainFile(Section):
     def _train_by_its_stages(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Train | None:
         return train_by_stages(value, usual)
 
+    @model_validator(mode="after")
+    def _course_says_it_once(self) -> "TrainFile":
+        if self.course is None:
+            return self
+        if self.course.gates and self.tolerances.gate_width_mm is not None:
+            raise ValueError(
+                f"tolerances.gate_width_mm is {self.tolerances.gate_width_mm:g}, but the gates are those of "
+                "[[course.gates]]: remove tolerances.gate_width_mm (on the command line with "
+                "--set tolerances.gate_width_mm=)"
+            )
+        if self.field is not None:
+            raise ValueError(
+                "field and course both say what stands on the field: move its size to [course.field] and its obstacles "
+                "to [[course.posts]] or [[course.gates]], and remove [field] (on the command line with --set field=)"
+            )
+        return self
+
     @field_validator("name")
     @classmethod
     def _name_suits_files(cls, name: str) -> str:

@@ -184,7 +184,7 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
             title=f"{design.name}, {run.plan.profile} profile, {run.samples} cars",
             along=run.ends.along,
             across=run.ends.across,
-            gate_width=design.tolerances.gate_width_mm,
+            gate_width=run.gate_width,
             passed=run.passed,
             shares={sensitivity.name: sensitivity.share for sensitivity in run.sensitivities},
         )

@@ -3,6 +3,8 @@
 from math import degrees
 from typing import Any
 
+import numpy as np
+
 from cadgen.monte_carlo.budget import Budget
 from cadgen.motion.errors import RunError, deflection_sum
 from cadgen.version import __version__
@@ -10,7 +12,7 @@ from cadgen.workflow.cam.manifest import as_built_facts, design_facts, mechanics
 from cadgen.workflow.cam.plan import against_of
 from cadgen.workflow.runs.budget import BudgetSheet, unit_of
 from cadgen.workflow.runs.simulation import Simulation
-from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
+from cadgen.workflow.runs.tolerance import QUANTILES, Spread, ToleranceRun
 
 
 def simulation_facts(simulation: Simulation) -> dict[str, Any]:
@@ -66,8 +68,9 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
         "samples": run.samples,
         "seed": run.seed,
         "law": design.tolerances.law,
-        "gate_width_mm": design.tolerances.gate_width_mm,
+        "gate_width_mm": run.gate_width,
         "gates": run.gates,
+        "course": _course_facts(run),
         "yield": run.passed,
         "end_position_mm": {"mean": position.mean, **_quantiles(position), "greatest": position.greatest},
         "end_heading_deg": {"mean of size": heading.mean, **_quantiles(heading)},
@@ -85,6 +88,15 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
         ],
         **({} if run.budget is None else {"budget": budget_facts(run.budget)}),
     }
+
+
+def _course_facts(run: ToleranceRun) -> dict[str, Any] | None:
+    """What of the course the cars must keep, and the least margin that they keep to it."""
+    if not run.watched:
+        return None
+    margin = run.ends.margin
+    kept = {f"{100 * part:g} %": float(np.quantile(margin, 1 - part)) for part in QUANTILES}
+    return {"watched": run.watched, "least_margin_mm": {**kept, "least": float(margin.min())}}
 
 
 def _quantiles(spread: Spread) -> dict[str, float]:
