@@ -167,6 +167,20 @@ def runs(simulation: "Simulation") -> None:
     console.print(table)
 
 
+def course(simulation: "Simulation") -> None:
+    """Print how near the car comes to everything on the course, and how far inside each gate it passes."""
+    runs = simulation.computed.on_course
+    if runs is None:
+        return
+    planned, played = (run.figures() for run in runs)
+    table = plain_table("\nroom on the course: clearance of the car, and margin inside each gate")
+    for head in ("on the course", "planned", "with play", "with play, by"):
+        table.add_column(head, justify="right" if head in ("planned", "with play") else "left")
+    for key, (where, room) in played.items():
+        table.add_row(key, f"{planned[key][1]:.1f} mm", f"{room:.1f} mm", where)
+    Output().print(table)
+
+
 def fleet(run: "ToleranceRun") -> None:
     """Print the ends of the cars, how many pass, and the sensitivities."""
     from cadgen.api.runs import shown_value

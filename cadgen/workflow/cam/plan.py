@@ -31,6 +31,7 @@ from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
 from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
+from cadgen.workflow.cam.wheel import DriveWheel, drive_wheel
 
 
 @dataclass(frozen=True)
@@ -88,6 +89,12 @@ class CamPlan:
             return None
         as_built, travel = cam_model.as_built(self.design), cam_model.travel(self.design, self.track)
         return edges_check(self.lift, self.follower, self.curve, as_built, cam_model.car(self.design), travel)
+
+    @cached_property
+    def wheel(self) -> DriveWheel:
+        """Drive wheel that the cam is for."""
+        wanted = self.lift if self.against is None else self.against.task.lift
+        return drive_wheel(self.design, self.track, wanted)
 
     @property
     def path_end(self) -> float:

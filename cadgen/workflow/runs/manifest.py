@@ -20,6 +20,7 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
     plan, against = simulation.plan, simulation.against
     return {
         **design_facts(plan.design),
+        "drive_wheel": plan.wheel.facts(),
         "profile": plan.profile.code,
         "passed": plan.passed,
         "failed_checks": [check.name for check in plan.failed],
@@ -42,6 +43,11 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
         "before": _end_facts(simulation.before_error),
         "after": _end_facts(simulation.after_error),
         "after_without_play": _end_facts(against.chosen.deviation),
+        "course": simulation.on_course
+        and {
+            name: {key: {"room_mm": room, "where": where} for key, (where, room) in run.figures().items()}
+            for name, run in zip(("planned", "after"), simulation.on_course, strict=True)
+        },
     }
 
 
@@ -59,6 +65,7 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
     position, heading = run.end_position, run.end_heading_deg
     return {
         **design_facts(design),
+        "drive_wheel": plan.wheel.facts(),
         "cadgen": __version__,
         "profile": plan.profile.code,
         "friction_note": against_of(plan).rubbing,
