@@ -12,6 +12,7 @@ from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_
 
 from cadgen.cam.followers.kind import Seat
 from cadgen.cam.limits import PressureAngleLimitName
+from cadgen.course.names import Side
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
 from cadgen.design.course import Course
@@ -79,13 +80,19 @@ class Arena(Section):
 
 
 class Car(Section):
-    """The three-wheeled car in plan view. Its left rear wheel is driven."""
+    """The three-wheeled car in plan view. One of its rear wheels is driven: the left one, or with signs the right.
+
+    A1 counts to the left of the fork axis and A2 to its right. A car whose right wheel is driven has both negative; one
+    that is driven at the middle of its axle has A1 = 0 for a fork axis above that.
+    """
 
     wheelbase_mm: float = Field(gt=0, le=2000, description="L, front fork axis to rear axle")
     drive_wheel_offset_mm: float = Field(
-        ge=0, le=1000, description="A1, fork axis to the left, driven wheel, along the axle"
+        ge=-1000, le=1000, description="A1, fork axis to the driven wheel, along the axle, positive to the left"
     )
-    idle_wheel_offset_mm: float = Field(ge=0, le=1000, description="A2, fork axis to the right wheel, along the axle")
+    idle_wheel_offset_mm: float = Field(
+        ge=-1000, le=1000, description="A2, fork axis to the other rear wheel, along the axle, positive to the right"
+    )
     max_steering_angle_deg: float = Field(
         default=35.0, ge=1, le=80, description="what the fork can turn to either side"
     )
@@ -108,6 +115,11 @@ class Cam(Section):
     mid_plane_mm: float | None = Field(default=None, gt=0, le=500, description="e, fork axis to the disc's middle")
     thickness_mm: float | None = Field(
         default=None, ge=THINNEST_DISC_MM, le=100, description="C, between the disc's faces"
+    )
+    side: Side | None = Field(
+        default=None,
+        description="of the fork axis on which the disc is; left out, left: the rod is lifted in right turns. On the "
+        "right it is lifted in left turns, and files show the disc from its inner face",
     )
     blend_deg: float = Field(
         default=12.0,

@@ -1,6 +1,6 @@
 """From a design to a checked profile. No CAD kernel is needed for this."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from cadgen.build import cam_model, variation
@@ -105,6 +105,14 @@ class CamPlan:
     def figures(self) -> tuple[Check, ...]:
         """The checks, and what is shown beside them."""
         return self.checks if self.edges is None else (*self.checks, self.edges)
+
+    @property
+    def made_blank(self) -> Blank:
+        """Features of the disc as files show it: from the car's left, which is the inner face of a cam on the right."""
+        blank = self.blank
+        if self.design.cam.side != "right" or blank.hub is None:
+            return blank
+        return replace(blank, hub=replace(blank.hub, side="inner" if blank.hub.side == "outer" else "outer"))
 
     @property
     def follower(self) -> Follower:
