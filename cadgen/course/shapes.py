@@ -110,7 +110,14 @@ def _depth(part: Any, there: Any) -> float:
     common = shapely.intersection(part, there)
     if common.is_empty:
         return 0.0
-    inner = shapely.get_coordinates(common.representative_point())
+    # Ends of what they share lie on a rim; a point within does not.
+    pieces = shapely.get_parts(common)
+    lines = shapely.get_dimensions(pieces) == 1
+    within = [
+        shapely.line_interpolate_point(pieces[lines], 0.5, normalized=True),
+        shapely.point_on_surface(pieces[~lines]),
+    ]
+    inner = shapely.get_coordinates(np.concatenate(within))
     corners = shapely.points(np.vstack([shapely.get_coordinates(common), inner]))
     rims = [each.boundary for each in (part, there) if each.geom_type == "Polygon"]
     return max((float(shapely.distance(corners, rim).max()) for rim in rims), default=0.0)

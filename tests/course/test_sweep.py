@@ -123,3 +123,12 @@ def test_a_long_way_beside_a_wall_takes_few_poses(monkeypatch):
     monkeypatch.setattr(Poses, "at", lambda self, place: asked.append(len(place)) or at(self, place))
     assert approach(poses, BODY, wall).clearance == pytest.approx(136.0, abs=5e-3)
     assert sum(asked) < 20_000
+
+
+def test_a_wall_across_the_way_is_met_by_half_the_car():
+    """A car 140 long and 160 wide: where a line crosses its middle, that is 70 mm from its front and rear."""
+    s = np.linspace(0, 1000, 50)
+    poses = Poses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
+    body = Body(corners=((20, 80), (-120, 80), (-120, -80), (20, -80)), clearance=0.0, wheels=WHEELS[:1])
+    wall = Obstacle(kind="wall", key="x", shape=Shape(((500.0, -300.0), (500.0, 300.0))))
+    assert approach(poses, body, wall).clearance == pytest.approx(-70.0, abs=2.0)

@@ -149,7 +149,7 @@ class CourseRun:
         """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
         course, driven = self.on.course, self.driven
         found = {
-            obstacle.key: (f"{there.part}, {side} of it", there.clearance)
+            obstacle.key: (f"{there.part}, passing {side} of it", there.clearance)
             for (obstacle, there), side in zip(driven.approaches, driven.sides, strict=True)
         }
         if driven.edge is not None and course.edge is not None:
