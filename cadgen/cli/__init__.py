@@ -2,6 +2,7 @@
 
 | module      | what it holds                                                     |
 |-------------|-------------------------------------------------------------------|
+| `new`       | `cadgen new`: a commented design to begin with                    |
 | `check`     | `cadgen check`: every figure of a cam, and nothing written         |
 | `cam`       | `cadgen cam`: a cam as verified files                              |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
@@ -39,6 +40,7 @@ from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam
 from cadgen.cli.check import check
 from cadgen.cli.gears import gears
+from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
 from cadgen.cli.simulate import simulate
 from cadgen.cli.tolerance import tolerance
@@ -67,6 +69,7 @@ def cli(context: click.Context) -> None:
         context.exit(USAGE)
 
 
+cli.add_command(new)
 cli.add_command(cam)
 cli.add_command(check)
 cli.add_command(gears)

@@ -3,6 +3,9 @@
 | module      | what it does                                                             |
 |-------------|--------------------------------------------------------------------------|
 | `section`   | what all sections have in common                                         |
+| `polygon`   | whether the sides of a polygon cross                                     |
+| `course`    | sections of the course: field, posts, walls, zones, gates                |
+| `outline`   | section of the car's outline and wheels                                  |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
 | `follower`  | section of the follower, with the keys of its kind                       |
 | `joint`     | what holds a wheel on its shaft                                          |
@@ -19,5 +22,7 @@
 | `names`     | names that files can have on every system                                |
 | `override`  | `--set key=value`                                                        |
 | `load`      | name or file -> `Design`                                                 |
+| `template`  | text of a design to begin with                                           |
+| `begin`     | name, points of a path, changes of keys -> a commented design            |
 | `reference` | the schema as a page of documentation                                    |
 """

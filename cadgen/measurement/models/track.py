@@ -43,7 +43,7 @@ class TrackModel:
         self.rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
         self._known: dict[tuple[int, bytes], tuple[LiftCurve, Array]] = {}
         self._steepest = float(np.abs(lift.tan_beta(np.linspace(0.0, TURN, STEPS), nu=1)).max())
-        self._nominal = Running(car=car, length=track.length)
+        self._nominal = Running(car=car, length=track.turn)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
         self._start = start_pose(track)
         # The closing blend steers no path and is made as each maker likes: it is not judged.
@@ -153,7 +153,8 @@ class TrackModel:
         ahead = np.diff(mean)
         middle = (angle[1:] + angle[:-1]) / 2
         T = self._lift.tan_beta(middle)
-        gain = -self._car.wheelbase / (self._car.wheelbase + self._car.drive_wheel_offset * T) ** 2
+        lever = self._car.steering_gain
+        gain = -self._car.wheelbase * lever / (self._car.wheelbase + self._car.drive_wheel_offset * lever * T) ** 2
         waves, order = fourier(middle, FORM_ORDERS)
         turn = waves * (gain * np.abs(ahead))[:, None]
         heading = np.cumsum(turn, axis=0) - turn / 2
