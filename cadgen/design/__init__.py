@@ -4,6 +4,7 @@
 |-------------|--------------------------------------------------------------------------|
 | `section`   | what all sections have in common                                         |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
+| `path`      | section of the path, with the keys of its kind                           |
 | `follower`  | section of the follower, with the keys of its kind                       |
 | `joint`     | what holds a wheel on its shaft                                          |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
