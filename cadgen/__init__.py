@@ -18,6 +18,7 @@ The rooms, in walking order; each imports only those before it.
 | `curves`      | closed plane curves: arcs, splines, chords and offsets within a tolerance |
 | `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
 | `steering`    | curvature of the track <-> steering angle                                 |
+| `course`      | field, posts, gates; the car's outline swept along its run                |
 | `parts`       | features of a part: bore, keyway, hub, web, holes; a body of prisms       |
 | `cam`         | lift, theoretical and actual profile, contact, checks                     |
 | `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |

@@ -3,6 +3,9 @@
 | module      | what it does                                                             |
 |-------------|--------------------------------------------------------------------------|
 | `section`   | what all sections have in common                                         |
+| `polygon`   | whether the sides of a polygon cross                                     |
+| `course`    | sections of the course: field, posts, walls, zones, gates                |
+| `outline`   | section of the car's outline and wheels                                  |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
 | `path`      | section of the path, with the keys of its kind                           |
 | `follower`  | section of the follower, with the keys of its kind                       |

@@ -14,10 +14,12 @@ from cadgen.cam.followers.kind import Seat
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
+from cadgen.design.course import Course
 from cadgen.design.follower import Follower, by_kind
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
 from cadgen.design.path import Path, path_by_kind
+from cadgen.design.outline import Outline
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train, train_by_stages
@@ -48,6 +50,7 @@ class Car(Section):
     max_steering_angle_deg: float = Field(
         default=35.0, ge=1, le=80, description="what the fork can turn to either side"
     )
+    outline: Outline | None = None
 
 
 class Cam(Section):
@@ -186,6 +189,7 @@ class TrainFile(Section):
     )
     path: SerializeAsAny[Path] | None = None
     field: Arena | None = None
+    course: Course | None = None
     car: Car | None = None
     cam: Cam | None = None
     follower: SerializeAsAny[Follower] | None = None
