@@ -1,0 +1,162 @@
+"""Gates, start and finish of a course as limits of a path.
+
+At each gate the limit is on the place where the path comes nearest to it, which is looked for anew at every step; so
+the path is free to pass it sooner or later. In a disc only the distance across the path counts there.
+"""
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.course.body import place_of
+from cadgen.course.course import Gate
+from cadgen.planner.basis import Basis
+from cadgen.planner.motion import Motion
+from cadgen.planner.rows import Rows
+from cadgen.planner.task import Vehicle
+
+_EACH = 24  # places of a span among which the nearest is looked for
+_PER_MM, _PER_RAD = 3.0, 300.0  # weights
+_INSIDE = 0.02  # mm that is kept from the edge of a gate, for rounding and what a step leaves
+_EXACT = 5.0  # mm; start and finish within less than this are meant to be met
+_SQUARE = 0.2  # sine of the least angle between path and segment at which the crossing is looked at
+
+
+def planned_place(gate: Gate, vehicle: Vehicle) -> tuple[float, float]:
+    """Place of the gate's point of the car: ahead of the planned point, and to its left, mm."""
+    x, y = place_of(gate.point, vehicle.car)
+    return x + vehicle.car.wheelbase, y - (vehicle.car.drive_wheel_offset - vehicle.path_offset)
+
+
+def passing_places(motion: Motion, gates: tuple[Gate, ...], vehicle: Vehicle) -> Array:
+    """Parameters at which a path comes nearest to its gates, one after the other, shape (k,).
+
+    Of all rows of places in the order of the gates that with the least sum of squared distances.
+
+    Args:
+        motion: the path at places close together.
+        gates: gates in their order.
+        vehicle: the car.
+    """
+    u = motion.places.u
+    if not gates:
+        return np.zeros(0)
+    off = np.stack([_off(motion, gate, vehicle) ** 2 for gate in gates])
+    best, chosen = np.zeros(len(u)), []
+    for row in off:
+        least = row + best
+        first = np.where(least <= np.minimum.accumulate(least), np.arange(len(u)), 0)
+        chosen.append(np.maximum.accumulate(first))
+        best = np.minimum.accumulate(least)
+    place, places = len(u) - 1, []
+    for number in reversed(range(len(gates))):
+        place = int(chosen[number][place])
+        places.append(_between(u, off[number], place))
+    return np.array(places[::-1])
+
+
+def _off(motion: Motion, gate: Gate, vehicle: Vehicle) -> Array:
+    """Distance of the gate's point of the car from the gate's middle line or centre, shape (m,), mm."""
+    track = motion.point(*planned_place(gate, vehicle))
+    a, b = np.array(gate.place.points[0]), np.array(gate.place.points[-1])
+    along = b - a
+    share = np.clip((track - a) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
+    return np.asarray(np.linalg.norm(track - a - share[:, None] * along, axis=1))
+
+
+def _between(u: Array, off: Array, place: int) -> float:
+    """Parameter of the least distance about a place, by a parabola through it and its neighbours."""
+    if not 0 < place < len(u) - 1:
+        return float(u[place])
+    before, here, after = off[place - 1 : place + 2]
+    bend = before - 2 * here + after
+    shift = 0.5 * (before - after) / bend if bend > 0 else 0.0
+    return float(u[place] + np.clip(shift, -1, 1) * (u[1] - u[0]))
+
+
+@dataclass(frozen=True, eq=False)
+class Passing:
+    """The gates of a task, in the order in which they are passed.
+
+    Attributes:
+        basis: B-splines of the path.
+        gates: gates in their order.
+        finish: where the run must end, if not at a fixed pose; None if that is fixed or free.
+        vehicle: the car.
+    """
+
+    basis: Basis
+    gates: tuple[Gate, ...]
+    finish: Gate | None
+    vehicle: Vehicle
+
+    def rows(self, points: Array) -> list[Rows]:
+        """What the gates demand of a path by its control points, shape (n, 2)."""
+        fine = Motion(self.basis.even(_EACH), points, self.vehicle.path_offset)
+        u = passing_places(fine, self.gates, self.vehicle)
+        passed = [(gate, at, False) for gate, at in zip(self.gates, u.tolist(), strict=True)]
+        if self.finish is not None:
+            passed.append((self.finish, self.basis.stop, True))
+        rows = []
+        for gate, at, ends in passed:
+            motion = Motion(self.basis.at(np.array([at])), points, self.vehicle.path_offset)
+            rows += _through(gate, motion, self.vehicle, ends)
+        return rows
+
+
+def _through(gate: Gate, motion: Motion, vehicle: Vehicle, ends: bool) -> list[Rows]:
+    """Limits of one gate at the place where it is passed; a run that ends there is held in every direction."""
+    x, y = planned_place(gate, vehicle)
+    track = motion.point(x, y)[0]
+    rows = []
+
+    def hold(direction: Array, off: float, most: float, slopes: Array | None = None) -> None:
+        by = motion.moved(direction[None], x, y)[0] if slopes is None else slopes
+        values = np.array([off - most, -off - most])
+        columns = np.repeat(motion.places.both, 2, axis=0)
+        rows.append(Rows(gate.key, values, _PER_MM, columns, np.stack([by, -by]), np.repeat(motion.places.u, 2)))
+
+    if len(gate.place.points) == 1:
+        off = track - np.array(gate.place.points[0])
+        most = _within(gate.place.reach)
+        if ends:
+            for angle in np.arange(8) * pi / 8:
+                direction = np.array([np.cos(angle), np.sin(angle)])
+                hold(direction, float(direction @ off), most)
+        else:
+            normal = motion.left[0]
+            hold(normal, float(normal @ off), most)
+    else:
+        a, b = (np.array(point) for point in gate.place.points)
+        half = float(np.linalg.norm(b - a)) / 2
+        along = (b - a) / (2 * half)
+        across = np.array([-along[1], along[0]])
+        off = track - (a + b) / 2
+        square = float(across @ motion.ahead[0])
+        crossed = not ends and abs(square) > _SQUARE
+        # Where the path crosses the segment, and not where it stands: it may slide along itself.
+        direction = along - (along @ motion.ahead[0]) / square * across if crossed else along
+        hold(direction, float(direction @ off), half - min(_INSIDE, half / 2))
+        if not crossed:
+            hold(across, float(across @ off), 0.0)
+    if gate.heading is not None:
+        heading = float(np.arctan2(motion.ahead[0, 1], motion.ahead[0, 0]))
+        turned = (heading - gate.heading + pi) % TURN - pi
+        most = 0.95 * gate.heading_tolerance
+        if most < pi:
+            by = motion.turning[0]
+            values = np.array([turned - most, -turned - most])
+            columns, u = np.repeat(motion.places.both, 2, axis=0), np.repeat(motion.places.u, 2)
+            rows.append(Rows(f"{gate.key} heading", values, _PER_RAD, columns, np.stack([by, -by]), u))
+    return rows
+
+
+def _within(reach: float) -> float:
+    return reach - min(_INSIDE, reach / 2)
+
+
+def is_exact(gate: Gate) -> bool:
+    """Whether start or finish are meant to be met, and not only come near to."""
+    return len(gate.place.points) == 1 and gate.place.reach <= _EXACT
