@@ -235,7 +235,7 @@ def _signed(points: Array, corners: Array) -> tuple[Array, Array]:
     """Distance of points from a polygon, negative inside, and the unit vectors along which it grows."""
     closed = np.vstack([corners, corners[:1]])
     away, out = _from_line(points, closed)
-    inside = _within(points, corners)
+    inside = polygon_holds(points, corners)
     return np.where(inside, -away, away), np.where(inside[:, None], -out, out)
 
 
@@ -259,7 +259,7 @@ def _from_line(points: Array, line: Array) -> tuple[Array, Array]:
     return best, out
 
 
-def _within(points: Array, corners: Array) -> NDArray[np.bool_]:
+def polygon_holds(points: Array, corners: Array) -> NDArray[np.bool_]:
     """Whether points are inside a polygon, by the crossings of a ray."""
     x, y = points[..., 0], points[..., 1]
     inside = np.zeros(len(points), dtype=bool)
