@@ -1,6 +1,8 @@
 """The car in plan view, in its own frame: origin at the fork axis, x ahead, y to the left, mm."""
 
 from dataclasses import dataclass
+from functools import cached_property
+from math import hypot
 from typing import Literal
 
 from cadgen.course.course import Point
@@ -42,6 +44,17 @@ class Body:
     corners: tuple[Point, ...]
     clearance: float
     wheels: tuple[Wheel, ...]
+
+    @cached_property
+    def radius(self) -> float:
+        """Greatest distance of a point of the car from its fork axis, mm."""
+        wheels = (hypot(*wheel.centre) + hypot(wheel.radius, wheel.width / 2) for wheel in self.wheels)
+        return max([*(hypot(*corner) for corner in self.corners), *wheels])
+
+    @cached_property
+    def steered_radius(self) -> float:
+        """Greatest distance of a point of the front wheel from there, mm."""
+        return max((hypot(wheel.radius, wheel.width / 2) for wheel in self.wheels if wheel.steered), default=0.0)
 
 
 def place_of(point: CarPoint, car: Car) -> Point:

@@ -7,5 +7,5 @@ CarPoint = Literal["fork", "middle", "drive_wheel", "idle_wheel"]
 Side = Literal["left", "right"]
 # What keeps the car away.
 ObstacleKind = Literal["post", "wall", "zone"]
-# Runs that must keep the course: the planned one; those over the band of play as well; those and the tolerances.
-Judged = Literal["planned", "play", "tolerances"]
+# Runs that must keep the course: the planned one, or those over the band of play as well.
+Judged = Literal["planned", "play"]

@@ -154,8 +154,8 @@ class Course(Section):
     )
     judged: Judged = Field(
         default="planned",
-        description="runs that must keep the course: the planned one; those over the band of play as well; those "
-        "within the tolerances as well. The others are shown",
+        description="runs that must keep the course: `planned`, which is without play, or with `play` those over the "
+        "band of play as well, which are else only shown",
     )
     field: Edge | None = None
     start: Stand | None = None

@@ -50,6 +50,13 @@ class Car(Section):
     max_steering_angle_deg: float = Field(
         default=35.0, ge=1, le=80, description="what the fork can turn to either side"
     )
+    drive_wheel_radius_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=1000,
+        description="R_h; needs [train]. With it the whole path is driven before the closing blend; left out, a turn "
+        "of the cam takes the whole path, which gives the radius, and the blend steers the last of it",
+    )
     outline: Outline | None = None
 
 

@@ -36,7 +36,8 @@ class Track:
         planned: arc length of this track -> (x, y) of the planned path at the same moment, mm.
         kinks: arc lengths at which the slope of curvature jumps, shape (k,), mm.
         waypoint_arc: arc length of this track at each waypoint, or knot of a path without any, shape (m,), mm.
-        knot_name: name of these points in messages.
+        turn: travel of the drive wheel in one turn of the cam, mm.
+        knot_name: name of the waypoints or knots in messages.
     """
 
     length: float
@@ -46,6 +47,7 @@ class Track:
     planned: PPoly
     kinks: Array
     waypoint_arc: Array
+    turn: float
     knot_name: str = "waypoint"
 
     def heading(self, arc: Array) -> Array:
@@ -60,7 +62,7 @@ class Track:
         return f"at ({x:.0f}, {y:.0f}) mm, between {self.knot_name}s {span} and {span + 1}"
 
 
-def offset_track(path: PlannedPath, offset: float) -> Track:
+def offset_track(path: PlannedPath, offset: float, turn: float | None = None) -> Track:
     """Offset the planned path to the left and return the track by arc length.
 
     With the planned path's curvature k and left offset m: ds_track = (1 - m k) ds, k_track = k / (1 - m k).
@@ -68,6 +70,7 @@ def offset_track(path: PlannedPath, offset: float) -> Track:
     Args:
         path: the planned path.
         offset: distance of the drive wheel to the left of the planned path, mm.
+        turn: travel of the drive wheel in one turn of the cam, mm; left out, the whole track.
 
     Raises:
         DesignError: the offset track has a cusp (1 - m k <= 0), with the place.
@@ -109,6 +112,7 @@ def offset_track(path: PlannedPath, offset: float) -> Track:
         planned=quintic_hermite(arc, planned),
         kinks=np.array([]) if path.smooth else span_start[1:-1],
         waypoint_arc=span_start,
+        turn=float(span_start[-1]) if turn is None else turn,
         knot_name=path.knot_name,
     )
 

@@ -41,7 +41,7 @@ class TrackModel:
     ) -> None:
         self._rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
         self._steepest = float(np.abs(lift.tan_beta(np.linspace(0.0, TURN, STEPS), nu=1)).max())
-        self._nominal = Running(car=car, length=track.length)
+        self._nominal = Running(car=car, length=track.turn)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
         self._start = start_pose(track)
         # The closing blend steers no path and is made as each maker likes: it is not judged.

@@ -27,6 +27,7 @@ from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains, task_of
 from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
+from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
 from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
@@ -47,6 +48,7 @@ class CamPlan:
         blank: features of the disc besides its profile.
         checks: every figure with its verdict.
         against: comparison of the profile with the plain profile under play; None for a profile that is not for play.
+        course: course of the design with the car that is to keep it; None without [course].
     """
 
     design: Design
@@ -59,6 +61,7 @@ class CamPlan:
     blank: Blank
     checks: tuple[Check, ...]
     against: Against | None = None
+    course: OnCourse | None = None
 
     @property
     def passed(self) -> bool:
@@ -156,12 +159,14 @@ def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
     progress("checking the profile")
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     limits = cam_model.check_limits(design)
+    course = on_course(design, track, lift)
     checks = (
         *check_cam(lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
+        *course_checks(course),
         *outlook_checks(design),
     )
-    return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks)
+    return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks, course=course)
 
 
 def _plan_against_play(
@@ -181,6 +186,7 @@ def _plan_against_play(
     against = against_play(profile, checks, all_trains=all_trains, measured=measured)
     chosen = against.chosen
     progress("checking the profile")
+    course = on_course(design, track, lift)
     return CamPlan(
         design,
         profile,
@@ -190,8 +196,9 @@ def _plan_against_play(
         chosen.cut,
         chosen.wanted.trims,
         blank,
-        (*checks.of(chosen), *outlook_checks(design)),
+        (*checks.of(chosen), *course_checks(course, against), *outlook_checks(design)),
         against,
+        course,
     )
 
 
@@ -199,7 +206,7 @@ def _measured_cam(design: Design) -> MeasuredCam | None:
     """Cam that was on the car when the car was measured, as made then; None if the design has no [as_built]."""
     if design.as_built is None:
         return None
-    profile, then = profile_of(design.as_built.profile), design.as_cut()
+    profile, then = profile_of(design.as_built.profile), design.as_cut().model_copy(update={"course": None})
     planned = _plan_against_play if profile.for_play else _plan
     plan = planned(then, profile, silent)
     return MeasuredCam(profile=profile, lift=plan.lift, curve=plan.on_shaft)
