@@ -62,6 +62,7 @@ _HOMES = {
     "Keyway": "parts.features",
     "Lightening": "parts.features",
     "Measured": "api.measured",
+    "Plan": "api.planning",
     "SetScrew": "parts.features",
     "Simulation": "api.runs",
     "ToleranceRun": "api.runs",
@@ -83,6 +84,7 @@ if TYPE_CHECKING:
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
     from cadgen.api.measured import Measured
+    from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Simulation, ToleranceRun
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
     from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
@@ -104,6 +106,7 @@ __all__ = [
     "Keyway",
     "Lightening",
     "Measured",
+    "Plan",
     "SetScrew",
     "Simulation",
     "ToleranceRun",

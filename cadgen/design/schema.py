@@ -18,8 +18,8 @@ from cadgen.design.course import Course
 from cadgen.design.follower import Follower, by_kind
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
-from cadgen.design.path import Path, path_by_kind
 from cadgen.design.outline import Outline
+from cadgen.design.path import Path, path_by_kind
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train, train_by_stages

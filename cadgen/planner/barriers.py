@@ -6,6 +6,7 @@ and around zones, so that a wall which crosses the car is seen as well. Distance
 the direction in which the car gets out soonest.
 """
 
+import itertools
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -95,7 +96,7 @@ def _points(shape: Shape) -> Array:
     if len(given) == 1:
         return given
     pieces = []
-    for a, b in zip(given[:-1], given[1:], strict=True):
+    for a, b in itertools.pairwise(given):
         count = max(int(np.ceil(np.linalg.norm(b - a) / _SPACING)), 1)
         pieces.append(a + np.linspace(0, 1, count, endpoint=False)[:, None] * (b - a))
     return np.vstack([*pieces, given[-1:]])
@@ -246,7 +247,7 @@ def _from_line(points: Array, line: Array) -> tuple[Array, Array]:
         away = np.linalg.norm(off, axis=1)
         return away, off / np.maximum(away, 1e-12)[:, None]
     best, out = np.full(len(points), np.inf), np.zeros_like(points)
-    for a, b in zip(line[:-1], line[1:], strict=True):
+    for a, b in itertools.pairwise(line):
         along = b - a
         share = np.clip((points - a) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
         off = points - a - share[:, None] * along

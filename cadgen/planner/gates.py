@@ -85,12 +85,14 @@ class Passing:
         gates: gates in their order.
         finish: where the run must end, if not at a fixed pose; None if that is fixed or free.
         vehicle: the car.
+        margin: distance to keep from the edges of the gates, mm.
     """
 
     basis: Basis
     gates: tuple[Gate, ...]
     finish: Gate | None
     vehicle: Vehicle
+    margin: float = 0.0
 
     def rows(self, points: Array) -> list[Rows]:
         """What the gates demand of a path by its control points, shape (n, 2)."""
@@ -102,11 +104,11 @@ class Passing:
         rows = []
         for gate, at, ends in passed:
             motion = Motion(self.basis.at(np.array([at])), points, self.vehicle.path_offset)
-            rows += _through(gate, motion, self.vehicle, ends)
+            rows += _through(gate, motion, self.vehicle, self.margin, ends=ends)
         return rows
 
 
-def _through(gate: Gate, motion: Motion, vehicle: Vehicle, ends: bool) -> list[Rows]:
+def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, ends: bool) -> list[Rows]:
     """Limits of one gate at the place where it is passed; a run that ends there is held in every direction."""
     x, y = planned_place(gate, vehicle)
     track = motion.point(x, y)[0]
@@ -120,7 +122,7 @@ def _through(gate: Gate, motion: Motion, vehicle: Vehicle, ends: bool) -> list[R
 
     if len(gate.place.points) == 1:
         off = track - np.array(gate.place.points[0])
-        most = _within(gate.place.reach)
+        most = _within(gate.place.reach, margin)
         if ends:
             for angle in np.arange(8) * pi / 8:
                 direction = np.array([np.cos(angle), np.sin(angle)])
@@ -138,7 +140,7 @@ def _through(gate: Gate, motion: Motion, vehicle: Vehicle, ends: bool) -> list[R
         crossed = not ends and abs(square) > _SQUARE
         # Where the path crosses the segment, and not where it stands: it may slide along itself.
         direction = along - (along @ motion.ahead[0]) / square * across if crossed else along
-        hold(direction, float(direction @ off), half - min(_INSIDE, half / 2))
+        hold(direction, float(direction @ off), _within(half, margin))
         if not crossed:
             hold(across, float(across @ off), 0.0)
     if gate.heading is not None:
@@ -153,8 +155,9 @@ def _through(gate: Gate, motion: Motion, vehicle: Vehicle, ends: bool) -> list[R
     return rows
 
 
-def _within(reach: float) -> float:
-    return reach - min(_INSIDE, reach / 2)
+def _within(reach: float, margin: float) -> float:
+    """How far the path may be from the middle of a gate, mm."""
+    return reach - min(_INSIDE + margin, reach / 2 if margin == 0 else reach)
 
 
 def is_exact(gate: Gate) -> bool:

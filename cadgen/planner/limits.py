@@ -16,6 +16,7 @@ _WEIGHT = 3.0
 # A path whose points are spaced unevenly wastes them; within these shares of the mean speed they serve all of it.
 _SLOWEST, _FASTEST, _EVENNESS = 0.75, 1.3, 30.0
 _STEP = 1e-30
+_SHORTER = 1 - 1e-6  # of the greatest length, for rounding
 
 
 def driving_rows(motion: Motion, line: Line, vehicle: Vehicle, limits: Limits) -> list[Rows]:
@@ -23,15 +24,15 @@ def driving_rows(motion: Motion, line: Line, vehicle: Vehicle, limits: Limits) -
     K, K1, K2 = motion.quantities[:3]
     rate = line.rate
 
-    def outline(K: Array, K1: Array, K2: Array) -> tuple[Array, Array]:
-        """Share of the limit that the pressure angle takes, and the convex radius of the rod axis's path."""
+    def outline(K: Array, K1: Array, K2: Array) -> tuple[Array, Array, Array]:
+        """Shares that pressure angle, convex radius of the rod axis's path, and valley take of their limits."""
         R, R1, R2 = _axis(K, K1, K2, vehicle, rate)
         allowed = np.where(R1.real > 0, tan(limits.rise), tan(limits.fall))
         pressure = np.where(R1.real > 0, R1, -R1) / (R * allowed)
         round_ = limits.convex_radius * (R**2 + 2 * R1**2 - R * R2) / (R**2 + R1**2) ** 1.5
-        return pressure, round_
+        return pressure, round_, R2 / limits.valley
 
-    pressure, convex = outline(K, K1, K2)
+    pressure, convex, valley = outline(K, K1, K2)
     by = [outline(*moved) for moved in _moved(K, K1, K2)]
     turn = np.where(K > 0, K / limits.left, -K / limits.right)
     by_turn = np.where(K > 0, 1 / limits.left, -1 / limits.right)
@@ -41,6 +42,8 @@ def driving_rows(motion: Motion, line: Line, vehicle: Vehicle, limits: Limits) -
         _rows("pressure angle", pressure, tuple(each[0].imag / _STEP for each in by), motion),
         _rows("convex radius", convex, tuple(each[1].imag / _STEP for each in by), motion),
     ]
+    if limits.valley < inf:
+        rows.append(_rows("valley", valley, tuple(each[2].imag / _STEP for each in by), motion))
     for name, value, limit, order in (("slope", K1, limits.slope, 1), ("bend", K2, limits.bend, 2)):
         if limit < inf:
             sign = np.sign(value) / limit
@@ -62,11 +65,10 @@ def even_rows(motion: Motion) -> list[Rows]:
 
 def length_rows(line: Line, vehicle: Vehicle, variables: int) -> list[Rows]:
     """The length of the path, where wheel and train bound it."""
-    if vehicle.travel is None:
+    if vehicle.most_length == inf:
         return []
-    most = vehicle.travel * vehicle.share
-    columns = np.arange(variables)[None, :]
-    return [Rows("length", np.array([line.length - most]), _WEIGHT, columns, line.by_points[None, :], np.array([0.0]))]
+    over, columns = np.array([line.length - vehicle.most_length * _SHORTER]), np.arange(variables)[None, :]
+    return [Rows("length", over, _WEIGHT, columns, line.by_points[None, :], np.array([0.0]))]
 
 
 def _moved(K: Array, K1: Array, K2: Array) -> list[tuple[Array, Array, Array]]:

@@ -4,6 +4,7 @@ Straight legs where nothing is; else the shortest way on a grid on which obstacl
 its middle to its side, and dearer near them.
 """
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -104,7 +105,7 @@ def route_of(course: Course, vehicle: Vehicle, seed: int = 0) -> Route:
     stops = _beside_posts(stops, barriers, _half_widths(vehicle))
     chart = _chart(stops, barriers, vehicle, seed)
     route = [stops[:1]]
-    for a, b in zip(stops[:-1], stops[1:], strict=True):
+    for a, b in itertools.pairwise(stops):
         route += [_way(chart, a, b), b[None]]
     return Route(np.vstack(route), len(stops))
 

@@ -1,7 +1,7 @@
 """From the path that a search begins with to the best one: a row of linear programmes in a trust region."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,6 +22,7 @@ _MOST_ROUNDS = 40  # of each penalty
 _LEAST_STEP = 0.05  # mm
 _LEAST_GAIN = 0.02  # mm of the cost
 _SHRINK, _GROW = 1 / 3, 2.0
+_LOOSE = 3e-3  # of the weight of a limit that is to give way
 _POOR, _GOOD = 0.25, 0.7  # shares of the promised gain
 
 # Limits that depend on the course: rows for the control points.
@@ -65,12 +66,14 @@ class Search:
         basis: B-splines of the path.
         fixed: what of the control points stays as it is.
         course_rows: limits that depend on the course.
+        loose: name of a limit that may be violated at little cost; empty if there is none.
     """
 
     task: Task
     basis: Basis
     fixed: Fixed
     course_rows: CourseRows
+    loose: str = ""
 
     def path(self, points: Array) -> Path:
         """A path by its control points, shape (n, 2)."""
@@ -83,6 +86,8 @@ class Search:
             *length_rows(line, vehicle, 2 * self.basis.count),
             *self.course_rows(points),
         ]
+        if self.loose:
+            rows = [replace(each, weight=each.weight * _LOOSE) if each.name == self.loose else each for each in rows]
         return Path(points, Sensitivity(line, vehicle.spread), tuple(rows))
 
     def best(self, points: Array, report: Callable[[float], None] | None = None) -> Path:

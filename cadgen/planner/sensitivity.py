@@ -71,15 +71,13 @@ class Line:
     def rate(self) -> float:
         """Travel for each radian of the cam, mm."""
         travel = self.vehicle.travel
-        return (self.length if travel is None else travel) / TURN
+        return (self.length / self.vehicle.path_turn if travel is None else travel) / TURN
 
     @cached_property
     def end(self) -> tuple[int, float]:
         """Interval between places in which the run ends, and the share of it that is driven."""
         m = len(self.arc)
-        if self.vehicle.travel is not None:
-            return m - 2, 1.0
-        place = float(np.interp(self.vehicle.share * self.length, self.arc, np.arange(m)))
+        place = float(np.interp(self.vehicle.end * self.length, self.arc, np.arange(m)))
         interval = min(int(place), m - 2)
         return interval, place - interval
 

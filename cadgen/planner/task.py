@@ -20,8 +20,10 @@ class Vehicle:
         base_radius: distance of the camshaft from the fork axis, mm.
         faces: distances of the carrying planes of the disc from the fork axis, the nearer one first, mm.
         spread: by how much the return error of a car may differ from the one its cam is cut for, rad.
-        travel: travel of the drive wheel for one turn of the cam, mm; None where the turn is as long as the path.
-        share: share of the turn that drives; the rest is the closing blend.
+        travel: travel of the drive wheel for one turn of the cam, mm; None where it follows from the path's length.
+        most_length: greatest length of the drive wheel's track, mm.
+        path_turn: share of a turn of the cam that the whole path takes, where the travel follows from its length.
+        end: share of the path at which the run ends.
     """
 
     car: Car
@@ -30,8 +32,10 @@ class Vehicle:
     base_radius: float
     faces: tuple[float, float]
     spread: float
-    share: float
     travel: float | None = None
+    most_length: float = inf
+    path_turn: float = 1.0
+    end: float = 1.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,6 +50,8 @@ class Limits:
         convex_radius: least convex radius of the rod axis's path about the camshaft, mm.
         slope: greatest slope of the curvature by arc length, 1/mm^2.
         bend: greatest second derivative of the curvature by arc length, 1/mm^3.
+        valley: greatest second derivative of the lift by cam angle where it curves upwards, mm: in a valley the lift
+            that no profile gives back with play grows with it.
     """
 
     left: float
@@ -55,6 +61,7 @@ class Limits:
     convex_radius: float
     slope: float = inf
     bend: float = inf
+    valley: float = inf
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,6 +75,7 @@ class Task:
         near: track of the drive wheel to stay near to, points shape (k, 2), mm, close together; None for a plan from
             scratch.
         within: how far the drive wheel's track may be from `near`, mm.
+        gate_margin: distance to keep from the edges of the gates, mm.
     """
 
     vehicle: Vehicle
@@ -75,3 +83,4 @@ class Task:
     course: Course
     near: Array | None = None
     within: float = inf
+    gate_margin: float = 0.0
