@@ -5,7 +5,7 @@ the path is free to pass it sooner or later. In a disc only the distance across 
 """
 
 from dataclasses import dataclass
-from math import pi
+from math import cos, pi
 
 import numpy as np
 
@@ -21,6 +21,7 @@ _EACH = 24  # places of a span among which the nearest is looked for
 _PER_MM, _PER_RAD = 3.0, 300.0  # weights
 _INSIDE = 0.02  # mm that is kept from the edge of a gate, for rounding and what a step leaves
 _EXACT = 5.0  # mm; start and finish within less than this are meant to be met
+_SIDES = 8  # pairs of sides of the polygon that stands for the disc of a finish
 _SQUARE = 0.2  # sine of the least angle between path and segment at which the crossing is looked at
 
 
@@ -124,9 +125,10 @@ def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, end
         off = track - np.array(gate.place.points[0])
         most = _within(gate.place.reach, margin)
         if ends:
-            for angle in np.arange(8) * pi / 8:
+            # Within a regular polygon whose corners lie on the disc's edge.
+            for angle in np.arange(_SIDES) * pi / _SIDES:
                 direction = np.array([np.cos(angle), np.sin(angle)])
-                hold(direction, float(direction @ off), most)
+                hold(direction, float(direction @ off), most * cos(pi / (2 * _SIDES)))
         else:
             normal = motion.left[0]
             hold(normal, float(normal @ off), most)

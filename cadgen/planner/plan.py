@@ -79,7 +79,7 @@ def _one(task: Task, seed: int, begin: Array | None, report: Callable[[str], Non
         route = route_of(course, vehicle, seed)
         spans = max(route.length / _SPAN, _SPANS_A_STOP * (route.stops - 1))
         basis = Basis(int(np.clip(spans, _LEAST_SPANS, _MOST_SPANS)) + DEGREE)
-        points = smooth_path(basis, route.places, start, finish)
+        points = smooth_path(basis, route.places, route.is_stop, start, finish)
     else:
         points, basis = _from_track(task.near, vehicle)
     if task.near is not None:

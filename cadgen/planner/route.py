@@ -8,6 +8,7 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
@@ -20,10 +21,10 @@ from cadgen.planner.gates import is_exact, planned_place
 from cadgen.planner.start import End
 from cadgen.planner.task import Vehicle
 
-_CELL = 50.0  # mm
+_CELL = 40.0  # mm
 _MOST_CELLS = 60_000
 _BESIDE = 300.0  # mm beyond gates and obstacles that the grid reaches
-_DEAR = 3.0  # times the length that a way close to an obstacle costs
+_DEAR = 2.0  # times the length that a way close to an obstacle costs
 _COMFORT = 400.0  # mm from an obstacle from which on a way is not dearer
 _LEG = 350.0  # mm between the points of a way round something
 _BLOCKED = 1e3  # times the length that a way costs where the car does not fit
@@ -75,11 +76,16 @@ class Route:
 
     Attributes:
         places: the places, shape (k, 2), mm.
-        stops: number of those that the course asks for; the others lead round what is in the way.
+        is_stop: which of them the course asks for; the others lead round what is in the way, shape (k,).
     """
 
     places: Array
-    stops: int
+    is_stop: NDArray[np.bool_]
+
+    @property
+    def stops(self) -> int:
+        """Number of places that the course asks for."""
+        return int(self.is_stop.sum())
 
     @property
     def length(self) -> float:
@@ -101,13 +107,15 @@ def route_of(course: Course, vehicle: Vehicle, seed: int = 0) -> Route:
     stops = _stops(course, vehicle)
     barriers = barriers_of(course, vehicle.body)
     if not barriers:
-        return Route(stops, len(stops))
+        return Route(stops, np.ones(len(stops), dtype=bool))
     stops = _beside_posts(stops, barriers, _half_widths(vehicle))
     chart = _chart(stops, barriers, vehicle, seed)
-    route = [stops[:1]]
+    route, is_stop = [stops[:1]], [True]
     for a, b in itertools.pairwise(stops):
-        route += [_way(chart, a, b), b[None]]
-    return Route(np.vstack(route), len(stops))
+        way = _way(chart, a, b)
+        route += [way, b[None]]
+        is_stop += [*[False] * len(way), True]
+    return Route(np.vstack(route), np.array(is_stop))
 
 
 def _stops(course: Course, vehicle: Vehicle) -> Array:
@@ -180,7 +188,7 @@ def _chart(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: 
                 blocked |= polygon_holds(centres, barrier.corners).reshape(blocked.shape)
             apart = distance_transform_edt(~blocked).ravel() * cell
         away = np.minimum(away, apart - barrier.reach - barrier.margin)
-    free = away > half
+    free = away > half - cell  # the grid is rough, and the search puts right what is short
     dear = 1 + _DEAR * np.clip(1 - (away - half) / _COMFORT, 0, 1)
     if seed:
         random = np.random.default_rng(seed)

@@ -19,7 +19,7 @@ EACH = 8  # places of a span at which the limits are held; an even number, for S
 _PENALTIES = (1.0, 10.0, 100.0)
 _FIRST_STEPS = (60.0, 10.0, 10.0)  # mm
 _MOST_ROUNDS = 40  # of each penalty
-_LEAST_STEP = 0.05  # mm
+_LEAST_STEP, _WIDEST_STEP = 0.05, 150.0  # mm
 _LEAST_GAIN = 0.02  # mm of the cost
 _SHRINK, _GROW = 1 / 3, 2.0
 _LOOSE = 3e-3  # of the weight of a limit that is to give way
@@ -120,7 +120,7 @@ class Search:
             if share < _POOR:
                 step *= _SHRINK
             elif share > _GOOD:
-                step *= _GROW
+                step = min(step * _GROW, _WIDEST_STEP)
             if step < _LEAST_STEP or gain < _LEAST_GAIN:
                 break
         return path

@@ -3,14 +3,17 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.planner.basis import Basis
 from cadgen.planner.motion import Motion
 
-_NEAR = 1e3  # weight of a point that the path is to pass, against its smoothness
+# A path is off by as much as it bends for it: so far (mm) from a stop, from another place of the route, and with a third
+# derivative of so much (mm for each span to the third) it counts alike.
+_STOP, _PLACE, _BEND = 3.0, 60.0, 100.0
+_SURE = 1e4  # weight of what must be kept
 _ROUNDS = 4  # in which the parameters of the points follow the length of the path
-_CALM = 1e-3  # weight of the third derivative
 _EACH = 8
 
 
@@ -27,12 +30,13 @@ class End:
     heading: float | None = None
 
 
-def smooth_path(basis: Basis, route: Array, start: End, finish: End) -> Array:
+def smooth_path(basis: Basis, route: Array, is_stop: NDArray[np.bool_], start: End, finish: End) -> Array:
     """Control points of a smooth path that passes near the points of a route, shape (n, 2), mm.
 
     Args:
         basis: B-splines of the path.
         route: points to pass, those of start and finish among them, shape (k, 2), mm.
+        is_stop: which of them are stops, that the path passes more closely, shape (k,).
         start: start, whose place and heading the path keeps.
         finish: finish, likewise.
     """
@@ -42,7 +46,7 @@ def smooth_path(basis: Basis, route: Array, start: End, finish: End) -> Array:
     points = np.zeros((basis.count, 2))
     fine = basis.even(_EACH)
     for _ in range(_ROUNDS):
-        points = _fitted(basis, route, u, (start, finish), length)
+        points = _fitted(basis, route, is_stop, u, (start, finish), length)
         motion = Motion(fine, points, 0.0)
         arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(motion.jets[0], axis=0), axis=1)))
         length = float(arc[-1])
@@ -51,26 +55,29 @@ def smooth_path(basis: Basis, route: Array, start: End, finish: End) -> Array:
     return points
 
 
-def _fitted(basis: Basis, route: Array, u: Array, ends: tuple[End, End], length: float) -> Array:
+def _fitted(
+    basis: Basis, route: Array, is_stop: NDArray[np.bool_], u: Array, ends: tuple[End, End], length: float
+) -> Array:
     n, step = basis.count, length / basis.stop
     even, at = basis.even(2), basis.at(u)
     calm, near = _dense(basis, even.columns, even.values[3]), _dense(basis, at.columns, at.values[0])
-    rows = [_NEAR * near, np.sqrt(_CALM) * len(route) * calm]
-    right = [_NEAR * route, np.zeros((len(calm), 2))]
+    weight = np.where(is_stop, 1 / _STOP, 1 / _PLACE)[:, None]
+    rows = [weight * near, calm / _BEND]
+    right = [weight * route, np.zeros((len(calm), 2))]
     for number, end in ((0, ends[0]), (n - 1, ends[1])):
         inner = 1 if number == 0 else n - 2
         if end.place is not None:
             row = np.zeros((1, n))
-            row[0, number] = 1e3 * _NEAR
+            row[0, number] = _SURE
             rows.append(row)
-            right.append(1e3 * _NEAR * end.place[None])
+            right.append(_SURE * end.place[None])
         if end.heading is not None:
             # The first leg of a clamped B-spline of degree 5 is a fifth of the slope.
             row = np.zeros((1, n))
-            row[0, [number, inner]] = -1e3 * _NEAR, 1e3 * _NEAR
+            row[0, [number, inner]] = -_SURE, _SURE
             leg = step / 5 * np.array([np.cos(end.heading), np.sin(end.heading)]) * (1 if number == 0 else -1)
             rows.append(row)
-            right.append(1e3 * _NEAR * leg[None])
+            right.append(_SURE * leg[None])
     solution, *_ = np.linalg.lstsq(np.vstack(rows), np.vstack(right), rcond=None)
     return np.asarray(solution)
 
@@ -85,8 +92,8 @@ def fitted_to(basis: Basis, curve: Array) -> Array:
     at = basis.at(np.linspace(0.0, basis.stop, len(curve)))
     matrix = _dense(basis, at.columns, at.values[0])
     ends = np.zeros((2, basis.count))
-    ends[0, 0] = ends[1, -1] = _NEAR
-    solution, *_ = np.linalg.lstsq(np.vstack([matrix, ends]), np.vstack([curve, _NEAR * curve[[0, -1]]]), rcond=None)
+    ends[0, 0] = ends[1, -1] = _SURE
+    solution, *_ = np.linalg.lstsq(np.vstack([matrix, ends]), np.vstack([curve, _SURE * curve[[0, -1]]]), rcond=None)
     return np.asarray(solution)
 
 

@@ -21,6 +21,7 @@ from cadgen.workflow.planning.task import Reserve, task_of
 
 _ROUNDS = 3  # of plan and exact chain
 _MORE_PRESSURE, _MORE_RADIUS, _MORE_MARGIN = radians(0.5), 0.5, 0.1  # beyond what a check asks for; rad, mm, mm
+_FLATTER = radians(2.0)  # rad
 _WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is chosen
 _CLEARANCES = (CheckCode.COURSE_POST, CheckCode.COURSE_WALL, CheckCode.COURSE_ZONE, CheckCode.COURSE_EDGE)
 _CLEARANCES_WITH_PLAY = (
@@ -137,6 +138,8 @@ def _reserve(reserve: Reserve, failed: tuple[Check, ...]) -> Reserve:
             case CheckCode.PRESSURE_ANGLE_RISE | CheckCode.PRESSURE_ANGLE_RETURN:
                 pressure = reserve.pressure + radians(beyond) + _MORE_PRESSURE
                 reserve = replace(reserve, pressure=pressure)
+            case CheckCode.LOST_LIFT_FACE_CHANGE:  # it grows with the square of the slope
+                reserve = replace(reserve, pressure=reserve.pressure + _FLATTER)
             case CheckCode.CONVEX_RADIUS_THEORY | CheckCode.CONVEX_RADIUS_PROFILE | CheckCode.LOST_LIFT_UNDERCUT:
                 reserve = replace(reserve, radius=reserve.radius + _MORE_RADIUS)
             case CheckCode.LIFT_ERROR_WITH_PLAY:
