@@ -84,6 +84,44 @@ class Design:
         return cls._checked(plain_text("text", text), Path(f"{name}.toml"), (), train_only)
 
     @classmethod
+    def new(
+        cls,
+        name: str,
+        folder: str | PathLike[str] = ".",
+        *,
+        points: str | PathLike[str] | None = None,
+        layer: str | None = None,
+        gate_radius_mm: float = 50.0,
+        field_mm: tuple[float, float] | None = None,
+        changes: Mapping[str, Any] | Iterable[str] = (),
+    ) -> "Design":
+        """Begin a design: write a commented file with the paper's mechanism and a path, and load it.
+
+        Args:
+            name: name of the design and, with .toml, of its file.
+            folder: folder for the file.
+            points: file of the path's points, in CSV, TXT or DXF; an example if left out.
+            layer: layer of the polyline in a DXF that has several.
+            gate_radius_mm: radius of the gates at the points.
+            field_mm: width and height of the field.
+            changes: changes as for `with_`, written into the file.
+
+        Raises:
+            DesignError: a name that files cannot have, or values that are not allowed.
+            FileError: the points cannot be read, or the file is there already or cannot be written.
+        """
+        from cadgen.records.points import read_points
+        from cadgen.workflow.start.begin import begin, write_new
+
+        path = None if points is None else read_points(Path(points), layer)
+        if path is None and layer is not None:
+            raise DesignError("a layer is named, but no DXF with points: give the DXF too, or leave the layer out")
+        text = begin(name, path, overrides_of(changes), gate_radius=gate_radius_mm, field=field_mm)
+        file = Path(folder) / f"{name}.toml"
+        write_new(text, file)
+        return cls._checked(text, file, (), False)
+
+    @classmethod
     def _checked(cls, text: str, file: Path, overrides: tuple[str, ...], train_only: bool) -> "Design":
         return cls((load.train_of if train_only else load.design_of)(text, file, overrides), text, file)
 

@@ -108,6 +108,7 @@ def car(design: Design) -> Car:
         drive_wheel_offset=design.car.drive_wheel_offset_mm,
         idle_wheel_offset=design.car.idle_wheel_offset_mm,
         max_steering_angle=radians(design.car.max_steering_angle_deg),
+        steering_gain=-1.0 if design.cam.side == "right" else 1.0,
     )
     return as_built(design).car(nominal)
 

@@ -2,6 +2,7 @@
 
 | module      | what it holds                                                     |
 |-------------|-------------------------------------------------------------------|
+| `new`       | `cadgen new`: a commented design to begin with                    |
 | `plan`      | `cadgen plan`: from a course to a path                            |
 | `check`     | `cadgen check`: every figure of a cam, and nothing written         |
 | `cam`       | `cadgen cam`: a cam as verified files                              |
@@ -41,6 +42,7 @@ from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam
 from cadgen.cli.check import check
 from cadgen.cli.gears import gears
+from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
 from cadgen.cli.plan import plan
 from cadgen.cli.simulate import simulate
@@ -70,6 +72,7 @@ def cli(context: click.Context) -> None:
         context.exit(USAGE)
 
 
+cli.add_command(new)
 cli.add_command(plan)
 cli.add_command(cam)
 cli.add_command(check)

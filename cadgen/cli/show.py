@@ -62,6 +62,8 @@ def document(facts: Mapping[str, Any]) -> None:
 
 def checks(cam: "Cam", cures: "Cures") -> None:
     """Print the checks as a table, then the advice for each that failed, and the cures of lost lift."""
+    if cam.wheel:
+        Output().print(cam.wheel)
     if cam.expected:
         Output().print(cam.expected)
     friction(cam)

@@ -18,7 +18,7 @@ from cadgen.arrays import Array
 from cadgen.course.body import Body, PartName
 from cadgen.course.course import Obstacle, Shape
 from cadgen.course.poses import Poses
-from cadgen.course.shapes import clearances, hidden_wheels, outlines, points, room_inside, wheel_areas
+from cadgen.course.shapes import clearances, geometry, hidden_wheels, outlines, points, room_inside, wheel_areas
 
 _CLOSE = 5e-3  # mm
 _CLOSE_INSIDE = 1.0, 0.02  # mm, and as a share: where the car overlaps a thing, its depth need not be known so well
@@ -53,6 +53,28 @@ def approach(poses: Poses, body: Body, obstacle: Obstacle) -> Approach:
 def approach_to_edge(poses: Poses, body: Body, edge: Shape) -> Approach:
     """Nearest approach of the car to the edge of the field, from inside."""
     return _nearest(poses, body, _parts(body), lambda areas: room_inside(areas, edge))
+
+
+def nearest_point(
+    poses: Poses, body: Body, thing: Shape, there: Approach, *, edge: bool = False
+) -> tuple[complex, complex]:
+    """Point of a thing that the car comes nearest to, x + iy, and the direction from the car to it, of length 1.
+
+    Args:
+        poses: run of the car.
+        body: outline and wheels of the car.
+        thing: shape of the obstacle, or of the field.
+        there: nearest approach to it.
+        edge: whether the thing is the field, of which the edge counts.
+    """
+    import shapely
+
+    at = poses.at(np.array([there.place]))
+    area = _parts(body, wheels_only=there.part != "outline")[there.part](at)[0]
+    rim = geometry(thing).boundary if edge else geometry(thing)
+    (qx, qy), (ox, oy) = shapely.get_coordinates(shapely.shortest_line(area, rim))
+    away = complex(ox - qx, oy - qy)
+    return complex(ox, oy), away / abs(away) if away else 0j
 
 
 def _parts(body: Body, *, wheels_only: bool = False) -> dict[PartName, Callable[[Poses], Any]]:

@@ -12,6 +12,7 @@ from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_
 
 from cadgen.cam.followers.kind import Seat
 from cadgen.cam.limits import PressureAngleLimitName
+from cadgen.course.names import Side
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
 from cadgen.design.course import Course
@@ -40,13 +41,19 @@ class Arena(Section):
 
 
 class Car(Section):
-    """The three-wheeled car in plan view. Its left rear wheel is driven."""
+    """The three-wheeled car in plan view. One of its rear wheels is driven: the left one, or with signs the right.
+
+    A1 counts to the left of the fork axis and A2 to its right. A car whose right wheel is driven has both negative; one
+    that is driven at the middle of its axle has A1 = 0 for a fork axis above that.
+    """
 
     wheelbase_mm: float = Field(gt=0, le=2000, description="L, front fork axis to rear axle")
     drive_wheel_offset_mm: float = Field(
-        ge=0, le=1000, description="A1, fork axis to the left, driven wheel, along the axle"
+        ge=-1000, le=1000, description="A1, fork axis to the driven wheel, along the axle, positive to the left"
     )
-    idle_wheel_offset_mm: float = Field(ge=0, le=1000, description="A2, fork axis to the right wheel, along the axle")
+    idle_wheel_offset_mm: float = Field(
+        ge=-1000, le=1000, description="A2, fork axis to the other rear wheel, along the axle, positive to the right"
+    )
     max_steering_angle_deg: float = Field(
         default=35.0, ge=1, le=80, description="what the fork can turn to either side"
     )
@@ -69,6 +76,11 @@ class Cam(Section):
     mid_plane_mm: float | None = Field(default=None, gt=0, le=500, description="e, fork axis to the disc's middle")
     thickness_mm: float | None = Field(
         default=None, ge=THINNEST_DISC_MM, le=100, description="C, between the disc's faces"
+    )
+    side: Side | None = Field(
+        default=None,
+        description="of the fork axis on which the disc is; left out, left: the rod is lifted in right turns. On the "
+        "right it is lifted in left turns, and files show the disc from its inner face",
     )
     blend_deg: float = Field(
         default=12.0,
@@ -225,6 +237,23 @@ class TrainFile(Section):
     @classmethod
     def _train_by_its_stages(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Train | None:
         return train_by_stages(value, usual)
+
+    @model_validator(mode="after")
+    def _course_says_it_once(self) -> "TrainFile":
+        if self.course is None:
+            return self
+        if self.course.gates and self.tolerances.gate_width_mm is not None:
+            raise ValueError(
+                f"tolerances.gate_width_mm is {self.tolerances.gate_width_mm:g}, but the gates are those of "
+                "[[course.gates]]: remove tolerances.gate_width_mm (on the command line with "
+                "--set tolerances.gate_width_mm=)"
+            )
+        if self.field is not None:
+            raise ValueError(
+                "field and course both say what stands on the field: move its size to [course.field] and its obstacles "
+                "to [[course.posts]] or [[course.gates]], and remove [field] (on the command line with --set field=)"
+            )
+        return self
 
     @field_validator("name")
     @classmethod

@@ -2,7 +2,7 @@
 
 The path is a B-spline of degree 5 (`cadgen.path.spline.control_path`). Its control points are found by a row of linear
 programmes: what the play costs and what the path must keep are linearised about the last path, and a trust region
-bounds the step (Fletcher & Sainz de la Maza, Math. Program. 43 (1989) 235). Docs: docs/theory/planner.md.
+bounds the step (Fletcher & Sainz de la Maza, Math. Program. 43 (1989) 235). docs/theory/planner.md has the whole.
 
 | module        | what it does                                                                        |
 |---------------|-------------------------------------------------------------------------------------|
@@ -16,5 +16,9 @@ bounds the step (Fletcher & Sainz de la Maza, Math. Program. 43 (1989) 235). Doc
 | `barriers`    | posts, walls, zones and the field's edge against the car's outline                  |
 | `programme`   | one linear programme                                                                |
 | `start`       | the path that the search begins with                                                |
+| `route`       | a rough way from gate to gate, round what is in the way                             |
+| `near`        | the drive wheel's track kept near to a given one                                    |
 | `search`      | from that path to the best one                                                      |
+| `plan`        | a task planned: the best of several searches                                        |
+| `reasons`     | why a course cannot be driven, and the least change that would do                   |
 """

@@ -32,7 +32,7 @@ class Places:
 
     def jets(self, points: Array) -> Array:
         """Position and four derivatives by u of a path by its control points, shape (5, m, 2)."""
-        return np.einsum("oml,mlc->omc", self.values, points[self.columns])
+        return np.asarray(np.einsum("oml,mlc->omc", self.values, points[self.columns]))
 
     def __getitem__(self, which: NDArray[np.intp] | NDArray[np.bool_]) -> "Places":
         """Some of the places."""

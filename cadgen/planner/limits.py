@@ -1,6 +1,7 @@
 """Limits of steering, pressure angle and outline, and of the length of the path."""
 
 from math import inf, tan
+from typing import Any
 
 import numpy as np
 
@@ -71,7 +72,8 @@ def length_rows(line: Line, vehicle: Vehicle, variables: int) -> list[Rows]:
     return [Rows("length", over, _WEIGHT, columns, line.by_points[None, :], np.array([0.0]))]
 
 
-def _moved(K: Array, K1: Array, K2: Array) -> list[tuple[Array, Array, Array]]:
+def _moved(K: Array, K1: Array, K2: Array) -> list[tuple[Any, Any, Any]]:
+    """The three with a complex step of each in turn."""
     h = 1j * _STEP
     return [(K + h, K1 + 0j, K2 + 0j), (K + 0j, K1 + h, K2 + 0j), (K + 0j, K1 + 0j, K2 + h)]
 

@@ -68,11 +68,11 @@ class Motion:
         """Derivative of the heading by the control points of each place, x and then y, shape (m, 12)."""
         speed = np.linalg.norm(self.jets[1], axis=1)
         normal = self.left / speed[:, None]
-        return (normal[:, :, None] * self.places.values[1][:, None, :]).reshape(len(speed), -1)
+        return np.asarray((normal[:, :, None] * self.places.values[1][:, None, :]).reshape(len(speed), -1))
 
     def point(self, x: float | Array, y: float | Array) -> Array:
         """Position of a point of the car, x ahead of the planned point and y to its left, shape (m, 2), mm."""
-        return self.jets[0] + _column(x) * self.ahead + _column(y) * self.left
+        return np.asarray(self.jets[0] + _column(x) * self.ahead + _column(y) * self.left)
 
     def moved(self, direction: Array, x: float | Array, y: float | Array) -> Array:
         """Derivative of such a point along directions, by the control points of each place, shape (m, 12).

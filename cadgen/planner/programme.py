@@ -11,8 +11,10 @@ change of such a fall counts as it is.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import linprog
 from scipy.sparse import csr_array, eye_array, hstack, vstack
 
@@ -68,14 +70,17 @@ def best_step(cost: Sensitivity, rows: list[Rows], penalty: float, step: float, 
     objective = np.concatenate([np.zeros(points), np.full(intervals, cost.calm / _SCALE), [1.0], weights])
     low = np.concatenate([np.full(points, -step), np.zeros(intervals + 1 + beyond)])
     high = np.concatenate([np.full(points, step), np.full(intervals + 1 + beyond, np.inf)])
-    equal = hstack([csr_array(fixed.matrix), csr_array((len(fixed.matrix), intervals + 1 + beyond))])
+    equal = hstack([csr_array(fixed.matrix), csr_array((len(fixed.matrix), intervals + 1 + beyond))], format="csr")
+    bounds: Any = np.stack([low, high], axis=1)
+    above: Any = vstack(blocks, format="csr")  # the stubs of scipy know no sparse arrays here
+    equations: Any = equal if len(fixed.matrix) else None
     result = linprog(
         objective,
-        A_ub=vstack(blocks).tocsr(),
+        A_ub=above,
         b_ub=np.concatenate(bounds_above),
-        A_eq=equal.tocsr() if len(fixed.matrix) else None,
+        A_eq=equations,
         b_eq=np.zeros(len(fixed.matrix)) if len(fixed.matrix) else None,
-        bounds=np.stack([low, high], axis=1),
+        bounds=bounds,
         method="highs-ds",
     )
     if result.x is None:
@@ -100,7 +105,7 @@ def _directed(cost: Sensitivity, by_rise: csr_array, beyond: int) -> tuple[csr_a
     return csr_array(np.array(rows)), np.array(right)
 
 
-def _sparse(columns: Array, values: Array, width: int) -> csr_array:
+def _sparse(columns: NDArray[np.intp], values: Array, width: int) -> csr_array:
     """A sparse matrix of rows with their columns, which may stand twice."""
     count, each = values.shape
     number = np.repeat(np.arange(count), each)

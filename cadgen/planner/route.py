@@ -6,6 +6,7 @@ its middle to its side, and dearer near them.
 
 import itertools
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -207,7 +208,9 @@ def _way(chart: _Map, a: Array, b: Array) -> Array:
     ends = np.minimum(np.linalg.norm(straight - a, axis=1), np.linalg.norm(straight - b, axis=1))
     if not (chart.cost.ravel()[numbers[ends > chart.half_width]] >= _BLOCKED).any():
         return np.zeros((0, 2))
-    _, before = dijkstra(_graph(chart.cost), indices=chart.number(a), return_predecessors=True)
+    graph: Any = _graph(chart.cost)  # the stubs of scipy know no single start
+    start: Any = chart.number(a)
+    _, before = dijkstra(graph, indices=start, return_predecessors=True)
     way = [chart.number(b)]
     while before[way[-1]] >= 0:
         way.append(int(before[way[-1]]))
@@ -220,7 +223,7 @@ def _way(chart: _Map, a: Array, b: Array) -> Array:
 
 def _graph(cost: Array) -> csr_array:
     """Ways between neighbouring cells in eight directions."""
-    number = np.arange(cost.size).reshape(cost.shape)
+    number: NDArray[Any] = np.arange(cost.size).reshape(cost.shape)
     rows, columns, lengths = [], [], []
     for di, dj in ((0, 1), (1, 0), (1, 1), (1, -1)):
         here = number[: number.shape[0] - di, max(-dj, 0) : number.shape[1] - max(dj, 0)]

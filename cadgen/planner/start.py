@@ -9,8 +9,8 @@ from cadgen.arrays import Array
 from cadgen.planner.basis import Basis
 from cadgen.planner.motion import Motion
 
-# A path is off by as much as it bends for it: so far (mm) from a stop, from another place of the route, and with a third
-# derivative of so much (mm for each span to the third) it counts alike.
+# What counts alike: so many mm off a stop, off another place of the route, and so great a third derivative (mm for each
+# span to the third).
 _STOP, _PLACE, _BEND = 3.0, 60.0, 100.0
 _SURE = 1e4  # weight of what must be kept
 _ROUNDS = 4  # in which the parameters of the points follow the length of the path
@@ -97,7 +97,7 @@ def fitted_to(basis: Basis, curve: Array) -> Array:
     return np.asarray(solution)
 
 
-def _dense(basis: Basis, columns: Array, values: Array) -> Array:
+def _dense(basis: Basis, columns: NDArray[np.intp], values: Array) -> Array:
     matrix = np.zeros((len(values), basis.count))
     np.put_along_axis(matrix, columns, values, axis=1)
     return matrix

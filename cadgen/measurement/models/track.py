@@ -135,7 +135,8 @@ class TrackModel:
         ahead = np.diff(mean)
         middle = (angle[1:] + angle[:-1]) / 2
         T = self._lift.tan_beta(middle)
-        gain = -self._car.wheelbase / (self._car.wheelbase + self._car.drive_wheel_offset * T) ** 2
+        lever = self._car.steering_gain
+        gain = -self._car.wheelbase * lever / (self._car.wheelbase + self._car.drive_wheel_offset * lever * T) ** 2
         waves, order = fourier(middle, FORM_ORDERS)
         turn = waves * (gain * np.abs(ahead))[:, None]
         heading = np.cumsum(turn, axis=0) - turn / 2

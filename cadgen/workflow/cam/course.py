@@ -92,17 +92,21 @@ class OnCourse:
         refuse_course(self.course, self.body, first)
         return self.run(driving)
 
-    def with_play(self, against: Against) -> "tuple[CourseRun, ...]":
-        """Runs of the chosen profile over the band of play, or with the measured play, and over friction and drag."""
-        task, chosen, measured = against.task, against.chosen, against.band.measured
-        plays = chosen.band.plays if measured is None else np.array([measured])
-        cases: tuple[Mechanics | None, ...] = task.mechanics.corners if task.mechanics else (None,)
+    def played(self, against: Against, play: float, mechanics: Mechanics | None = None) -> "CourseRun":
+        """Run of the chosen profile with play, held against the course.
 
-        def driving(play: float, case: Mechanics | None) -> Callable[[float, int], Run]:
-            following = task.following(
-                chosen.rolled, play, least_swing=chosen.least_swing, cut=chosen.lift, mechanics=case
-            )
-            return lambda stop, steps: drive(
+        Args:
+            against: comparison of the profiles.
+            play: return error, rad.
+            mechanics: friction and drag; those of the nominal car if left out.
+        """
+        task, chosen = against.task, against.chosen
+        following = task.following(
+            chosen.rolled, play, least_swing=chosen.least_swing, cut=chosen.lift, mechanics=mechanics
+        )
+
+        def driving(stop: float, steps: int) -> Run:
+            return drive(
                 chosen.rolled,
                 task.car,
                 task.length,
@@ -113,7 +117,14 @@ class OnCourse:
                 at_joints=True,
             )
 
-        return tuple(replace(self.run(driving(play, case)), play=play) for play in plays.tolist() for case in cases)
+        return replace(self.run(driving), play=play)
+
+    def with_play(self, against: Against) -> "tuple[CourseRun, ...]":
+        """Runs of the chosen profile over the band of play, or with the measured play, and over friction and drag."""
+        task, measured = against.task, against.band.measured
+        plays = against.chosen.band.plays if measured is None else np.array([measured])
+        cases: tuple[Mechanics | None, ...] = task.mechanics.corners if task.mechanics else (None,)
+        return tuple(self.played(against, play, case) for play in plays.tolist() for case in cases)
 
 
 @dataclass(frozen=True)
@@ -133,6 +144,24 @@ class CourseRun:
     poses: Poses
     driven: Driven
     play: float | None = None
+
+    def figures(self) -> dict[str, tuple[str, float]]:
+        """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
+        course, driven = self.on.course, self.driven
+        found = {
+            obstacle.key: (f"{there.part}, {side} of it", there.clearance)
+            for (obstacle, there), side in zip(driven.approaches, driven.sides, strict=True)
+        }
+        if driven.edge is not None and course.edge is not None:
+            found["course.field"] = (driven.edge.part, driven.edge.clearance)
+        for passage in driven.passages:
+            wrong = f", wrong {passage.fault}" if passage.fault else ""
+            found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
+        for stand in (driven.start, driven.finish):
+            if stand is not None:
+                off = "" if stand.turned is None else f", {degrees(stand.turned):.2f}° off"
+                found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
+        return found
 
     def checks(self) -> tuple[Check, ...]:
         """Every figure of the run with its verdict."""

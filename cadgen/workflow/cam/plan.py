@@ -1,6 +1,6 @@
 """From a design to a checked profile. No CAD kernel is needed for this."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from cadgen.build import cam_model, variation
@@ -31,6 +31,7 @@ from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
 from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
+from cadgen.workflow.cam.wheel import DriveWheel, drive_wheel
 
 
 @dataclass(frozen=True)
@@ -89,6 +90,12 @@ class CamPlan:
         as_built, travel = cam_model.as_built(self.design), cam_model.travel(self.design, self.track)
         return edges_check(self.lift, self.follower, self.curve, as_built, cam_model.car(self.design), travel)
 
+    @cached_property
+    def wheel(self) -> DriveWheel:
+        """Drive wheel that the cam is for."""
+        wanted = self.lift if self.against is None else self.against.task.lift
+        return drive_wheel(self.design, self.track, wanted)
+
     @property
     def path_end(self) -> float:
         """Arc length of the track up to which the path steers, mm: there the closing blend begins."""
@@ -98,6 +105,14 @@ class CamPlan:
     def figures(self) -> tuple[Check, ...]:
         """The checks, and what is shown beside them."""
         return self.checks if self.edges is None else (*self.checks, self.edges)
+
+    @property
+    def made_blank(self) -> Blank:
+        """Features of the disc as files show it: from the car's left, which is the inner face of a cam on the right."""
+        blank = self.blank
+        if self.design.cam.side != "right" or blank.hub is None:
+            return blank
+        return replace(blank, hub=replace(blank.hub, side="inner" if blank.hub.side == "outer" else "outer"))
 
     @property
     def follower(self) -> Follower:
