@@ -16,6 +16,7 @@ bounds the step (Fletcher & Sainz de la Maza, Math. Program. 43 (1989) 235). doc
 | `barriers`    | posts, walls, zones and the field's edge against the car's outline                  |
 | `programme`   | one linear programme                                                                |
 | `start`       | the path that the search begins with                                                |
+| `order`       | the order of gates that may be passed at any time                                   |
 | `route`       | a rough way from gate to gate, round what is in the way                             |
 | `near`        | the drive wheel's track kept near to a given one                                    |
 | `search`      | from that path to the best one                                                      |

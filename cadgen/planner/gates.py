@@ -54,8 +54,24 @@ def passing_places(motion: Motion, gates: tuple[Gate, ...], vehicle: Vehicle) ->
     place, places = len(u) - 1, []
     for number in reversed(range(len(gates))):
         place = int(chosen[number][place])
-        places.append(_between(u, off[number], place))
+        places.append(_crossing(motion, gates[number], vehicle, place) or _between(u, off[number], place))
     return np.array(places[::-1])
+
+
+def _crossing(motion: Motion, gate: Gate, vehicle: Vehicle, place: int) -> float | None:
+    """Parameter at which a segment is crossed beside a place; None where it is not."""
+    if len(gate.place.points) < 2:
+        return None
+    u, first, last = motion.places.u, max(place - 1, 0), min(place + 2, len(motion.places.u))
+    near = Motion(motion.places[np.arange(first, last)], motion.points, motion.offset)
+    a, b = (np.array(point) for point in gate.place.points)
+    height = (near.point(*planned_place(gate, vehicle)) - a) @ np.array([a[1] - b[1], b[0] - a[0]])
+    changes = np.flatnonzero(height[:-1] * height[1:] < 0)
+    if not changes.size:
+        return None
+    k = int(changes[0])
+    share = height[k] / (height[k] - height[k + 1])
+    return float(u[first + k] + share * (u[first + k + 1] - u[first + k]))
 
 
 def _off(motion: Motion, gate: Gate, vehicle: Vehicle) -> Array:
@@ -112,7 +128,7 @@ class Passing:
 def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, ends: bool) -> list[Rows]:
     """Limits of one gate at the place where it is passed; a run that ends there is held in every direction."""
     x, y = planned_place(gate, vehicle)
-    track = motion.point(x, y)[0]
+    track, along = motion.point(x, y)[0], _along(motion, x, y)
     rows = []
 
     def hold(direction: Array, off: float, most: float, slopes: Array | None = None) -> None:
@@ -130,18 +146,18 @@ def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, end
                 direction = np.array([np.cos(angle), np.sin(angle)])
                 hold(direction, float(direction @ off), most * cos(pi / (2 * _SIDES)))
         else:
-            normal = motion.left[0]
+            normal = np.array([-along[1], along[0]])
             hold(normal, float(normal @ off), most)
     else:
         a, b = (np.array(point) for point in gate.place.points)
         half = float(np.linalg.norm(b - a)) / 2
-        along = (b - a) / (2 * half)
-        across = np.array([-along[1], along[0]])
+        line = (b - a) / (2 * half)
+        across = np.array([-line[1], line[0]])
         off = track - (a + b) / 2
-        square = float(across @ motion.ahead[0])
+        square = float(across @ along)
         crossed = not ends and abs(square) > _SQUARE
         # Where the path crosses the segment, and not where it stands: it may slide along itself.
-        direction = along - (along @ motion.ahead[0]) / square * across if crossed else along
+        direction = line - (line @ along) / square * across if crossed else line
         hold(direction, float(direction @ off), _within(half, margin))
         if not crossed:
             hold(across, float(across @ off), 0.0)
@@ -155,6 +171,14 @@ def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, end
             columns, u = np.repeat(motion.places.both, 2, axis=0), np.repeat(motion.places.u, 2)
             rows.append(Rows(f"{gate.key} heading", values, _PER_RAD, columns, np.stack([by, -by]), u))
     return rows
+
+
+def _along(motion: Motion, x: float, y: float) -> Array:
+    """Unit vector along which a point of the car moves at the first place, shape (2,)."""
+    first, second = motion.jets[1][0], motion.jets[2][0]
+    turning = (first[0] * second[1] - first[1] * second[0]) / float(first @ first)
+    moving = first + turning * (x * motion.left[0] - y * motion.ahead[0])
+    return np.asarray(moving / np.linalg.norm(moving))
 
 
 def _within(reach: float, margin: float) -> float:

@@ -85,7 +85,7 @@ def best_step(cost: Sensitivity, rows: list[Rows], penalty: float, step: float, 
     )
     if result.x is None:
         raise ArithmeticError(str(result.message))
-    return np.asarray(result.x[:points].reshape(2, -1).T), float(result.fun)
+    return np.asarray(result.x[:points].reshape(2, -1).T), float(result.fun or 0.0)
 
 
 def _directed(cost: Sensitivity, by_rise: csr_array, beyond: int) -> tuple[csr_array, Array]:

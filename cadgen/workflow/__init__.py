@@ -3,6 +3,7 @@
 | module        | what it holds                                            |
 |---------------|----------------------------------------------------------|
 | `start`       | name, points of a path -> a commented design             |
+| `planning`    | course and car -> a path that passes every check         |
 | `cam`         | design -> profile, checks -> files of a cam              |
 | `gears`       | design -> train, checks -> files of a gear train         |
 | `runs`        | the car's runs with play, one by one and by the thousand |

@@ -13,6 +13,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 from cadgen.path.track import Track
 from cadgen.planner.limits import curvature_limits
+from cadgen.planner.order import in_order
 from cadgen.planner.task import Limits, Task, Vehicle
 
 # Where nothing is known of the play, or it was measured, a car may still be off by this share of a degree.
@@ -114,10 +115,11 @@ def _course(design: Design, drawn: Track | None) -> Course:
         start = _stand("path", drawn, 0.0)
     if finish is None and drawn is not None:
         finish = _stand("path", drawn, drawn.length)
+    course = in_order(replace(course, start=start, finish=finish))
     if finish is None and course.gates:
         *gates, last = course.gates
-        return replace(course, start=start, finish=last, gates=tuple(gates))
-    return replace(course, start=start, finish=finish)
+        return replace(course, finish=last, gates=tuple(gates))
+    return course
 
 
 def _stand(key: str, track: Track, arc: float) -> Gate:
