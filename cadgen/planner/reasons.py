@@ -15,7 +15,8 @@ _QUIET = 1e-3  # of the spread of the play: here only limits count
 # Amounts of which each is about as much to ask as the other: shares of the limits of steering and cam, mm, rad.
 _SHARE, _LENGTH, _GATE, _CLEARANCE, _HEADING = 0.15, 500.0, 60.0, 30.0, 0.2
 _DRIVING = ("turn", "pressure angle", "convex radius", "valley", "slope", "bend")
-_MOST = 6  # limits that are tried
+_MOST = 5  # limits that are tried
+_ROUNDS = 15  # of each penalty: how far a limit must give way is wanted to a percent or so
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ def _loosened(plan: Plan, name: str) -> Reason | None:
     """What a limit must give way when all others are kept; None if it need not give way at all."""
     vehicle = replace(plan.task.vehicle, spread=plan.task.vehicle.spread * _QUIET)
     search = search_of(replace(plan.task, vehicle=vehicle), len(plan.path.points), loose=name)
-    path = search.best(plan.path.points)
+    path = search.best(plan.path.points, rounds=_ROUNDS)
     violated = path.violated
     others = [most for other, most in violated.items() if other not in (name, *UNEVEN) and most > KEPT]
     amount = violated.get(name, 0.0)

@@ -90,20 +90,23 @@ class Search:
             rows = [replace(each, weight=each.weight * _LOOSE) if each.name == self.loose else each for each in rows]
         return Path(points, Sensitivity(line, vehicle.spread), tuple(rows))
 
-    def best(self, points: Array, report: Callable[[float], None] | None = None) -> Path:
+    def best(self, points: Array, report: Callable[[float], None] | None = None, *, rounds: int = _MOST_ROUNDS) -> Path:
         """The best path from one to begin with.
 
         Args:
             points: control points to begin with, shape (n, 2), mm; what is fixed is right already.
             report: function that is called with the cost as it falls.
+            rounds: most programmes that are solved with each penalty.
         """
         path = self.path(points)
         for penalty, step in zip(_PENALTIES, _FIRST_STEPS, strict=True):
-            path = self._descend(path, penalty, step, report)
+            path = self._descend(path, penalty, step, report, rounds)
         return path
 
-    def _descend(self, path: Path, penalty: float, step: float, report: Callable[[float], None] | None) -> Path:
-        for _ in range(_MOST_ROUNDS):
+    def _descend(
+        self, path: Path, penalty: float, step: float, report: Callable[[float], None] | None, rounds: int
+    ) -> Path:
+        for _ in range(rounds):
             total = path.total(penalty)
             try:
                 change, promised = best_step(path.cost, list(path.rows), penalty, step, self.fixed)

@@ -83,7 +83,7 @@ class Line:
 
     @cached_property
     def end_by_points(self) -> Array:
-        """Derivative of the length up to the end of the run, its parameter held, by all x and then all y, shape (2 n,)."""
+        """Derivative of the length up to the end of the run, its parameter held, by all x, then all y, shape (2 n,)."""
         u, motion = self.motion.places.u, self.motion
         # By the trapezoid rule; with it the whole length errs by some 1e-4.
         driven = self.driven * np.diff(u)

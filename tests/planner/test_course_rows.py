@@ -99,7 +99,8 @@ def test_derivatives_of_clearances_and_gates(paper_points, vehicle):
         )
         for k, (at, point) in enumerate([(200, "middle"), (700, "fork"), (1100, "idle_wheel")])
     )
-    a, b = motion.track[900] + [30, 200], motion.track[900] + [-60, -250]
+    a = motion.track[900] + 200 * motion.left[900] + 30 * motion.ahead[900]
+    b = motion.track[900] - 250 * motion.left[900] - 60 * motion.ahead[900]
     gates = (
         *gates[:2],
         Gate(key="line", place=Shape((tuple(a), tuple(b)))),

@@ -15,6 +15,7 @@ import sys
 import time
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -96,7 +97,7 @@ class Case:
 
 
 def drivable(random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Middle of the rear axle and heading along a drivable path that keeps clear of itself or crosses itself squarely."""
+    """Middle of the rear axle and heading along a drivable path, which may cross itself."""
     while True:
         length = random.uniform(6000, 14000)
         knots = np.arange(0, length + 700, 700.0)
@@ -137,7 +138,7 @@ def rim(corners: np.ndarray, spacing: float = 2.0) -> np.ndarray:
     closed = np.vstack([corners, corners[:1]]) if len(corners) > 2 else corners
     pieces = [
         a + np.linspace(0, 1, max(int(np.hypot(*(b - a)) / spacing), 1), endpoint=False)[:, None] * (b - a)
-        for a, b in zip(closed[:-1], closed[1:], strict=True)
+        for a, b in pairwise(closed)
     ]
     return np.vstack([*pieces, closed[-1:]])
 
