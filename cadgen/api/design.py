@@ -110,8 +110,8 @@ class Design:
             DesignError: a name that files cannot have, or values that are not allowed.
             FileError: the points cannot be read, or the file is there already or cannot be written.
         """
+        from cadgen.design.begin import begin, write_new
         from cadgen.records.points import read_points
-        from cadgen.workflow.start.begin import begin, write_new
 
         path = None if points is None else read_points(Path(points), layer)
         if path is None and layer is not None:

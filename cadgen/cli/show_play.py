@@ -206,6 +206,9 @@ def fleet(run: "ToleranceRun") -> None:
     gates = "" if result.gate_width is None else f"pass all {result.gates} gates of {result.gate_width:g} mm"
     course = f"keep the course: {result.watched}" if result.watched else ""
     console.print(f"{100 * result.passed:.2f} % {' and '.join(filter(None, [gates, course]))}")
+    if result.watched:
+        kept = ", ".join(f"{100 * part:g} % {margin:.3g} mm" for part, margin in result.margins.items())
+        console.print(f"margin to the course that a share of the cars keeps: {kept}")
     table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
     for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
         table.add_column(column, justify="left" if column == "tolerance" else "right")

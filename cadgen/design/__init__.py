@@ -23,5 +23,7 @@
 | `names`     | names that files can have on every system                                |
 | `override`  | `--set key=value`                                                        |
 | `load`      | name or file -> `Design`                                                 |
+| `template`  | text of a design to begin with                                           |
+| `begin`     | name, points of a path, changes of keys -> a commented design            |
 | `reference` | the schema as a page of documentation                                    |
 """

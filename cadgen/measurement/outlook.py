@@ -37,7 +37,7 @@ class Outlook:
     """What a new cam is expected to do.
 
     Attributes:
-        old, new: mean distance from the planned end of the run, mm.
+        old, new: distance from the planned end of the run, median of the draws, mm.
         least, most: between which the new one lies with a chance of 90 %, mm.
         worse: chance that the new one is farther off than the old one.
         explained: whether the effects found explain the measured runs, and no record contradicts another; None where no
@@ -83,8 +83,8 @@ def outlook(
     old, new = np.abs(old + rest), np.abs(new + rest)
     least, most = np.percentile(new, RANGE)
     return Outlook(
-        old=float(old.mean()),
-        new=float(new.mean()),
+        old=float(np.median(old)),
+        new=float(np.median(new)),
         least=float(least),
         most=float(most),
         worse=float(np.mean(new > old + SAME)),

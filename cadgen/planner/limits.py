@@ -83,7 +83,8 @@ def _axis(K: Array, K1: Array, K2: Array, vehicle: Vehicle, rate: float) -> tupl
     car = vehicle.car
     T = tan_steering(K, car)
     shrink = 1.0 + car.drive_wheel_offset * K
-    slope, bend = -car.wheelbase / shrink**2, 2 * car.wheelbase * car.drive_wheel_offset / shrink**3
+    slope = -car.wheelbase / shrink**2 / car.steering_gain
+    bend = 2 * car.wheelbase * car.drive_wheel_offset / shrink**3 / car.steering_gain
     inner, outer = vehicle.faces
     w = np.where(T.real > 0, inner, outer)
     return (

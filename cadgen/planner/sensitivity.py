@@ -117,8 +117,13 @@ class Sensitivity:
 
     @cached_property
     def rises(self) -> Array:
-        """Change of the curvature over each interval, shape (m - 1,), 1/mm."""
-        return np.diff(self.line.motion.quantities[0])
+        """Change of the curvature over each interval, above 0 where the lift falls, shape (m - 1,), 1/mm."""
+        return np.asarray(self._sign * np.diff(self.line.motion.quantities[0]))
+
+    @property
+    def _sign(self) -> float:
+        """Whether the lift falls where the curvature rises, or, with the cam on the other side, where it falls."""
+        return 1.0 if self.line.vehicle.car.steering_gain > 0 else -1.0
 
     @cached_property
     def levers(self) -> Array:
@@ -165,7 +170,7 @@ class Sensitivity:
 
     def by_rises(self) -> tuple[NDArray[np.intp], Array]:
         """Derivatives of `rises`: columns and values, shape (m - 1, 24)."""
-        columns, slopes = self.line.motion.places.both, self.line.motion.slopes[0]
+        columns, slopes = self.line.motion.places.both, self._sign * self.line.motion.slopes[0]
         return np.concatenate([columns[1:], columns[:-1]], axis=1), np.concatenate([slopes[1:], -slopes[:-1]], axis=1)
 
     def directions(self) -> Array:

@@ -2,7 +2,6 @@
 
 | module        | what it holds                                            |
 |---------------|----------------------------------------------------------|
-| `start`       | name, points of a path -> a commented design             |
 | `planning`    | course and car -> a path that passes every check         |
 | `cam`         | design -> profile, checks -> files of a cam              |
 | `gears`       | design -> train, checks -> files of a gear train         |

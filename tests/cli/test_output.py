@@ -116,6 +116,7 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
         design=SimpleNamespace(name="car"),
         profile="actual",
         against=None,
+        expected=None,
         checks=(check,),
         edges=check,
     )
@@ -142,6 +143,7 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
         wheel="",
         design=SimpleNamespace(name="car[1]"),
         against=None,
+        expected=None,
         profile="actual",
         checks=(check,),
         edges=check,

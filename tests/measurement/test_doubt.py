@@ -61,7 +61,7 @@ def test_a_rest_that_dwarfs_noise_and_form_error_names_nothing(lift, nominal):
         told = doubted(CLEAR, lift, model, noise, _Best(), np.full(rows, left))
         assert told.verdict == verdict
         assert told.claimed == claimed
-        assert any("nothing is claimed" in limit for limit in told.limits) == (left == 0.040)
+        assert any("nothing is claimed" in limit for limit in told.limits) == (left == 0.025)
 
 
 def test_a_value_on_its_physical_bound_is_not_claimed(lift, nominal):

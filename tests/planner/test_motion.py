@@ -1,5 +1,7 @@
 """Curvature, poses and what the play costs: against the exact chain, and derivatives against finite differences."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -10,6 +12,7 @@ from cadgen.path.hermite import quintic_hermite
 from cadgen.path.spline import control_path
 from cadgen.path.track import offset_track
 from cadgen.planner.basis import Basis
+from cadgen.planner.limits import curvature_limits, driving_rows
 from cadgen.planner.motion import Motion
 from cadgen.planner.sensitivity import Line, Sensitivity
 
@@ -91,3 +94,27 @@ def test_the_linear_model_of_the_error(paper_points, vehicle):
         assert weights @ rises + cost.by_levers(direction) @ flat == pytest.approx(slope @ flat)
         # A random change mostly cancels: what it is off by is held against what such a change can do.
         assert abs(slope @ flat - numeric) < 0.002 * np.linalg.norm(slope)
+
+
+def test_a_mirrored_car_on_a_mirrored_path_is_the_same(paper_points, vehicle, limits):
+    """Wheels on the other hand, cam on the other side: cost and limits of the mirror image."""
+    car = vehicle.car
+    other = replace(
+        vehicle,
+        path_offset=-vehicle.path_offset,
+        car=replace(
+            car,
+            drive_wheel_offset=-car.drive_wheel_offset,
+            idle_wheel_offset=-car.idle_wheel_offset,
+            steering_gain=-1.0,
+        ),
+    )
+    basis, figures = Basis(len(paper_points)), []
+    for its_vehicle, points in ((vehicle, paper_points), (other, paper_points * [1, -1])):
+        motion = Motion(basis.even(8), points, its_vehicle.path_offset)
+        line = Line(motion, its_vehicle)
+        left, right = curvature_limits(its_vehicle)
+        its_limits = replace(limits, left=left, right=right, valley=40.0)
+        rows = driving_rows(motion, line, its_vehicle, its_limits)
+        figures.append([Sensitivity(line, its_vehicle.spread).cost, *(each.worst for each in rows)])
+    np.testing.assert_allclose(figures[0], figures[1], rtol=1e-9)

@@ -35,7 +35,7 @@ def of(checks, code):
 
 
 def test_the_papers_car_passes_its_gates_as_planned_and_misses_some_with_play(plan):
-    """Eleven within 1.6 mm before the blend and the last within 5 by it; with play the figures are shown, not judged."""
+    """Eleven within 1.6 mm before the blend, the last within 5 by it; with play the figures are shown, not judged."""
     margins = {passage.gate.key: passage.off for passage in plan.course.planned.driven.passages}
     print({key: round(off, 2) for key, off in margins.items()})
     assert max(list(margins.values())[:11]) < 1.6
@@ -79,9 +79,8 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     for row in deviations:
         start = against.task.start
         ahead = np.exp(1j * start.heading) * (row[column["start_x"]] + 1j * row[column["start_y"]])
-        moved = replace(
-            start, x=start.x + ahead.real, y=start.y + ahead.imag, heading=start.heading + row[column["start_heading"]]
-        )
+        heading = start.heading + row[column["start_heading"]]
+        moved = replace(start, x=start.x + ahead.real, y=start.y + ahead.imag, heading=heading)
         task = replace(against.task, start=moved)
         run = plan.course.played(replace(against, task=task), fleet.play + row[column["play"]])
         driven = judge(run.poses, run.on.car, run.on.body, run.on.course)

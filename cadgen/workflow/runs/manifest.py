@@ -3,8 +3,6 @@
 from math import degrees
 from typing import Any
 
-import numpy as np
-
 from cadgen.monte_carlo.budget import Budget
 from cadgen.motion.errors import RunError, deflection_sum
 from cadgen.version import __version__
@@ -12,7 +10,7 @@ from cadgen.workflow.cam.manifest import as_built_facts, design_facts, mechanics
 from cadgen.workflow.cam.plan import against_of
 from cadgen.workflow.runs.budget import BudgetSheet, unit_of
 from cadgen.workflow.runs.simulation import Simulation
-from cadgen.workflow.runs.tolerance import QUANTILES, Spread, ToleranceRun
+from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
 
 
 def simulation_facts(simulation: Simulation) -> dict[str, Any]:
@@ -101,9 +99,8 @@ def _course_facts(run: ToleranceRun) -> dict[str, Any] | None:
     """What of the course the cars must keep, and the least margin that they keep to it."""
     if not run.watched:
         return None
-    margin = run.ends.margin
-    kept = {f"{100 * part:g} %": float(np.quantile(margin, 1 - part)) for part in QUANTILES}
-    return {"watched": run.watched, "least_margin_mm": {**kept, "least": float(margin.min())}}
+    kept = {f"{100 * part:g} %": margin for part, margin in run.margins.items()}
+    return {"watched": run.watched, "least_margin_mm": {**kept, "least": float(run.ends.margin.min())}}
 
 
 def _quantiles(spread: Spread) -> dict[str, float]:

@@ -91,6 +91,11 @@ class ToleranceRun:
         return listed([*words, *(["the edge"] if course.course.edge is not None else [])], "and")
 
     @property
+    def margins(self) -> dict[float, float]:
+        """Margin to all of the course that a share of the cars keeps at least, mm, by the share, 0 to 1."""
+        return {part: float(np.quantile(self.ends.margin, 1 - part)) for part in QUANTILES}
+
+    @property
     def samples(self) -> int:
         """Number of cars."""
         return len(self.ends.heading)

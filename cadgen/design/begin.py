@@ -9,9 +9,9 @@ from cadgen.design.course import MOST_OF_A_KIND
 from cadgen.design.load import design_of
 from cadgen.design.names import name_fault
 from cadgen.design.override import override
+from cadgen.design.template import EXAMPLE, GATE_RADIUS, text_of
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.records.points import Points
-from cadgen.workflow.start.template import EXAMPLE, GATE_RADIUS, text_of
 
 _CAR = ("car.drive_wheel_offset_mm=", "car.idle_wheel_offset_mm=")
 _EXAMPLE_FIELD = (7000.0, 3000.0)
