@@ -355,7 +355,7 @@ class Design:
         calm_as: "Design | None" = None,
         seeds: int = 1,
         progress: Progress = silent,
-    ) -> "Plan":
+    ) -> "Plan[Design]":
         """Plan the path that keeps the course and is least sensitive to the play of the gears.
 
         The design needs [course]; where it has no [path], load it with `train_only=True`.
@@ -377,15 +377,13 @@ class Design:
 
         within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
         if within is not None and improve is None:
-            raise DesignError(
-                "within_mm says how far a given path may be left: give `improve` (--from) too, or leave it out"
-            )
+            raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
         near = None if improve is None else cam_model.track(improve._whole())
         calm = near if calm_as is None else cam_model.track(calm_as._whole())
         known, drawn = load.course_of(self.text, self.file, self.values.overrides)
         wanted = Wanted(near, _WITHIN_MM if within is None else within, calm, whole("seeds", seeds, *SEEDS))
         own = cam_model.track(known) if drawn else None
-        return Plan(plan_design(known, self.text, own, wanted, progress))
+        return Plan(plan_design(known, self.text, own, wanted, progress), self)
 
     def _whole(self) -> DesignValues:
         """The design, if it has all that a cam needs."""

@@ -4,8 +4,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Generic
 
+from cadgen.api.calibration import D
 from cadgen.api.cam import Cam
 from cadgen.api.files import Written, folder_of, refusal
 from cadgen.errors import CheckError
@@ -14,21 +15,20 @@ from cadgen.workflow.planning.plan import PlannedPath
 from cadgen.workflow.planning.words import facts, sentences
 from cadgen.workflow.planning.write import write_plan
 
-if TYPE_CHECKING:
-    from cadgen.api.design import Design
-
 WITHIN_MM, SEEDS = (0.1, 1000.0), (1, 100)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Plan:
-    """A path that was planned, or the reasons why there is none.
+class Plan(Generic[D]):
+    """Result of `Design.plan`: a path with its cam and checks, or the reasons why there is none.
 
     Attributes:
-        computed: the numeric result, for figures that are not named here; mm and rad.
+        computed: the whole result, for figures that are not named here; mm and rad.
+        source: design that a path was planned for.
     """
 
     computed: PlannedPath
+    source: D
 
     def __repr__(self) -> str:
         state = "passed" if self.passed else "failed" if self.computed.cam else "no path"
@@ -50,17 +50,15 @@ class Plan:
         return None if self.computed.cam is None else Cam(self.computed.cam)
 
     @cached_property
-    def design(self) -> "Design":
+    def design(self) -> D:
         """The design with the planned path.
 
         Raises:
             CheckError: there is no path.
         """
-        from cadgen.api.design import Design
-
         if not self.computed.text:
             raise CheckError(self.sentences[0])
-        return Design.from_toml(self.computed.text, self.computed.design.name)
+        return type(self.source).from_toml(self.computed.text, self.computed.design.name)
 
     def facts(self) -> dict[str, Any]:
         """The result as plain values, as in the manifest and with `--json`."""

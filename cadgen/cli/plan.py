@@ -57,11 +57,13 @@ def plan(
     from cadgen.api.design import Design
     from cadgen.cli import show, show_plan
 
+    if within_mm is not None and improve is None:
+        raise click.UsageError("--within says how far the path of --from may be left: give --from too")
     loaded = Design.load(course, overrides, train_only=True)
-    given = None if improve is None else Design.load(improve)
+    drawn = None if improve is None else Design.load(improve)
     calm = None if calm_as is None else Design.load(calm_as)
     with show.progress(not as_json) as progress:
-        planned = loaded.plan(given, within_mm, calm_as=calm, seeds=seeds, progress=progress)
+        planned = loaded.plan(drawn, within_mm, calm_as=calm, seeds=seeds, progress=progress)
         written = None if out is None or not planned.passed else planned.write(out, progress=progress)
     if as_json:
         show.document(planned.facts() if written is None else written.entry)

@@ -1,6 +1,6 @@
 """A planned path, as sentences and its checks."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from cadgen.cli import show
 from cadgen.cli.show import Output
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from cadgen.api.planning import Plan
 
 
-def plan(planned: "Plan") -> None:
+def plan(planned: "Plan[Any]") -> None:
     """Print the result, and the checks of the cam for the path if there is one."""
     console = Output()
     for sentence in planned.sentences:

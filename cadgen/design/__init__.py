@@ -25,5 +25,6 @@
 | `load`      | name or file -> `Design`                                                 |
 | `template`  | text of a design to begin with                                           |
 | `begin`     | name, points of a path, changes of keys -> a commented design            |
+| `planned`   | the design file with a planned path, comments kept                       |
 | `reference` | the schema as a page of documentation                                    |
 """

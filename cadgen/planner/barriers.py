@@ -56,7 +56,7 @@ class Barrier:
 
 def barriers_of(course: Course, body: Body) -> tuple[Barrier, ...]:
     """Barriers of a course for a car."""
-    found = [
+    barriers = [
         Barrier(
             obstacle.key,
             _points(obstacle.shape),
@@ -73,8 +73,8 @@ def barriers_of(course: Course, body: Body) -> tuple[Barrier, ...]:
         corners = _corners(course.edge)
         # Inside a convex field the corners of the car are all that can be outside.
         points = np.zeros((0, 2)) if _convex(corners) else _points(course.edge)
-        found.append(Barrier("course.field", points, corners, inside=True, reach=0.0, margin=course.margin))
-    return tuple(found)
+        barriers.append(Barrier("course.field", points, corners, inside=True, reach=0.0, margin=course.margin))
+    return tuple(barriers)
 
 
 def _convex(corners: Array) -> bool:
@@ -160,14 +160,14 @@ class Clearances:
             return None
         close = Motion(motion.places[np.flatnonzero(near)], motion.points, motion.offset)
         parts = [corners for corners, wheel in self._parts if wheel or not barrier.under]
-        distance, by = _least(barrier, close, parts)
+        distance, by = _nearest(barrier, close, parts)
         if barrier.side is not None:
             distance, by = _on_side(barrier, close, parts, distance, by)
         value = barrier.margin + barrier.reach + _INSIDE - distance
         return Rows(barrier.key, value, _PER_MM, close.places.both, -by, close.places.u)
 
 
-def _least(barrier: Barrier, motion: Motion, parts: list[Array]) -> tuple[Array, Array]:
+def _nearest(barrier: Barrier, motion: Motion, parts: list[Array]) -> tuple[Array, Array]:
     """Least distance at each place, shape (m,), and its derivative, shape (m, 12)."""
     m = len(motion.places.u)
     best = np.full(m, np.inf)

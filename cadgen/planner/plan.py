@@ -59,18 +59,18 @@ def plan(
     """
     best: Plan | None = None
     for seed in range(seeds if begin is None and task.near is None else 1):
-        found = _one(task, seed, begin, report)
-        if best is None or _merit(found) < _merit(best):
-            best = found
+        candidate = _searched(task, seed, begin, report)
+        if best is None or _merit(candidate) < _merit(best):
+            best = candidate
     assert best is not None
     return best
 
 
-def _merit(found: Plan) -> tuple[float, float]:
-    return sum(found.missed.values()), found.path.cost.cost
+def _merit(candidate: Plan) -> tuple[float, float]:
+    return sum(candidate.missed.values()), candidate.path.cost.cost
 
 
-def _one(task: Task, seed: int, begin: Array | None, report: Callable[[str], None] | None) -> Plan:
+def _searched(task: Task, seed: int, begin: Array | None, report: Callable[[str], None] | None) -> Plan:
     vehicle, course = task.vehicle, task.course
     start, finish = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
     if begin is not None:

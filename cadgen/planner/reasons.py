@@ -60,9 +60,9 @@ def reasons(plan: Plan) -> tuple[Reason, ...]:
     """
     missed = sorted(plan.missed, key=lambda name: -plan.missed[name] / _unit(name))
     tried = list(dict.fromkeys([*missed[: _MOST - 1], "turn"]))
-    found = [reason for name in tried if (reason := _loosened(plan, name)) is not None]
-    enough = [reason for reason in found if reason.enough]
-    return tuple(sorted(enough or found, key=lambda reason: reason.effort))
+    candidates = [reason for name in tried if (reason := _loosened(plan, name)) is not None]
+    enough = [reason for reason in candidates if reason.enough]
+    return tuple(sorted(enough or candidates, key=lambda reason: reason.effort))
 
 
 def _loosened(plan: Plan, name: str) -> Reason | None:

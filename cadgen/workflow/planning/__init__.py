@@ -4,7 +4,6 @@
 |---------|---------------------------------------------------------------------------|
 | `task`  | design -> what the planner is asked                                       |
 | `plan`  | plan, the exact chain with all checks, and again with what they ask for    |
-| `file`  | the design file with the planned path: comments kept                      |
 | `words` | the result, or why there is none, as sentences and plain values           |
 | `write` | the files, published                                                      |
 """

@@ -7,6 +7,7 @@ from pathlib import Path
 from cadgen.build import gear_model
 from cadgen.check import Check, CheckCode, failing
 from cadgen.design.load import design_of
+from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError
 from cadgen.path.track import Track
@@ -16,15 +17,17 @@ from cadgen.planner.reasons import Reason, reasons
 from cadgen.planner.task import Task
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
-from cadgen.workflow.planning.file import planned_text, rounded
 from cadgen.workflow.planning.task import Reserve, task_of
 
 _ROUNDS = 3  # of plan and exact chain
 _MORE_PRESSURE, _MORE_RADIUS, _MORE_MARGIN = radians(0.5), 0.5, 0.1  # beyond what a check asks for; rad, mm, mm
 _FLATTER = radians(2.0)  # rad
 _WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is chosen
-_CLEARANCES = (CheckCode.COURSE_POST, CheckCode.COURSE_WALL, CheckCode.COURSE_ZONE, CheckCode.COURSE_EDGE)
-_CLEARANCES_WITH_PLAY = (
+_CLEARANCES = (
+    CheckCode.COURSE_POST,
+    CheckCode.COURSE_WALL,
+    CheckCode.COURSE_ZONE,
+    CheckCode.COURSE_EDGE,
     CheckCode.COURSE_POST_PLAY,
     CheckCode.COURSE_WALL_PLAY,
     CheckCode.COURSE_ZONE_PLAY,
@@ -114,12 +117,12 @@ def plan_design(
             cam = plan_cam(design_of(written, Path(f"{design.name}.toml")), None, progress)
         except CheckError as error:
             return PlannedPath(design, task, result, "", None, (), str(error))
-        found = PlannedPath(design, task, result, written, cam)
+        path = PlannedPath(design, task, result, written, cam)
         more = _reserve(reserve, failing(cam.checks))
         if more == reserve:
             break
         reserve, begin = more, rounded(result.path.points)
-    return found
+    return path
 
 
 def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
@@ -148,6 +151,4 @@ def _reserve(reserve: Reserve, failed: tuple[Check, ...]) -> Reserve:
                 reserve = replace(reserve, margin=reserve.margin + beyond + _MORE_MARGIN)
             case CheckCode.COURSE_GATE_MARGIN | CheckCode.COURSE_GATE_MARGIN_PLAY | CheckCode.COURSE_FINISH_PLAY:
                 reserve = replace(reserve, gate=reserve.gate + beyond + _MORE_MARGIN)
-            case code if code in _CLEARANCES_WITH_PLAY:
-                reserve = replace(reserve, margin=reserve.margin + beyond + _MORE_MARGIN)
     return reserve

@@ -1,7 +1,7 @@
 """From a design to what the planner is asked; degrees become radians here."""
 
 from dataclasses import dataclass, replace
-from math import degrees, inf, pi, radians
+from math import inf, radians
 
 import numpy as np
 
@@ -22,6 +22,8 @@ _UNKNOWN_SPREAD = radians(0.1)
 _PRESSURE_RESERVE = radians(3.0)
 _ROUND_RESERVE = 1.5  # times the least convex radius: where play is taken out the outline is sharper
 _LIFT_RESERVE = 0.7  # of the greatest lift error with play
+# Between the places at which the planner holds a limit the path may be a little beyond it.
+_CALM_SHARE = 0.98
 _TRACK_STEP = 5.0  # mm between the points of a track to stay near to
 
 
@@ -181,12 +183,3 @@ def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reser
         bend=bend * _CALM_SHARE,
         valley=valley,
     )
-
-
-# Between the places at which the planner holds a limit the path may be a little beyond it.
-_CALM_SHARE = 0.98
-
-
-def heading_deg(angle: float) -> float:
-    """An angle in degrees between -180 and 180."""
-    return degrees((angle + pi) % TURN - pi)

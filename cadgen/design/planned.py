@@ -19,7 +19,7 @@ def planned_text(design: Design, text: str, points: Array, radius_mm: float | No
         points: control points, shape (n, 2), mm.
         radius_mm: radius of the drive wheel, mm, if the plan chose it.
     """
-    import tomlkit
+    import tomlkit  # only here: most commands write no design
 
     values: Any = tomlkit.parse(text)
     for change in design.overrides:
