@@ -13,7 +13,7 @@ from cadgen.planner.rows import Rows
 
 _EACH = 8  # places of a span that are held
 _PER_MM = 3.0
-_INSIDE = 0.1  # mm that is kept from what is allowed, for what happens between the places
+_INSIDE = 0.2  # mm that is kept from what is allowed, for what happens between the places
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,8 +15,9 @@ _QUIET = 1e-3  # of the spread of the play: here only limits count
 # Amounts of which each is about as much to ask as the other: shares of the limits of steering and cam, mm, rad.
 _SHARE, _LENGTH, _GATE, _CLEARANCE, _HEADING = 0.15, 500.0, 60.0, 30.0, 0.2
 _DRIVING = ("turn", "pressure angle", "convex radius", "valley", "slope", "bend")
-_MOST = 5  # limits that are tried
-_ROUNDS = 15  # of each penalty: how far a limit must give way is wanted to a percent or so
+_MOST = 4  # limits that are tried
+_ROUNDS = 30  # of each penalty
+_NEARLY = 0.02  # as KEPT, of the other limits: how far one must give way is wanted to a percent or so
 
 
 @dataclass(frozen=True)
@@ -71,7 +72,7 @@ def _loosened(plan: Plan, name: str) -> Reason | None:
     search = search_of(replace(plan.task, vehicle=vehicle), len(plan.path.points), loose=name)
     path = search.best(plan.path.points, rounds=_ROUNDS)
     violated = path.violated
-    others = [most for other, most in violated.items() if other not in (name, *UNEVEN) and most > KEPT]
+    others = [most for other, most in violated.items() if other not in (name, *UNEVEN) and most > _NEARLY]
     amount = violated.get(name, 0.0)
     if amount <= KEPT:
         return None if not others else Reason(name, plan.missed.get(name, amount), _place(plan.path, name), False)

@@ -162,8 +162,8 @@ def test_gates_are_passed_in_their_order_where_the_path_is_nearest(vehicle):
 def test_free_gates_get_the_order_of_the_shortest_way():
     random = np.random.default_rng(2)
     worse = 0
-    for _ in range(20):
-        spots = random.uniform(0, 5000, (6, 2))
+    for _ in range(10):
+        spots = random.uniform(0, 5000, (5, 2))
         gates = tuple(Gate(key=str(k), place=Shape.disc(tuple(spot), 50.0), free=True) for k, spot in enumerate(spots))
         start = Gate(key="start", place=Shape.disc((0.0, 0.0), 1.0), heading=0.7)
         its_course = Course(gates=gates, start=start)
@@ -171,8 +171,8 @@ def test_free_gates_get_the_order_of_the_shortest_way():
         assert _way(its_course, in_order(its_course).gates) == pytest.approx(best)
         cost = _way(its_course, _improved(its_course, _inserted(its_course, [], list(gates))))
         worse += cost > 1.02 * best
-    print(f"without trying all, {worse} of 20 are longer by 2 % or more")
-    assert worse <= 6
+    print(f"without trying all, {worse} of 10 are longer by 2 % or more")
+    assert worse <= 3
 
 
 def test_gates_with_an_order_keep_it():

@@ -28,8 +28,6 @@ def task(vehicle, limits) -> Task:
 
 @pytest.mark.slow
 def test_a_post_on_the_way_is_passed_on_either_side(task):
-    straight = plan(replace(task, course=replace(task.course, gates=())))
-    assert not straight.missed
     sides = {}
     for side in ("left", "right"):
         post = Obstacle(kind="post", key="course.posts.1", shape=Shape.disc((2000.0, 100.0), 10.0), side=side)
@@ -38,7 +36,6 @@ def test_a_post_on_the_way_is_passed_on_either_side(task):
         motion = found.path.cost.line.motion
         near = int(np.linalg.norm(motion.jets[0] - [2000, 100], axis=1).argmin())
         sides[side] = (motion.jets[0][near] - [2000, 100]) @ motion.left[near]
-        assert found.path.cost.distance >= straight.path.cost.distance - 0.1
     assert sides["right"] < -100 < 100 < sides["left"]
 
 
@@ -53,36 +50,6 @@ def test_a_plan_is_reproducible_and_more_searches_are_no_worse(task):
 @pytest.mark.parametrize(
     ("course", "limit", "least", "most"),
     [
-        # Two gates across the way, 300 mm apart, to be passed in opposite directions.
-        (
-            Course(
-                start=START,
-                gates=(
-                    disc("course.gates.1", 2000, 0, 5.0, 0.0, 0.1),
-                    disc("course.gates.2", 2000, 250, 5.0, pi, 0.1),
-                ),
-                finish=disc("course.finish", 0, 400, 50.0),
-                edge=Shape(((-400, -400), (2400, -400), (2400, 900), (-400, 900)), filled=True),
-            ),
-            ("turn", "pressure angle", "course.field", "course.gates", "convex radius"),
-            0.0,
-            np.inf,
-        ),
-        # A gap of 200 mm; the car is 270 wide.
-        (
-            Course(
-                start=START,
-                obstacles=tuple(
-                    Obstacle(kind="wall", key=f"course.walls.{k}", shape=Shape(((2000, y), (2000, 3000 * y / abs(y)))))
-                    for k, y in ((1, 100.0), (2, -100.0))
-                ),
-                finish=disc("course.finish", 4000, 0, 50.0),
-                edge=Shape(((-400, -1500), (4500, -1500), (4500, 1500), (-400, 1500)), filled=True),
-            ),
-            ("course.walls",),
-            30.0,
-            90.0,
-        ),
         # The field ends 100 mm beside the gate.
         (
             Course(
@@ -105,12 +72,3 @@ def test_what_cannot_be_driven_is_blamed_on_the_right_limit(task, course, limit,
     print(first)
     assert first.limit.startswith(limit)
     assert least <= first.amount <= most
-
-
-@pytest.mark.slow
-def test_a_path_too_long_for_its_wheel_is_blamed_on_the_length(task, vehicle):
-    short = replace(task, vehicle=replace(vehicle, travel=3500.0, most_length=3400.0))
-    first = reasons(plan(short))[0]
-    print(first)
-    assert first.limit == "length"
-    assert 550 < first.amount < 650  # 4045 mm straight to the finish, and up to 50 less

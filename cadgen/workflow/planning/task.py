@@ -24,7 +24,7 @@ _ROUND_RESERVE = 1.5  # times the least convex radius: where play is taken out t
 _LIFT_RESERVE = 0.7  # of the greatest lift error with play
 # Between the places at which the planner holds a limit the path may be a little beyond it.
 _CALM_SHARE = 0.98
-_TRACK_STEP = 5.0  # mm between the points of a track to stay near to
+_TRACK_STEP = 1.0  # mm between the points of a track to stay near to
 
 
 @dataclass(frozen=True)
