@@ -13,6 +13,7 @@
 | `calibration` | a judgement of measured data, and the design built from it              |
 | `advice`   | what to measure next; runs predicted with what was found                   |
 | `adjustment` | settings after trial runs                                                |
+| `planning`   | a planned path, or why there is none                                    |
 | `design`   | a design and what can be done with it                                      |
 
 Everything raises the errors of `cadgen.errors`: one sentence that says what is wrong, where, and what to change. The
