@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from cadgen.design.keys import tables
+from cadgen.design.kinds import Kinds
+from cadgen.path.kinds.table import codes, kind_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -18,7 +20,9 @@ OTHERS = {
     "path.simplify_threshold": "a setting of matplotlib",
     "cam.failed": "an attribute of the Python face",
 }
-NAMES = {name for table in tables().values() for name in (table.name, *(key.name for key in table.keys))}
+PATHS = [Kinds(path=kind_of(code)) for code in codes()]
+TABLES = [table for kinds in PATHS for table in tables(kinds).values()]
+NAMES = {name for table in TABLES for name in (table.name, *(key.name for key in table.keys))}
 SECTIONS = {name.partition(".")[0] for name in tables()} - {""}
 
 

@@ -23,6 +23,7 @@ from cadgen.workflow.cam.cures import Cures as Cures
 from cadgen.workflow.cam.cures import find_cures
 from cadgen.workflow.cam.manifest import cam_facts
 from cadgen.workflow.cam.plan import CamPlan
+from cadgen.workflow.cam.wheel import field_notice
 
 if TYPE_CHECKING:
     from cadgen.report.style import Figure
@@ -222,6 +223,11 @@ class Cam:
         return self.cures
 
     @property
+    def wheel(self) -> str:
+        """Radius of the drive wheel that the cam is for, and what the closing blend does to the path, in words."""
+        return self.computed.wheel.sentence()
+
+    @property
     def expected(self) -> str:
         """Expected run of the car on a cam of an as-built design, in a sentence; empty if nothing was measured."""
         return outlook_sentence(self.computed.design)
@@ -231,8 +237,12 @@ class Cam:
         """Sentences on what was assumed of the car, and what was measured."""
         design, against = self.computed.design, self.computed.against
         if against is None:
-            return tuple(as_built_sentences(design, self.computed.lift.blend_start))
-        return (*assumed_play(design), *as_built_sentences(design, against.task.lift.blend_start))
+            return (*field_notice(design), *as_built_sentences(design, self.computed.lift.blend_start))
+        return (
+            *field_notice(design),
+            *assumed_play(design),
+            *as_built_sentences(design, against.task.lift.blend_start),
+        )
 
     def facts(self) -> dict[str, Any]:
         """All facts on the cam as plain values, as in the manifest and with `--json`."""

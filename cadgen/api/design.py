@@ -12,20 +12,23 @@ from cadgen.api.values import name_or_path, optional, plain_text, whole, word
 from cadgen.design import load
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import TrainDesign
-from cadgen.errors import brief
+from cadgen.errors import DesignError, brief
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
+    from cadgen.api.advice import Advice
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.gears import GearTrain
+    from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
     from cadgen.monte_carlo.robust import Map
 
 ORDERS = ("as-given", "reordered", "search")
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
+_WITHIN_MM = 25.0
 
 
 @dataclass(frozen=True, repr=False)
@@ -80,6 +83,44 @@ class Design:
             train_only: same as for `load`.
         """
         return cls._checked(plain_text("text", text), Path(f"{name}.toml"), (), train_only)
+
+    @classmethod
+    def new(
+        cls,
+        name: str,
+        folder: str | PathLike[str] = ".",
+        *,
+        points: str | PathLike[str] | None = None,
+        layer: str | None = None,
+        gate_radius_mm: float = 50.0,
+        field_mm: tuple[float, float] | None = None,
+        changes: Mapping[str, Any] | Iterable[str] = (),
+    ) -> "Design":
+        """Begin a design: write a commented file with the paper's mechanism and a path, and load it.
+
+        Args:
+            name: name of the design and, with .toml, of its file.
+            folder: folder for the file.
+            points: file of the path's points, in CSV, TXT or DXF; an example if left out.
+            layer: layer of the polyline in a DXF that has several.
+            gate_radius_mm: radius of the gates at the points.
+            field_mm: width and height of the field.
+            changes: changes as for `with_`, written into the file.
+
+        Raises:
+            DesignError: a name that files cannot have, or values that are not allowed.
+            FileError: the points cannot be read, or the file is there already or cannot be written.
+        """
+        from cadgen.design.begin import begin, write_new
+        from cadgen.records.points import read_points
+
+        path = None if points is None else read_points(Path(points), layer)
+        if path is None and layer is not None:
+            raise DesignError("a layer is named, but no DXF with points: give the DXF too, or leave the layer out")
+        text = begin(name, path, overrides_of(changes), gate_radius=gate_radius_mm, field=field_mm)
+        file = Path(folder) / f"{name}.toml"
+        write_new(text, file)
+        return cls._checked(text, file, (), False)
 
     @classmethod
     def _checked(cls, text: str, file: Path, overrides: tuple[str, ...], train_only: bool) -> "Design":
@@ -259,6 +300,19 @@ class Design:
         computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
         return Calibration(computed, Design(design, self.text, self.file))
 
+    def next_measurement(
+        self, *, profile: str = "actual", form_error_um: float | None = None, progress: Progress = silent
+    ) -> "Advice":
+        """Rank what to measure first on a car of this design; `Calibration.next_measurement` does it after data.
+
+        Arguments and errors as in `calibrate`.
+        """
+        from cadgen.api.advice import Advice
+        from cadgen.workflow.calibration.advice import before
+
+        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
+        return Advice(before(self._whole(), profile, error, progress), measured=False)
+
     def calibrate_each(
         self,
         data: Iterable[Data],
@@ -306,6 +360,44 @@ class Design:
         from cadgen.api.adjustment import adjusted
 
         return adjusted(self._whole(), trials, profile, point, knobs, noise_mm, division_um, progress)
+
+    def plan(
+        self,
+        improve: "Design | None" = None,
+        within_mm: float | None = None,
+        *,
+        calm_as: "Design | None" = None,
+        seeds: int = 1,
+        progress: Progress = silent,
+    ) -> "Plan[Design]":
+        """Plan the path that keeps the course and is least sensitive to the play of the gears.
+
+        The design needs [course]; where it has no [path], load it with `train_only=True`.
+
+        Args:
+            improve: design whose path is improved and not planned from scratch; its start and finish stay.
+            within_mm: how far the drive wheel's track may leave that path, mm, 0.1 to 1000; 25 if left out.
+            calm_as: design whose path has the greatest slopes of the curvature that are allowed; that of `improve` if
+                left out, else only the cam's own limits count.
+            seeds: number of searches, each from another path, 1 to 100; the best one counts.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: the design has no course or no start, or a number is out of its range.
+        """
+        from cadgen.api.planning import SEEDS, WITHIN_MM, Plan
+        from cadgen.build import cam_model
+        from cadgen.workflow.planning.plan import Wanted, plan_design
+
+        within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
+        if within is not None and improve is None:
+            raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
+        near = None if improve is None else cam_model.track(improve._whole())
+        calm = near if calm_as is None else cam_model.track(calm_as._whole())
+        known, drawn = load.course_of(self.text, self.file, self.values.overrides)
+        wanted = Wanted(near, _WITHIN_MM if within is None else within, calm, whole("seeds", seeds, *SEEDS))
+        own = cam_model.track(known) if drawn else None
+        return Plan(plan_design(known, self.text, own, wanted, progress), self)
 
     def _whole(self) -> DesignValues:
         """The design, if it has all that a cam needs."""

@@ -19,6 +19,7 @@ from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
 from cadgen.workflow.cam.manifest import remedy_facts as remedy_facts
 from cadgen.workflow.cam.mechanics import joint_sentences
 from cadgen.workflow.cam.remedies import Remedy as Remedy
+from cadgen.workflow.cam.wheel import field_notice
 from cadgen.workflow.runs import files
 from cadgen.workflow.runs import simulation as simulations
 from cadgen.workflow.runs import tolerance as tolerances
@@ -226,4 +227,9 @@ def map_of(pool: Pool | Map | None) -> Map | None:
 
 
 def _notes(design: Any, stop: float) -> tuple[str, ...]:
-    return (*assumed_play(design), *joint_sentences(design), *as_built_sentences(design, stop))
+    return (
+        *field_notice(design),
+        *assumed_play(design),
+        *joint_sentences(design),
+        *as_built_sentences(design, stop),
+    )

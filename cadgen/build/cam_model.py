@@ -3,11 +3,12 @@
 Car, rod, lift and key are those of the car as it was built, if the design has [as_built].
 """
 
-from math import degrees, radians
+from math import ceil, degrees, radians
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.build import gear_model
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import LeaningRod, rod_of
 from cadgen.cam.followers.rod_kind import RodKeys
@@ -19,22 +20,23 @@ from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
 from cadgen.errors import DesignError
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
-from cadgen.path.spline import PlannedPath, plan_path
+from cadgen.path.spline import PlannedPath
 from cadgen.path.track import Track, offset_track
 from cadgen.steering.car import Car, steering_jets
 from cadgen.steering.slip import by_rim, rim_travel
 
 # A closing blend shorter than the schema's shortest is none.
 LEAST_BLEND = radians(0.5)
+_ROUNDING = 1e-9  # of the track's length
 
 
 def planned_path(design: Design) -> PlannedPath:
-    """The spline through the waypoints.
+    """The curve of the design's kind of path.
 
     Raises:
-        DesignError: two equal neighbours among the waypoints.
+        DesignError: its points make no path, such as two equal neighbours among the waypoints.
     """
-    return plan_path(np.array(design.path.waypoints_mm), design.path.spline)
+    return design.path.registered.build(design.path.keys)
 
 
 def track(design: Design) -> Track:
@@ -43,7 +45,46 @@ def track(design: Design) -> Track:
     Raises:
         DesignError: as `planned_path`, or the track has a cusp.
     """
-    return offset_track(planned_path(design), design.path.offset_mm)
+    driven = offset_track(planned_path(design), design.path.offset_mm, _turn_of_wheel(design))
+    _refuse_wheel(design, driven)
+    return driven
+
+
+def _turn_of_wheel(design: Design) -> float | None:
+    """Travel of a drive wheel of known radius in one turn of the cam, mm (eq. 20); None if the design has no radius.
+
+    Raises:
+        DesignError: the radius is known, but not the ratio of the train.
+    """
+    radius = design.car.drive_wheel_radius_mm
+    if radius is None:
+        return None
+    if design.train is None:
+        raise DesignError(
+            f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the ratio "
+            "of [train] too: add [train], or remove car.drive_wheel_radius_mm"
+        )
+    return TURN * radius * float(gear_model.train(design).ratio)
+
+
+def _refuse_wheel(design: Design, driven: Track) -> None:
+    """Refuse a wheel that does not get to the end of the path before the closing blend."""
+    radius, most = design.car.drive_wheel_radius_mm, TURN - radians(design.cam.blend_deg)
+    if radius is None or driven.length <= driven.turn * most / TURN * (1 + _ROUNDING):
+        return
+    least = radius * driven.length / (driven.turn * most / TURN)
+    raise DesignError(
+        f"car.drive_wheel_radius_mm is {radius:g}; with it the car goes {driven.turn * most / TURN:.0f} mm before the "
+        f"closing blend of {design.cam.blend_deg:g} degrees, but the drive wheel's track is {driven.length:.0f} mm "
+        f"long: take a wheel of {ceil(least * 100) / 100:g} mm or more, a train of greater ratio, or a shorter path"
+    )
+
+
+def turn_to_finish(design: Design, driven: Track) -> float:
+    """Cam angle at which the path of the car as designed ends and the closing blend begins, rad."""
+    if design.car.drive_wheel_radius_mm is None:
+        return TURN - radians(design.cam.blend_deg)
+    return TURN * driven.length / driven.turn
 
 
 def as_built(design: Design) -> AsBuilt:
@@ -67,6 +108,7 @@ def car(design: Design) -> Car:
         drive_wheel_offset=design.car.drive_wheel_offset_mm,
         idle_wheel_offset=design.car.idle_wheel_offset_mm,
         max_steering_angle=radians(design.car.max_steering_angle_deg),
+        steering_gain=-1.0 if design.cam.side == "right" else 1.0,
     )
     return as_built(design).car(nominal)
 
@@ -103,8 +145,8 @@ def rod_keys(design: Design) -> RodKeys | None:
 
 
 def travel(design: Design, driven: Track) -> float:
-    """Travel of the drive wheel's rim for one turn of the cam, mm: that of the whole track, if built as designed."""
-    return as_built(design).travel(driven.length)
+    """Travel of the drive wheel's rim for one turn of the cam, mm."""
+    return as_built(design).travel(driven.turn)
 
 
 def cam_angle(design: Design, driven: Track, arc: Array) -> Array:
@@ -119,7 +161,9 @@ def cam_angle(design: Design, driven: Track, arc: Array) -> Array:
 
 
 def path_end(design: Design, driven: Track) -> float:
-    """Arc length of the track at which the closing blend begins, mm."""
+    """Arc length of the track at which the closing blend begins, mm: all of it if the wheel's radius is known."""
+    if design.car.drive_wheel_radius_mm is not None:
+        return driven.length
     return driven.length * (TURN - radians(design.cam.blend_deg)) / TURN
 
 
@@ -136,7 +180,8 @@ def lift(design: Design, driven: Track | None = None) -> LiftCurve:
         DesignError: as `track`, a turn tighter than the steering can hold, or as built the wheel is so small that
             the cam's turn ends before the blend can begin.
     """
-    road, its_car, blend = driven or track(design), car(design), radians(design.cam.blend_deg)
+    road, its_car = driven or track(design), car(design)
+    blend = TURN - turn_to_finish(design, road)
     jets = steering_jets(road, its_car)
     if design.as_built is not None:
         begins = float(cam_angle(design, road, np.array([path_end(design, road)]))[0])

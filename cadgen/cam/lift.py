@@ -128,15 +128,15 @@ def _mirrored(stretches: Array) -> Array:
 def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftCurve:
     """Turn steering by arc length into steering by cam angle, and close it.
 
-    The cam turns once over the whole track in proportion to the drive wheel's travel: theta = 2 pi arc / length
-    (eq. 20). Over the last `blend` of the turn a quintic leads back to the start; value, slope and second
-    derivative are continuous at both its ends, so the profile's curvature is too.
+    The cam turns in proportion to the drive wheel's travel: theta = 2 pi arc / length (eq. 20). Over the last `blend`
+    of the turn a quintic leads back to the start; value, slope and second derivative are continuous at both its ends,
+    so the profile's curvature is too.
 
     Args:
         arc: arc length at the nodes, shape (n,), mm; a kink stands twice.
         jets: tan(beta) and two derivatives by arc length, shape (n, 3).
-        length: length of the whole track, mm.
-        blend: angle of the closing blend, rad.
+        length: travel in one turn of the cam, mm.
+        blend: angle of the closing blend, rad; it begins at the end of the nodes at the latest.
 
     Raises:
         DesignError: the blend covers the whole turn or nothing of it.
@@ -147,7 +147,7 @@ def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftC
     theta = arc / rate
     jets = jets * rate ** np.arange(3)
     open_curve = quintic_hermite(theta, jets)
-    start = TURN - blend
+    start = min(TURN - blend, float(theta[-1]))  # by rounding it could lie beyond
     driven = theta < start
     # On a kink the blend goes on from what the path steers before it.
     just = np.nextafter(start, 0.0) if start in theta else start

@@ -62,8 +62,8 @@ def document(facts: Mapping[str, Any]) -> None:
 
 def checks(cam: "Cam", cures: "Cures") -> None:
     """Print the checks as a table, then the advice for each that failed, and the cures of lost lift."""
-    if cam.expected:
-        Output().print(cam.expected)
+    for sentence in filter(None, [cam.expected, cam.wheel]):
+        Output().print(sentence)
     friction(cam)
     figures(f"{cam.design.name}, {cam.profile} profile", (*cam.checks, *filter(None, [cam.edges])))
     for line in cures.sentences():

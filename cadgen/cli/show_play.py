@@ -167,6 +167,20 @@ def runs(simulation: "Simulation") -> None:
     console.print(table)
 
 
+def course(simulation: "Simulation") -> None:
+    """Print how near the car comes to everything on the course, and how far inside each gate it passes."""
+    runs = simulation.computed.on_course
+    if runs is None:
+        return
+    planned, played = (run.figures() for run in runs)
+    table = plain_table("\nroom on the course: clearance of the car, and margin inside each gate")
+    for head in ("on the course", "planned", "with play", "with play, by"):
+        table.add_column(head, justify="right" if head in ("planned", "with play") else "left")
+    for key, (where, room) in played.items():
+        table.add_row(key, f"{planned[key][1]:.1f} mm", f"{room:.1f} mm", where)
+    Output().print(table)
+
+
 def fleet(run: "ToleranceRun") -> None:
     """Print the ends of the cars, how many pass, and the sensitivities."""
     from cadgen.api.runs import shown_value
@@ -189,9 +203,12 @@ def fleet(run: "ToleranceRun") -> None:
     ):
         texts = ", ".join(f"{name} {value:.3g}{unit}" for name, value in values.items())
         console.print(f"{label} error at the end: {texts}")
-    console.print(
-        f"{100 * result.passed:.2f} % pass all {result.gates} gates of {design.tolerances.gate_width_mm:g} mm"
-    )
+    gates = "" if result.gate_width is None else f"pass all {result.gates} gates of {result.gate_width:g} mm"
+    course = f"keep the course: {result.watched}" if result.watched else ""
+    console.print(f"{100 * result.passed:.2f} % {' and '.join(filter(None, [gates, course]))}")
+    if result.watched:
+        kept = ", ".join(f"{100 * part:g} % {margin:.3g} mm" for part, margin in result.margins.items())
+        console.print(f"margin to the course that a share of the cars keeps: {kept}")
     table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
     for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
         table.add_column(column, justify="left" if column == "tolerance" else "right")

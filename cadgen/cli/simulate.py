@@ -35,5 +35,6 @@ def simulate(
         show.document(written.entry)
     else:
         show_play.runs(simulation)
+        show_play.course(simulation)
         show.failed(simulation.cam)
         show.files(written, out)

@@ -3,7 +3,11 @@
 | module      | what it does                                                             |
 |-------------|--------------------------------------------------------------------------|
 | `section`   | what all sections have in common                                         |
+| `polygon`   | whether the sides of a polygon cross                                     |
+| `course`    | sections of the course: field, posts, walls, zones, gates                |
+| `outline`   | section of the car's outline and wheels                                  |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
+| `path`      | section of the path, with the keys of its kind                           |
 | `follower`  | section of the follower, with the keys of its kind                       |
 | `joint`     | what holds a wheel on its shaft                                          |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
@@ -19,5 +23,8 @@
 | `names`     | names that files can have on every system                                |
 | `override`  | `--set key=value`                                                        |
 | `load`      | name or file -> `Design`                                                 |
+| `template`  | text of a design to begin with                                           |
+| `begin`     | name, points of a path, changes of keys -> a commented design            |
+| `planned`   | the design file with a planned path, comments kept                       |
 | `reference` | the schema as a page of documentation                                    |
 """

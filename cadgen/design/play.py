@@ -8,6 +8,7 @@ from cadgen.design.section import Section
 from cadgen.gears.names import Law, StageOrder
 from cadgen.motion.friction import DiscMaterial
 
+GATE_WIDTH_MM = 400.0
 Hardware = Literal["drag", "trim"]
 
 
@@ -113,12 +114,18 @@ class Tolerances(Section):
     frame_material: DiscMaterial | None = Field(
         default=None, description="of what holds camshaft and fork apart; left out, aluminium"
     )
-    gate_width_mm: float = Field(
-        default=400.0,
+    gate_width_mm: float | None = Field(
+        default=None,
         gt=0,
         le=100_000,
-        description="of the gates at the waypoints, which the drive wheel passes within half of it to either side",
+        description="of gates at the waypoints, which the drive wheel passes within half of it to either side; left "
+        "out, 400, or the gates of [course]",
     )
+
+    @property
+    def gate_width(self) -> float:
+        """Width of the gates at the waypoints where the course has none of its own, mm."""
+        return GATE_WIDTH_MM if self.gate_width_mm is None else self.gate_width_mm
 
 
 class Optimize(Section):

@@ -12,59 +12,23 @@ from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_
 
 from cadgen.cam.followers.kind import Seat
 from cadgen.cam.limits import PressureAngleLimitName
+from cadgen.course.names import Side
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
+from cadgen.design.course import Course
 from cadgen.design.follower import Follower, by_kind
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
+from cadgen.design.outline import Outline
+from cadgen.design.path import Path, path_by_kind
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train, train_by_stages
-from cadgen.path.names import SplineKind
 
 THINNEST_DISC_MM = 0.1
 LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the rod, and no shop can hold it
 # Chord error of the cam's mesh where the design gives none.
 CAM_CHORD_UM = 5.0
-# What a cam takes in time and memory: of 10 000 waypoints some half a minute and 0.3 GB; of 1000 kinks as long, and
-# 0.8 GB.
-MOST_WAYPOINTS = {"quintic": 10_000, "cubic": 1000}
-
-
-class Path(Section):
-    """The path the car is to drive."""
-
-    spline: SplineKind = Field(
-        default="quintic",
-        description="curve through the waypoints: the sixth-order natural spline of the paper's text, or the "
-        "cubic of its appendix, whose curvature has kinks",
-    )
-    offset_mm: float = Field(
-        default=0.0,
-        ge=-1000,
-        le=1000,
-        description="how far to the right of the drive wheel the waypoints' path runs",
-    )
-    waypoints_mm: Points = Field(
-        min_length=4,
-        description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000, and so smooth that "
-        "the rod's contact turns back at 1000 places at most",
-    )
-
-    @model_validator(mode="after")
-    def _waypoints_can_be_followed(self) -> "Path":
-        count = len(self.waypoints_mm)
-        most = MOST_WAYPOINTS[self.spline]
-        if count <= most:
-            return self
-        why, remedy = "of which the lift is made piece by piece", ""
-        if self.spline == "cubic":
-            why = "and at each a cubic spline has a kink, where the profile is joined anew"
-            remedy = ', or set path.spline = "quintic"'
-        raise ValueError(
-            f"path.waypoints_mm has {count} waypoints, {why}; at most {most} can be followed: keep one in "
-            f"{-(-count // most)}{remedy}"
-        )
 
 
 class Arena(Section):
@@ -77,16 +41,30 @@ class Arena(Section):
 
 
 class Car(Section):
-    """The three-wheeled car in plan view. Its left rear wheel is driven."""
+    """The three-wheeled car in plan view. One of its rear wheels is driven: the left one, or with signs the right.
+
+    A1 counts to the left of the fork axis and A2 to its right. A car whose right wheel is driven has both negative; one
+    that is driven at the middle of its axle has A1 = 0 for a fork axis above that.
+    """
 
     wheelbase_mm: float = Field(gt=0, le=2000, description="L, front fork axis to rear axle")
     drive_wheel_offset_mm: float = Field(
-        ge=0, le=1000, description="A1, fork axis to the left, driven wheel, along the axle"
+        ge=-1000, le=1000, description="A1, fork axis to the driven wheel, along the axle, positive to the left"
     )
-    idle_wheel_offset_mm: float = Field(ge=0, le=1000, description="A2, fork axis to the right wheel, along the axle")
+    idle_wheel_offset_mm: float = Field(
+        ge=-1000, le=1000, description="A2, fork axis to the other rear wheel, along the axle, positive to the right"
+    )
     max_steering_angle_deg: float = Field(
         default=35.0, ge=1, le=80, description="what the fork can turn to either side"
     )
+    drive_wheel_radius_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=1000,
+        description="R_h; needs [train]. With it the whole path is driven before the closing blend; left out, a turn "
+        "of the cam takes the whole path, which gives the radius, and the blend steers the last of it",
+    )
+    outline: Outline | None = None
 
 
 class Cam(Section):
@@ -98,6 +76,11 @@ class Cam(Section):
     mid_plane_mm: float | None = Field(default=None, gt=0, le=500, description="e, fork axis to the disc's middle")
     thickness_mm: float | None = Field(
         default=None, ge=THINNEST_DISC_MM, le=100, description="C, between the disc's faces"
+    )
+    side: Side | None = Field(
+        default=None,
+        description="of the fork axis on which the disc is; left out, left: the rod is lifted in right turns. On the "
+        "right it is lifted in left turns, and files show the disc from its inner face",
     )
     blend_deg: float = Field(
         default=12.0,
@@ -223,8 +206,9 @@ class TrainFile(Section):
         default="",
         description="what the exported files are named after; left out, the design file's own name",
     )
-    path: Path | None = None
+    path: SerializeAsAny[Path] | None = None
     field: Arena | None = None
+    course: Course | None = None
     car: Car | None = None
     cam: Cam | None = None
     follower: SerializeAsAny[Follower] | None = None
@@ -239,6 +223,11 @@ class TrainFile(Section):
     optimize: Optimize = Optimize()
     as_built: AsBuilt | None = None
 
+    @field_validator("path", mode="wrap")
+    @classmethod
+    def _path_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Path | None:
+        return path_by_kind(value, usual)
+
     @field_validator("follower", mode="wrap")
     @classmethod
     def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Follower | None:
@@ -248,6 +237,23 @@ class TrainFile(Section):
     @classmethod
     def _train_by_its_stages(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Train | None:
         return train_by_stages(value, usual)
+
+    @model_validator(mode="after")
+    def _course_says_it_once(self) -> "TrainFile":
+        if self.course is None:
+            return self
+        if self.course.gates and self.tolerances.gate_width_mm is not None:
+            raise ValueError(
+                f"tolerances.gate_width_mm is {self.tolerances.gate_width_mm:g}, but the gates are those of "
+                "[[course.gates]]: remove tolerances.gate_width_mm (on the command line with "
+                "--set tolerances.gate_width_mm=)"
+            )
+        if self.field is not None:
+            raise ValueError(
+                "field and course both say what stands on the field: move its size to [course.field] and its obstacles "
+                "to [[course.posts]] or [[course.gates]], and remove [field] (on the command line with --set field=)"
+            )
+        return self
 
     @field_validator("name")
     @classmethod
@@ -260,7 +266,7 @@ class TrainFile(Section):
 class DesignFile(TrainFile):
     """A design as its file gives it, checked, with the defaults filled in."""
 
-    path: Path
+    path: SerializeAsAny[Path]
     car: Car
     cam: Cam
     follower: SerializeAsAny[Follower]

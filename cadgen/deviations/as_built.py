@@ -72,7 +72,7 @@ class AsBuilt:
             nominal,
             drive_wheel_offset=nominal.drive_wheel_offset + self._of_car("drive_wheel_offset_mm"),
             steering_zero=self._of_car("steering_zero_deg"),
-            steering_gain=1 + self._of_car("gain_percent"),
+            steering_gain=nominal.steering_gain * (1 + self._of_car("gain_percent")),
             slip=self._of_car("slip_percent"),
         )
 

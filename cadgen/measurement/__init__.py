@@ -27,6 +27,5 @@
 | `zones`      | the return error implied by mean turns over smooth, jump and reverse zones                      |
 | `together`   | what is claimed, each quantity at work once, where data that are judged apart show it too       |
 | `calibrate`  | the entry: records of one car, judged together                                                  |
-| `outlook`    | where the car ends on the old cam, and on a new one made for what is claimed                    |
 | `reference`  | the catalogues as a page of documentation                                                       |
 """

@@ -5,6 +5,7 @@
 | `fleet`       | many cars at once, each with its own dimensions                          |
 | `derivatives` | change of the steering with small deviations, to first order             |
 | `stretches`   | jumps and waits of many cars' cams, each car with its own friction       |
+| `watch`       | whether cars keep a course, from their poses at a few places             |
 | `robust`      | Monte Carlo over the tolerances, yield within a gate, sensitivities      |
 | `budget`      | all deviations ranked by their cost, before and after a trim             |
 | `processes`   | usual tolerances of processes, and thermal expansion of materials        |

@@ -133,9 +133,9 @@ def _moved(fleet: Fleet, cases: Array) -> tuple[Array, Array]:
     def ends(turn: Array) -> Complex:
         turned = cases.copy()
         turned[:, _COLUMN["steering_zero"]] += turn
-        return np.asarray(run_fleet(fleet, turned).position[:, -1] - nominal)
+        return np.asarray(run_fleet(fleet, turned).position[:, fleet.end] - nominal)
 
-    nominal = run_fleet(fleet, np.zeros((1, len(PARAMETERS)))).position[0, -1]
+    nominal = run_fleet(fleet, np.zeros((1, len(PARAMETERS)))).position[0, fleet.end]
     turn = np.zeros(len(cases))
     now = before = ends(turn)
     for _ in range(_TRIM_STEPS):

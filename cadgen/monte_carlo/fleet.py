@@ -20,6 +20,7 @@ from cadgen.cam.rolled import Contact
 from cadgen.errors import DesignError
 from cadgen.monte_carlo.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
 from cadgen.monte_carlo.stretches import Forces, Stretches, behind_a_brake, stretches
+from cadgen.monte_carlo.watch import Watch
 from cadgen.motion.drive import Run
 from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.play import LEAST_SWING, falls
@@ -95,6 +96,8 @@ class Fleet:
         planned: poses of the planned run there, for one car.
         expansion: thermal expansion of disc and frame.
         forces: torques that turn the cam ahead or hold it; None if it leads on every fall.
+        end: number of the station at the end of the run.
+        watches: what the cars must keep of a course.
     """
 
     tan_beta: Array
@@ -109,6 +112,8 @@ class Fleet:
     planned: Poses
     expansion: Expansion
     forces: Forces | None
+    end: int = -1
+    watches: tuple[Watch, ...] = ()
 
 
 def make_fleet(

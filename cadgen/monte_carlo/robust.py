@@ -13,7 +13,8 @@ from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.names import Law
 from cadgen.monte_carlo.derivatives import STEERING
-from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, run_fleet
+from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, Poses, run_fleet
+from cadgen.monte_carlo.watch import least_margin
 
 # Type of the built-in `map` and of a pool's: calls may run anywhere, but results come in order.
 Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
@@ -132,12 +133,14 @@ class FleetEnds:
         along: position error of the drive wheel there along the planned heading, shape (m,), mm.
         across: position error there to the left of the planned heading, shape (m,), mm.
         widest: greatest size of `across` over all stations, shape (m,), mm.
+        margin: least margin to the gates, obstacles and edge of a course, shape (m,), mm; infinite without a course.
     """
 
     heading: Array
     along: Array
     across: Array
     widest: Array
+    margin: Array
 
     @property
     def distance(self) -> Array:
@@ -182,7 +185,10 @@ def fleet_errors(fleet: Fleet, deviations: Array) -> FleetErrors:
         fleet: nominal car.
         deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
     """
-    poses = run_fleet(fleet, deviations)
+    return _errors(fleet, run_fleet(fleet, deviations))
+
+
+def _errors(fleet: Fleet, poses: Poses) -> FleetErrors:
     off = (poses.position - fleet.planned.position) * np.exp(-1j * fleet.planned.heading)
     return FleetErrors(heading=poses.heading - fleet.planned.heading, along=off.real, across=off.imag)
 
@@ -220,16 +226,18 @@ def tolerance_run(
         raise DesignError(f"a tolerance run of {samples} samples says nothing: ask for at least 1")
     _refuse_wide(fleet, tolerances)
     run = partial(_chunk, fleet, tolerances, seed, samples)
-    chunks = range(-(-samples // CHUNK))
+    chunks, count = range(-(-samples // CHUNK)), 5 if fleet.watches else 4
     if map_with is not None:
         blocks = range(-(-len(chunks) // _BLOCK))
-        rows = _gathered(map_with(partial(_block, run, len(chunks)), blocks), samples, done)
+        rows = _gathered(map_with(partial(_block, run, len(chunks)), blocks), count, samples, done)
     elif processes > 1:
         with ProcessPoolExecutor(processes) as pool:
-            rows = _gathered(pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes))), samples, done)
+            results = pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes)))
+            rows = _gathered(results, count, samples, done)
     else:
-        rows = _gathered(map(run, chunks), samples, done)
-    return FleetEnds(heading=rows[0], along=rows[1], across=rows[2], widest=rows[3])
+        rows = _gathered(map(run, chunks), count, samples, done)
+    margin = rows[4] if fleet.watches else np.broadcast_to(np.inf, samples)
+    return FleetEnds(heading=rows[0], along=rows[1], across=rows[2], widest=rows[3], margin=margin)
 
 
 def _block(run: Callable[[int], Array], chunks: int, number: int) -> Array:
@@ -241,13 +249,18 @@ def _chunk(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number
     """Rows of `FleetEnds` for one chunk of random cars."""
     generator = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(number,)))
     count = min(CHUNK, samples - number * CHUNK)
-    errors = fleet_errors(fleet, tolerances.draw(generator, count, fleet.play))
-    ends = (each[:, -1] for each in (errors.heading, errors.along, errors.across))
-    return np.stack([*ends, np.abs(errors.across).max(axis=1)])
+    poses = run_fleet(fleet, tolerances.draw(generator, count, fleet.play))
+    errors = _errors(fleet, poses)
+    ends = (each[:, fleet.end] for each in (errors.heading, errors.along, errors.across))
+    rows = [*ends, np.abs(errors.across).max(axis=1)]
+    if fleet.watches:
+        planned = fleet.planned.heading, fleet.planned.position
+        rows.append(least_margin(fleet.watches, poses.heading, poses.position, planned))
+    return np.stack(rows)
 
 
-def _gathered(parts: Iterable[Array], samples: int, done: Callable[[int], None]) -> Array:
-    gathered, filled = np.empty((4, samples)), 0
+def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[int], None]) -> Array:
+    gathered, filled = np.empty((count, samples)), 0
     for part in parts:
         rows = np.asarray(part)
         if rows.ndim != 2 or len(rows) != len(gathered) or filled + rows.shape[1] > samples:
@@ -315,7 +328,7 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
         deviations[2 * row : 2 * row + 2, column] = np.array([-0.5, 0.5]) * steps[row]
     errors = fleet_errors(fleet, deviations)
     moved = np.stack(
-        [np.diff(e[:, -1].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1
+        [np.diff(e[:, fleet.end].reshape(-1, 2))[:, 0] for e in (errors.heading, errors.along, errors.across)], axis=1
     )
     effects = []
     for name in names:

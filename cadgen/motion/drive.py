@@ -169,6 +169,7 @@ def drive(
     stop: float | None = None,
     least_swing: float = LEAST_SWING,
     following: Following | None = None,
+    at_joints: bool = False,
 ) -> Run:
     """Run the car on a cam.
 
@@ -184,6 +185,8 @@ def drive(
         stop: last motor position, rad; the start of the lift's closing blend if left out.
         least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
         following: how the cam follows the motor, with friction and drag; if given, it stands for lift and play.
+        at_joints: whether the result has, besides the even steps, the motor positions at which the cam jumps, stops,
+            goes on or meets a kink.
 
     Raises:
         DesignError: the play is negative or no number, or there are no steps.
@@ -198,6 +201,7 @@ def drive(
     heading, position = driven(
         nodes, lambda at: wheel_tangent(following.tan_beta(at), car), car, length, start, TWO_STAGE
     )
+    motor = nodes if at_joints else motor
     shown = np.searchsorted(nodes, motor)
     heading, position = heading[shown], position[shown]
     ahead = np.exp(1j * heading)

@@ -35,7 +35,9 @@ class Track:
         position: arc length -> (x, y), mm.
         planned: arc length of this track -> (x, y) of the planned path at the same moment, mm.
         kinks: arc lengths at which the slope of curvature jumps, shape (k,), mm.
-        waypoint_arc: arc length of this track at each waypoint, shape (m,), mm.
+        waypoint_arc: arc length of this track at each waypoint, or knot of a path without any, shape (m,), mm.
+        turn: travel of the drive wheel in one turn of the cam, mm.
+        knot_name: name of the waypoints or knots in messages.
     """
 
     length: float
@@ -45,6 +47,8 @@ class Track:
     planned: PPoly
     kinks: Array
     waypoint_arc: Array
+    turn: float
+    knot_name: str = "waypoint"
 
     def heading(self, arc: Array) -> Array:
         """Direction of travel at arc lengths (mm), rad, unwrapped along the array."""
@@ -55,10 +59,10 @@ class Track:
         """Place on the path at an arc length (mm), in words."""
         x, y = self.planned(arc)
         span = int(np.clip(np.searchsorted(self.waypoint_arc, arc, side="right"), 1, len(self.waypoint_arc) - 1))
-        return f"at ({x:.0f}, {y:.0f}) mm, between waypoints {span} and {span + 1}"
+        return f"at ({x:.0f}, {y:.0f}) mm, between {self.knot_name}s {span} and {span + 1}"
 
 
-def offset_track(path: PlannedPath, offset: float) -> Track:
+def offset_track(path: PlannedPath, offset: float, turn: float | None = None) -> Track:
     """Offset the planned path to the left and return the track by arc length.
 
     With the planned path's curvature k and left offset m: ds_track = (1 - m k) ds, k_track = k / (1 - m k).
@@ -66,6 +70,7 @@ def offset_track(path: PlannedPath, offset: float) -> Track:
     Args:
         path: the planned path.
         offset: distance of the drive wheel to the left of the planned path, mm.
+        turn: travel of the drive wheel in one turn of the cam, mm; left out, the whole track.
 
     Raises:
         DesignError: the offset track has a cusp (1 - m k <= 0), with the place.
@@ -107,6 +112,8 @@ def offset_track(path: PlannedPath, offset: float) -> Track:
         planned=quintic_hermite(arc, planned),
         kinks=np.array([]) if path.smooth else span_start[1:-1],
         waypoint_arc=span_start,
+        turn=float(span_start[-1]) if turn is None else turn,
+        knot_name=path.knot_name,
     )
 
 
@@ -172,6 +179,6 @@ def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k:
     side = "left" if k[worst] > 0 else "right"
     raise DesignError(
         f"the path turns {side} with a radius of {1 / abs(k[worst]):.1f} mm at ({position[worst, 0]:.0f}, "
-        f"{position[worst, 1]:.0f}) mm, between waypoints {span} and {span + 1}, but the drive wheel runs "
+        f"{position[worst, 1]:.0f}) mm, between {path.knot_name}s {span} and {span + 1}, but the drive wheel runs "
         f"{abs(offset):.1f} mm inside it, so its track has a cusp there: move the waypoints to a wider turn"
     )

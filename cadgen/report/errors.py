@@ -58,7 +58,7 @@ class FleetPicture:
         title: title of the picture.
         along: position error at the end along the planned heading, shape (m,), mm.
         across: position error to the left of the planned heading, shape (m,), mm.
-        gate_width: width of the gates, mm.
+        gate_width: width of the gate at the end, mm; None if there is none.
         passed: share of the cars that pass every gate, 0 to 1.
         shares: share of the variance by parameter, greatest first.
     """
@@ -66,7 +66,7 @@ class FleetPicture:
     title: str
     along: Array
     across: Array
-    gate_width: float
+    gate_width: float | None
     passed: float
     shares: Mapping[str, float]
 
@@ -88,12 +88,11 @@ def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
         middle.plot(
             content.across[shown], content.along[shown], ".", markersize=1.5, color=AFTER, alpha=0.35, rasterized=True
         )
-        for edge in (-0.5, 0.5):
-            middle.axvline(edge * content.gate_width, color=GREY, linestyle="--", linewidth=1)
+        for edge in (-0.5, 0.5) if content.gate_width else ():
+            middle.axvline(edge * (content.gate_width or 0.0), color=GREY, linestyle="--", linewidth=1)
         zero_line(middle)
-        middle.set(
-            title="Where cars end (dashed: gate)", xlabel="to the left (mm)", ylabel="ahead (mm)", aspect="equal"
-        )
+        dashed = " (dashed: gate)" if content.gate_width else ""
+        middle.set(title=f"Where cars end{dashed}", xlabel="to the left (mm)", ylabel="ahead (mm)", aspect="equal")
         middle.set_adjustable("datalim")
 
         names = [parameter for parameter, share in content.shares.items() if share >= _LEAST_SHARE][:_MOST_BARS][::-1]

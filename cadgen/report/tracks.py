@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.course.course import Shape
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import RunError
 from cadgen.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, WANTED, figure, save, zero_line
@@ -19,6 +20,7 @@ _MARGIN = 300.0  # mm around what is shown
 _PANEL = 4.0  # inches
 _COLUMNS = 4
 _SHOWN = slice(None, None, 6)  # of a run's 3601 positions; the curves are smooth, and the files smaller
+DARK = "#4d4d4d"
 _WHEELS = (
     ("drive_wheel", "drive wheel", BLUE, "-"),
     ("front_wheel", "front wheel", ORANGE, (0, (6, 1.5))),
@@ -28,12 +30,17 @@ _WHEELS = (
 
 @dataclass(frozen=True, kw_only=True)
 class Field:
-    """The field, mm: corner, size, and centres of the obstacles, shape (n, 2), and their radius. No size, no edge."""
+    """The field with what stands on it.
 
-    corner: tuple[float, float] = (0.0, 0.0)
-    size: tuple[float, float] | None = None
-    obstacles: Array
-    obstacle_radius: float = 0.0
+    Attributes:
+        edge: corners of the field, shape (k, 2), mm; None without an edge.
+        obstacles: posts, walls and zones.
+        gates: gates.
+    """
+
+    edge: Array | None = None
+    obstacles: Sequence[Shape] = ()
+    gates: Sequence[Shape] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,8 +57,8 @@ def draw_tracks(panels: Sequence[TrackPanel], planned: Run, field: Field, folder
     shown = np.concatenate(
         [np.concatenate([getattr(panel.run, wheel) for wheel, *_ in _WHEELS]) for panel in panels]
         + [panel.ends for panel in panels if panel.ends is not None]
-        + [field.obstacles]
-        + ([] if field.size is None else [np.array([field.corner, np.add(field.corner, field.size)])])
+        + [np.array(shape.points) for shape in (*field.obstacles, *field.gates)]
+        + ([] if field.edge is None else [field.edge])
     )
     low, high = shown.min(axis=0) - _MARGIN, shown.max(axis=0) + _MARGIN
     columns = min(_COLUMNS, len(panels))
@@ -133,10 +140,26 @@ def draw_run_errors(title: str, lines: Sequence[ErrorLine], length: float, folde
 
 
 def _field(axes: "Axes", field: Field) -> None:
-    from matplotlib.patches import Circle, Rectangle
+    from matplotlib.patches import Polygon
 
-    if field.size is not None:
-        corner, (width, height) = np.array(field.corner) / 1000, np.array(field.size) / 1000
-        axes.add_patch(Rectangle((corner[0], corner[1]), width, height, fill=False, edgecolor=GREY, linewidth=0.8))
-    for x, y in field.obstacles / 1000:
-        axes.add_patch(Circle((x, y), field.obstacle_radius / 1000, facecolor="#4d4d4d", edgecolor="none", zorder=3))
+    if field.edge is not None:
+        axes.add_patch(Polygon(field.edge / 1000, fill=False, edgecolor=GREY, linewidth=0.8))
+    for shape in field.obstacles:
+        _shape(axes, shape, filled=True)
+    for shape in field.gates:
+        _shape(axes, shape, filled=False)
+
+
+def _shape(axes: "Axes", shape: Shape, *, filled: bool) -> None:
+    """Draw what stands on the field in dark, and gates as outlines."""
+    from matplotlib.patches import Circle, Polygon
+
+    points = np.array(shape.points) / 1000
+    face, edge = (DARK, "none") if filled else ("none", DARK)
+    if shape.filled:
+        axes.add_patch(Polygon(points, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=3))
+    elif len(points) > 1:
+        axes.plot(*points.T, color=DARK, linewidth=2.0 if filled else 0.8, zorder=3)
+    else:
+        middle = float(points[0, 0]), float(points[0, 1])
+        axes.add_patch(Circle(middle, shape.reach / 1000, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=3))

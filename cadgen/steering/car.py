@@ -22,11 +22,12 @@ class Car:
 
     Attributes:
         wheelbase: distance L from the front fork axis to the rear axle, mm.
-        drive_wheel_offset: distance A1 from the fork axis to the left (driven) wheel, mm.
-        idle_wheel_offset: distance A2 from the fork axis to the right (idle) wheel, mm.
+        drive_wheel_offset: distance A1 from the fork axis to the driven wheel, to the left, mm.
+        idle_wheel_offset: distance A2 from the fork axis to the idle wheel, to the right, mm.
         max_steering_angle: greatest angle of the front wheel to either side, rad.
         steering_zero: angle beta_0 of the front wheel where the rod is straight, rad.
-        steering_gain: gain g of the lever between rod and front wheel.
+        steering_gain: gain g of the lever between rod and front wheel; negative where the cam is right of the fork
+            axis, and lifts the rod in a left turn.
         slip: share of the rim's travel that is lost for each unit of |tan(beta_w)|.
     """
 

@@ -97,13 +97,13 @@ def test_a_path_may_cross_itself(cadgen, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("arguments", [["--help"], ["check"], ["cam", "--help"], ["--version"]])
+@pytest.mark.parametrize("arguments", [["--help"], ["check", "--set", "course="], ["cam", "--help"], ["--version"]])
 def test_no_kernel_is_imported(arguments):
-    """The CAD kernel takes seconds; help and checks do without."""
+    """The CAD kernel takes seconds; help and checks do without, and without a course also without shapely."""
     script = (
         "import sys, atexit\n"
         "atexit.register(lambda: sys.stderr.write('LOADED ' + ' '.join(m for m in sys.modules if m.split('.')[0] in\n"
-        "    ('OCP', 'build123d', 'ezdxf', 'trimesh', 'lib3mf'))))\n"
+        "    ('OCP', 'build123d', 'ezdxf', 'trimesh', 'lib3mf', 'shapely'))))\n"
         "from cadgen.cli import main\n"
         "main()\n"
     )

@@ -112,6 +112,7 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
     monkeypatch.setenv("COLUMNS", str(columns))
     check = Check(CheckCode.ROD_PUSHED_OUT, "rod pushed out", 0.000456, "µm", 0.2, "max", "cam angle 126.40°", "")
     plan = SimpleNamespace(
+        wheel="",
         design=SimpleNamespace(name="car"),
         profile="actual",
         against=None,
@@ -139,6 +140,7 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
         "move it (the design's [blank])",
     )
     plan = SimpleNamespace(
+        wheel="",
         design=SimpleNamespace(name="car[1]"),
         against=None,
         expected=None,

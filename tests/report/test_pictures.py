@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cadgen.course.course import Shape
 from cadgen.design.load import load_design
 from cadgen.motion.errors import deflections
 from cadgen.report import style
@@ -37,10 +38,13 @@ def figures(monkeypatch):
     return kept
 
 
+EDGE = np.array([[0.0, 0.0], [8000.0, 0.0], [8000.0, 8000.0], [0.0, 8000.0]])
+
+
 def draw_all(simulation, folder):
     error = simulation.before_error
     lines = [ErrorLine(label="actual", at_play=error, at_ends=(error, error))]
-    field = Field(corner=(0.0, 0.0), size=(8000.0, 8000.0), obstacles=np.array([[700.0, 1000.0]]), obstacle_radius=50.0)
+    field = Field(edge=EDGE, obstacles=[Shape.disc((700.0, 1000.0), 50.0)], gates=[Shape(((0.0, 0.0), (0.0, 90.0)))])
     generator = np.random.default_rng(0)
     fleet = FleetPicture(
         title="fleet",
@@ -104,14 +108,14 @@ def test_the_bars_are_the_deflection_errors(simulation, carbon_free_car, figures
 
 def test_the_lines_are_the_tracks_of_the_wheels_in_metres(simulation, figures, tmp_path):
     panel = TrackPanel(title="run", run=simulation.before)
-    draw_tracks([panel, panel], simulation.planned, Field(obstacles=np.empty((0, 2))), tmp_path, "tracks")
+    draw_tracks([panel, panel], simulation.planned, Field(), tmp_path, "tracks")
     lines = {line.get_label(): line for line in figures[0].axes[1].lines}
     for label, wheel in (("drive wheel", "drive_wheel"), ("front wheel", "front_wheel"), ("right wheel", "idle_wheel")):
         np.testing.assert_allclose(lines[label].get_xydata(), getattr(simulation.before, wheel) / 1000)
 
 
 def test_the_obstacles_stand_where_the_design_has_them(simulation, figures, tmp_path):
-    field = Field(corner=(0.0, 0.0), size=(8000.0, 8000.0), obstacles=np.array([[700.0, 900.0]]), obstacle_radius=50.0)
+    field = Field(edge=EDGE, obstacles=[Shape.disc((700.0, 900.0), 50.0)])
     draw_tracks([TrackPanel(title="run", run=simulation.before)], simulation.planned, field, tmp_path, "tracks")
     circle = figures[0].axes[0].patches[-1]
     assert circle.center == pytest.approx((0.7, 0.9))

@@ -285,9 +285,7 @@ def _unknown(rng: random.Random, values: dict[str, Any]) -> Change:
 
 def _items(rng: random.Random, values: dict[str, Any]) -> Change:
     """A list of sections with items taken out, doubled or many."""
-    place = rng.choice(
-        [("train", "stages"), ("as_built", "effects"), ("as_built", "sources"), ("field", "obstacles_mm")]
-    )
+    place = rng.choice([("train", "stages"), ("as_built", "effects"), ("as_built", "sources"), ("course", "gates")])
     now = _get(values, place)
     if not isinstance(now, list) or not now:
         return f"{_name(place)} left as it is", (), None

@@ -266,7 +266,7 @@ def test_a_path_with_plateaus_and_short_rises():
 def test_a_lift_without_peaks_gets_the_actual_profile_and_it_is_said():
     """On a straight path play changes nothing, by default, by name and in a run."""
     straight = [[1000.0 * k, 0.0] for k in range(9)]
-    design = load_design("carbon_free_car", [f"path.waypoints_mm={straight}", "path.offset_mm=0"])
+    design = load_design("carbon_free_car", ["course=", f"path.waypoints_mm={straight}", "path.offset_mm=0"])
     plan = plan_cam(design)
     against = against_of(plan)
     assert plan.passed

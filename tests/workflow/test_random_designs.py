@@ -28,6 +28,7 @@ def designs(draw):
     waypoints = [(x + draw(shift), y + draw(shift)) for x, y in BASE.path.waypoints_mm]
     inner = draw(st.floats(12.0, 40.0))
     return [
+        "course=",
         "path.waypoints_mm=" + str([list(point) for point in waypoints]),
         f"path.spline={draw(st.sampled_from(['quintic', 'cubic']))}",
         f"cam.base_radius_mm={draw(st.floats(45.0, 120.0))}",
@@ -50,6 +51,7 @@ def planned(overrides):
 
 # Flanks of 76 degrees, on which two steps of the rolling once agreed by chance 0.26 um too high.
 STEEP = [
+    "course=",
     "path.waypoints_mm=[[7700.0, 763.0], [5950.0, 500.0], [4231.0, 250.0], [3380.0, 620.5], [2925.0, 1795.0], "
     "[2610.0, 2630.5], [800.0, 3030.0], [700.0, 4350.0], [1670.0, 6001.0], [2385.625, 7023.0], [4000.0, 7614.0], "
     "[6704.79, 7419.0]]",

@@ -26,7 +26,7 @@ def _extent(x: Array, y: Array) -> float:
 
 def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
     share = np.radians(record["cam_angle_deg"]) / (2 * pi)
-    path = nominal.track.position(np.clip(share, 0.0, 1.0) * nominal.track.length)
+    path = nominal.track.position(np.clip(share * nominal.track.turn, 0.0, nominal.track.length))
     yield Span("x_mm, y_mm", _extent(record["x_mm"], record["y_mm"]), _extent(*path.T), "mm")
 
 
@@ -69,7 +69,7 @@ KIND = Kind(
 def run_of(nominal: Nominal) -> TrackModel:
     """The model of a car that runs as designed: for what effects do to its run, where no track was measured."""
     motor = np.arange(0.0, 360.0, 360.0 / PLANNED_ROWS)
-    x, y = nominal.track.position(motor / 360.0 * nominal.track.length).T
+    x, y = nominal.track.position(np.minimum(motor / 360.0 * nominal.track.turn, nominal.track.length)).T
     columns = {"cam_angle_deg": motor, "x_mm": x, "y_mm": y}
     run = np.zeros(len(motor), dtype=np.intp)
     return _model(Record(kind=KIND, columns=columns, run=run, remarks=(), source="the planned track"), nominal)

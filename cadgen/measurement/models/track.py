@@ -43,7 +43,7 @@ class TrackModel:
         self.rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
         self._known: dict[tuple[int, bytes], tuple[LiftCurve, Array]] = {}
         self._steepest = float(np.abs(lift.tan_beta(np.linspace(0.0, TURN, STEPS), nu=1)).max())
-        self._nominal = Running(car=car, length=track.length)
+        self._nominal = Running(car=car, length=track.turn)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
         self._start = start_pose(track)
         # The closing blend steers no path and is made as each maker likes: it is not judged.
@@ -82,15 +82,21 @@ class TrackModel:
         """Measured less expected coordinates, linear in the start poses (see `start`), mm."""
         return self._starts.residual(self.place(active))
 
+    def as_logged(self, active: Active) -> Array:
+        """The same, started as by design, mm."""
+        place = self.place(active)
+        return np.asarray(self.measured - np.where(self._axis == 0, place.real, place.imag))
+
     def place(self, active: Active) -> NDArray[np.complex128]:
         """Where the car is at each row, started as by design, x + iy, mm."""
-        return self._driven(active, self._motor)
+        return self.at(active, self._motor)
 
     def finish(self, active: Active) -> complex:
         """Where the run ends, at the beginning of the cam's closing blend, x + iy, mm."""
-        return complex(self._driven(active, np.array([self._lift.blend_start]))[0])
+        return complex(self.at(active, np.array([self._lift.blend_start]))[0])
 
-    def _driven(self, active: Active, motor: Array) -> NDArray[np.complex128]:
+    def at(self, active: Active, motor: Array) -> NDArray[np.complex128]:
+        """The same at any motor positions."""
         run = through(RUNNING, self._nominal, active, self._grid)
         lift = self.rolled.lift(active, self.rows)
         nodes, following = self._grid, None
@@ -147,7 +153,8 @@ class TrackModel:
         ahead = np.diff(mean)
         middle = (angle[1:] + angle[:-1]) / 2
         T = self._lift.tan_beta(middle)
-        gain = -self._car.wheelbase / (self._car.wheelbase + self._car.drive_wheel_offset * T) ** 2
+        lever = self._car.steering_gain
+        gain = -self._car.wheelbase * lever / (self._car.wheelbase + self._car.drive_wheel_offset * lever * T) ** 2
         waves, order = fourier(middle, FORM_ORDERS)
         turn = waves * (gain * np.abs(ahead))[:, None]
         heading = np.cumsum(turn, axis=0) - turn / 2

@@ -22,6 +22,7 @@ def adjustment_facts(adjustment: Adjustment) -> dict[str, Any]:
         "design": design.name,
         "design_sha256": design.content_hash,
         "overrides": list(design.overrides),
+        "drive_wheel": adjustment.plan.wheel.facts(),
         "cadgen": __version__,
         "profile": adjustment.plan.profile.code,
         "trial_runs": len(adjustment.trials),

@@ -112,9 +112,10 @@ class Adjustment:
 
     @property
     def allowed(self) -> float:
-        """Position error at the end that the next run may have, mm: half a gate, or 60 without gates."""
-        gate = self.plan.design.tolerances.gate_width_mm
-        return WORTH if gate is None else gate / 2
+        """Position error at the end that the next run may have, mm: half the narrowest gate, or 60 without gates."""
+        course, width = self.plan.course, self.plan.design.tolerances.gate_width_mm
+        reaches = [gate.place.reach for gate in course.course.gates if gate.place.reach] if course else []
+        return min(reaches, default=WORTH if width is None else width / 2)
 
     @property
     def explained(self) -> bool:

@@ -63,7 +63,7 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
     if not outlook:
         return ()
     # Only here: it needs the models of all kinds of data, and most designs have no outlook.
-    from cadgen.measurement.outlook import WORSE
+    from cadgen.expectation.outlook import WORSE
 
     remedy = "measure what cadgen calibrate asks for, and calibrate again"
     checks = [
@@ -132,7 +132,7 @@ def assumed_play(design: Design) -> list[str]:
 
 def stop_as_designed(design: Design) -> float:
     """Cam angle at which the path of the car as designed ends, rad."""
-    return TURN - radians(design.cam.blend_deg)
+    return cam_model.turn_to_finish(design, cam_model.track(design))
 
 
 def _listed_effects(effects: list[Effect]) -> str:

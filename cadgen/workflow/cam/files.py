@@ -80,7 +80,7 @@ class _Job:
     @property
     def land(self) -> tuple[float, float] | None:
         """Heights of the edges of the land above the inner face, where the rod rides, mm; None with sharp edges."""
-        return self.plan.blank.carrying(0.0, self.thickness) if self.plan.blank.edge_break else None
+        return self.plan.made_blank.carrying(0.0, self.thickness) if self.plan.made_blank.edge_break else None
 
     @cached_property
     def cam_angle(self) -> Array:
@@ -116,16 +116,17 @@ class _Job:
         """The solid, for STEP, and for its volume."""
         from cadgen.solids.cam import cam_part
 
-        return cam_part(self.plan.curve, self.plan.blank, self.thickness, name=self.stem, description=self.description)
+        plan = self.plan
+        return cam_part(plan.curve, plan.made_blank, self.thickness, name=self.stem, description=self.description)
 
     @cached_property
     def volume(self) -> float:
         """Volume for comparison with every file's, mm^3: by the profile, or with a hub that of the exact solid."""
         from cadgen.solids.kernel import volume
 
-        if self.plan.blank.hub is None:
-            whole = self.plan.blank.disc_volume(self.plan.area, self.thickness)
-            return whole - 2 * chamfered_off(self.plan.curve, self.plan.blank.edge_break)
+        if self.plan.made_blank.hub is None:
+            whole = self.plan.made_blank.disc_volume(self.plan.area, self.thickness)
+            return whole - 2 * chamfered_off(self.plan.curve, self.plan.made_blank.edge_break)
         return volume(self.part.solid)
 
     @cached_property
@@ -279,7 +280,7 @@ def _meshes(job: _Job) -> Iterator[_Result]:
     from cadgen.meshes.mesh import Mesh
 
     chord = job.plan.design.export.cam_chord_um * 1e-3
-    mesh = cam_mesh(job.plan.curve, job.plan.blank, job.thickness, chord, job.rim_share)
+    mesh = cam_mesh(job.plan.curve, job.plan.made_blank, job.thickness, chord, job.rim_share)
 
     def read(name: str, again: Mesh) -> _Result:
         content = inspect(again, job.step, job.land)
@@ -322,12 +323,12 @@ def _dxf(job: _Job) -> Iterator[_Result]:
         ("spline", cubic, {"splines": len(cubic)}),
     ):
         name = f"{job.stem}_{suffix}.dxf"
-        note = edges_note(plan.blank.edge_break)
-        write_dxf(job.staging / name, profile, plan.blank.bore(), plan.blank.holes(), note)
+        note = edges_note(plan.made_blank.edge_break)
+        write_dxf(job.staging / name, profile, plan.made_blank.bore(), plan.made_blank.holes(), note)
         drawing = read_dxf(job.staging / name, job.step)
         if drawing.note != note:
             raise FileError(f"{name}, read back, has lost its note on the edges: report this design")
-        if len(drawing.bore) != 1 or len(drawing.holes) != len(plan.blank.holes()):
+        if len(drawing.bore) != 1 or len(drawing.holes) != len(plan.made_blank.holes()):
             raise FileError(f"{name}, read back, has lost the bore or a hole: report this design")
         yield job.result(name, drawing.profile, DXF_LIMIT_UM, facts)
 
@@ -341,9 +342,9 @@ def _gcode(job: _Job) -> Iterator[_Result]:
     tolerance = plan.design.export.arc_tolerance_um * 1e-3
     centre = cutter_path(plan.curve, machining.cutter_diameter_mm / 2, job.cutter_limit, tolerance)
     name = f"{job.stem}.nc"
-    hub = plan.blank.hub
+    hub = plan.made_blank.hub
     above = hub.length if hub and hub.side == "outer" else 0.0
-    notes = [note for note in (plan.profile.note, edges_note(plan.blank.edge_break)) if note]
+    notes = [note for note in (plan.profile.note, edges_note(plan.made_blank.edge_break)) if note]
     write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above, notes=notes)
     outline = read_gcode(job.staging / name, machining, job.thickness, job.step)
     facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}

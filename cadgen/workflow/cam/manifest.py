@@ -33,6 +33,7 @@ def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
     start = plan.lift.blend_start
     return {
         **design_facts(plan.design),
+        "drive_wheel": plan.wheel.facts(),
         "profile": plan.profile.code,
         "passed": plan.passed,
         "checks": [_check_facts(check) for check in plan.figures],

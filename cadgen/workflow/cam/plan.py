@@ -1,6 +1,6 @@
 """From a design to a checked profile. No CAD kernel is needed for this."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from cadgen.build import cam_model, variation
@@ -27,9 +27,11 @@ from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains, task_of
 from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
+from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
 from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
+from cadgen.workflow.cam.wheel import DriveWheel, drive_wheel
 
 
 @dataclass(frozen=True)
@@ -47,6 +49,7 @@ class CamPlan:
         blank: features of the disc besides its profile.
         checks: every figure with its verdict.
         against: comparison of the profile with the plain profile under play; None for a profile that is not for play.
+        course: course of the design with the car that is to keep it; None without [course].
     """
 
     design: Design
@@ -59,6 +62,7 @@ class CamPlan:
     blank: Blank
     checks: tuple[Check, ...]
     against: Against | None = None
+    course: OnCourse | None = None
 
     @property
     def passed(self) -> bool:
@@ -86,6 +90,12 @@ class CamPlan:
         as_built, travel = cam_model.as_built(self.design), cam_model.travel(self.design, self.track)
         return edges_check(self.lift, self.follower, self.curve, as_built, cam_model.car(self.design), travel)
 
+    @cached_property
+    def wheel(self) -> DriveWheel:
+        """Drive wheel that the cam is for."""
+        wanted = self.lift if self.against is None else self.against.task.lift
+        return drive_wheel(self.design, self.track, wanted)
+
     @property
     def path_end(self) -> float:
         """Arc length of the track up to which the path steers, mm: there the closing blend begins."""
@@ -95,6 +105,14 @@ class CamPlan:
     def figures(self) -> tuple[Check, ...]:
         """The checks, and what is shown beside them."""
         return self.checks if self.edges is None else (*self.checks, self.edges)
+
+    @property
+    def made_blank(self) -> Blank:
+        """Features of the disc as files show it: from the car's left, which is the inner face of a cam on the right."""
+        blank = self.blank
+        if self.design.cam.side != "right" or blank.hub is None:
+            return blank
+        return replace(blank, hub=replace(blank.hub, side="inner" if blank.hub.side == "outer" else "outer"))
 
     @property
     def follower(self) -> Follower:
@@ -156,12 +174,14 @@ def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
     progress("checking the profile")
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     limits = cam_model.check_limits(design)
+    course = on_course(design, track, lift)
     checks = (
         *check_cam(lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
+        *course_checks(course),
         *outlook_checks(design),
     )
-    return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks)
+    return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks, course=course)
 
 
 def _plan_against_play(
@@ -181,6 +201,7 @@ def _plan_against_play(
     against = against_play(profile, checks, all_trains=all_trains, measured=measured)
     chosen = against.chosen
     progress("checking the profile")
+    course = on_course(design, track, lift)
     return CamPlan(
         design,
         profile,
@@ -190,8 +211,9 @@ def _plan_against_play(
         chosen.cut,
         chosen.wanted.trims,
         blank,
-        (*checks.of(chosen), *outlook_checks(design)),
+        (*checks.of(chosen), *course_checks(course, against), *outlook_checks(design)),
         against,
+        course,
     )
 
 
@@ -199,7 +221,7 @@ def _measured_cam(design: Design) -> MeasuredCam | None:
     """Cam that was on the car when the car was measured, as made then; None if the design has no [as_built]."""
     if design.as_built is None:
         return None
-    profile, then = profile_of(design.as_built.profile), design.as_cut()
+    profile, then = profile_of(design.as_built.profile), design.as_cut().model_copy(update={"course": None})
     planned = _plan_against_play if profile.for_play else _plan
     plan = planned(then, profile, silent)
     return MeasuredCam(profile=profile, lift=plan.lift, curve=plan.on_shaft)

@@ -6,6 +6,8 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.build import course_model
+from cadgen.course.course import Shape
 from cadgen.design.schema import Design
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
@@ -159,14 +161,19 @@ def _ends(against: Against, evaluation: Evaluation) -> Array:
 
 
 def _field(design: Design) -> Field:
-    field = design.field
+    course, field = course_model.course(design), design.field
+    if course is not None:
+        return Field(
+            edge=None if course.edge is None else np.array(course.edge.points),
+            obstacles=[obstacle.shape for obstacle in course.obstacles],
+            gates=[gate.place for gate in course.gates],
+        )
     if field is None:
-        return Field(obstacles=np.empty((0, 2)))
+        return Field()
+    (x, y), (width, height) = field.corner_mm, field.size_mm
     return Field(
-        corner=field.corner_mm,
-        size=field.size_mm,
-        obstacles=np.array(field.obstacles_mm).reshape(-1, 2),
-        obstacle_radius=field.obstacle_radius_mm,
+        edge=np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]]),
+        obstacles=[Shape.disc(centre, field.obstacle_radius_mm) for centre in field.obstacles_mm],
     )
 
 
@@ -184,7 +191,7 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
             title=f"{design.name}, {run.plan.profile} profile, {run.samples} cars",
             along=run.ends.along,
             across=run.ends.across,
-            gate_width=design.tolerances.gate_width_mm,
+            gate_width=run.gate_width,
             passed=run.passed,
             shares={sensitivity.name: sensitivity.share for sensitivity in run.sensitivities},
         )

@@ -18,6 +18,7 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
     plan, against = simulation.plan, simulation.against
     return {
         **design_facts(plan.design),
+        "drive_wheel": plan.wheel.facts(),
         "profile": plan.profile.code,
         "passed": plan.passed,
         "failed_checks": [check.name for check in plan.failed],
@@ -40,6 +41,11 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
         "before": _end_facts(simulation.before_error),
         "after": _end_facts(simulation.after_error),
         "after_without_play": _end_facts(against.chosen.deviation),
+        "course": simulation.on_course
+        and {
+            name: {key: {"room_mm": room, "where": where} for key, (where, room) in run.figures().items()}
+            for name, run in zip(("planned", "after"), simulation.on_course, strict=True)
+        },
     }
 
 
@@ -57,6 +63,7 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
     position, heading = run.end_position, run.end_heading_deg
     return {
         **design_facts(design),
+        "drive_wheel": plan.wheel.facts(),
         "cadgen": __version__,
         "profile": plan.profile.code,
         "friction_note": against_of(plan).rubbing,
@@ -66,8 +73,9 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
         "samples": run.samples,
         "seed": run.seed,
         "law": design.tolerances.law,
-        "gate_width_mm": design.tolerances.gate_width_mm,
+        "gate_width_mm": run.gate_width,
         "gates": run.gates,
+        "course": _course_facts(run),
         "yield": run.passed,
         "end_position_mm": {"mean": position.mean, **_quantiles(position), "greatest": position.greatest},
         "end_heading_deg": {"mean of size": heading.mean, **_quantiles(heading)},
@@ -85,6 +93,14 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
         ],
         **({} if run.budget is None else {"budget": budget_facts(run.budget)}),
     }
+
+
+def _course_facts(run: ToleranceRun) -> dict[str, Any] | None:
+    """What of the course the cars must keep, and the least margin that they keep to it."""
+    if not run.watched:
+        return None
+    kept = {f"{100 * part:g} %": margin for part, margin in run.margins.items()}
+    return {"watched": run.watched, "least_margin_mm": {**kept, "least": float(run.ends.margin.min())}}
 
 
 def _quantiles(spread: Spread) -> dict[str, float]:

@@ -9,6 +9,7 @@ from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflections, run_error
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.course import CourseRun
 from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
 
 
@@ -33,6 +34,16 @@ class Simulation:
     before: Run
     after: Run
     events: tuple[Event, ...]
+
+    @cached_property
+    def on_course(self) -> tuple[CourseRun, CourseRun] | None:
+        """The planned run and the run with play, held against the course; None without [course].
+
+        Raises:
+            DesignError: no car can keep the course.
+        """
+        course = self.plan.course
+        return None if course is None else (course.planned, course.played(self.against, self.play))
 
     @cached_property
     def before_error(self) -> RunError:

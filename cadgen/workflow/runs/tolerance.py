@@ -9,6 +9,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
+from cadgen.design.section import listed
 from cadgen.errors import DesignError, FileError
 from cadgen.monte_carlo.fleet import Fleet
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
@@ -17,6 +18,7 @@ from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet
 from cadgen.workflow.runs.fleet import fleet_of
+from cadgen.workflow.runs.watched import watching
 
 QUANTILES = (0.5, 0.9, 0.95, 0.99)
 
@@ -50,7 +52,7 @@ class ToleranceRun:
         plan: plan of the profile that all cars have.
         seed: seed of the random numbers.
         ends: errors at the ends of the cars' runs, mm and rad.
-        gates: number of gates on the run, its end included.
+        gates: number of gates: those of the course, or the waypoints passed and the end of the run.
         sensitivities: effect of each tolerance, greatest share first.
         budget: error budget of the design, and of the disc by process; None if it was not asked for.
     """
@@ -64,8 +66,34 @@ class ToleranceRun:
 
     @property
     def passed(self) -> float:
-        """Share of the cars that pass every gate."""
-        return self.ends.yield_within(self.plan.design.tolerances.gate_width_mm)
+        """Share of the cars that pass every gate and, if the design has one, keep its course."""
+        kept = self.ends.margin >= 0
+        if self.gate_width is not None:
+            kept &= self.ends.widest <= self.gate_width / 2
+        return float(np.mean(kept))
+
+    @property
+    def gate_width(self) -> float | None:
+        """Width of the gates at the waypoints, mm; None where the course has its own."""
+        course = self.plan.course
+        return None if course is not None and course.course.gates else self.plan.design.tolerances.gate_width
+
+    @property
+    def watched(self) -> str:
+        """What of the course the cars must keep, in words; empty without a course."""
+        course = self.plan.course
+        if course is None:
+            return ""
+        kinds = [obstacle.kind for obstacle in course.course.obstacles]
+        counted: dict[str, int] = {"gate": len(course.course.gates)}
+        counted.update({kind: kinds.count(kind) for kind in dict.fromkeys(kinds)})
+        words = [f"{count} {kind}{'s' if count > 1 else ''}" for kind, count in counted.items() if count]
+        return listed([*words, *(["the edge"] if course.course.edge is not None else [])], "and")
+
+    @property
+    def margins(self) -> dict[float, float]:
+        """Margin to all of the course that a share of the cars keeps at least, mm, by the share, 0 to 1."""
+        return {part: float(np.quantile(self.ends.margin, 1 - part)) for part in QUANTILES}
 
     @property
     def samples(self) -> int:
@@ -140,17 +168,25 @@ def run_tolerance(
     if with_budget:
         progress("ranking what may be off")
         sheet = budget_sheet(design, fleet, tolerances)
-    return ToleranceRun(plan, seed, ends, len(fleet.stations), ranked, sheet)
+    return ToleranceRun(plan, seed, ends, _count(plan), ranked, sheet)
 
 
 def _fleet(plan: CamPlan) -> Fleet:
     against = against_of(plan)
     mechanics = None if against.task.mechanics is None else against.task.mechanics.nominal
-    return fleet_of(plan, _gates(plan), mechanics, against.chosen.play)
+    fleet = fleet_of(plan, _gates(plan), mechanics, against.chosen.play)
+    return fleet if plan.course is None else watching(fleet, plan.course.planned)
+
+
+def _count(plan: CamPlan) -> int:
+    gates = () if plan.course is None else plan.course.course.gates
+    return len(gates) or len(_gates(plan))
 
 
 def _gates(plan: CamPlan) -> list[int]:
-    """Steps of the run at which the car passes the waypoints after the first, and its end."""
+    """Steps of the run at which the car passes the waypoints after the first, and its end; with a course its end."""
+    if plan.course is not None and plan.course.course.gates:
+        return [STEPS]
     stop = plan.lift.blend_start
     motor = cam_model.cam_angle(plan.design, plan.track, plan.track.waypoint_arc[1:])
     steps = np.unique(np.rint(motor[motor < stop] / stop * STEPS).astype(int))

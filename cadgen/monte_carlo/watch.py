@@ -1,0 +1,125 @@
+"""Whether cars keep a course, from their poses at a few places of the run.
+
+Near a place a car's track is the planned one, moved as the car's pose there is off: what bends it otherwise counts with
+the square of the way. So what stands on the course is moved back by the same, and held against the planned run.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import TURN, Array
+
+Complex = NDArray[np.complex128]
+_FAILED = -1e-6  # mm; at most, of a gate that is passed in the wrong direction or order
+
+
+class Watch(Protocol):
+    """A thing on the course at a station of the fleet's runs; all places in the frame of the nominal start, x + iy."""
+
+    @property
+    def station(self) -> int:
+        """Number of the station of its fleet."""
+
+    @property
+    def places(self) -> Complex:
+        """Points of the thing, shape (p,), mm."""
+
+    def margin(self, places: Complex, turned: Array) -> Array:
+        """What is left to cars, shape (m,), mm; less than 0 where they fail.
+
+        Args:
+            places: its points as they lie to each car's planned run, shape (m, p), mm.
+            turned: heading error of each car there, shape (m,), rad.
+        """
+
+
+@dataclass(frozen=True)
+class GateWatch:
+    """A gate, disc or segment.
+
+    Attributes:
+        station: number of the station nearest to it.
+        places: its middle, or the two ends of the segment, mm.
+        reach: radius of a disc, mm.
+        track: planned track of the point of the car that must pass it, about there, shape (w,), mm.
+        heading: angle from the heading wanted to the planned one, and the greatest allowed, rad; None if any will do.
+        passed: whether the planned run passes it in its order.
+    """
+
+    station: int
+    places: Complex
+    reach: float
+    track: Complex
+    heading: tuple[float, float] | None = None
+    passed: bool = True
+
+    def margin(self, places: Complex, turned: Array) -> Array:
+        """As `Watch.margin`: radius less the distance of the track, or distance of the crossing from the nearer end."""
+        margin = self._disc(places[:, 0]) if places.shape[1] == 1 else self._segment(places)
+        failed = np.full(len(margin), not self.passed)
+        if self.heading is not None:
+            off, most = self.heading
+            failed |= np.abs((off + turned + TURN / 2) % TURN - TURN / 2) > most
+        return np.asarray(np.where(failed, np.minimum(margin, _FAILED), margin))
+
+    def _disc(self, centre: Complex) -> Array:
+        start, along = self.track[:-1], np.diff(self.track)
+        away = centre[:, None] - start
+        share = np.clip(np.real(away * along.conj()) / np.abs(along) ** 2, 0.0, 1.0)
+        return np.asarray(self.reach - np.abs(away - share * along).min(axis=1))
+
+    def _segment(self, places: Complex) -> Array:
+        a, across = places[:, :1], places[:, 1:] - places[:, :1]
+        length = np.abs(across)
+        local = (self.track - a) * across.conj() / length
+        height = local.imag
+        crosses = (height[:, :-1] <= 0) != (height[:, 1:] <= 0)
+        share = height[:, :-1] / np.where(crosses, height[:, :-1] - height[:, 1:], 1.0)
+        along = local.real[:, :-1] + share * np.diff(local.real)
+        beyond = np.abs(local - np.clip(local.real, 0.0, length)).min(axis=1)
+        inside = np.where(crosses, np.minimum(along, length - along), -np.inf).max(axis=1)
+        return np.asarray(np.where(inside >= 0, inside, -np.maximum(beyond, -_FAILED)))
+
+
+@dataclass(frozen=True)
+class ClearanceWatch:
+    """An obstacle or the edge, at the planned run's nearest approach to it.
+
+    Attributes:
+        station: number of the station nearest to that.
+        places: its nearest point, one, mm.
+        away: direction from the car to it, x + iy of length 1; for the edge and where they overlap, inwards.
+        clearance: clearance there less the margin that is wanted, mm.
+    """
+
+    station: int
+    places: Complex
+    away: complex
+    clearance: float
+
+    def margin(self, places: Complex, turned: Array) -> Array:
+        """As `Watch.margin`, to first order: the clearance grows as its nearest point moves away from the car."""
+        return np.asarray(self.clearance + np.real((places[:, 0] - self.places[0]) * np.conj(self.away)))
+
+
+def least_margin(
+    watches: tuple[Watch, ...], heading: Array, position: Complex, planned: tuple[Array, Complex]
+) -> Array:
+    """Least of all margins of each car, shape (m,), mm; infinite where nothing is watched.
+
+    Args:
+        watches: what the cars must keep.
+        heading: headings of m cars at g stations, shape (m, g), rad.
+        position: positions of their drive wheels, shape (m, g), mm.
+        planned: the planned run's, shape (1, g).
+    """
+    least = np.full(len(heading), np.inf)
+    for watch in watches:
+        k = watch.station
+        turned = heading[:, k] - planned[0][0, k]
+        back = (watch.places - position[:, k, None]) * np.exp(-1j * turned)[:, None] + planned[1][0, k]
+        least = np.minimum(least, watch.margin(back, turned))
+    return least

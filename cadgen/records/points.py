@@ -1,0 +1,132 @@
+"""Points of a path from a file: rows of numbers in CSV or TXT, or the corners of a polyline in DXF."""
+
+import re
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from cadgen.errors import FileError, escaped
+from cadgen.reading import read_regular
+
+MOST_BYTES = 32_000_000
+_SAG = 1.0  # mm, by which a chord may leave an arc of a polyline
+# Millimetres of a unit by $INSUNITS of a DXF; a drawing without a unit is taken to be in mm.
+_UNITS = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
+
+
+@dataclass(frozen=True)
+class Points:
+    """Points of a path, in the order driven.
+
+    Attributes:
+        places: x and y of each, mm.
+        weights: weight of each: 1 usually, more for a point that must be met closely, 0 for one that need not be.
+    """
+
+    places: tuple[tuple[float, float], ...]
+    weights: tuple[float, ...]
+
+
+def read_points(path: Path, layer: str | None = None) -> Points:
+    """Read the points of a path.
+
+    Args:
+        path: file of rows `X Y [weight]` in mm, with spaces, tabs, commas or semicolons between, after a line of words
+            if need be; or a DXF with one open polyline.
+        layer: layer of the polyline, if the DXF has several.
+
+    Raises:
+        FileError: no such file, a row that is no point, or not exactly one polyline.
+    """
+    name = escaped(path.name)
+    try:
+        content = read_regular(path, MOST_BYTES)
+    except FileNotFoundError:
+        raise FileError(f"there is no file {name}: correct the path") from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise FileError(f"{name} cannot be read ({reason}): give a file of points, or a DXF") from None
+    if path.suffix.lower() == ".dxf":
+        return _polyline(content, name, layer)
+    if layer is not None:
+        raise FileError(f"{name} has no layers, which only a DXF has: remove --layer")
+    try:
+        return _rows(content.decode("utf-8-sig"), name)
+    except UnicodeDecodeError:
+        raise FileError(f"{name} is not UTF-8 text: save it again as UTF-8, or give a file ending in .dxf") from None
+
+
+def _rows(text: str, name: str) -> Points:
+    places: list[tuple[float, float]] = []
+    weights: list[float] = []
+    headed = False
+    for number, line in enumerate(text.splitlines(), 1):
+        cells = [cell for cell in re.split(r"[\s,;]+", line.partition("#")[0].strip()) if cell]
+        if not cells:
+            continue
+        try:
+            values = [float(cell) for cell in cells]
+        except ValueError:
+            if not places and not headed:
+                headed = True
+                continue
+            values = []
+        if len(values) not in (2, 3) or not all(map(isfinite, values)) or (len(values) == 3 and values[2] < 0):
+            raise FileError(
+                f"{name}, line {number}: `{escaped(line.strip()[:60])}` is no point: write x and y in mm, and a weight "
+                "of 0 or more if you want one"
+            )
+        places.append((values[0], values[1]))
+        weights.append(values[2] if len(values) == 3 else 1.0)
+    return _enough(Points(tuple(places), tuple(weights)), name)
+
+
+def _enough(points: Points, name: str) -> Points:
+    if len(points.places) < 4:
+        raise FileError(f"{name} has {len(points.places)} points; a path needs at least 4: add more")
+    return points
+
+
+def _polyline(content: bytes, name: str, layer: str | None) -> Points:
+    from io import BytesIO
+
+    import ezdxf
+    from ezdxf import recover
+
+    try:
+        drawing, _ = recover.read(BytesIO(content))
+    except (OSError, ezdxf.DXFError) as error:
+        raise FileError(f"{name} is no DXF that can be read ({escaped(str(error)[:80])}): save it again") from None
+    unit = drawing.header.get("$INSUNITS", 0)
+    if unit not in _UNITS:
+        raise FileError(f"{name} is in a unit that is not known ($INSUNITS {unit}): draw it in mm, cm, m or inches")
+    lines = [line for line in drawing.modelspace().query("LWPOLYLINE POLYLINE") if not _closed(line)]
+    layers = sorted({line.dxf.layer for line in lines})
+    if layer is not None:
+        lines = [line for line in lines if line.dxf.layer == layer]
+    if len(lines) != 1:
+        where = "" if layer is None else f" on layer {escaped(layer)}"
+        names = ", ".join(map(escaped, layers)) or "none"
+        raise FileError(
+            f"{name} has {len(lines)} open polylines{where} (layers with one: {names}); the path must be one: join its "
+            "parts, or name its layer with --layer"
+        )
+    places = tuple((x * _UNITS[unit], y * _UNITS[unit]) for x, y in _corners(lines[0], _SAG / _UNITS[unit]))
+    return _enough(Points(places, (1.0,) * len(places)), name)
+
+
+def _closed(line: Any) -> bool:
+    return bool(line.is_closed if line.dxftype() == "POLYLINE" else line.closed)
+
+
+def _corners(line: Any, sag: float) -> list[tuple[float, float]]:
+    """Corners of a polyline and points on its arcs, in the drawing's unit; repeated points once."""
+    from ezdxf.path import make_path
+
+    corners: list[tuple[float, float]] = []
+    for point in make_path(line).flattening(sag):
+        place = float(point.x), float(point.y)
+        if not corners or place != corners[-1]:
+            corners.append(place)
+    return corners

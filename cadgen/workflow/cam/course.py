@@ -1,0 +1,347 @@
+"""Runs of a car held against the course of its design: the planned run, and those over the band of play."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import ceil, degrees, inf
+
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.build import cam_model, course_model
+from cadgen.cam.lift import LiftCurve
+from cadgen.check import Check, CheckCode
+from cadgen.course.body import Body
+from cadgen.course.course import Course
+from cadgen.course.gates import Passage
+from cadgen.course.judge import Driven, Stand, judge
+from cadgen.course.poses import Poses
+from cadgen.course.refuse import refuse_course
+from cadgen.course.sweep import Approach
+from cadgen.design.schema import Design
+from cadgen.motion.drive import STEPS, Run, drive, start_pose
+from cadgen.motion.mechanics import Mechanics
+from cadgen.path.track import Track
+from cadgen.steering.car import Car, wheel_tangent
+from cadgen.workflow.cam.against import Against
+
+_STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
+_MOST_STEPS = 40_000
+_ON_BLEND = "; the closing blend steers there: set car.drive_wheel_radius_mm, with which the path is driven before it"
+_OF_KIND = {"post": CheckCode.COURSE_POST, "wall": CheckCode.COURSE_WALL, "zone": CheckCode.COURSE_ZONE}
+
+
+@dataclass(frozen=True)
+class OnCourse:
+    """A design's course with the car that is to keep it.
+
+    Without a wheel's radius a turn of the cam takes the whole path, so the runs here go on over the closing blend to
+    the end of the turn.
+
+    Attributes:
+        design: loaded design.
+        track: track of the drive wheel.
+        lift: lift wanted.
+        course: course of the design.
+    """
+
+    design: Design
+    track: Track
+    lift: LiftCurve
+    course: Course
+
+    @cached_property
+    def car(self) -> Car:
+        """The car in plan view."""
+        return cam_model.car(self.design)
+
+    @cached_property
+    def body(self) -> Body:
+        """Outline and wheels of the car."""
+        return course_model.body(self.design)
+
+    @property
+    def stop(self) -> float:
+        """Motor position at which the runs end, rad."""
+        return TURN if self.design.car.drive_wheel_radius_mm is None else self.lift.blend_start
+
+    def run(self, driving: Callable[[float, int], Run]) -> "CourseRun":
+        """Hold a run against the course.
+
+        Args:
+            driving: run up to a motor position (rad) in a number of steps, with what happens between them.
+        """
+        steps = min(max(STEPS, ceil(cam_model.travel(self.design, self.track) / _STEP)), _MOST_STEPS)
+        run = driving(self.stop, steps)
+        poses = poses_of(run, self.car)
+        return CourseRun(self, run, poses, judge(poses, self.car, self.body, self.course))
+
+    @cached_property
+    def planned(self) -> "CourseRun":
+        """The planned run.
+
+        Raises:
+            DesignError: no car can keep the course.
+        """
+        travel, start = cam_model.travel(self.design, self.track), start_pose(self.track)
+
+        def driving(stop: float, steps: int) -> Run:
+            return drive(self.lift, self.car, travel, start=start, stop=stop, steps=steps, at_joints=True)
+
+        first = poses_of(driving(self.stop * 1e-9, 1), self.car)
+        refuse_course(self.course, self.body, first)
+        return self.run(driving)
+
+    def played(self, against: Against, play: float, mechanics: Mechanics | None = None) -> "CourseRun":
+        """Run of the chosen profile with play, held against the course.
+
+        Args:
+            against: comparison of the profiles.
+            play: return error, rad.
+            mechanics: friction and drag; those of the nominal car if left out.
+        """
+        task, chosen = against.task, against.chosen
+        following = task.following(
+            chosen.rolled, play, least_swing=chosen.least_swing, cut=chosen.lift, mechanics=mechanics
+        )
+
+        def driving(stop: float, steps: int) -> Run:
+            return drive(
+                chosen.rolled,
+                task.car,
+                task.length,
+                start=task.start,
+                stop=stop,
+                steps=steps,
+                following=following,
+                at_joints=True,
+            )
+
+        return replace(self.run(driving), play=play)
+
+    def with_play(self, against: Against) -> "tuple[CourseRun, ...]":
+        """Runs of the chosen profile over the band of play, or with the measured play, and over friction and drag."""
+        task, measured = against.task, against.band.measured
+        plays = against.chosen.band.plays if measured is None else np.array([measured])
+        cases: tuple[Mechanics | None, ...] = task.mechanics.corners if task.mechanics else (None,)
+        return tuple(self.played(against, play, case) for play in plays.tolist() for case in cases)
+
+
+@dataclass(frozen=True)
+class CourseRun:
+    """A run held against a course.
+
+    Attributes:
+        on: course and car.
+        run: the run.
+        poses: its poses.
+        driven: what the car comes near to and what it passes.
+        play: return error, rad; None of the planned run.
+    """
+
+    on: OnCourse
+    run: Run
+    poses: Poses
+    driven: Driven
+    play: float | None = None
+
+    def figures(self) -> dict[str, tuple[str, float]]:
+        """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
+        course, driven = self.on.course, self.driven
+        found = {
+            obstacle.key: (f"{there.part}, passing {side} of it", there.clearance)
+            for (obstacle, there), side in zip(driven.approaches, driven.sides, strict=True)
+        }
+        if driven.edge is not None and course.edge is not None:
+            found["course.field"] = (driven.edge.part, driven.edge.clearance)
+        for passage in driven.passages:
+            wrong = f", wrong {passage.fault}" if passage.fault else ""
+            found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
+        for stand in (driven.start, driven.finish):
+            if stand is not None:
+                off = "" if stand.turned is None else f", {degrees(stand.turned):.2f}° off"
+                found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
+        return found
+
+    def checks(self) -> tuple[Check, ...]:
+        """Every figure of the run with its verdict."""
+        return (*self._clear(), *self._sides(), *self._gates(), *self._stands())
+
+    def _clear(self) -> Iterator[Check]:
+        margin, driven = self.on.course.margin, self.driven
+        for kind, code in _OF_KIND.items():
+            near = [(obstacle, there) for obstacle, there in driven.approaches if obstacle.kind == kind]
+            if near:
+                obstacle, there = min(near, key=lambda pair: pair[1].clearance)
+                advice = f"move the path away from {obstacle.key}, or lower course.margin_mm"
+                yield self._check(
+                    code,
+                    f"nearest {kind}",
+                    there.clearance,
+                    "mm",
+                    margin,
+                    "min",
+                    self._by(obstacle.key, there),
+                    advice + self._on_blend(there.place),
+                )
+        if driven.edge is not None:
+            place = self._by("course.field" if self.on.body.corners else "course.field (wheels alone)", driven.edge)
+            advice = "move the path away from the field's edge, or lower course.margin_mm"
+            yield self._check(
+                CheckCode.COURSE_EDGE,
+                "edge of the field",
+                driven.edge.clearance,
+                "mm",
+                margin,
+                "min",
+                place,
+                advice + self._on_blend(driven.edge.place),
+            )
+
+    def _sides(self) -> Iterator[Check]:
+        if any(obstacle.side for obstacle in self.on.course.obstacles):
+            wrong = self.driven.wrong_sides
+            place = ", ".join(f"{obstacle.key} is not passed on its {obstacle.side}" for obstacle in wrong) or "none"
+            advice = "lead the path past it on the other side, or change its key side"
+            yield self._check(
+                CheckCode.COURSE_SIDE, "passed on the wrong side", len(wrong), "", 0.0, "max", place, advice
+            )
+
+    def _gates(self) -> Iterator[Check]:
+        passages = self.driven.passages
+        worst = self.driven.worst_gate
+        if worst is None:
+            return
+        missed = [passage for passage in passages if passage.margin < 0 or passage.fault]
+        place = ", ".join(_missed(passage) for passage in missed) or f"all, {len(passages)} in order"
+        blend = next((text for passage in missed if (text := self._on_blend(passage.place))), "")
+        advice = "lead the path through the gates in their order and direction, or make them wider" + blend
+        yield self._check(
+            CheckCode.COURSE_GATES, "gates passed", len(passages) - len(missed), "", len(passages), "min", place, advice
+        )
+        where = f"{worst.gate.key}, {worst.off:.1f} mm from its middle, {self._at(worst.place)}"
+        yield self._check(
+            CheckCode.COURSE_GATE_MARGIN, "least margin of a gate", worst.margin, "mm", 0.0, "min", where, advice
+        )
+
+    def _stands(self) -> Iterator[Check]:
+        for name, stand, code, turned in (
+            ("start", self.driven.start, CheckCode.COURSE_START, CheckCode.COURSE_START_HEADING),
+            ("finish", self.driven.finish, CheckCode.COURSE_FINISH, CheckCode.COURSE_FINISH_HEADING),
+        ):
+            if stand is None or (name == "start" and self.play is not None):
+                continue
+            yield from self._stand(name, stand, code, turned)
+
+    def _stand(self, name: str, stand: Stand, code: CheckCode, turned: CheckCode) -> Iterator[Check]:
+        wanted = stand.wanted
+        blend = self._on_blend(len(self.poses) - 1.0) if name == "finish" else ""
+        what = f"{wanted.point.replace('_', ' ')} of the car"
+        yield self._check(
+            code,
+            f"{name} off",
+            stand.off,
+            "mm",
+            wanted.place.reach,
+            "max",
+            what,
+            f"let the path {name} there, or change {wanted.key}{blend}",
+        )
+        if stand.turned is not None:
+            yield self._check(
+                turned,
+                f"{name}, heading off",
+                degrees(abs(stand.turned)),
+                "°",
+                degrees(wanted.heading_tolerance),
+                "max",
+                what,
+                f"let the path {name} in that direction, or change {wanted.key}.heading_deg{blend}",
+            )
+
+    def _check(
+        self, code: CheckCode, name: str, value: float, unit: str, limit: float, bound: str, place: str, advice: str
+    ) -> Check:
+        if self.play is None:
+            return Check(code, name, value, unit, limit, bound, place, advice)  # type: ignore[arg-type]
+        judged = self.on.course.judged == "play"
+        free = inf if bound == "max" else -inf
+        return Check(
+            CheckCode(f"{code}-play"),
+            f"{name}, with play",
+            value,
+            unit,
+            limit if judged else free,
+            bound,  # type: ignore[arg-type]
+            f"{place}, return error {degrees(self.play):.3f}°",
+            'make the course keep more room, take play out of the gears, or set course.judged = "planned"',
+        )
+
+    def _by(self, key: str, there: Approach) -> str:
+        return f"{key}, by the {there.part}, {self._at(there.place)}"
+
+    def _at(self, place: float) -> str:
+        at = self.poses.at(np.array([place]))
+        return f"{at.travel[0]:.0f} mm along, fork at ({at.fork[0].real:.0f}, {at.fork[0].imag:.0f}) mm"
+
+    def _on_blend(self, place: float) -> str:
+        motor = float(np.interp(place, np.arange(len(self.poses)), self.run.motor))
+        return _ON_BLEND if motor > self.on.lift.blend_start + 1e-9 else ""
+
+
+def _missed(passage: Passage) -> str:
+    if passage.fault:
+        return f"{passage.gate.key} in the wrong {passage.fault}"
+    return f"{passage.gate.key} missed by {-passage.margin:.1f} mm"
+
+
+def poses_of(run: Run, car: Car) -> Poses:
+    """Poses of a run.
+
+    Args:
+        run: run of the car, with what happens between its steps.
+        car: the car that ran.
+    """
+    drive_wheel, fork = (wheel[:, 0] + 1j * wheel[:, 1] for wheel in (run.drive_wheel, run.front_wheel))
+    return Poses(
+        fork=fork,
+        heading=run.heading,
+        steering=-np.arctan(wheel_tangent(run.tan_beta, car)),
+        travel=np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drive_wheel)))]),
+    )
+
+
+def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:
+    """The design's course; None without [course].
+
+    Args:
+        design: loaded design.
+        track: track of the drive wheel.
+        lift: lift wanted.
+    """
+    course = course_model.course(design)
+    return None if course is None else OnCourse(design, track, lift, course)
+
+
+def course_checks(on: OnCourse | None, against: Against | None = None) -> tuple[Check, ...]:
+    """Checks of the planned run, and of the worst over the band of play if the profile was compared under play.
+
+    Raises:
+        DesignError: no car can keep the course.
+    """
+    if on is None:
+        return ()
+    checks = list(on.planned.checks())
+    if against is not None:
+        worst: dict[str, Check] = {}
+        for run in on.with_play(against):
+            for check in run.checks():
+                known = worst.get(check.code)
+                if known is None or _worse(check, known):
+                    worst[check.code] = check
+        checks += worst.values()
+    return tuple(checks)
+
+
+def _worse(check: Check, other: Check) -> bool:
+    return check.value > other.value if check.bound == "max" else check.value < other.value

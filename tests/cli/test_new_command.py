@@ -1,0 +1,62 @@
+"""`cadgen new`: a design that loads, from flags and from points, and nothing written over."""
+
+import tomllib
+
+import pytest
+from click.testing import CliRunner
+
+from cadgen.cli import cli
+from cadgen.design.load import load_design
+from cadgen.errors import CadgenError
+
+
+def new(tmp_path, *arguments):
+    return CliRunner().invoke(cli, ["new", *arguments, "--out", str(tmp_path)])
+
+
+def test_a_new_design_loads_and_its_comments_say_what_its_keys_are(tmp_path):
+    done = new(tmp_path, "my_car")
+    assert done.exit_code == 0, done.output
+    text = (tmp_path / "my_car.toml").read_text()
+    assert text.count("#") > 30
+    assert load_design(tmp_path / "my_car.toml").course.gates[1].at_mm == (2000.0, 900.0)
+    assert isinstance(new(tmp_path, "my_car").exception, CadgenError)  # it is there already
+    assert (tmp_path / "my_car.toml").read_text() == text
+
+
+def test_what_is_commented_out_loads_too(tmp_path):
+    """Every key of the template, with its remark sign taken off."""
+    new(tmp_path, "c")
+    lines = (tmp_path / "c.toml").read_text().splitlines()
+    opened = [line.removeprefix("# ") if "=" in line or "[" in line else line for line in lines]
+    values = tomllib.loads("\n".join(opened))
+    assert {"posts", "walls"} <= set(values["course"])
+    assert {"drive_wheel_radius_mm", "outline"} <= set(values["car"])
+    (tmp_path / "open.toml").write_text("\n".join(opened))
+    design = load_design(tmp_path / "open.toml")
+    assert design.cam.side == "right"
+    assert design.train is not None
+
+
+def test_points_become_waypoints_and_gates_by_their_weights(tmp_path):
+    (tmp_path / "p.txt").write_text("0 0\n1500 200 2\n2600 1200 0\n4000 1500\n")
+    done = new(
+        tmp_path, "p", "--points", str(tmp_path / "p.txt"), "--field-mm", "5000", "4000", "--gate-radius-mm", "80",
+        "--set", "car.drive_wheel_offset_mm=-37", "--set", "car.idle_wheel_offset_mm=-201", "--set", "cam.side=right",
+    )  # fmt: skip
+    assert done.exit_code == 0, done.output
+    design = load_design(tmp_path / "p.toml")
+    assert len(design.path.waypoints_mm) == 4
+    assert [(gate.at_mm, gate.radius_mm) for gate in design.course.gates] == [
+        ((0.0, 0.0), 80.0),
+        ((1500.0, 200.0), 40.0),
+        ((4000.0, 1500.0), 80.0),
+    ]
+    assert design.path.offset_mm == -119.0
+    assert design.course.field.size_mm == (5000.0, 4000.0)
+
+
+@pytest.mark.parametrize("arguments", [("con",), ("a b",), ("x", "--layer", "A"), ("x", "--set", "car.wheelbase=3")])
+def test_what_cannot_be_is_refused_and_nothing_written(arguments, tmp_path):
+    assert isinstance(new(tmp_path, *arguments).exception, CadgenError)
+    assert not list(tmp_path.iterdir())
