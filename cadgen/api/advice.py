@@ -1,4 +1,4 @@
-"""What to measure next, and runs predicted: what `next_measurement` and `Calibration.predict` give."""
+"""The next measurement, and runs predicted: results of `next_measurement` and `Calibration.predict`."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any

@@ -103,7 +103,7 @@ def calibrate(
 def _more(
     result: "Calibration[Design]", ask_next: bool, unseen: tuple[str, ...], progress: "Progress"
 ) -> "dict[str, Advice | Predictions]":
-    """What was asked for beside the verdict, by its name in the JSON document."""
+    """Results asked for beside the verdict, by its name in the JSON document."""
     more: dict[str, Advice | Predictions] = {}
     if unseen:
         more["predicted"] = result.predict(unseen, progress=progress)

@@ -7,7 +7,7 @@ from cadgen.design.section import HERE, Points, Section, listed
 
 
 class Outline(Section):
-    """What the car covers in plan view, about its fork axis: a rectangle or a polygon, and its wheels.
+    """Area of the car in plan view, about its fork axis: a rectangle or a polygon, and its wheels.
 
     Posts, walls and zones must keep clear of all that. Wheels that stick out are seen from above as rectangles as long
     as their diameter.

@@ -1,4 +1,4 @@
-"""What may be expected of a measured car: of a new cam, of measurements not made yet, and of runs that were not used.
+"""Expectations of a measured car: of a new cam, of measurements not made yet, and of runs that were not used.
 
 | module             | what it does                                                                              |
 |--------------------|-------------------------------------------------------------------------------------------|

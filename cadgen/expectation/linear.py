@@ -1,4 +1,4 @@
-"""What records say of all effects at once, in proportion: information matrices about the likeliest car.
+"""Evidence of records on all effects at once, to first order: information matrices about the likeliest car.
 
 Every number of every effect is a direction, measured in standard deviations of what cars differ by. A record's rows are
 X p + D d + F b + e, as in `evidence`; its information on p is X'C^-1 X, with the datum d, what repeats without a name
@@ -152,7 +152,7 @@ class Linear:
         )
 
     def place(self, effect: Effect, kinds: Sequence[Kind]) -> Place:
-        """What becomes of an effect by default, once these kinds of data were measured."""
+        """Default place of an effect, once these kinds of data were measured."""
         homes = self.at_home(effect, kinds)
         return min(homes)[1] if homes else "noted"
 
@@ -269,7 +269,7 @@ class Rows:
 
     @property
     def pull(self) -> Array:
-        """What is left, as information times directions, shape (size,)."""
+        """Remaining information times directions, shape (size,)."""
         return self._less(self.columns, self.left[:, None], self.nuisance)[:, 0]
 
     def _less(self, one: Array, two: Array, nuisance: Array) -> Array:

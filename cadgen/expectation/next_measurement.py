@@ -57,7 +57,7 @@ class Range:
 
 @dataclass(frozen=True)
 class Expected:
-    """What a measurement is expected to bring.
+    """Expected gain of a measurement.
 
     Attributes:
         words: what to do.
@@ -79,7 +79,7 @@ class Expected:
 
 @dataclass(frozen=True)
 class Next:
-    """What to measure next.
+    """The measurement to take next.
 
     Attributes:
         now: end of the run on a new cam made for what is claimed so far.
@@ -100,7 +100,7 @@ class Next:
 
 @dataclass(frozen=True)
 class Prior:
-    """What is known without a measurement.
+    """Knowledge without a measurement.
 
     Attributes:
         spread: standard deviations of numbers by their names, internal units, where the design states them.
@@ -169,12 +169,12 @@ class _Subset:
     cause: Effect | None = None
 
     def pull(self, whole: Array) -> Array:
-        """What is left, as information times its directions."""
+        """Remaining information, times its directions."""
         return np.asarray(whole[self.at])
 
 
 class _State:
-    """What is known so far, and what it is expected to become.
+    """Knowledge so far, and as expected after a measurement.
 
     Attributes:
         about: effects with the values about which everything is taken in proportion.

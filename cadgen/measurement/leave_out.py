@@ -12,12 +12,12 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
+from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
 from cadgen.measurement.models.base import Model, slopes
 from cadgen.measurement.record import Record
-from cadgen.measurement.settle import settled
 from cadgen.measurement.verdict import sigmas_of
 
 LARGEST_SUBSET = 3
@@ -152,10 +152,16 @@ def _trial(runs: list[_Run], effects: tuple[Effect, ...], sigmas: float) -> Tria
     def tangents(values: Array) -> Array:
         return np.concatenate([run.tangents(effects, active(values)) for run in runs])
 
-    # In units of the bare design's error: the best subsets take most of it away.
-    unit = float(np.sqrt(np.mean([run.error([]) ** 2 for run in runs])))
-    start = np.concatenate([e.start for e in effects])
-    x, _, _ = settled(lambda v: off(v) / unit, lambda v: tangents(v) / unit, start, bounds)
+    # Not by `settled`: in logs that say little, where the fit stops along a valley decides what is said.
+    x = least_squares(
+        off,
+        np.concatenate([e.start for e in effects]),
+        jac=tangents,
+        bounds=(bounds[0], bounds[1]),
+        x_scale=np.concatenate([e.steps for e in effects]),
+        ftol=1e-6,
+        max_nfev=20,
+    ).x
     # One Gauss-Newton step from the fit to all runs gives the fit to all but one; the run left out is then driven
     # exactly with it.
     jacobians = [run.tangents(effects, active(x)) for run in runs]

@@ -28,7 +28,7 @@ class Watch(Protocol):
         """Points of the thing, shape (p,), mm."""
 
     def margin(self, places: Complex, turned: Array) -> Array:
-        """What is left to cars, shape (m,), mm; less than 0 where they fail.
+        """Margins of cars, shape (m,), mm; less than 0 where they fail.
 
         Args:
             places: its points as they lie to each car's planned run, shape (m, p), mm.

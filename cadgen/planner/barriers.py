@@ -143,7 +143,7 @@ class Clearances:
         return parts_of(self.vehicle)
 
     def rows(self, points: Array) -> list[Rows]:
-        """What the barriers demand of a path by its control points, shape (n, 2)."""
+        """Constraints of the barriers on a path by its control points, shape (n, 2)."""
         if not self.barriers:
             return []
         motion = Motion(self.basis.even(_EACH), points, self.vehicle.path_offset)

@@ -21,7 +21,7 @@ _SHORTER = 1 - 1e-6  # of the greatest length, for rounding
 
 
 def driving_rows(motion: Motion, line: Line, vehicle: Vehicle, limits: Limits) -> list[Rows]:
-    """What steering and cam demand of the curvature and of its two derivatives."""
+    """Limits of steering and cam on the curvature and on its two derivatives."""
     K, K1, K2 = motion.quantities[:3]
     rate = line.rate
 

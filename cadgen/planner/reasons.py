@@ -67,7 +67,7 @@ def reasons(plan: Plan) -> tuple[Reason, ...]:
 
 
 def _loosened(plan: Plan, name: str) -> Reason | None:
-    """What a limit must give way when all others are kept; None if it need not give way at all."""
+    """Amount by which a limit must give way when all others are kept; None if it need not."""
     vehicle = replace(plan.task.vehicle, spread=plan.task.vehicle.spread * _QUIET)
     search = search_of(replace(plan.task, vehicle=vehicle), len(plan.path.points), loose=name)
     path = search.best(plan.path.points, rounds=_ROUNDS)

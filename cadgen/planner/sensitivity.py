@@ -1,4 +1,4 @@
-"""What the play of the gears costs at the end of the run, to first order.
+"""Error by the play of the gears at the end of the run, to first order.
 
 A cam that is cut for a return error B gives back the lift wanted at B. With another, B + d, the car meets on each fall
 the turning rate of d further on: over a fall it turns by d times the fall of its turning rate, whatever the profile is
@@ -160,7 +160,7 @@ class Sensitivity:
 
     @property
     def cost(self) -> float:
-        """What the search makes least: the position error, and a little for each fall of the whole path, mm."""
+        """Objective of the search: the position error, and a little for each fall of the whole path, mm."""
         return self.distance + self.calm * float(np.maximum(self.rises, 0.0).sum())
 
     @property

@@ -1,4 +1,4 @@
-"""What the planner is asked: a car, its limits, and a course. Lengths in mm, angles in rad."""
+"""A task of the planner: a car, its limits, and a course. Lengths in mm, angles in rad."""
 
 from dataclasses import dataclass
 from math import inf
@@ -40,7 +40,7 @@ class Vehicle:
 
 @dataclass(frozen=True, kw_only=True)
 class Limits:
-    """What the steering and the cam hold.
+    """Limits of the steering and the cam.
 
     Attributes:
         left: greatest curvature of the drive wheel's track to the left, 1/mm.
@@ -66,7 +66,7 @@ class Limits:
 
 @dataclass(frozen=True, kw_only=True)
 class Task:
-    """What is to be planned.
+    """A path to be planned.
 
     Attributes:
         vehicle: the car.

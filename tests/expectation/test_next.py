@@ -1,4 +1,4 @@
-"""What to measure next: its linear algebra, and cars of which it is plain what they lack."""
+"""Advice on the next measurement: its linear algebra, and cars of which it is plain what they lack."""
 
 import numpy as np
 import pytest

@@ -308,7 +308,7 @@ def swept(text: str, course: Case) -> dict[str, float]:
 
 
 def planned(course: Case, seeds: int = 1) -> tuple[str, bool, str, float]:
-    """What became of a course: its name, whether that is right, words, seconds of processor time."""
+    """Outcome of a course: its name, whether that is right, words, seconds of processor time."""
     from cadgen import Design
 
     began = time.process_time()

@@ -1,4 +1,4 @@
-"""What to measure next, against having measured it: `python -m tests.studies.next --cases 100 --seed 1`.
+"""The advice on the next measurement against having measured it: `python -m tests.studies.next --cases 100 --seed 1`.
 
 Every car has one to three effects and was measured once: by two runs before a camera of 3 to 10 mm of noise, by a dial
 on the lift, or by encoders on the train. `cadgen calibrate --next` ranks what may be measured next. Then four of these

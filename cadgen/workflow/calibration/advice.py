@@ -1,4 +1,4 @@
-"""What to measure next on a car of a design, before or after a calibration, in words too."""
+"""The next measurement on a car of a design, before or after a calibration, in words too."""
 
 from dataclasses import replace
 from math import degrees, radians
@@ -24,7 +24,7 @@ _SHOWN_RIVALS = 3
 
 
 def before(design: Design, profile: str, form_error_um: float | None = None, progress: Progress = silent) -> Next:
-    """What to measure first on a car of which nothing is known but its design.
+    """The first measurement on a car of which only the design is known.
 
     Args:
         design: a loaded design.
@@ -42,7 +42,7 @@ def before(design: Design, profile: str, form_error_um: float | None = None, pro
 
 
 def after(calibration: Calibration, progress: Progress = silent) -> Next:
-    """What to measure next on a car that was calibrated.
+    """The next measurement on a car that was calibrated.
 
     Raises:
         DesignError: see `plan.nominal_of`.
@@ -70,7 +70,7 @@ def after(calibration: Calibration, progress: Progress = silent) -> Next:
 
 
 def _prior(design: Design, nominal: Nominal, calibration: Calibration | None) -> Prior:
-    """What is known without a measurement: [tolerances], the play of the train, and what was measured apart."""
+    """Knowledge without a measurement: [tolerances], the play of the train, and what was measured apart."""
     spread = _tolerances(design, nominal)
     bare = design.as_designed()
     band = variation.play_bands(bare).get(design.optimize.order)

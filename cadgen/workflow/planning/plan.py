@@ -37,7 +37,7 @@ _CLEARANCES = (
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a plan is asked for besides its course.
+    """Options of a plan besides its course.
 
     Attributes:
         near: track to stay near to; None for a plan from scratch.
@@ -134,7 +134,7 @@ def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
 
 
 def _reserve(reserve: Reserve, failed: tuple[Check, ...]) -> Reserve:
-    """What must be kept besides so that checks pass which the planner can do something about."""
+    """Distances to keep besides, so that checks pass on which the planner has influence."""
     for check in failed:
         beyond = abs(check.value - check.limit)
         match check.code:

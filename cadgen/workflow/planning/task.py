@@ -29,7 +29,7 @@ _TRACK_STEP = 1.0  # mm between the points of a track to stay near to
 
 @dataclass(frozen=True)
 class Reserve:
-    """What is kept from the limits besides the usual, after the exact chain has failed a check.
+    """Distance kept from the limits besides the usual, after the exact chain has failed a check.
 
     Attributes:
         pressure: rad.
@@ -68,7 +68,7 @@ def task_of(
     calm: Track | None,
     reserve: Reserve,
 ) -> Task:
-    """What the planner is asked.
+    """Task of the planner.
 
     Args:
         design: loaded design.

@@ -51,7 +51,7 @@ def _refusal(planned: PlannedPath) -> list[str]:
 
 
 def _what(planned: PlannedPath, reason: Reason) -> str:
-    """What is wrong, and by how much."""
+    """The fault, and its amount."""
     x, y = reason.place
     where = f"near ({x:.0f}, {y:.0f}) mm"
     limits, name, amount = planned.task.limits, reason.limit, reason.amount

@@ -96,7 +96,7 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
 
 
 def _course_facts(run: ToleranceRun) -> dict[str, Any] | None:
-    """What of the course the cars must keep, and the least margin that they keep to it."""
+    """Parts of the course that the cars must keep, and the least margin that they keep to it."""
     if not run.watched:
         return None
     kept = {f"{100 * part:g} %": margin for part, margin in run.margins.items()}

@@ -80,7 +80,7 @@ class ToleranceRun:
 
     @property
     def watched(self) -> str:
-        """What of the course the cars must keep, in words; empty without a course."""
+        """Parts of the course that the cars must keep, in words; empty without a course."""
         course = self.plan.course
         if course is None:
             return ""
