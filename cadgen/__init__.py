@@ -24,6 +24,7 @@ The rooms, in walking order; each imports only those before it.
 | `motion`      | how the car runs when the gears have play                                 |
 | `deviations`  | deviations of a real car from its design, and their effects               |
 | `measurement` | measured data -> the effects that explain them; one object a kind of data |
+| `expectation` | what a new cam, a measurement not made and a run not used will show       |
 | `optimize`    | methods against play and the choice among them                            |
 | `monte_carlo` | many cars within the tolerances                                           |
 | `adjustment`  | trial runs -> settings of micrometer, key and start                       |

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from cadgen.measurement.next_measurement import Expected, Next
-    from cadgen.measurement.predict import Prediction
+    from cadgen.expectation.next_measurement import Expected, Next
+    from cadgen.expectation.predict import Prediction
     from cadgen.report.text import Block
 
 _REPORT_WIDTH = 110

@@ -26,10 +26,5 @@
 | `zones`      | the return error implied by mean turns over smooth, jump and reverse zones                      |
 | `together`   | what is claimed, each quantity at work once, where data that are judged apart show it too       |
 | `calibrate`  | the entry: records of one car, judged together                                                  |
-| `outlook`    | where the car ends on the old cam, and on a new one made for what is claimed                    |
-| `predict`    | runs that were not used, predicted with what was found                                          |
-| `proposals`  | measurements that could be made, as the records that they would give                            |
-| `linear`     | what records say of all effects at once, in proportion                                          |
-| `next_measurement` | which measurement narrows most where the run ends on the next cam                        |
 | `reference`  | the catalogues as a page of documentation                                                       |
 """

@@ -120,6 +120,8 @@ class Kind:
         spans: (record, the same) -> what betrays numbers of another unit.
         most_rows: of all files of the kind together.
         least_rows: of each run.
+        counts: most steps over the span of the readings with which an instrument that counts, such as an encoder, may
+            read the same in every run; 0 where no two runs are ever alike.
         around: whether it is to show the whole turn of the cam, as few and far points cannot.
         absences: quantities of which a sound verdict that does not name them says that there is little.
         nearness: among kinds that show one quantity, the least is nearest to what the car drives with.
@@ -142,6 +144,7 @@ class Kind:
     spans: Callable[["Record", Any], Iterable[Span]] = _no_spans
     most_rows: int = MOST_ROWS
     least_rows: int = LEAST_ROWS
+    counts: int = 0
     around: bool = False
     absences: tuple[Quantity, ...] = ()
     nearness: int

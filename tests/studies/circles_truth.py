@@ -72,10 +72,10 @@ class World:
         table = self.lift(car).tolist()
         motor = np.arange(CELLS + 1)
         pushed = np.ceil(self.asked(car, motor * STEP) / STEP - 1e-9).astype(int).tolist()
-        cam, now = np.empty(CELLS + 1), pushed[0]
+        cam, now, shift = np.empty(CELLS + 1), pushed[0], round(car.phase / STEP)  # the disc stands ahead of its shaft
         for i, least in enumerate(pushed):
             now = max(now, least)
-            while now < least + car.play and table[(now + 1) % CELLS] < table[now % CELLS]:
+            while now < least + car.play and table[(now + 1 + shift) % CELLS] < table[(now + shift) % CELLS]:
                 now += 1
             cam[i] = now
         exact = self.asked(car, motor * STEP) / STEP

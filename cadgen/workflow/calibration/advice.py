@@ -9,8 +9,8 @@ import numpy as np
 from cadgen.build import variation
 from cadgen.design.schema import Design
 from cadgen.errors import FileError
+from cadgen.expectation.next_measurement import Expected, Next, Prior, Range, next_measurement
 from cadgen.measurement.findings import EvidenceDiagnosis
-from cadgen.measurement.next_measurement import Expected, Next, Prior, Range, next_measurement
 from cadgen.measurement.nominal import MACHINED_UM, Nominal
 from cadgen.measurement.record import Method, join
 from cadgen.motion.friction import USUAL
@@ -52,8 +52,8 @@ def after(calibration: Calibration, progress: Progress = silent) -> Next:
     told = [d for d in c.diagnoses if isinstance(d, EvidenceDiagnosis)]
     if not told and c.zones is None:
         raise FileError(
-            "what to measure next is reckoned for the car that the cam steers, and only logged runs of another one were "
-            "given: drive that one on a path of another shape, and give --predict what you left out"
+            "what to measure next is reckoned for the car that the cam steers, and only logged runs of another one "
+            "were given: drive that one on a path of another shape, and give --predict what you left out"
         )
     if any(d.contradicted for d in told):
         raise FileError(

@@ -16,6 +16,7 @@ from cadgen.design.schema import Design
 from cadgen.deviations import quantities
 from cadgen.deviations.names import Place
 from cadgen.errors import FileError, brief
+from cadgen.expectation.outlook import Outlook
 from cadgen.gears.kinds.spur import spur_pairs
 from cadgen.gears.search import arrange
 from cadgen.measurement.calibrate import calibrate as judge
@@ -23,7 +24,6 @@ from cadgen.measurement.calibrate import calibrate_tricycle
 from cadgen.measurement.diagnose import SOUND
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
-from cadgen.measurement.outlook import Outlook
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Shared, at_work, claims, no_friction, no_play, shared

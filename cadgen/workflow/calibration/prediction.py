@@ -7,9 +7,9 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.errors import FileError
+from cadgen.expectation.predict import Prediction, predict, predict_tricycle
 from cadgen.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.measurement.nominal import LoggedCar
-from cadgen.measurement.predict import Prediction, predict, predict_tricycle
 from cadgen.measurement.record import Method, Record, join
 from cadgen.measurement.units import refuse_wrong_units
 from cadgen.progress import Progress, silent

@@ -9,6 +9,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.design.section import listed
 from cadgen.deviations.friction import MEASURE_FRICTION
+from cadgen.expectation.outlook import WORSE, Outlook
 from cadgen.measurement.findings import (
     Candidate,
     Diagnosis,
@@ -20,7 +21,6 @@ from cadgen.measurement.findings import (
     PerRun,
     Value,
 )
-from cadgen.measurement.outlook import WORSE, Outlook
 from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
 from cadgen.workflow.calibration.plan import Built, Calibration, Source

@@ -63,7 +63,7 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
     if not outlook:
         return ()
     # Only here: it needs the models of all kinds of data, and most designs have no outlook.
-    from cadgen.measurement.outlook import WORSE
+    from cadgen.expectation.outlook import WORSE
 
     remedy = "measure what cadgen calibrate asks for, and calibrate again"
     checks = [

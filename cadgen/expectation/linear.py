@@ -19,6 +19,8 @@ from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.names import Place
 from cadgen.deviations.quantities import Quantity
 from cadgen.deviations.usual import usual
+from cadgen.expectation.outlook import ways
+from cadgen.expectation.proposals import NOISE
 from cadgen.measurement.diagnose import SOUND
 from cadgen.measurement.doubt import resolved
 from cadgen.measurement.evidence import Evidence, Spectrum, grid_of
@@ -29,8 +31,6 @@ from cadgen.measurement.models.base import Model, repeating, slopes
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.outlook import ways
-from cadgen.measurement.proposals import NOISE
 from cadgen.measurement.record import Kind, Record
 
 _FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to what the rows say of it

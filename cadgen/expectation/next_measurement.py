@@ -22,12 +22,12 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.deviations import quantities
 from cadgen.deviations.effect import Active, Effect
+from cadgen.expectation.linear import Linear, Rows
+from cadgen.expectation.outlook import RANGE
+from cadgen.expectation.proposals import BY_HAND, Proposal, around, proposals
 from cadgen.measurement.findings import EvidenceDiagnosis
 from cadgen.measurement.kinds import TRACK
-from cadgen.measurement.linear import Linear, Rows
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.outlook import RANGE
-from cadgen.measurement.proposals import BY_HAND, Proposal, around, proposals
 from cadgen.measurement.record import Kind, Record
 from cadgen.measurement.verdict import MARGIN, SIGMAS, SURE
 

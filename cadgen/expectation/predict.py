@@ -15,8 +15,8 @@ from scipy.optimize import least_squares
 from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, Active
 from cadgen.deviations.usual import usual
+from cadgen.expectation.linear import Linear
 from cadgen.measurement.findings import EvidenceDiagnosis, PathDiagnosis
-from cadgen.measurement.linear import Linear
 from cadgen.measurement.models.base import Model, slopes
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.noise import Noise
