@@ -13,7 +13,7 @@ from cadgen.measurement.doubt import doubted, refuse_too_few, resolved, unfit
 from cadgen.measurement.evidence import Evidence, grid_of
 from cadgen.measurement.findings import Candidate, EvidenceDiagnosis, Finding, HeldOut, Likely, PerRun, Residual, Value
 from cadgen.measurement.friction import with_friction_judged, with_known_play
-from cadgen.measurement.hypothesis import Hypothesis, Search, fit
+from cadgen.measurement.hypothesis import Hypothesis, Search, fit, sized
 from cadgen.measurement.joint import Build, Joint, Part
 from cadgen.measurement.models.base import Model, repeating, slopes
 from cadgen.measurement.noise import Noise, estimate_noise
@@ -67,7 +67,7 @@ def diagnose(
         joint = replace(joint, parts=tuple(quieter))
         found = find(joint)
     judgement, best = judge(joint, found)
-    found_alone = best
+    found_alone = best = sized(joint, best)
     best, another = with_known_play(joint, best, play)
     for part in joint.parts:
         after = registered(part.model, part.noise, part.residual(best.active) - _discrepancy(part, joint, best)[0])

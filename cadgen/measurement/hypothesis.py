@@ -227,6 +227,35 @@ class _Problem:
         return x, np.asarray(np.linalg.pinv(J.T @ J), dtype=float), done
 
 
+def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
+    """The same with the covariance over all spectra of what repeats, each by its chance.
+
+    The spectrum of greatest likelihood at the fitted values is one that leaves to the effects what they take from it,
+    as an eccentricity does from the first harmonic, and so says that they are known too well. Each has the chance of
+    its restricted likelihood instead, with the values integrated out (Patterson and Thompson 1971), and its own values.
+    """
+    if not found.active:
+        return found
+    chosen, residual = tuple(e for e, _ in found.active), joint.residual(found.active)
+    columns = -joint.slopes(chosen, found.active)
+    stepwise = np.array([p.stepwise for e in chosen for p in e.parameters], dtype=bool)
+    smooth = np.flatnonzero(~stepwise)
+    among = np.flatnonzero(joint.within == found.spectrum.within)
+    misfit: list[float] = []
+    covariances: list[Array] = []
+    for spectrum in among.tolist():
+        tangents = joint.standardise(columns[:, smooth], spectrum)
+        own: Array = np.asarray(np.linalg.pinv(tangents.T @ tangents), dtype=float)
+        pull: Array = np.asarray(tangents.T @ joint.standardise(residual, spectrum), dtype=float)
+        moved = own @ pull
+        misfit.append(float(found.misfit[spectrum] - pull @ moved - np.linalg.slogdet(own)[1]))
+        covariances.append(own + np.outer(moved, moved))
+    chance = np.exp((min(misfit) - np.array(misfit)) / 2)
+    covariance = found.covariance.copy()
+    covariance[np.ix_(smooth, smooth)] = np.tensordot(chance / chance.sum(), np.array(covariances), axes=1)
+    return replace(found, covariance=covariance)
+
+
 def _on_bounds(effects: tuple[Effect, ...], values: Array, bounds: Array) -> tuple[str, ...]:
     """Names of the parameters whose values stand on a bound of what can be."""
     near = _NEAR_BOUND * (bounds[1] - bounds[0])

@@ -1,0 +1,48 @@
+"""The uncertainty of a size over all spectra of what repeats, against integration by a grid."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from cadgen.measurement.hypothesis import Hypothesis, sized
+
+
+def test_a_size_has_the_uncertainty_of_every_spectrum_by_its_chance():
+    rng = np.random.default_rng(5)
+    response = np.cos(np.linspace(0, 6, 12))
+    residual = 0.4 * response + rng.normal(0, 0.3, 12)
+    form = np.cos(np.linspace(0, 6, 12)[:, None] * [1.05, 2.1])
+    covariances = [0.09 * np.eye(12) + size**2 * form @ form.T for size in (0.05, 0.4)]
+    misfit = np.array([residual @ np.linalg.solve(c, residual) + np.linalg.slogdet(c)[1] for c in covariances])
+
+    def root(spectrum):
+        values, vectors = np.linalg.eigh(covariances[spectrum])
+        return vectors @ np.diag(values**-0.5) @ vectors.T
+
+    spectra = (SimpleNamespace(within=True),) * 2
+    effect = SimpleNamespace(parameters=(SimpleNamespace(stepwise=False),))
+    joint = SimpleNamespace(
+        residual=lambda active: residual,
+        slopes=lambda effects, active: -response[:, None],
+        within=np.array([True, True]),
+        standardise=lambda columns, spectrum: root(spectrum) @ columns,
+    )
+    found = Hypothesis(
+        effects=(effect,),
+        active=[(effect, np.zeros(1))],
+        covariance=np.zeros((1, 1)),
+        misfit=misfit,
+        penalty=0.0,
+        within=0,
+        beyond=0,
+        at_bound=(),
+        spectrum=spectra[0],
+    )
+    ((variance,),) = sized(joint, found).covariance
+    off = np.linspace(-4, 4, 8001)
+    density = np.zeros_like(off)
+    for c in covariances:
+        left = residual[:, None] + response[:, None] * off  # slopes are those of measured less expected, turned round
+        density += np.exp(-(np.sum(left * np.linalg.solve(c, left), axis=0) + np.linalg.slogdet(c)[1]) / 2)
+    assert variance == pytest.approx(density @ off**2 / density.sum(), rel=1e-6)
