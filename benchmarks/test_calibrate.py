@@ -1,4 +1,4 @@
-"""What one calibration costs, the whole process and its pictures, against importing build123d in the same run.
+"""Cost of one calibration, the whole process and its pictures, against importing build123d in the same run.
 
 python -m pytest benchmarks/test_calibrate.py --benchmark-only -s
 """

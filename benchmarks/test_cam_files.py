@@ -1,4 +1,4 @@
-"""What STEP, STL and 3MF of the default cam cost, made, written, read back and rolled, against importing build123d.
+"""Cost of STEP, STL and 3MF of the default cam, made, written, read back and rolled, against importing build123d.
 
 python -m pytest benchmarks/test_cam_files.py --benchmark-only -s
 """

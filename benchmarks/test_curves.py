@@ -1,4 +1,4 @@
-"""What the approximations and the flat files of the default cam cost, against sampling its curve in the same run.
+"""Cost of the approximations and the flat files of the default cam, against sampling its curve in the same run.
 
 python -m pytest benchmarks/test_curves.py --benchmark-only -s
 """

@@ -1,4 +1,4 @@
-"""What `import cadgen` costs against `import numpy`: processor seconds of fresh processes, in turns, in one run.
+"""Cost of `import cadgen` against `import numpy`: processor seconds of fresh processes, in turns, in one run.
 
 Run by `pytest benchmarks/test_import.py -s`.
 """

@@ -19,12 +19,14 @@ The rooms, in walking order; each imports only those before it.
 | `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
 | `steering`    | curvature of the track <-> steering angle                                 |
 | `course`      | field, posts, gates; the car's outline swept along its run                |
+| `planner`     | course and car -> the path that play turns least off                      |
 | `parts`       | features of a part: bore, keyway, hub, web, holes; a body of prisms       |
 | `cam`         | lift, theoretical and actual profile, contact, checks                     |
 | `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |
 | `motion`      | how the car runs when the gears have play                                 |
 | `deviations`  | deviations of a real car from its design, and their effects               |
 | `measurement` | measured data -> the effects that explain them; one object a kind of data |
+| `expectation` | what a new cam, a measurement not made and a run not used will show       |
 | `optimize`    | methods against play and the choice among them                            |
 | `monte_carlo` | many cars within the tolerances                                           |
 | `adjustment`  | trial runs -> settings of micrometer, key and start                       |
@@ -62,6 +64,7 @@ _HOMES = {
     "Keyway": "parts.features",
     "Lightening": "parts.features",
     "Measured": "api.measured",
+    "Plan": "api.planning",
     "SetScrew": "parts.features",
     "Simulation": "api.runs",
     "ToleranceRun": "api.runs",
@@ -83,6 +86,7 @@ if TYPE_CHECKING:
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
     from cadgen.api.measured import Measured
+    from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Simulation, ToleranceRun
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
     from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
@@ -104,6 +108,7 @@ __all__ = [
     "Keyway",
     "Lightening",
     "Measured",
+    "Plan",
     "SetScrew",
     "Simulation",
     "ToleranceRun",

@@ -10,7 +10,7 @@ _CODE = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 
 
 class Kind(Protocol):
-    """Whatever has a code by which a design names it."""
+    """An object with a code by which a design names it."""
 
     @property
     def code(self) -> str:

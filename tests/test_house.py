@@ -140,7 +140,7 @@ def test_nothing_is_written_twice():
 
 
 def listed(docstring: str) -> set[str]:
-    """What the table of a package's docstring names in its first column."""
+    """First column of the table in a package's docstring."""
     rows = (line.split("|")[1].strip() for line in docstring.splitlines() if line.startswith("| `"))
     return {name.strip("` ") for row in rows for name in row.split(",")}
 
@@ -156,3 +156,20 @@ def test_the_maps_name_every_room_and_every_module():
         if named != inside:
             missing[name] = {"missing": sorted(inside - named), "gone": sorted(named - inside)}
     assert not missing, missing
+
+
+def docstrings(source: str) -> Iterator[str]:
+    """Docstrings of a module, its classes and functions."""
+    kinds = ast.Module | ast.ClassDef | ast.FunctionDef
+    yield from (
+        doc for node in ast.walk(parsed(source)) if isinstance(node, kinds) and (doc := ast.get_docstring(node))
+    )
+
+
+def test_docstrings_name_what_they_describe():
+    """`Play of a train`, and not `What a train has of play`."""
+    files = [file for folder in ("cadgen", "tests", "benchmarks", "docs") for file in (ROOT / folder).rglob("*.py")]
+    vague = [
+        f"{file}: {doc[:60]}" for file in files for doc in docstrings(file.read_text("utf-8")) if doc[:4] == "What"
+    ]
+    assert not vague, "\n".join(vague)

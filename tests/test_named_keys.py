@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from cadgen.design.keys import tables
+from cadgen.design.kinds import Kinds
+from cadgen.path.kinds.table import codes, kind_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -18,7 +20,9 @@ OTHERS = {
     "path.simplify_threshold": "a setting of matplotlib",
     "cam.failed": "an attribute of the Python face",
 }
-NAMES = {name for table in tables().values() for name in (table.name, *(key.name for key in table.keys))}
+PATHS = [Kinds(path=kind_of(code)) for code in codes()]
+TABLES = [table for kinds in PATHS for table in tables(kinds).values()]
+NAMES = {name for table in TABLES for name in (table.name, *(key.name for key in table.keys))}
 SECTIONS = {name.partition(".")[0] for name in tables()} - {""}
 
 
@@ -39,7 +43,7 @@ def sentences(source: str) -> Iterator[str]:
 
 
 def named(text: str) -> set[str]:
-    """What a text names that looks like a key of the design file."""
+    """Words of a text that look like keys of the design file."""
     found = DOTTED.findall(text)
     return {name for name in found if name.partition(".")[0] in SECTIONS and not name.endswith(FILES)} - set(OTHERS)
 

@@ -8,7 +8,7 @@ from types import MappingProxyType
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from cadgen.adjustment.posterior import Cars
+from cadgen.adjustment.posterior import Cars, started
 from cadgen.adjustment.trial import Complex, Noise, Settings
 from cadgen.arrays import Array
 from cadgen.monte_carlo.fleet import PARAMETERS, Fleet, run_fleet
@@ -87,11 +87,17 @@ def _solved(fleet: Fleet, cars: Cars, free: Sequence[str], start: Settings, limi
     scale = np.array([limits[name] for name in free])
     for _ in range(_STEPS):
         value = np.array([getattr(settings, name) for name in free])
-        base = _weighted(_errors(fleet, cars.run(settings, cars.head)))
+        table = cars.run(settings, cars.head)
+        places = run_fleet(fleet, table).position
+        base = _weighted(places - fleet.planned.position)
         columns = []
         for name in free:
-            moved = replace(settings, **{name: getattr(settings, name) + _PROBES[name]})
-            error = _weighted(_errors(fleet, cars.run(moved, cars.head)))
+            if name.startswith("start"):
+                moved = started(places, table, name, _PROBES[name])
+            else:
+                probe = replace(settings, **{name: getattr(settings, name) + _PROBES[name]})
+                moved = run_fleet(fleet, cars.run(probe, cars.head)).position
+            error = _weighted(moved - fleet.planned.position)
             columns.append((error - base) * limits[name] / _PROBES[name])
         share = value / scale
         system = np.concatenate([np.stack(columns, axis=1), _RIDGE * np.sqrt(len(cars.head)) * np.diag(scale)])

@@ -192,16 +192,15 @@ class _Fit:
             table[:, _COLUMN[name]] += setting
         return table
 
-    def track(self, table: Array) -> Complex:
-        """Places of the measured point at the fleet's stations, shape (m, g), mm."""
-        return track_of(self.fleet, self.lever, table)
-
-    def residual(self, track: Complex, at: NDArray[np.intp], along: Complex) -> Array:
-        """Points less the track, shape (m, q), mm: across it, and along it where the point's place on it is known.
+    def residual(self, places: Complex, along: Complex) -> Array:
+        """Points less places of the track, shape (m, q), mm: across it, and along it where the place is known.
 
         The last point is where the run ends.
+
+        Args:
+            places, along: of the track at each point, and its direction there, shape (m, n) each.
         """
-        off = (self.trial.points - np.take_along_axis(track, at, axis=1)) * np.conj(along)
+        off = (self.trial.points - places) * np.conj(along)
         if self.trial.motor is not None:
             return np.concatenate([off.imag, off.real], axis=1)
         return np.concatenate([off.imag, off.real[:, -1:]], axis=1)
@@ -231,17 +230,25 @@ class _System:
         count, width = value.shape
         residuals, derivatives = [], []
         for fit in fits:
-            columns = fit.columns
+            columns, starts = fit.columns, list(fit.prior.noise.starts)
             own, scales = value[:, columns], unit[columns]
-            moved = own[:, None, :] + np.concatenate([np.zeros((1, len(columns))), np.eye(len(columns))])
-            table = fit.cars(np.repeat(cells, len(columns) + 1, axis=0), moved.reshape(-1, len(columns)), scales)
-            track = fit.track(table).reshape(count, len(columns) + 1, -1)
-            at, along = fit.assigned(track[:, 0])
-            off = np.stack([fit.residual(track[:, k], at, along) for k in range(len(columns) + 1)], axis=2)
-            off = off / fit.prior.noise.point
-            residuals.append(off[:, :, 0])
-            derivative = np.zeros((count, off.shape[1], width))
-            derivative[:, :, columns] = off[:, :, 1:] - off[:, :, :1]
+            table = fit.cars(cells, own, scales)
+            track = track_of(fit.fleet, fit.lever, table)
+            at, along = fit.assigned(track)
+            places = np.take_along_axis(track, at, axis=1)
+            # The places of the points alone, with each deviation of car and head greater by a standard deviation.
+            number = len(columns) - len(starts)
+            moved = (own[:, None, :] + np.eye(len(columns))[:number]).reshape(-1, len(columns))
+            cars = fit.cars(np.repeat(cells, number, axis=0), moved, scales)
+            stations = np.repeat(fit.fleet.stations[at], number, axis=0)
+            shifted = track_of(fit.fleet, fit.lever, cars, stations).reshape(count, number, -1)
+            begun = [started(places, table, name, scale) for name, scale in zip(starts, scales[number:], strict=True)]
+            base = fit.residual(places, along)
+            off = [fit.residual(shifted[:, k], along) for k in range(number)]
+            off += [fit.residual(place, along) for place in begun]
+            residuals.append(base / fit.prior.noise.point)
+            derivative = np.zeros((count, base.shape[1], width))
+            derivative[:, :, columns] = (np.stack(off, axis=2) - base[:, :, None]) / fit.prior.noise.point
             derivatives.append(derivative)
         derivative = np.concatenate(derivatives, axis=1)
         information = np.eye(width) + derivative.transpose(0, 2, 1) @ derivative
@@ -263,16 +270,33 @@ class _System:
         return np.asarray(-np.linalg.solve(self.information, gradient[..., None])[..., 0])
 
 
-def track_of(fleet: Fleet, lever: complex, table: Array) -> Complex:
-    """Places of a point of the car at the fleet's stations, shape (m, g), mm.
+def track_of(fleet: Fleet, lever: complex, table: Array, stations: Array | None = None) -> Complex:
+    """Places of a point of the car at the fleet's stations, or at each car's own, shape (m, g), mm.
 
     Args:
         fleet: the nominal car.
         lever: place of the point in the car's frame from the drive wheel, x + iy, mm.
         table: deviations, shape (m, 29), columns as in `PARAMETERS`.
+        stations: motor positions of each car, shape (m, g), rad; the fleet's if left out.
     """
     tracks = []
     for begin in range(0, len(table), _BLOCK):
-        poses = run_fleet(fleet, table[begin : begin + _BLOCK])
+        block = slice(begin, begin + _BLOCK)
+        poses = run_fleet(fleet, table[block], None if stations is None else stations[block])
         tracks.append(poses.position + lever * np.exp(1j * poses.heading))
     return np.concatenate(tracks)
+
+
+def started(places: Complex, table: Array, name: str, by: float) -> Complex:
+    """Places of cars that are started otherwise, without running them again, shape (m, g), mm.
+
+    Args:
+        places: of a point of the cars, shape (m, g), mm.
+        table: their deviations, shape (m, 29), columns as in `PARAMETERS`.
+        name: `start_x`, `start_y` or `start_heading`.
+        by: what is added to it, mm or rad.
+    """
+    if name != "start_heading":
+        return places + (by if name == "start_x" else 1j * by)
+    start = (table[:, _COLUMN["start_x"]] + 1j * table[:, _COLUMN["start_y"]])[:, None]
+    return np.asarray(start + (places - start) * np.exp(1j * by))

@@ -11,7 +11,9 @@
 | `gear`     | a gear by its numbers                                                      |
 | `gears`    | pairs and trains of gears, by their numbers or of a design                 |
 | `calibration` | a judgement of measured data, and the design built from it              |
+| `advice`   | what to measure next; runs predicted with what was found                   |
 | `adjustment` | settings after trial runs                                                |
+| `planning`   | a planned path, or why there is none                                    |
 | `design`   | a design and what can be done with it                                      |
 
 Everything raises the errors of `cadgen.errors`: one sentence that says what is wrong, where, and what to change. The

@@ -1,14 +1,17 @@
 """Results of judging measured data: what `Design.calibrate` and `Design.calibrate_each` give."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
 
 from cadgen.api.files import Written, folder_of
+from cadgen.api.measured import Data, sources_of
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
+    from cadgen.api.advice import Advice, Predictions
     from cadgen.report.text import Block
     from cadgen.workflow.calibration import plan as calibrations
 
@@ -73,6 +76,36 @@ class Calibration(Generic[D]):
             return self.design
         text = as_built_text(self.computed, self.design.text)
         return type(self.design).from_toml(text, f"{self.computed.design.name}_as_built")
+
+    def next_measurement(self, *, progress: Progress = silent) -> "Advice":
+        """Rank what could be measured next by where the run is then expected to end on a new cam.
+
+        Args:
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            FileError: the data contradict each other.
+        """
+        from cadgen.api.advice import Advice
+        from cadgen.workflow.calibration.advice import after
+
+        return Advice(after(self.computed, progress), measured=True)
+
+    def predict(self, data: Data | Iterable[Data], *, progress: Progress = silent) -> "Predictions":
+        """Predict measured data that were not used, with what was found.
+
+        Args:
+            data: as of `Design.calibrate`.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            FileError: data cannot be read, were used, or cannot be predicted by what was.
+        """
+        from cadgen.api.advice import Predictions
+        from cadgen.workflow.calibration.prediction import predicted
+
+        unseen = sources_of(data, each=True, progress=progress)
+        return Predictions(predicted(self.computed, unseen, progress))
 
     @property
     def report(self) -> "list[Block]":

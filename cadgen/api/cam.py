@@ -229,7 +229,7 @@ class Cam:
 
     @property
     def expected(self) -> str:
-        """What a cam of an as-built design is expected to do, in a sentence; empty if nothing was measured."""
+        """Expected run of the car on a cam of an as-built design, in a sentence; empty if nothing was measured."""
         return outlook_sentence(self.computed.design)
 
     @property

@@ -17,15 +17,18 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
+    from cadgen.api.advice import Advice
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.gears import GearTrain
+    from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
     from cadgen.monte_carlo.robust import Map
 
 ORDERS = ("as-given", "reordered", "search")
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
+_WITHIN_MM = 25.0
 
 
 @dataclass(frozen=True, repr=False)
@@ -297,6 +300,19 @@ class Design:
         computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
         return Calibration(computed, Design(design, self.text, self.file))
 
+    def next_measurement(
+        self, *, profile: str = "actual", form_error_um: float | None = None, progress: Progress = silent
+    ) -> "Advice":
+        """Rank what to measure first on a car of this design; `Calibration.next_measurement` does it after data.
+
+        Arguments and errors as in `calibrate`.
+        """
+        from cadgen.api.advice import Advice
+        from cadgen.workflow.calibration.advice import before
+
+        error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
+        return Advice(before(self._whole(), profile, error, progress), measured=False)
+
     def calibrate_each(
         self,
         data: Iterable[Data],
@@ -344,6 +360,44 @@ class Design:
         from cadgen.api.adjustment import adjusted
 
         return adjusted(self._whole(), trials, profile, point, knobs, noise_mm, division_um, progress)
+
+    def plan(
+        self,
+        improve: "Design | None" = None,
+        within_mm: float | None = None,
+        *,
+        calm_as: "Design | None" = None,
+        seeds: int = 1,
+        progress: Progress = silent,
+    ) -> "Plan[Design]":
+        """Plan the path that keeps the course and is least sensitive to the play of the gears.
+
+        The design needs [course]; where it has no [path], load it with `train_only=True`.
+
+        Args:
+            improve: design whose path is improved and not planned from scratch; its start and finish stay.
+            within_mm: how far the drive wheel's track may leave that path, mm, 0.1 to 1000; 25 if left out.
+            calm_as: design whose path has the greatest slopes of the curvature that are allowed; that of `improve` if
+                left out, else only the cam's own limits count.
+            seeds: number of searches, each from another path, 1 to 100; the best one counts.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: the design has no course or no start, or a number is out of its range.
+        """
+        from cadgen.api.planning import SEEDS, WITHIN_MM, Plan
+        from cadgen.build import cam_model
+        from cadgen.workflow.planning.plan import Wanted, plan_design
+
+        within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
+        if within is not None and improve is None:
+            raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
+        near = None if improve is None else cam_model.track(improve._whole())
+        calm = near if calm_as is None else cam_model.track(calm_as._whole())
+        known, drawn = load.course_of(self.text, self.file, self.values.overrides)
+        wanted = Wanted(near, _WITHIN_MM if within is None else within, calm, whole("seeds", seeds, *SEEDS))
+        own = cam_model.track(known) if drawn else None
+        return Plan(plan_design(known, self.text, own, wanted, progress), self)
 
     def _whole(self) -> DesignValues:
         """The design, if it has all that a cam needs."""

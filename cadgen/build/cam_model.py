@@ -20,7 +20,7 @@ from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
 from cadgen.errors import DesignError
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
-from cadgen.path.spline import PlannedPath, plan_path
+from cadgen.path.spline import PlannedPath
 from cadgen.path.track import Track, offset_track
 from cadgen.steering.car import Car, steering_jets
 from cadgen.steering.slip import by_rim, rim_travel
@@ -31,12 +31,12 @@ _ROUNDING = 1e-9  # of the track's length
 
 
 def planned_path(design: Design) -> PlannedPath:
-    """The spline through the waypoints.
+    """The curve of the design's kind of path.
 
     Raises:
-        DesignError: two equal neighbours among the waypoints.
+        DesignError: its points make no path, such as two equal neighbours among the waypoints.
     """
-    return plan_path(np.array(design.path.waypoints_mm), design.path.spline)
+    return design.path.registered.build(design.path.keys)
 
 
 def track(design: Design) -> Track:

@@ -79,7 +79,7 @@ def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:
     Raises:
         DesignError: a joint whose bore, key or flat is not known, or a fit that is none.
     """
-    found: list[Loose] = []
+    loose: list[Loose] = []
     if design.train is not None and of is not None:
         keys, ratio = design.train, float(of.ratio)
         on_shafts = [("the pinion on the drive", "train.drive", keys.drive, ratio)]
@@ -91,10 +91,10 @@ def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:
         for name, where, blank, turns in on_shafts:
             width = blank.keyway.width_mm if blank.keyway else None
             zone = _free_angle(blank, where, blank.bore_diameter_mm, width, None)
-            found.append(_joint(name, blank, zone).at(turns))
-        found += bearings(of, (keys.bearing_clearance_um or 0.0) * _UM)
-    found.append(_joint("the cam", design.blank, cam_joint(design)))
-    return tuple(one for one in found if one.greatest > 0)
+            loose.append(_joint(name, blank, zone).at(turns))
+        loose += bearings(of, (keys.bearing_clearance_um or 0.0) * _UM)
+    loose.append(_joint("the cam", design.blank, cam_joint(design)))
+    return tuple(joint for joint in loose if joint.greatest > 0)
 
 
 def cam_joint(design: TrainDesign) -> tuple[float, float]:

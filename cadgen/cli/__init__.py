@@ -3,6 +3,7 @@
 | module      | what it holds                                                     |
 |-------------|-------------------------------------------------------------------|
 | `new`       | `cadgen new`: a commented design to begin with                    |
+| `plan`      | `cadgen plan`: from a course to a path                            |
 | `check`     | `cadgen check`: every figure of a cam, and nothing written         |
 | `cam`       | `cadgen cam`: a cam as verified files                              |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
@@ -15,6 +16,7 @@
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
 | `show_play` | tables of profiles, runs, remedies and budgets                     |
+| `show_plan` | a planned path                                                    |
 | `show_adjustment` | what to set after trial runs                                |
 | `output`    | standard output and sentences on standard error                    |
 | `interrupt` | signals                                                            |
@@ -42,6 +44,7 @@ from cadgen.cli.check import check
 from cadgen.cli.gears import gears
 from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
+from cadgen.cli.plan import plan
 from cadgen.cli.simulate import simulate
 from cadgen.cli.tolerance import tolerance
 from cadgen.cli.verify import verify
@@ -70,6 +73,7 @@ def cli(context: click.Context) -> None:
 
 
 cli.add_command(new)
+cli.add_command(plan)
 cli.add_command(cam)
 cli.add_command(check)
 cli.add_command(gears)

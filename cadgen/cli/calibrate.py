@@ -1,11 +1,18 @@
 """`cadgen calibrate`: from measured files to the effects that the design lacks."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
 from cadgen.optimize.profiles.actual import ACTUAL
+
+if TYPE_CHECKING:
+    from cadgen.api.advice import Advice, Predictions
+    from cadgen.api.calibration import Calibration
+    from cadgen.api.design import Design
+    from cadgen.progress import Progress
 
 
 @click.command()
@@ -22,6 +29,20 @@ from cadgen.optimize.profiles.actual import ACTUAL
     help="Judge each file alone, as if each came from another car. Prints one table; with --out, no pictures and no "
     "as-built design are written.",
 )
+@click.option(
+    "--next",
+    "ask_next",
+    is_flag=True,
+    help="Say also what to measure next, ranked by where the run is then expected to end on a new cam; without a FILE, "
+    "what to measure first.",
+)
+@click.option(
+    "--predict",
+    "unseen",
+    multiple=True,
+    metavar="FILE",
+    help="Predict this file, which is not used, with what is found in the others. Repeatable.",
+)
 @overrides_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of the report.")
 @out_option(help="Folder for the report, its pictures, JSON and the as-built design; without it no file is written.")
@@ -30,6 +51,8 @@ def calibrate(
     profile: str,
     form_error_um: float | None,
     each: bool,
+    ask_next: bool,
+    unseen: tuple[str, ...],
     overrides: tuple[str, ...],
     as_json: bool,
     out: Path | None,
@@ -46,16 +69,44 @@ def calibrate(
     from cadgen.design.load import packaged_designs
     from cadgen.report.text import write
 
-    design, files = design_and_files(arguments, packaged_designs())
+    design, files = design_and_files(arguments, packaged_designs(), some=not ask_next)
     loaded = Design.load(design, overrides)
+    if each and (ask_next or unseen):
+        asked = "--next" if ask_next else "--predict"
+        raise click.UsageError(f"{asked} is asked of one car, and --each judges files of several: give one of them")
+    if unseen and not files:
+        raise click.UsageError("--predict needs a measured file to predict from: name at least one")
+    if not files:
+        if out is not None:
+            raise click.UsageError("without a measured file there is nothing to write: remove --out")
+        with show.progress(not as_json) as progress:
+            first = loaded.next_measurement(profile=profile, form_error_um=form_error_um, progress=progress)
+        if as_json:
+            show.document({"next": first.facts()})
+        else:
+            write(first.report, show.Output())
+        return
     result: Calibration[Design] | Calibrations[Design]
     with show.progress(not as_json) as progress:
         judge = loaded.calibrate_each if each else loaded.calibrate
         result = judge(files, profile=profile, form_error_um=form_error_um, progress=progress)
+        more = _more(result, ask_next, unseen, progress) if isinstance(result, Calibration) else {}
         written = None if out is None else result.write(out, progress=progress)
     if as_json:
-        show.document(result.facts())
+        show.document(result.facts() | {name: part.facts() for name, part in more.items()})
         return
-    write(result.report, show.Output())
+    write([*result.report, *(block for part in more.values() for block in part.report)], show.Output())
     if written is not None and out is not None:
         show.files(written, out)
+
+
+def _more(
+    result: "Calibration[Design]", ask_next: bool, unseen: tuple[str, ...], progress: "Progress"
+) -> "dict[str, Advice | Predictions]":
+    """What was asked for beside the verdict, by its name in the JSON document."""
+    more: dict[str, Advice | Predictions] = {}
+    if unseen:
+        more["predicted"] = result.predict(unseen, progress=progress)
+    if ask_next:
+        more["next"] = result.next_measurement(progress=progress)
+    return more

@@ -97,8 +97,8 @@ def _return_errors(plan: "GearsPlan") -> None:
     if plan.departures and plan.standard:
         rows.append(("train, by the standard", plan.standard))
     if plan.order != "as-given":
-        rows.append(("train, as given", plan.given))
-    if plan.baseline is not plan.given:
+        rows.append(("train, as given", plan.designed))
+    if plan.baseline is not plan.designed:
         rows.append(("as given, by the standard", plan.baseline))
     for label, play_of_train in rows:
         table.add_row(label, "", "", "", *_return_error(play_of_train))

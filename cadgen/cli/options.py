@@ -82,12 +82,15 @@ def formats_option(endings: str) -> Callable[[Command], Command]:
     )
 
 
-def design_and_files(arguments: tuple[str, ...], packaged: Collection[str]) -> tuple[str | None, tuple[str, ...]]:
+def design_and_files(
+    arguments: tuple[str, ...], packaged: Collection[str], *, some: bool = True
+) -> tuple[str | None, tuple[str, ...]]:
     """A design, if the first argument names one, and measured files.
 
     Args:
         arguments: of the command line.
         packaged: names of the packaged designs.
+        some: whether there must be a file.
 
     Raises:
         click.UsageError: no file, or a design among them.
@@ -96,7 +99,7 @@ def design_and_files(arguments: tuple[str, ...], packaged: Collection[str]) -> t
     if designs and (len(designs) > 1 or arguments[0] != designs[0]):
         raise click.UsageError(f"{designs[-1]} is a design and not measured data: name one design, before the files")
     design, files = (designs[0], arguments[1:]) if designs else (None, arguments)
-    if not files:
+    if some and not files:
         raise click.UsageError("no measured file was given: name at least one CSV file")
     return design, files
 

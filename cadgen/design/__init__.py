@@ -7,6 +7,7 @@
 | `course`    | sections of the course: field, posts, walls, zones, gates                |
 | `outline`   | section of the car's outline and wheels                                  |
 | `blank`     | sections of bore, keyway, hub, holes                                     |
+| `path`      | section of the path, with the keys of its kind                           |
 | `follower`  | section of the follower, with the keys of its kind                       |
 | `joint`     | what holds a wheel on its shaft                                          |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
@@ -24,5 +25,6 @@
 | `load`      | name or file -> `Design`                                                 |
 | `template`  | text of a design to begin with                                           |
 | `begin`     | name, points of a path, changes of keys -> a commented design            |
+| `planned`   | the design file with a planned path, comments kept                       |
 | `reference` | the schema as a page of documentation                                    |
 """

@@ -104,7 +104,7 @@ class Effect(Section):
         return self
 
     def _has_its_numbers(self, known: "Known", where: str) -> None:
-        wanted = [p.name for p in known.parameters] + [name for name, _ in known.given]
+        wanted = [p.name for p in known.parameters] + [name for name, _ in known.indices]
         if sorted(value.name for value in self.values) != sorted(wanted):
             have = listed([value.name for value in self.values], "and")
             raise ValueError(f"{where} values has {have}; it must have {listed(wanted, 'and')}, once each")
@@ -115,13 +115,13 @@ class Effect(Section):
                     f"{where} {p.name} is {value:g}; what can be lies between {p.lower:g} and {p.upper:g}: measure "
                     "again, or correct the value"
                 )
-        for name, _ in known.given:
+        for name, _ in known.indices:
             if not (self.numbers[name] >= 1 and self.numbers[name] == int(self.numbers[name])):
                 raise ValueError(f"{where} {name} is {self.numbers[name]:g}; it must be a whole number from 1")
 
 
 class Outlook(Section):
-    """What the new cam is expected to do, by all that was measured; written by `cadgen calibrate`."""
+    """Expected run of the car on the new cam, from all measurements; written by `cadgen calibrate`."""
 
     old_mm: float = Field(ge=0, le=1e7, description="mean distance from the planned end of the run, on the old cam")
     new_mm: float = Field(ge=0, le=1e7, description="the same on a new cam made for `effects`")

@@ -13,6 +13,7 @@ from pydantic.fields import FieldInfo
 
 from cadgen.design.follower import Follower, section_of
 from cadgen.design.kinds import USUAL, Kinds
+from cadgen.design.path import Path, path_section
 from cadgen.design.schema import DesignFile
 from cadgen.design.section import OneOf, Section, listed
 from cadgen.design.stage import Stage, stage_section
@@ -96,13 +97,13 @@ class Table:
 
 @cache
 def tables(kinds: Kinds = USUAL) -> dict[str, Table]:
-    """Every section of a design with some kinds of follower and stage by its dotted name, from the top down."""
+    """Every section of a design with some kinds of path, follower and stage by its dotted name, from the top down."""
     return {table.name: table for table in _walk("", DesignFile, kinds, required=True, many=False)}
 
 
 @cache
 def keys(kinds: Kinds = USUAL) -> dict[str, Key]:
-    """Every key of a design with some kinds of follower and stage by its dotted name."""
+    """Every key of a design with some kinds of path, follower and stage by its dotted name."""
     return {key.name: key for table in tables(kinds).values() for key in table.keys}
 
 
@@ -164,6 +165,8 @@ def _walk(name: str, section: type[Section], kinds: Kinds, *, required: bool, ma
         inner = _section_in(info.annotation)
         if inner is Follower:
             inner = section_of(kinds.follower)
+        elif inner is Path:
+            inner = path_section(kinds.path)
         elif inner is Stage:
             inner = stage_section(kinds.stage)
         if inner:

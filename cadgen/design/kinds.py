@@ -5,8 +5,11 @@ from dataclasses import dataclass
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.design.follower import named_kind
+from cadgen.design.path import named_path
 from cadgen.design.stage import stage_kinds
 from cadgen.gears.kinds.kind import StageKind
+from cadgen.path.kinds.kind import PathKind
+from cadgen.path.kinds.quintic import QUINTIC
 
 # A key's parts from the top, items of lists counted from 0.
 Place = tuple[str | int, ...]
@@ -19,10 +22,12 @@ class Kinds:
     Attributes:
         follower: kind of follower.
         stage: kind of the stage that holds the place; None for spur gears.
+        path: kind of path.
     """
 
     follower: FollowerKind = ROD
     stage: StageKind | None = None
+    path: PathKind = QUINTIC
 
 
 USUAL = Kinds()
@@ -35,19 +40,21 @@ class NamedKinds:
     Attributes:
         follower: kind of follower.
         stages: kind of each stage of the train; None for spur gears.
+        path: kind of path.
     """
 
     follower: FollowerKind = ROD
     stages: tuple[StageKind | None, ...] = ()
+    path: PathKind = QUINTIC
 
     @classmethod
     def of(cls, values: object) -> "NamedKinds":
         """Kinds that raw values name; the usual ones where they name none that is known."""
-        return cls(named_kind(values), stage_kinds(values))
+        return cls(named_kind(values), stage_kinds(values), named_path(values))
 
     def at(self, place: Place) -> Kinds:
         """Kinds that decide at a place."""
         match place:
             case ("train", "stages", int(number), *_) if number < len(self.stages):
-                return Kinds(self.follower, self.stages[number])
-        return Kinds(self.follower)
+                return Kinds(self.follower, self.stages[number], self.path)
+        return Kinds(self.follower, path=self.path)

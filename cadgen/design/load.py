@@ -16,10 +16,13 @@ from cadgen.design.parse import DeepError, parse
 from cadgen.design.schema import Design, DesignFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
+from cadgen.path.kinds.b_spline import B_SPLINE
 from cadgen.reading import read_regular
 
 DEFAULT_DESIGN = "carbon_free_car"
 MAX_ERRORS_SHOWN = 5
+_WHEEL_OFFSETS = ("drive_wheel_offset_mm", "idle_wheel_offset_mm")
+_STRAIGHT = [[100.0 * k, 0.0] for k in range(6)]
 MOST_BYTES = 500_000  # of a file: ten thousand waypoints with every digit
 
 # Beside this package in a wheel, beside `cadgen/` in a working copy.
@@ -65,6 +68,33 @@ def design_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design:
         DesignError: as `load_design`.
     """
     return Design(**_checked(DesignFile, _parsed(text, file), file.name, overrides), overrides=tuple(overrides))
+
+
+def course_of(text: str, file: Path, overrides: Sequence[str] = ()) -> tuple[Design, bool]:
+    """A design that a path is to be planned for, and whether it has one already.
+
+    One that has none gets a short straight path, along which the point in the middle between the rear wheels runs.
+
+    Args:
+        text: TOML.
+        file: path of the file, real or not, for messages.
+        overrides: as for `load_design`.
+
+    Raises:
+        DesignError: as `load_design`.
+    """
+    values = _parsed(text, file)
+    for change in overrides:
+        override(values, change)
+    path = values.setdefault("path", {})
+    drawn = not isinstance(path, dict) or any(key not in ("spline", "offset_mm") for key in path)
+    if not drawn:
+        car = values.get("car")
+        offsets = [car.get(key) if isinstance(car, dict) else None for key in _WHEEL_OFFSETS]
+        numbers = [offset for offset in offsets if isinstance(offset, int | float)]
+        path.setdefault("offset_mm", sum(numbers) / 2)
+        path.update(spline=B_SPLINE.code, control_points_mm=_STRAIGHT)
+    return Design(**_checked(DesignFile, values, file.name, ()), overrides=tuple(overrides)), drawn
 
 
 def train_of(text: str, file: Path, overrides: Sequence[str] = ()) -> TrainDesign:

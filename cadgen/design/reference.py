@@ -4,7 +4,11 @@ from math import degrees
 
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.design.keys import Key, Table, last, shown, tables
+from cadgen.design.kinds import Kinds
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
+from cadgen.design.section import listed
+from cadgen.path.kinds.kind import PathKind
+from cadgen.path.kinds.table import codes, kind_of
 
 _HEAD = """\
 # The design file
@@ -72,7 +76,7 @@ outwards; on the return the spring drives it back.
 def page() -> str:
     """The reference page in Markdown, written from the schema."""
     names = " and ".join(f"`{name}`" for name in packaged_designs())
-    sections = "".join(_section(table) for table in tables().values())
+    sections = "".join(_section(table) + _other_paths(table) for table in tables().values())
     limits = "".join(
         f"| `{name}` | {degrees(limit.rise):.0f}° | {degrees(limit.fall):.0f}° | {limit.source} |\n"
         for name, limit in PRESSURE_ANGLE_LIMITS.items()
@@ -85,6 +89,22 @@ def _section(table: Table) -> str:
     title = f"### {table.heading}\n\n{table.meaning}" if table.name else "### Before the first section"
     optional = "" if table.required else " May be left out."
     return f"\n{title}{optional}\n\n{head}{''.join(_row(key) for key in table.keys)}"
+
+
+def _other_paths(table: Table) -> str:
+    """After the section [path], the keys of the kinds that have others than the usual one."""
+    kinds = [kind_of(code) for code in codes()] if table.name == "path" else []
+    usual = {key.name for key in table.keys}
+    return "".join(_path_kind(kind, usual) for kind in kinds)
+
+
+def _path_kind(kind: PathKind, usual: set[str]) -> str:
+    keys = {key.name: key for key in tables(Kinds(path=kind))["path"].keys}
+    if not (rows := "".join(_row(key) for name, key in keys.items() if name not in usual)):
+        return ""
+    replaced = listed([f"`{last(name)}`" for name in sorted(usual - set(keys))], "and")
+    head = "| key | unit | must be | default | meaning |\n|---|---|---|---|---|\n"
+    return f'\nWith `spline = "{kind.code}"`, instead of {replaced}:\n\n{head}{rows}'
 
 
 def _row(key: Key) -> str:

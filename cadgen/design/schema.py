@@ -20,54 +20,15 @@ from cadgen.design.follower import Follower, by_kind
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
 from cadgen.design.outline import Outline
+from cadgen.design.path import Path, path_by_kind
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.train import Train, train_by_stages
-from cadgen.path.names import SplineKind
 
 THINNEST_DISC_MM = 0.1
 LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the rod, and no shop can hold it
 # Chord error of the cam's mesh where the design gives none.
 CAM_CHORD_UM = 5.0
-# What a cam takes in time and memory: of 10 000 waypoints some half a minute and 0.3 GB; of 1000 kinks as long, and
-# 0.8 GB.
-MOST_WAYPOINTS = {"quintic": 10_000, "cubic": 1000}
-
-
-class Path(Section):
-    """The path the car is to drive."""
-
-    spline: SplineKind = Field(
-        default="quintic",
-        description="curve through the waypoints: the sixth-order natural spline of the paper's text, or the "
-        "cubic of its appendix, whose curvature has kinks",
-    )
-    offset_mm: float = Field(
-        default=0.0,
-        ge=-1000,
-        le=1000,
-        description="how far to the right of the drive wheel the waypoints' path runs",
-    )
-    waypoints_mm: Points = Field(
-        min_length=4,
-        description="[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000, and so smooth that "
-        "the rod's contact turns back at 1000 places at most",
-    )
-
-    @model_validator(mode="after")
-    def _waypoints_can_be_followed(self) -> "Path":
-        count = len(self.waypoints_mm)
-        most = MOST_WAYPOINTS[self.spline]
-        if count <= most:
-            return self
-        why, remedy = "of which the lift is made piece by piece", ""
-        if self.spline == "cubic":
-            why = "and at each a cubic spline has a kink, where the profile is joined anew"
-            remedy = ', or set path.spline = "quintic"'
-        raise ValueError(
-            f"path.waypoints_mm has {count} waypoints, {why}; at most {most} can be followed: keep one in "
-            f"{-(-count // most)}{remedy}"
-        )
 
 
 class Arena(Section):
@@ -245,7 +206,7 @@ class TrainFile(Section):
         default="",
         description="what the exported files are named after; left out, the design file's own name",
     )
-    path: Path | None = None
+    path: SerializeAsAny[Path] | None = None
     field: Arena | None = None
     course: Course | None = None
     car: Car | None = None
@@ -261,6 +222,11 @@ class TrainFile(Section):
     tolerances: Tolerances = Tolerances()
     optimize: Optimize = Optimize()
     as_built: AsBuilt | None = None
+
+    @field_validator("path", mode="wrap")
+    @classmethod
+    def _path_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Path | None:
+        return path_by_kind(value, usual)
 
     @field_validator("follower", mode="wrap")
     @classmethod
@@ -300,7 +266,7 @@ class TrainFile(Section):
 class DesignFile(TrainFile):
     """A design as its file gives it, checked, with the defaults filled in."""
 
-    path: Path
+    path: SerializeAsAny[Path]
     car: Car
     cam: Cam
     follower: SerializeAsAny[Follower]

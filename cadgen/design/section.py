@@ -3,11 +3,13 @@
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import MISSING, dataclass, fields
-from typing import Annotated, Any, TypeVar, get_type_hints
+from typing import Annotated, Any, TypeVar, get_args, get_type_hints
 
 from annotated_types import Ge, Le
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, Strict, create_model
 from pydantic_core import CoreSchema, core_schema
+
+from cadgen.path import names
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
@@ -71,9 +73,15 @@ def section_with(base: type[S], meaning: str, keys: type[Any]) -> type[S]:
     for item in fields(keys):
         phrase = next(text for text in hints[item.name].__metadata__ if isinstance(text, str))
         default = ... if item.default is MISSING else item.default
-        more[item.name] = hints[item.name], Field(default, description=phrase)
+        more[item.name] = _as_read(hints[item.name]), Field(default, description=phrase)
     made: type[S] = create_model(base.__name__, __base__=base, __doc__=meaning, **more)
     return made
+
+
+def _as_read(hint: Any) -> Any:
+    """Type of a key as a file is read: points are lists there, with the limits of every coordinate."""
+    arguments = get_args(hint)
+    return Annotated[(Points, *arguments[1:])] if arguments[0] == names.Points else hint
 
 
 def keys_in(section: Section, keys: type[Any]) -> Any:

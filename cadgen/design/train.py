@@ -10,7 +10,7 @@ from annotated_types import Gt, Le
 from pydantic import Field, Strict, create_model
 
 from cadgen.design.joint import Held
-from cadgen.design.section import Section
+from cadgen.design.section import Section, listed
 from cadgen.design.stage import StageItem, stage_kinds
 from cadgen.gears.names import Thinning
 
@@ -172,12 +172,40 @@ _TOOTHLESS: type[Train] = create_model(
 )
 
 
+# Keys of teeth: in a train without any they would do nothing.
+_TEETH = (
+    *(
+        "module_mm",
+        "width_mm",
+        "pressure_angle_deg",
+        "grade",
+        "thinning",
+        "E_sn_um",
+        "addendum_factor",
+        "dedendum_factor",
+    ),
+    *("rack_tip_radius_factor", "tip_chamfer_mm", "pin_diameter_mm"),
+)
+
+
 def train_by_stages(value: object, usual: Callable[[object], Train | None]) -> Train | None:
     """Check a section by the kinds of its stages.
 
     Args:
         value: values as the file has them.
         usual: check of a train with spur gears.
+
+    Raises:
+        ValueError: keys of teeth in a train without spur gears.
     """
     kinds = stage_kinds({"train": value})
-    return _TOOTHLESS.model_validate(value) if kinds and None not in kinds else usual(value)
+    if not kinds or None in kinds:
+        return usual(value)
+    train = _TOOTHLESS.model_validate(value)
+    usually = _TOOTHLESS.model_fields
+    if idle := [f"train.{key}" for key in _TEETH if getattr(train, key) != usually[key].default]:
+        raise ValueError(
+            f"{listed(idle, 'and')} {'are' if len(idle) > 1 else 'is'} of spur gears, and no stage of this train has "
+            f"any: remove {'them' if len(idle) > 1 else 'it'}"
+        )
+    return train

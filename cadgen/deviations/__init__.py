@@ -13,6 +13,7 @@
 | `track`        | effects of the car that a cam steers                                            |
 | `tricycle`     | effects of a car whose front wheel is logged                                    |
 | `friction`     | what effects of sliding friction share                                          |
+| `usual`        | how much cars differ in what nobody has measured                                |
 | `catalogue`    | the effects of each kind of data, by the names that design files give them      |
 | `as_built`     | the car with its effects: what becomes of a disc, and what to cut for it        |
 """

@@ -166,7 +166,7 @@ class AsBuilt:
         """
         disc = nominal_disc(curve, step)
         for placed in self.effects:
-            number = dict(placed.effect.given).get("nose_number", 0)
+            number = dict(placed.effect.indices).get("nose_number", 0)
             if placed.place == "part" and number > len(disc.noses):
                 raise DesignError(
                     f"[as_built] has a worn nose number {number:g}, but the profile has {len(disc.noses)}: correct "

@@ -68,26 +68,26 @@ class Catalogue:
         """Take a registered effect out again."""
         self._effects.remove(effect)
 
-    def named(self, name: str, given: Mapping[str, float] | None = None) -> Effect | None:
+    def named(self, name: str, indices: Mapping[str, float] | None = None) -> Effect | None:
         """The effect that is written under a name; None if there is none.
 
         Args:
             name: as it was claimed, such as `steering zero` or `lobing, order 3`.
-            given: numbers that belong to the name (see `Effect.given`): `nose_number` of a worn nose, counted from 1
+            indices: numbers that belong to the name (`Effect.indices`): `nose_number` of a worn nose, counted from 1
                 by polar angle; the first if left out.
         """
         for effect in self._effects:
             if effect.name == name:
                 return effect
         matched = ((family, family.pattern.fullmatch(name)) for family in self.families)
-        return next((family.member(match, given or {}) for family, match in matched if match), None)
+        return next((family.member(match, indices or {}) for family, match in matched if match), None)
 
 
-def _nose(match: re.Match[str], given: Mapping[str, float]) -> Effect:
-    return worn_nose(int(given.get("nose_number", 1)) - 1, NOSE_WIDTHS_DEG[0])
+def _nose(match: re.Match[str], indices: Mapping[str, float]) -> Effect:
+    return worn_nose(int(indices.get("nose_number", 1)) - 1, NOSE_WIDTHS_DEG[0])
 
 
-def _undulation(match: re.Match[str], given: Mapping[str, float]) -> Effect | None:
+def _undulation(match: re.Match[str], indices: Mapping[str, float]) -> Effect | None:
     effect = undulation(int(match[1]))
     return effect if effect.name == match[0] else None
 
@@ -100,12 +100,12 @@ _UNDULATIONS = Family(
 _RUNOUTS = Family(
     (runout("the camshaft", 1.0),),
     re.compile(r"runout of (the motor shaft|the camshaft|shaft \d{1,2})"),
-    lambda match, given: runout(match[1], 1.0),
+    lambda match, indices: runout(match[1], 1.0),
 )
 _MESHES = Family(
     (tooth_mesh(1, 1.0),),
     re.compile(r"tooth mesh of stage (\d{1,2})"),
-    lambda match, given: tooth_mesh(int(match[1]), 1.0),
+    lambda match, indices: tooth_mesh(int(match[1]), 1.0),
 )
 
 LIFT = Catalogue(*LIFT_EFFECTS, *LIFT_INSTRUMENT, families=(_NOSES,))

@@ -291,7 +291,7 @@ def worn_nose(number: int, width_deg: float) -> Effect:
         places=("part",),
         family="worn nose",
         variant=f"at {number} from {width_deg:g}",
-        given=(("nose_number", number + 1),),
+        indices=(("nose_number", number + 1),),
         numerous=True,
         confused_with="a dent, or a local error of the cutter's path",
         separated_by="compare with a new cam, or look at the nose under a lens: wear is polished",

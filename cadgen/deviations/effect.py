@@ -78,7 +78,7 @@ class Effect:
         numerous: True if it is one of many of its sort (orders, places): they enter a subset one at a time.
         includes: effect that this one becomes for some values.
         places: where the effect may be, the likeliest first; any effect may be `noted`.
-        given: numbers that are not fitted but make it this effect, by the names they are written under.
+        indices: numbers that say which of several alike it is, by their keys, as `nose_number`; they are not fitted.
         beside: effect without which it does nothing; with that it counts as one cause.
         looks_like: effect of the part or the car that it may be taken for: where the data do not part them, they are
             one cause under two names.
@@ -104,7 +104,7 @@ class Effect:
     one_run: bool = False
     includes: "Effect | None" = None
     places: tuple[Place, ...] = ("noted",)
-    given: tuple[tuple[str, float], ...] = ()
+    indices: tuple[tuple[str, float], ...] = ()
     beside: "Effect | None" = None
     looks_like: "Effect | None" = None
     parts: tuple["Effect", ...] = ()

@@ -31,12 +31,12 @@ class Turned:
 
 @dataclass(frozen=True, kw_only=True)
 class Turns(Turned, Rows):
-    """What is known of each reading."""
+    """Nominal state at each reading."""
 
 
 @dataclass(frozen=True)
 class Play:
-    """What stands between the last gear and the camshaft.
+    """Play between the last gear and the camshaft, and the friction that acts on it.
 
     Attributes:
         width: of the play, rad.

@@ -211,18 +211,18 @@ def stage_play(pair: Pair) -> StagePlay[float]:
 
 def pair_departures(pair: Pair, number: int) -> tuple[Departure, ...]:
     """Every override of a pair, stage `number` of its train, beside the standard's value."""
-    found = []
+    departures = []
     for role, gear in (("driver", pair.driver), ("driven gear", pair.driven)):
         sizes = (gear.form.reference_diameter, gear.form.normal_module, gear.form.width, gear.grade)
         where = f"stage {number}, {role} of {gear.form.teeth} teeth"
         for symbol, used in gear.overrides.given().items():
             standard = _standard(gear_tolerance, symbol, *sizes)
-            found.append(Departure(where=where, symbol=symbol, used=used, standard=standard))
+            departures.append(Departure(where=where, symbol=symbol, used=used, standard=standard))
     if pair.centre_distance_deviation is not None:
         standard = _standard(centre_distance_deviation, pair.centre_distance, _pair_grade(pair))
         used = pair.centre_distance_deviation
-        found.append(Departure(where=f"stage {number}", symbol="f_a", used=used, standard=standard))
-    return tuple(found)
+        departures.append(Departure(where=f"stage {number}", symbol="f_a", used=used, standard=standard))
+    return tuple(departures)
 
 
 def _zone_shift(aim: Thinning | float, E_sns: T, T_sn: T) -> T | float:

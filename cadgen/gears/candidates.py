@@ -89,8 +89,8 @@ def pairs_within(limits: SearchLimits) -> Pairs:
         thinning=(limits.pattern.thinning, limits.pattern.thinning),
     )
     x_E = tuple((gear.E_sns - gear.T_sn / 2) / (2 * module * tan(alpha)) for gear in (play.driver, play.driven))
-    found = Pairs(driver, driven, module, width, play.B_max, (x_E[0], x_E[1]))
-    return _in_mesh(found, play, limits)
+    pairs = Pairs(driver, driven, module, width, play.B_max, (x_E[0], x_E[1]))
+    return _in_mesh(pairs, play, limits)
 
 
 def _in_mesh(pairs: Pairs, play: StagePlay[Array], limits: SearchLimits) -> Pairs:
@@ -188,11 +188,11 @@ def _places(pairs: Pairs, limits: SearchLimits, blanks: Blanks) -> BoolArray:
             )
             for ends in (low.tolist(), high.tolist())
         )
-        found = at_most[kind]
+        fitting = at_most[kind]
         for row in np.flatnonzero(at_most & ~at_least).tolist():
             z, m, b = sizes[row].tolist()
-            found[row] = fit(form_of(limits, int(z), m, b, float(x_E[row])))
-        return np.asarray(found)
+            fitting[row] = fit(form_of(limits, int(z), m, b, float(x_E[row])))
+        return np.asarray(fitting)
 
     first = ask(pairs.driver, pairs.shifts[0], lambda form: fits(form, blanks.drive))
     later = ask(pairs.driver, pairs.shifts[0], lambda form: fits(form, blanks.intermediate, upper=True))

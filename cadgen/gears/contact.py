@@ -37,14 +37,14 @@ def contact_ratio(pair: Pair, centre_distance: float | None = None) -> float:
     """
     apart = pair.centre_distance if centre_distance is None else centre_distance
     line = apart * sin(pair.pressure_angle(apart))
-    one, two = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
+    driver, driven = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
 
     def along(diameter: float, form: GearForm) -> float:
         return sqrt(max(diameter**2 - form.base_diameter**2, 0.0)) / 2
 
-    start = max(line - along(two.form.tip_form_diameter, two.form), along(one.root_form_diameter, one.form))
-    end = min(along(one.form.tip_form_diameter, one.form), line - along(two.root_form_diameter, two.form))
-    return max(end - start, 0.0) / (pi * one.form.transverse_module * cos(one.form.transverse_pressure_angle))
+    start = max(line - along(driven.form.tip_form_diameter, driven.form), along(driver.root_form_diameter, driver.form))
+    end = min(along(driver.form.tip_form_diameter, driver.form), line - along(driven.root_form_diameter, driven.form))
+    return max(end - start, 0.0) / (pi * driver.form.transverse_module * cos(driver.form.transverse_pressure_angle))
 
 
 def found_contact_ratio(pair: Pair) -> float:
@@ -53,18 +53,18 @@ def found_contact_ratio(pair: Pair) -> float:
     Contact begins when the driver's flank is met near its root, at its own end or at that of the driven gear's
     tip, whichever is later; it ends the other way round.
     """
-    one, two = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
-    of_driver = [_passage(one, end, two, pair.centre_distance) for end in (0, -1)]
-    of_driven = [_passage(two, end, one, pair.centre_distance) for end in (-1, 0)]
-    pitch = 2 * pi / one.form.teeth
+    driver, driven = tooth_of(pair.driver.form), tooth_of(pair.driven.form)
+    of_driver = [_passage(driver, end, driven, pair.centre_distance) for end in (0, -1)]
+    of_driven = [_passage(driven, end, driver, pair.centre_distance) for end in (-1, 0)]
+    pitch = 2 * pi / driver.form.teeth
     ends = []
     for own, other in zip(of_driver, of_driven, strict=True):
-        found = [(own[0], own[2])] if own else []
-        found += [(other[1], other[2])] if other else []
-        angles = [angle for angle, touches in found if touches]
+        passages = [(own[0], own[2])] if own else []
+        passages += [(other[1], other[2])] if other else []
+        angles = [angle for angle, touches in passages if touches]
         if not angles:
             # Either both flanks end there together, or they never meet.
-            angles = [angle for angle, _ in found]
+            angles = [angle for angle, _ in passages]
             if not angles or max(angles) - min(angles) > TOGETHER * pitch:
                 return 0.0
         ends.append(angles)

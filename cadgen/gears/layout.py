@@ -150,24 +150,24 @@ def lay_out(
     on_shafts = blanks.by_shaft(len(train.stages) + 1) if isinstance(blanks, Blanks) else tuple(blanks)
     parts = _stacked(train, on_shafts, clearance)
     discs = _discs(parts, train)
-    for pair, one, two in zip(train.stages, discs, discs[1:], strict=False):
+    for pair, bodies, others in zip(train.stages, discs, discs[1:], strict=False):
         # Neighbours are as far apart in every direction: what collides there needs no search.
-        if collision := _between(one, two, pair.centre_distance, clearance):
+        if collision := _between(bodies, others, pair.centre_distance, clearance):
             raise DesignError(collision)
-    found = next(_clear_ways(train, wanted, discs, clearance), None)
-    if found is None:
+    chosen = next(_clear_ways(train, wanted, discs, clearance), None)
+    if chosen is None:
         # For the sake of the message: by the directions given, and then in a row, where shafts are furthest apart.
         row = [0.0 if direction is None else direction for direction in wanted]
-        given = takewhile(lambda direction: direction is not None, (row[0], *wanted[1:]))
-        said = (_collision(_axes(train, list(way)), discs, clearance) for way in (row[: len(list(given))], row))
+        stated = takewhile(lambda direction: direction is not None, (row[0], *wanted[1:]))
+        said = (_collision(_axes(train, list(way)), discs, clearance) for way in (row[: len(list(stated))], row))
         raise DesignError(next(filter(None, said), "") or _no_way(clearance))
     placed = []
     angle = 0.0
-    for number, (part, axis) in enumerate(zip(parts, _axes(train, found), strict=True)):
+    for number, (part, axis) in enumerate(zip(parts, _axes(train, chosen), strict=True)):
         if number:
-            angle = train.stages[number - 1].driven_angle(angle, found[number - 1])
+            angle = train.stages[number - 1].driven_angle(angle, chosen[number - 1])
         placed.append(replace(part, axis=axis, angle=angle))
-    return TrainLayout(train=train, parts=tuple(placed), directions=found)
+    return TrainLayout(train=train, parts=tuple(placed), directions=chosen)
 
 
 def collar_length(clearance: float) -> float:
@@ -228,15 +228,17 @@ def _made(shaft: int, place: str, make: Callable[..., M], *arguments: Wheel | Bl
 
 def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
     """The bodies of revolution on every shaft, at the train's heights: gears, hub and the shaft itself."""
-    found = [_gears_and_hub(part) for part in parts]
-    low, high = (pick(getattr(disc, end) for on in found for disc in on) for pick, end in ((min, "low"), (max, "high")))
+    on_shafts = [_gears_and_hub(part) for part in parts]
+    low, high = (
+        pick(getattr(disc, end) for on in on_shafts for disc in on) for pick, end in ((min, "low"), (max, "high"))
+    )
     for number, pair in enumerate(train.stages, 1):
         if pair.bearing_span < high - low:
             raise DesignError(
                 f"in stage {number}, the bearing span of {pair.bearing_span:g} mm is shorter than the stack of gears,"
                 f" collars and hubs between the bearings; give at least {ceil((high - low) * 1e3 - 1e-6) / 1e3:g} mm"
             )
-    for part, on in zip(parts, found, strict=True):
+    for part, on in zip(parts, on_shafts, strict=True):
         if part.blank.bore_diameter:
             stages = {max(part.shaft - 2, 0), min(part.shaft, len(train.stages)) - 1}
             half = max(train.stages[j].bearing_span for j in stages) / 2
@@ -244,7 +246,7 @@ def _discs(parts: Sequence[TrainPart], train: Train) -> list[list[_Disc]]:
             on.append(
                 _Disc(f"shaft {part.shaft} itself", None, part.blank.bore_diameter / 2, middle - half, middle + half)
             )
-    return found
+    return on_shafts
 
 
 def _gears_and_hub(part: TrainPart) -> list[_Disc]:
@@ -253,13 +255,13 @@ def _gears_and_hub(part: TrainPart) -> list[_Disc]:
         return _Disc(f"{name} on shaft {part.shaft}", stage, diameter / 2, *ends)
 
     bottom, top = part.gears[0], part.gears[-1]
-    found = [placed(bottom.noun, part.stages[0], bottom.tip_diameter, 0.0, bottom.width)]
+    bodies = [placed(bottom.noun, part.stages[0], bottom.tip_diameter, 0.0, bottom.width)]
     end = part.body.slabs[-1].end
     if len(part.gears) == 2:
-        found.append(placed(top.noun, part.stages[1], top.tip_diameter, end - top.width, end))
+        bodies.append(placed(top.noun, part.stages[1], top.tip_diameter, end - top.width, end))
     if hub := part.blank.hub:
-        found.append(placed("the hub", None, hub.diameter, bottom.width, bottom.width + hub.length))
-    return found
+        bodies.append(placed("the hub", None, hub.diameter, bottom.width, bottom.width + hub.length))
+    return bodies
 
 
 def _axes(train: Train, directions: Sequence[float]) -> list[complex]:
@@ -280,9 +282,9 @@ def _clear_ways(
     if len(chosen) == len(wanted):
         yield chosen
         return
-    given = wanted[len(chosen)]
-    if given is not None:
-        tried: Sequence[float] = [given]
+    stated = wanted[len(chosen)]
+    if stated is not None:
+        tried: Sequence[float] = [stated]
     else:
         tried = [0.0] if not chosen else [chosen[-1] + turn for turn in _TURNS]
     for direction in tried:
@@ -302,16 +304,16 @@ def _collision(axes: Sequence[complex], discs: Sequence[Sequence[_Disc]], cleara
 
 def _between(first: Sequence[_Disc], second: Sequence[_Disc], apart: float, clearance: float) -> str:
     """The first collision of the bodies on two shafts whose axes are `apart`, in words; empty if there is none."""
-    for one, two in product(first, second):
-        in_mesh = one.stage is not None and one.stage == two.stage
-        gap = max(apart - one.radius - two.radius, max(one.low, two.low) - min(one.high, two.high))
+    for body, other in product(first, second):
+        in_mesh = body.stage is not None and body.stage == other.stage
+        gap = max(apart - body.radius - other.radius, max(body.low, other.low) - min(body.high, other.high))
         if in_mesh or gap >= clearance:
             continue
         if apart < ONE_AXIS:
-            return f"{one.name} and {two.name} collide: both stand on one axis; give the stages other directions"
-        cure = "a longer collar" if one.stage and two.stage else "smaller bores or hubs"
+            return f"{body.name} and {other.name} collide: both stand on one axis; give the stages other directions"
+        cure = "a longer collar" if body.stage and other.stage else "smaller bores or hubs"
         return (
-            f"{one.name} and {two.name} collide: at axes {apart:.4g} mm apart the gap between them is {gap:.4g} mm,"
+            f"{body.name} and {other.name} collide: at axes {apart:.4g} mm apart the gap between them is {gap:.4g} mm,"
             f" less than the clearance of {clearance:g} mm; give {cure}, another order of the stages, or other"
             " directions"
         )

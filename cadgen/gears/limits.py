@@ -135,9 +135,9 @@ def _listed(values: Iterable[float]) -> str:
 
 
 def _require_one(what: str, values: Iterable[float]) -> None:
-    given = sorted(set(values))
-    if len(given) > 1:
+    different = sorted(set(values))
+    if len(different) > 1:
         raise DesignError(
-            f"the search gives all stages one {what}, and those given have {' and '.join(f'{v:g}' for v in given)};"
+            f"the search gives all stages one {what}, and those given have {' and '.join(f'{v:g}' for v in different)};"
             " give them all the same, or reorder them as they are"
         )

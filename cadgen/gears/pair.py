@@ -61,23 +61,23 @@ class Pair:
     centre_distance_deviation: float | None = None
 
     def __post_init__(self) -> None:
-        one, two = self.driver.form, self.driven.form
-        if one.normal_module != two.normal_module:
+        driver, driven = self.driver.form, self.driven.form
+        if driver.normal_module != driven.normal_module:
             raise DesignError(
-                f"{self} joins the modules {one.normal_module:g} and {two.normal_module:g} mm;"
+                f"{self} joins the modules {driver.normal_module:g} and {driven.normal_module:g} mm;"
                 " give both gears one module"
             )
-        if one.normal_pressure_angle != two.normal_pressure_angle:
+        if driver.normal_pressure_angle != driven.normal_pressure_angle:
             raise DesignError(
-                f"{self} joins the pressure angles {degrees(one.normal_pressure_angle):g}° and"
-                f" {degrees(two.normal_pressure_angle):g}°; give both gears one pressure angle"
+                f"{self} joins the pressure angles {degrees(driver.normal_pressure_angle):g}° and"
+                f" {degrees(driven.normal_pressure_angle):g}°; give both gears one pressure angle"
             )
         if not 0 < self.bearing_span < inf:
             raise DesignError(f"{self} has the bearing span {self.bearing_span:g} mm; give one above 0")
         deviation = self.centre_distance_deviation
         if deviation is not None and not 0 <= deviation < inf:
             raise DesignError(f"{self} has the centre distance deviation {deviation:g} mm; give 0 or more")
-        least, reach = self.zero_backlash_centre_distance, (one.tip_diameter + two.tip_diameter) / 2
+        least, reach = self.zero_backlash_centre_distance, (driver.tip_diameter + driven.tip_diameter) / 2
         if not self.centre_distance >= least - CENTRE_DISTANCE_ROUNDING:
             raise DesignError(
                 f"{self} jams at the centre distance {self.centre_distance:g} mm;"
@@ -85,7 +85,7 @@ class Pair:
             )
         if not self.centre_distance < reach:
             raise DesignError(
-                f"{self} of module {one.normal_module:g} does not meet at the centre distance"
+                f"{self} of module {driver.normal_module:g} does not meet at the centre distance"
                 f" {self.centre_distance:g} mm; give less than {reach:.6g} mm, or a larger module"
             )
 
@@ -100,8 +100,8 @@ class Pair:
     @property
     def driven_pitch_radius(self) -> float:
         """Radius of the driven gear's working pitch circle, in mm."""
-        one, two = self.driver.form.teeth, self.driven.form.teeth
-        return self.centre_distance * two / (one + two)
+        driver_teeth, driven_teeth = self.driver.form.teeth, self.driven.form.teeth
+        return self.centre_distance * driven_teeth / (driver_teeth + driven_teeth)
 
     @property
     def working_pressure_angle(self) -> float:
@@ -138,8 +138,8 @@ class Pair:
 
     def thinned_to(self, driver: Thinning | float, driven: Thinning | float) -> Self:
         """The same pair with other thicknesses that its teeth are to be cut to; see `Gear.thinning`."""
-        one, two = replace(self.driver, thinning=driver), replace(self.driven, thinning=driven)
-        return replace(self, driver=one, driven=two)
+        driver_gear, driven_gear = replace(self.driver, thinning=driver), replace(self.driven, thinning=driven)
+        return replace(self, driver=driver_gear, driven=driven_gear)
 
     def by_the_standard(self) -> Self:
         """The same pair without overrides."""

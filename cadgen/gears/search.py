@@ -37,12 +37,12 @@ def arrange(train: Train, order: Order, limits: SearchLimits | None = None) -> t
 
 def all_orders(train: Train) -> tuple[TrainPlay, ...]:
     """Every distinct order of the stages, least greatest return error first."""
-    given = train_play(train)
-    found: dict[Train, TrainPlay] = {}
+    designed = train_play(train)
+    plays: dict[Train, TrainPlay] = {}
     for order in permutations(range(len(train.stages))):
         reordered = train.reordered(order)
-        found.setdefault(reordered, TrainPlay(train=reordered, stages=tuple(given.stages[j] for j in order)))
-    return tuple(sorted(found.values(), key=lambda play: play.return_error_max))
+        plays.setdefault(reordered, TrainPlay(train=reordered, stages=tuple(designed.stages[j] for j in order)))
+    return tuple(sorted(plays.values(), key=lambda play: play.return_error_max))
 
 
 def search_trains(limits: SearchLimits, blanks: Blanks | None = None, clearance: float = 0.0) -> tuple[TrainPlay, ...]:
@@ -74,7 +74,7 @@ class TrainSearch:
         Raises `DesignError` if there is none, or none left, and if the search would not end.
         """
         limits, pairs = self._limits, self._pairs
-        found = best_chains(
+        chains = best_chains(
             pairs.driver,
             pairs.driven,
             pairs.return_error,
@@ -84,14 +84,14 @@ class TrainSearch:
             keep=keep,
             fit=self._fit,
         )
-        if not found:
+        if not chains:
             kept = ", gears that fit their blanks and wheels that pass the shafts beside them" if self._blanks else ""
             left = f", {len(self._excluded)} pairs left out whose teeth fail" if self._excluded else ""
             raise DesignError(
                 f"no train of {limits}{kept}{left} has the ratio {limits.ratio} within {limits.ratio_tolerance:g};"
                 " widen the limits or raise the ratio tolerance"
             )
-        return tuple(train_play(Train(tuple(_stage(pairs, row, limits) for row in rows))) for rows in found)
+        return tuple(train_play(Train(tuple(_stage(pairs, row, limits) for row in rows))) for rows in chains)
 
     def exclude(self, stage: Stage) -> None:
         """Leave out a pair, at every place: its teeth cannot be made, or fail their checks."""

@@ -1,4 +1,4 @@
-"""What a stage of a train is, whatever passes its motion on: two wheels on parallel axes that turn against each other.
+"""A stage of a train of any kind: two wheels on parallel axes that turn against each other.
 
 The train, its play, its layout, its checks and its files go by this and by nothing else. Spur gears are the first kind
 (`kinds.spur`); friction discs, which have no teeth, are that of the how-to page.
@@ -50,7 +50,7 @@ class Wheel(Protocol):
 
     @property
     def noun(self) -> str:
-        """What it is called where a body is meant: `the gear of 20 teeth`."""
+        """Name of the wheel's body in messages: `the gear of 20 teeth`."""
 
     @property
     def usual_chord(self) -> float:
@@ -184,16 +184,16 @@ class Stage(ABC):
         """
 
     def notes(self, number: int) -> tuple[str, ...]:
-        """What to know of the stage as it is made, a sentence each, in small letters and without a full stop."""
+        """Remarks on the stage as it is made, a sentence each, in small letters and without a full stop."""
         return ()
 
     @abstractmethod
     def facts(self) -> dict[str, Any]:
-        """What the manifest says of the stage as it is made: plain values by their keys, which end in the unit."""
+        """Entry of the stage as it is made in the manifest: plain values by their keys, which end in the unit."""
 
     @abstractmethod
     def wheel_facts(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        """What the table of parts says of driver and driven wheel, alike: what the shop makes and measures them by.
+        """Rows of driver and driven wheel in the table of parts: dimensions to make and to measure them by.
 
         Raises:
             DesignError: a wheel that it could not measure.

@@ -25,11 +25,11 @@ def as_cut(pair: P, play: StagePlay[float]) -> P:
 
 def with_deviations(pair: P, driver: float, driven: float) -> P:
     """The pair with teeth cut to E_sn = `driver` and `driven`, in mm."""
-    one, two = (
+    driver_cut, driven_cut = (
         replace(gear, form=with_deviation(gear.form, deviation))
         for gear, deviation in ((pair.driver, driver), (pair.driven, driven))
     )
-    return replace(pair, driver=one, driven=two)
+    return replace(pair, driver=driver_cut, driven=driven_cut)
 
 
 def with_deviation(form: GearForm, deviation: float) -> GearForm:
@@ -37,7 +37,7 @@ def with_deviation(form: GearForm, deviation: float) -> GearForm:
     return replace(form, tooth_thickness_deviation=deviation)
 
 
-def _deviation(gear: Gear, limits: GearPlay[float], pair: Pair, found: StagePlay[float]) -> float:
+def _deviation(gear: Gear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> float:
     """E_sn of one gear in mm, after its tooth has been tried at full thickness, as cut and at both limits."""
     tooth_of(with_deviation(gear.form, 0.0))
     prescribed = None if isinstance(gear.thinning, str) else gear.thinning
@@ -52,7 +52,7 @@ def _deviation(gear: Gear, limits: GearPlay[float], pair: Pair, found: StagePlay
         except DesignError as error:
             fault, _, cure = str(error).partition("; ")
             source = (
-                _source(gear, limits, pair, found)
+                _source(gear, limits, pair, play)
                 if prescribed is None
                 else f"for E_sn = {prescribed * 1e3:.5g} µm, which is given; give one nearer to 0"
                 if deviation != asked
@@ -63,15 +63,15 @@ def _deviation(gear: Gear, limits: GearPlay[float], pair: Pair, found: StagePlay
     return asked
 
 
-def _source(gear: Gear, limits: GearPlay[float], pair: Pair, found: StagePlay[float]) -> str:
+def _source(gear: Gear, limits: GearPlay[float], pair: Pair, play: StagePlay[float]) -> str:
     """The term of eq. 7-9 that thins most, with its values, and how to lessen it, in words."""
     alpha_n, alpha_w = pair.driver.form.normal_pressure_angle, pair.working_pressure_angle
     own = limits.tolerances
     parts = {
-        f"f_a = {found.f_a * 1e3:.5g} µm of the centre distance; give a smaller f_a": found.f_a * tan(alpha_w),
-        "j_bnmin of eq. 6; give a smaller module or centre distance": found.j_bnmin_required / (2 * cos(alpha_n)),
-        f"j_n = {found.j_n * 1e3:.5g} µm, of F_beta, f_pt and the axes' parallelism over the bearing span of"
-        f" {pair.bearing_span:g} mm; give a shorter span, wider gears or a finer grade": found.j_n / (2 * cos(alpha_n)),
+        f"f_a = {play.f_a * 1e3:.5g} µm of the centre distance; give a smaller f_a": play.f_a * tan(alpha_w),
+        "j_bnmin of eq. 6; give a smaller module or centre distance": play.j_bnmin_required / (2 * cos(alpha_n)),
+        f"j_n = {play.j_n * 1e3:.5g} µm, of F_beta, f_pt and the axes' parallelism over the bearing span of"
+        f" {pair.bearing_span:g} mm; give a shorter span, wider gears or a finer grade": play.j_n / (2 * cos(alpha_n)),
         f"T_sn = {limits.T_sn * 1e3:.5g} µm, from F_r = {own.F_r * 1e3:.5g} and b_r = {own.b_r * 1e3:.5g} µm"
         f" (grade {gear.grade}); give a finer grade, smaller values or a larger module": limits.T_sn,
     }

@@ -94,7 +94,7 @@ class GearForm:
 
     @property
     def noun(self) -> str:
-        """What it is called where a body is meant."""
+        """Name of the gear's body in messages."""
         return f"the gear of {self.teeth} teeth"
 
     @property

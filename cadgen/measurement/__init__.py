@@ -15,6 +15,7 @@
 | `merged`     | the catalogues of several records as one                                                        |
 | `evidence`   | likelihood of a residual with noise, datum and form error accounted for                         |
 | `hypothesis` | a subset of effects, fitted exactly and scored                                                  |
+| `settle`     | least squares within bounds, ended when the values move by less than their errors               |
 | `search`     | all small subsets, linearised; the best are fitted                                              |
 | `verdict`    | what the rivals and what is left allow to be claimed                                            |
 | `friction`   | play and friction of one car: whether the data part them, and what is known of the play         |
@@ -26,6 +27,5 @@
 | `zones`      | the return error implied by mean turns over smooth, jump and reverse zones                      |
 | `together`   | what is claimed, each quantity at work once, where data that are judged apart show it too       |
 | `calibrate`  | the entry: records of one car, judged together                                                  |
-| `outlook`    | where the car ends on the old cam, and on a new one made for what is claimed                    |
 | `reference`  | the catalogues as a page of documentation                                                       |
 """

@@ -6,6 +6,8 @@ from numpy.typing import NDArray
 from cadgen.errors import FileError
 from cadgen.measurement.record import Method, Record
 
+_ROUNDING = 1e-9  # smaller steps are those of decimal numbers
+
 
 def refuse_impossible(record: Record) -> None:
     """Check a record of whatever kind, and by its kind's own rule.
@@ -17,10 +19,10 @@ def refuse_impossible(record: Record) -> None:
         return
     # One column after the other, rows in the order of runs: a run is a slice, and its digits are its name.
     readings = np.stack([values.astype(float) for values in record.columns.values() if values.dtype.kind == "f"])
-    runs, seen = record.parts, dict[bytes, int]()
+    runs, seen, counted = record.parts, dict[bytes, int](), _counted(record)
     for later, mine in enumerate(runs):
         earlier = seen.setdefault(readings[:, mine].tobytes(), later)
-        if earlier != later:
+        if earlier != later and not counted:
             raise FileError(
                 f"{record.source}: runs {earlier + 1} and {later + 1} are the same to the last digit; a copy is no "
                 "repetition: give runs that were measured anew"
@@ -36,6 +38,17 @@ def refuse_impossible(record: Record) -> None:
                     f"at least {column.least_span:g}"
                 )
     record.kind.check(record)
+
+
+def _counted(record: Record) -> bool:
+    """Whether an instrument whose steps are coarse may read the same twice, as an encoder of few counts does."""
+    for column in record.kind.readings:
+        values = np.unique(record[column])
+        steps = np.diff(values)
+        least = float(np.min(steps[steps > _ROUNDING], initial=np.inf))
+        if np.ptp(values) > record.kind.counts * least:
+            return False
+    return True
 
 
 def refuse_twice(record: Record, key: NDArray[np.generic], column: str) -> None:

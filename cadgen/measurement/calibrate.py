@@ -6,7 +6,7 @@ from dataclasses import replace
 from cadgen.measurement.diagnose import SOUND, Step, diagnose
 from cadgen.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.measurement.nominal import LoggedCar, Nominal
-from cadgen.measurement.record import Record, join
+from cadgen.measurement.record import Record, join, refuse_many_together
 from cadgen.measurement.steered import diagnose_steered
 from cadgen.measurement.units import refuse_wrong_units
 
@@ -28,6 +28,7 @@ def calibrate(
     """
     kinds = dict.fromkeys(record.kind for record in records)
     joined = [join([record for record in records if record.kind is kind]) for kind in kinds]
+    refuse_many_together(joined)
     for record in joined:
         refuse_wrong_units(record, nominal)
     told = diagnose(joined, nominal.model, step, nominal.play)

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, Active, Effect
@@ -27,6 +28,8 @@ LEAST_WEIGHT = 1e-3
 NOT_NOISE = 0.8
 # A discrepancy is said if one of its numbers is so many standard deviations from nothing.
 SURE_SIGMAS = 4.0
+# Of many runs several are left out at a time, for so many fits at most.
+MOST_FITS = 10
 # Verdicts beside which it counts that a quantity is not named.
 SOUND = ("none", "traced", "combination")
 
@@ -97,15 +100,16 @@ def _less_noise(part: Part, best: Hypothesis) -> Part:
 
 
 def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:
-    """What one record shows by the joint verdict."""
+    """Diagnosis of one record by the joint verdict."""
     joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
     none = next(h for h in result.found if not h.effects)
     before, after = (registered(model, noise, part.residual(h.active)) for h in (none, best))
     datum, held, against = _datum(record.kind.datum, part, best)
-    held_out = []
-    for run in range(record.runs) if record.runs > 1 else ():
-        step(f"{record.source}: run {run + 1} left out")
-        held_out.append(_held_out(joint, part, best, run))
+    held_out: list[tuple[Array, Array]] = []
+    for runs in np.array_split(np.arange(record.runs), min(record.runs, MOST_FITS)) if record.runs > 1 else ():
+        which = f"run {runs[0] + 1}" if len(runs) == 1 else f"runs {runs[0] + 1} to {runs[-1] + 1}"
+        step(f"{record.source}: {which} left out")
+        held_out += _held_out(joint, part, best, runs)
     residual, per_run = _figures(model, noise, before, after, held_out)
     entries = [(part.names[e.key], v, s) for e, v, s in best.values() if e.key in part.names]
     twins = {e.key: e.twins for e in best.effects}
@@ -174,7 +178,7 @@ def _likely(result: _Result) -> tuple[Likely, ...]:
 
 
 def _beside(part: Part, result: _Result) -> tuple[complex, float]:
-    """What repeats beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
+    """Repeating error beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
     if part.model.measured is None:
         return 0j, 0.0
     ends = np.flatnonzero(part.model.rows.run == 0)
@@ -228,11 +232,11 @@ def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> F
         for p, v, s in zip(effect.parameters, values, sigma, strict=True)
     )
     at_bound = tuple(p.name for p in effect.parameters if p.name in best.at_bound)
-    return Finding(effect.name, numbers, effect.twins, at_bound, effect.given)
+    return Finding(effect.name, numbers, effect.twins, at_bound, effect.indices)
 
 
 def _discrepancy(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Finding | None]:
-    """What the discrepancy adds to the best subset's residual, and its numbers where they are sure."""
+    """Share of the discrepancy in the best subset's residual, and its numbers where they are significant."""
     model, evidence = part.model, part.evidence
     of, orders = model.discrepancy, model.form.shape[1]
     spectrum = joint.grid.index(best.spectrum)
@@ -280,19 +284,22 @@ def _offsets(
     return np.asarray(values, dtype=float).reshape(shape), np.asarray(error, dtype=float).reshape(shape)
 
 
-def _held_out(joint: Joint, part: Part, best: Hypothesis, run: int) -> tuple[Array, Array]:
-    """Residual of a run with effects from all else: datum refitted, without and with what repeats in the others."""
-    others, test = joint.without(part, run, best.spectrum)
+def _held_out(joint: Joint, part: Part, best: Hypothesis, runs: NDArray[np.intp]) -> list[tuple[Array, Array]]:
+    """Residual of each run left out, effects from all else: datum refitted, without and with what the others repeat."""
+    others, tests = joint.without(part, runs, best.spectrum)
     train = next(p for p, whole in zip(others.parts, joint.parts, strict=True) if whole is part)
     # A step within one run is no use for another.
     effects = tuple(e for e in best.effects if not e.one_run)
     active = fit(others, effects, best.active, Search(1)).active
     repeats = train.evidence.repeating(train.evidence.whiten(train.residual(active)), 0)
-    own = test.residual(active)
-    # Of a datum that is no column, the run left out has its own value too.
-    turned = slopes(test.model, test.model.datum, test.own(active))
-    less = own - repeating(test.model) @ repeats
-    return registered(test.model, test.noise, own, turned), registered(test.model, test.noise, less, turned)
+    out = []
+    for test in tests:
+        own = test.residual(active)
+        # Of a datum that is no column, a run left out has its own value too.
+        turned = slopes(test.model, test.model.datum, test.own(active))
+        less = own - repeating(test.model) @ repeats
+        out.append((registered(test.model, test.noise, own, turned), registered(test.model, test.noise, less, turned)))
+    return out
 
 
 def _by_run(residual: Array, model: Model) -> Array:

@@ -103,10 +103,8 @@ def doubted(
     if not judgement.claimed:
         return judgement
     if left > LARGE * allowed:
-        limit = (
-            f"what remains is {left / allowed:.1f} times what noise and the stated form error make: nothing is claimed"
-        )
-        return replace(judgement, claimed=(), limits=(*judgement.limits, limit))
+        why = f"what remains is {left / allowed:.1f} times what noise and the stated form error make"
+        return unclaimed(judgement, judgement.claimed, why)
     if causes(best.effects) >= MOST_CAUSES and chance < UNFIT:
         sentence = (
             f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "

@@ -25,7 +25,7 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """An effect with its numbers, what it cannot be told from, and what is `given` with it (see `Effect.given`).
+    """An effect with its numbers, what it cannot be told from, and its `indices` (see `Effect.indices`).
 
     `sigmas` is how many standard deviations from nothing its numbers must be to be sure: see `verdict.sigmas_of`.
     """
@@ -34,7 +34,7 @@ class Finding:
     values: tuple[Value, ...]
     twins: tuple[str, ...]
     at_bound: tuple[str, ...]
-    given: tuple[tuple[str, float], ...] = ()
+    indices: tuple[tuple[str, float], ...] = ()
     sigmas: float = SIGMAS
 
     @property

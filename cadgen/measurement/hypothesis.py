@@ -7,15 +7,13 @@ from math import log
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
 from cadgen.measurement.evidence import Spectrum
 from cadgen.measurement.joint import Joint
+from cadgen.measurement.settle import settled
 
-# Gauss-Newton from the linear estimate settles in two or three steps; more means the subset does not fit.
-_MOST_STEPS = 12
 # However alike two effects are, both together must be narrowed by the data to a tenth of what was thought before.
 LEAST_PRICE = 2 * log(10)
 # Steps of the trials for a value that what is expected answers in steps, so many to either side, moved so often.
@@ -149,60 +147,43 @@ def fit(
         search: for the penalty.
         known: value and standard deviation of effects' first numbers by the effects' keys, from other measurements.
     """
-    chosen = (*joint.datum, *effects)
     begin = {effect.key: values for effect, values in start}
-    bounds = np.concatenate([e.bounds for e in chosen], axis=1) if chosen else np.empty((2, 0))
+    problem = _Problem(joint, (*joint.datum, *effects), known or {})
+    chosen, bounds, stepwise = problem.chosen, problem.bounds, problem.stepwise
     x = np.concatenate([begin.get(e.key, e.start) for e in chosen]) if chosen else np.empty(0)
-    steps = np.concatenate([e.steps for e in chosen]) if chosen else np.empty(0)
-    cuts = np.cumsum([len(e.parameters) for e in chosen])[:-1]
-
-    def active(values: Array) -> Active:
-        return list(zip(chosen, np.split(values, cuts), strict=True)) if chosen else []
-
-    prior = _Prior(chosen, known or {})
-    stepwise = np.array([p.stepwise for e in chosen for p in e.parameters], dtype=bool)
-
-    def white(values: Array, spectrum: int) -> Array:
-        return np.append(joint.standardise(joint.residual(active(values)), spectrum), prior.residual(values))
-
-    def tangents(values: Array, spectrum: int) -> Array:
-        columns = joint.slopes(chosen, active(values)) * ~stepwise
-        return np.vstack([-joint.standardise(columns, spectrum), prior.rows])
-
-    def misfit_at(values: Array) -> Array:
-        return joint.misfit(joint.whiten(joint.residual(active(values))))
-
     if stepwise.any():
-        x, _ = _tried(misfit_at, x, stepwise, bounds, _COARSE)
-    misfit, covariance = misfit_at(x), np.empty((0, 0))
+        x, _ = _tried(problem.misfit, x, stepwise, bounds, _COARSE)
+    misfit, covariance = problem.misfit(x), np.empty((0, 0))
     # A run that is left out is judged by one spectrum, whatever it is.
     allowed = joint.within if joint.within.any() else ~joint.within
     if len(x):
         # A large discrepancy is forgiving, and so the first to be fitted with; but it may hide what an effect does, and
-        # with a slight one the values go on from there.
+        # with a slight one the values go on from there, if the subset fits at all.
         fits = []
         for size in np.unique(joint.beside[allowed])[::-1]:
             spectrum = _least(misfit, allowed & (joint.beside == size))
-            x, covariance = _settled(white, tangents, x, spectrum, bounds, steps)
-            misfit = misfit_at(x)
+            x, covariance, fitting = problem.settled(x, spectrum)
+            misfit = problem.misfit(x)
             fits.append((float(misfit[allowed].min()), spectrum, x, covariance, misfit))
+            if not fitting:
+                break
         _, spectrum, x, covariance, misfit = min(fits, key=lambda entry: entry[0])
         # The best spectrum may change as the fit improves: once more if it does.
         for _ in range(2):
             before, spectrum = spectrum, _least(misfit, allowed)
-            if spectrum == before:
+            if spectrum == before or not fitting:
                 break
-            x, covariance = _settled(white, tangents, x, spectrum, bounds, steps)
-            misfit = misfit_at(x)
+            x, covariance, fitting = problem.settled(x, spectrum)
+            misfit = problem.misfit(x)
         if stepwise.any():
-            x, variance = _tried(misfit_at, x, stepwise, bounds, _FINE)
+            x, variance = _tried(problem.misfit, x, stepwise, bounds, _FINE)
             covariance[np.diag_indices(len(x))] += np.where(stepwise, variance, 0.0)
-            misfit = misfit_at(x)
+            misfit = problem.misfit(x)
     spectrum = _least(misfit, allowed)
     parameters = sum(len(e.parameters) for e in effects)
     return Hypothesis(
         effects=effects,
-        active=active(x),
+        active=problem.active(x),
         covariance=covariance,
         misfit=misfit,
         penalty=search.penalty(effects, parameters) - _overlap(covariance, effects, log(search.rows)),
@@ -213,28 +194,37 @@ def fit(
     )
 
 
-def _settled(
-    white: Callable[[Array, int], Array],
-    tangents: Callable[[Array, int], Array],
-    x: Array,
-    spectrum: int,
-    bounds: Array,
-    steps: Array,
-) -> tuple[Array, Array]:
-    """Values of least squares for one spectrum, and their covariance."""
-    margin = _AT_BOUND * (bounds[1] - bounds[0])
-    solution = least_squares(
-        white,
-        np.clip(x, bounds[0] + margin, bounds[1] - margin),
-        jac=tangents,
-        args=(spectrum,),
-        bounds=tuple(bounds),
-        x_scale=steps,
-        ftol=1e-7,
-        max_nfev=_MOST_STEPS,
-    )
-    jacobian = np.asarray(solution.jac)
-    return solution.x, np.linalg.pinv(jacobian.T @ jacobian)
+class _Problem:
+    """Least squares of a subset's values: bounds, residuals and tangents of whitened rows with prior knowledge."""
+
+    def __init__(self, joint: Joint, chosen: tuple[Effect, ...], known: Mapping[str, tuple[float, float]]) -> None:
+        self._joint, self.chosen, self._prior = joint, chosen, _Prior(chosen, known)
+        self.bounds = np.concatenate([e.bounds for e in chosen], axis=1) if chosen else np.empty((2, 0))
+        self.stepwise = np.array([p.stepwise for e in chosen for p in e.parameters], dtype=bool)
+        self._cuts = np.cumsum([len(e.parameters) for e in chosen])[:-1]
+
+    def active(self, values: Array) -> Active:
+        """The subset with values."""
+        return list(zip(self.chosen, np.split(values, self._cuts), strict=True)) if self.chosen else []
+
+    def misfit(self, values: Array) -> Array:
+        """-2 log L for every spectrum."""
+        return self._joint.misfit(self._joint.whiten(self._joint.residual(self.active(values))))
+
+    def settled(self, x: Array, spectrum: int) -> tuple[Array, Array, bool]:
+        """Values of least squares for one spectrum, their covariance, and whether they settled."""
+
+        def white(values: Array) -> Array:
+            rows = self._joint.standardise(self._joint.residual(self.active(values)), spectrum)
+            return np.append(rows, self._prior.residual(values))
+
+        def tangents(values: Array) -> Array:
+            columns = self._joint.slopes(self.chosen, self.active(values)) * ~self.stepwise
+            return np.vstack([-self._joint.standardise(columns, spectrum), self._prior.rows])
+
+        inside = self.bounds + np.outer([1, -1], _AT_BOUND * (self.bounds[1] - self.bounds[0]))
+        x, J, done = settled(white, tangents, np.clip(x, *inside), inside)
+        return x, np.asarray(np.linalg.pinv(J.T @ J), dtype=float), done
 
 
 def _on_bounds(effects: tuple[Effect, ...], values: Array, bounds: Array) -> tuple[str, ...]:

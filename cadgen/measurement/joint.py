@@ -164,7 +164,7 @@ class Joint:
         return not effect.numerous or self.kinds[effect.key] is part.kind
 
     def own_name(self, effect: Effect) -> str:
-        """What an effect is called in the kind of data whose catalogue it stands in."""
+        """Name of an effect in the kind of data whose catalogue it stands in."""
         part = next(part for part in self.parts if part.kind is self.kinds[effect.key])
         return part.names[effect.key].name
 
@@ -198,17 +198,17 @@ class Joint:
             [p.evidence.standardise(columns[s], spectrum) for p, s in zip(self.parts, self.spans, strict=True)]
         )
 
-    def without(self, part: Part, run: int, spectrum: Spectrum) -> tuple["Joint", Part]:
-        """The same with one run of a part left out, and that run; noises as they are, one spectrum of form error."""
-        others = np.setdiff1d(np.arange(part.record.runs), [run])
-        train, test = (_only(part, runs, spectrum) for runs in (others, np.array([run])))
+    def without(self, part: Part, runs: NDArray[np.intp], spectrum: Spectrum) -> tuple["Joint", list[Part]]:
+        """The same with some runs of a part left out, and each of them; noises as they are, one spectrum."""
+        others = np.setdiff1d(np.arange(part.record.runs), runs)
+        train, *tests = (_only(part, kept, spectrum) for kept in (others, *runs[:, None]))
         parts = [
             train
             if other.record is part.record
             else replace(other, evidence=Evidence(other.model, other.noise, (spectrum,)))
             for other in self.parts
         ]
-        return replace(self, parts=tuple(parts)), test
+        return replace(self, parts=tuple(parts)), tests
 
 
 def _only(part: Part, runs: NDArray[np.intp], spectrum: Spectrum) -> Part:

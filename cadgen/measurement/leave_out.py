@@ -3,7 +3,8 @@
 Where every small error of the floor and the wheels adds up along the path, residuals are not draws of a noise: the
 runs are. Each subset of up to three effects is fitted to all runs but one, for every run, and judged by the path
 error of the run left out, its start pose registered. The smallest subset within one standard error (over runs, paired)
-or a few per cent of the best is told; others as small and as good are its rivals (Breiman and others 1984, sec. 3.4.3).
+or a few per cent of the best is told; others as small, and as good as that one, are its rivals (Breiman and others
+1984, sec. 3.4.3).
 """
 
 from collections.abc import Callable
@@ -11,12 +12,12 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
 from cadgen.measurement.models.base import Model, slopes
 from cadgen.measurement.record import Record
+from cadgen.measurement.settle import settled
 from cadgen.measurement.verdict import sigmas_of
 
 LARGEST_SUBSET = 3
@@ -64,7 +65,7 @@ class LeftOut:
     Attributes:
         before: path error rms of each run of the bare design, registered, mm.
         chosen: the smallest subset among the best.
-        rivals: others of that size within the same error, best first.
+        rivals: others no larger that predict as well as that one, best first.
         trials: all subsets, best first.
     """
 
@@ -92,10 +93,15 @@ def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
     trials.append(Trial((), np.empty(0), np.empty(0), sigmas, (), before, before))
     trials.sort(key=lambda t: t.error)
     best = trials[0]
-    close = [t for t in trials if _excess(t, best) <= STANDARD_ERRORS or t.error <= best.error * (1 + SAME)]
-    least = min(len(t.values) for t in close)
-    smallest = [t for t in close if len(t.values) == least]
-    return LeftOut(before, smallest[0], tuple(smallest[1:]), tuple(trials))
+    close = [t for t in trials if _as_good(t, best)]
+    chosen = min(close, key=lambda t: (len(t.values), t.error))
+    rivals = [t for t in trials if t is not chosen and len(t.values) <= len(chosen.values) and _as_good(t, chosen)]
+    return LeftOut(before, chosen, tuple(rivals), tuple(trials))
+
+
+def _as_good(trial: Trial, best: Trial) -> bool:
+    """Whether a subset predicts as well as another one, by the standard error or but for a few per cent."""
+    return _excess(trial, best) <= STANDARD_ERRORS or trial.error <= best.error * (1 + SAME)
 
 
 def _excess(trial: Trial, best: Trial) -> float:
@@ -146,15 +152,10 @@ def _trial(runs: list[_Run], effects: tuple[Effect, ...], sigmas: float) -> Tria
     def tangents(values: Array) -> Array:
         return np.concatenate([run.tangents(effects, active(values)) for run in runs])
 
-    x = least_squares(
-        off,
-        np.concatenate([e.start for e in effects]),
-        jac=tangents,
-        bounds=(bounds[0], bounds[1]),
-        x_scale=np.concatenate([e.steps for e in effects]),
-        ftol=1e-6,
-        max_nfev=20,
-    ).x
+    # In units of the bare design's error: the best subsets take most of it away.
+    unit = float(np.sqrt(np.mean([run.error([]) ** 2 for run in runs])))
+    start = np.concatenate([e.start for e in effects])
+    x, _, _ = settled(lambda v: off(v) / unit, lambda v: tangents(v) / unit, start, bounds)
     # One Gauss-Newton step from the fit to all runs gives the fit to all but one; the run left out is then driven
     # exactly with it.
     jacobians = [run.tangents(effects, active(x)) for run in runs]

@@ -78,7 +78,7 @@ def _of_kind(effect: Effect, kind: Kind, several: bool) -> Effect:
 
 
 def _identity(kind: Kind, model: Model, effect: Effect) -> tuple[str, ...]:
-    """What makes two effects of different kinds of data one: their quantity, and which of many they are."""
+    """Identity of an effect across kinds of data: its quantity, and its number among many of one sort."""
     if effect.parts:
         return (*(name for part in effect.parts for name in _identity(kind, model, part)), effect.variant)
     alike = [e for e in model.catalogue if e.quantity == effect.quantity and not e.numerous]

@@ -68,6 +68,8 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
     coefficients: Array = np.asarray(fit, dtype=np.float64)
     freedom = max(freedom - int(rank), 1)
     variance = float(np.sum(deviation**2)) / freedom
+    if variance == 0:  # an instrument whose steps are coarser than its noise
+        return Noise(np.zeros(len(residual)), 0.0, 0.0, rows.runs, freedom)
     sigma: Array = np.full(len(residual), variance**0.5)
     if model.slip.size:
         sigma = _scattered_abscissa(deviation, model.slip, variance)

@@ -21,6 +21,7 @@ from cadgen.measurement.models.base import Model
 MOST_ROWS = 20_000
 LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
 MOST_RUNS = 100  # each brings columns of its own, such as its start pose; real cars are driven ten times
+MOST_TOGETHER = 10_000  # rows of several kinds, whose effects all act in each: 1.8 GB
 MOST_ENTRIES = 500_000  # rows times runs, in columns of runs and their products: 0.9 GB
 
 
@@ -120,6 +121,8 @@ class Kind:
         spans: (record, the same) -> what betrays numbers of another unit.
         most_rows: of all files of the kind together.
         least_rows: of each run.
+        counts: most steps over the span of the readings with which an instrument that counts, such as an encoder, may
+            read the same in every run; 0 where no two runs are ever alike.
         around: whether it is to show the whole turn of the cam, as few and far points cannot.
         absences: quantities of which a sound verdict that does not name them says that there is little.
         nearness: among kinds that show one quantity, the least is nearest to what the car drives with.
@@ -142,6 +145,7 @@ class Kind:
     spans: Callable[["Record", Any], Iterable[Span]] = _no_spans
     most_rows: int = MOST_ROWS
     least_rows: int = LEAST_ROWS
+    counts: int = 0
     around: bool = False
     absences: tuple[Quantity, ...] = ()
     nearness: int
@@ -173,13 +177,13 @@ class Kind:
         known = self.catalogue.named(effect)
         return (known and known.quantity) or Quantity(f"{effect} ({self.code})")
 
-    def named(self, name: str, given: Mapping[str, float] | None = None) -> Effect:
+    def named(self, name: str, indices: Mapping[str, float] | None = None) -> Effect:
         """The effect that is written under a name, with the numbers that belong to the name (`Catalogue.named`).
 
         Raises:
             DesignError: there is no such effect; names the nearest.
         """
-        if effect := self.catalogue.named(name, given):
+        if effect := self.catalogue.named(name, indices):
             return effect
         names = [entry.name for entry in self.catalogue.entries]
         near = get_close_matches(name, names, 3, 0.5) or names
@@ -269,6 +273,21 @@ def refuse_many(kind: Kind, rows: int, name: str) -> None:
         raise FileError(
             f"{name}: {rows} rows, more than the {most} that can be judged together; "
             f"keep one row in {-(-rows // most)}, or give fewer files"
+        )
+
+
+def refuse_many_together(records: Sequence[Record]) -> None:
+    """Refuse more rows of several kinds than can be judged by one model.
+
+    Raises:
+        FileError: there are more; says how many to keep.
+    """
+    rows = sum(len(record.run) for record in records)
+    if len(records) > 1 and rows > MOST_TOGETHER:
+        raise FileError(
+            f"{', '.join(record.source for record in records)}: {rows} rows of {len(records)} kinds, more than the "
+            f"{MOST_TOGETHER} that can be judged by one model; keep one row in {-(-rows // MOST_TOGETHER)}, or give "
+            "fewer files"
         )
 
 

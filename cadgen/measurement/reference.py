@@ -40,7 +40,7 @@ def _row(effect: Effect) -> str:
     for pattern, shown in _MANY:
         name = pattern.sub(shown, name)
     numbers = [_number(p) for p in effect.parameters]
-    numbers += [f"`{given}`: which one, counted from 1 by polar angle" for given, _ in effect.given]
+    numbers += [f"`{index}`: which one, counted from 1 by polar angle" for index, _ in effect.indices]
     twins, places = ", ".join(effect.twins), ", ".join(effect.places)
     cells = (name, "<br>".join(numbers), places, twins, effect.confused_with, effect.separated_by)
     return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |\n"

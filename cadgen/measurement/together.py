@@ -1,4 +1,4 @@
-"""What the records of a car claim, each physical quantity at work once.
+"""Claims of all records of a car, each physical quantity used once.
 
 Data with a forward model are judged together (`joint`), and claim a thing once. Mean turns over zones and logged
 steering are judged by themselves: where they show a quantity that the others show too, the values must agree.
@@ -40,7 +40,7 @@ class Claim:
 
     @property
     def quantity(self) -> Quantity:
-        """What it is physically."""
+        """Its physical quantity."""
         return self.kind.quantity(self.finding.effect)
 
     @property
@@ -72,7 +72,7 @@ class Shared:
 
 
 def claims(diagnosis: Diagnosis) -> tuple[Claim, ...]:
-    """What a diagnosis claims: of what several records show together, that which stands in its own catalogue."""
+    """Claims of a diagnosis: of the effects that several records show together, those of its own catalogue."""
     claimed = set(diagnosis.judgement.claimed)
     if isinstance(diagnosis, EvidenceDiagnosis):
         claimed &= set(diagnosis.leads)

@@ -100,7 +100,7 @@ def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
 
 
 def _reserve(check: Check, other_limit: float) -> float:
-    """What a value has left to its limit, in its unit, or in limits where another stage's limit is another one."""
+    """Margin of a value to its limit: in its unit, or as a share of the limit where stages have different limits."""
     value = -check.value if check.bound == "max" else check.value
     if check.limit == other_limit:
         return value

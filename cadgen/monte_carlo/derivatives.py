@@ -1,12 +1,6 @@
 """Change of the steering, to first order, with small deviations of the disc and the rod.
 
-The rod, at T = tan(beta), rests on a point of the disc at
-    x = a + w T - h sqrt(1 + T^2),  h^2 = r^2 - y^2,
-x along the ray from the camshaft to the rod, y across it in the sense of growing polar angle, w the lateral distance of
-the edge that carries it. No point asks for more, so to first order the point stays the same one, and with
-D = w - h T / sqrt(1 + T^2)
-    dT = (dx - sqrt(1 + T^2) (y / h) dy - da - T dw + sqrt(1 + T^2) (r / h) dr) / D,
-where dx, dy and dw are how far the point itself is displaced:
+As `cadgen.cam.followers.rod_first_order` has it:
 
 - a **larger disc**, along its normal, lifts the rod as a thicker rod would, but for 1 / cos(beta);
 - an **eccentric bore** displaces every point alike, in a direction that turns with the cam;
@@ -28,6 +22,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.followers.rod_first_order import FirstOrder
 from cadgen.cam.rolled import Contact
 
 # The rows, in order.
@@ -108,24 +103,16 @@ def steering_derivatives(
         numbers 0 and 90 are polar angles of the direction.
     """
     T, w, y = contact.tan_beta, contact.face, contact.across
-    root = np.sqrt(1 + T**2)
-    height = np.sqrt(follower.radius**2 - y**2)
-    thick = follower.radius > 0
-    stretch = follower.radius / height if thick else np.ones_like(T)
-    lean = root * y / height if thick else np.zeros_like(T)
-    divisor = w - height * T / root
-    raised = root * stretch / divisor
+    first = FirstOrder.of(contact, follower)
+    root, height, divisor, displaced = first.root, first.height, first.divisor, first.displaced
+    raised, face = first.thicker, first.face
     inner = w == follower.inner
-    face = -T / divisor
     zero = (1 + (gain * T) ** 2) / gain
     base = [-1 / divisor, np.where(inner, face, 0.0), np.where(inner, 0.0, face), raised, raised, zero]
 
     middle = (follower.inner + follower.outer) / 2
     x = follower.base_radius + w * T - height * root
     c, s = np.cos(contact.cam_angle), np.sin(contact.cam_angle)
-
-    def displaced(along: Array, across: Array) -> Array:
-        return np.asarray((along - lean * across) / divisor)
 
     directions = ((c, -s), (s, c))
     wobbles = [
@@ -136,7 +123,7 @@ def steering_derivatives(
     grown += face * (heat.frame * middle + heat.disc * (w - middle)) + heat.rod * follower.radius * raised
     # Along the outline's normal in the plane of the edge, (h / sqrt(1 + T^2), -y) before it is made a unit.
     normal = np.hypot(height / root, y)
-    offset = displaced(height / root / normal, -y / normal) if thick else 1 / divisor
+    offset = displaced(height / root / normal, -y / normal) if follower.radius > 0 else 1 / divisor
     more = [
         np.where(inner, -0.5, 0.5) * offset,
         displaced(np.zeros_like(T), -np.ones_like(T)),

@@ -175,7 +175,7 @@ def make_fleet(
     )
 
 
-def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
+def run_fleet(fleet: Fleet, deviations: Array, stations: Array | None = None) -> Poses:
     """Run m cars at once.
 
     The grid carries the trapezoidal rule for heading and position and cubic interpolation between its points, so
@@ -184,6 +184,7 @@ def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
     Args:
         fleet: nominal car.
         deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
+        stations: motor positions of each car, shape (m, g), rad; those of the fleet for all if left out.
     """
     column = dict(zip(PARAMETERS, deviations.T, strict=True))
     column = {**column, **_combined(fleet, column)}
@@ -199,7 +200,7 @@ def run_fleet(fleet: Fleet, deviations: Array) -> Poses:
     heading = column["start_heading"][:, None] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
     position = np.concatenate([zero, np.cumsum(np.exp(1j * heading[:, :-1]) * moved, axis=1)], axis=1)
 
-    motor = fleet.stations + phase[:, None]
+    motor = (fleet.stations if stations is None else stations) + phase[:, None]
     # Car by car: of thousands of stations and stretches, a table of all with all would take gigabytes.
     begins = zip(stretch.motor[:, :-1], motor, strict=True)
     at = np.stack([np.searchsorted(starts, positions, side="right") for starts, positions in begins]) - 1

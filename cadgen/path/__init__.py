@@ -1,9 +1,10 @@
-"""From waypoints to the drive wheel's track, by arc length.
+"""From waypoints or control points to the drive wheel's track, by arc length.
 
 | module    | what it does                                                             |
 |-----------|--------------------------------------------------------------------------|
 | `names`   | kinds of splines, by name                                                |
-| `spline`  | waypoints -> parametric interpolating spline, the planned path            |
+| `kinds`   | kinds of path in a design file: keys and curve of each                   |
+| `spline`  | waypoints or control points -> parametric spline, the planned path       |
 | `track`   | planned path -> drive wheel's track: arc length, signed curvature, kinks  |
 | `hermite` | values and derivatives at nodes -> piecewise quintic polynomial           |
 """

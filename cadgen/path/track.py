@@ -35,8 +35,9 @@ class Track:
         position: arc length -> (x, y), mm.
         planned: arc length of this track -> (x, y) of the planned path at the same moment, mm.
         kinks: arc lengths at which the slope of curvature jumps, shape (k,), mm.
-        waypoint_arc: arc length of this track at each waypoint, shape (m,), mm.
+        waypoint_arc: arc length of this track at each waypoint, or knot of a path without any, shape (m,), mm.
         turn: travel of the drive wheel in one turn of the cam, mm.
+        knot_name: name of the waypoints or knots in messages.
     """
 
     length: float
@@ -47,6 +48,7 @@ class Track:
     kinks: Array
     waypoint_arc: Array
     turn: float
+    knot_name: str = "waypoint"
 
     def heading(self, arc: Array) -> Array:
         """Direction of travel at arc lengths (mm), rad, unwrapped along the array."""
@@ -57,7 +59,7 @@ class Track:
         """Place on the path at an arc length (mm), in words."""
         x, y = self.planned(arc)
         span = int(np.clip(np.searchsorted(self.waypoint_arc, arc, side="right"), 1, len(self.waypoint_arc) - 1))
-        return f"at ({x:.0f}, {y:.0f}) mm, between waypoints {span} and {span + 1}"
+        return f"at ({x:.0f}, {y:.0f}) mm, between {self.knot_name}s {span} and {span + 1}"
 
 
 def offset_track(path: PlannedPath, offset: float, turn: float | None = None) -> Track:
@@ -111,6 +113,7 @@ def offset_track(path: PlannedPath, offset: float, turn: float | None = None) ->
         kinks=np.array([]) if path.smooth else span_start[1:-1],
         waypoint_arc=span_start,
         turn=float(span_start[-1]) if turn is None else turn,
+        knot_name=path.knot_name,
     )
 
 
@@ -176,6 +179,6 @@ def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k:
     side = "left" if k[worst] > 0 else "right"
     raise DesignError(
         f"the path turns {side} with a radius of {1 / abs(k[worst]):.1f} mm at ({position[worst, 0]:.0f}, "
-        f"{position[worst, 1]:.0f}) mm, between waypoints {span} and {span + 1}, but the drive wheel runs "
+        f"{position[worst, 1]:.0f}) mm, between {path.knot_name}s {span} and {span + 1}, but the drive wheel runs "
         f"{abs(offset):.1f} mm inside it, so its track has a cusp there: move the waypoints to a wider turn"
     )

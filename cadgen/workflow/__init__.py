@@ -2,6 +2,7 @@
 
 | module        | what it holds                                            |
 |---------------|----------------------------------------------------------|
+| `planning`    | course and car -> a path that passes every check         |
 | `cam`         | design -> profile, checks -> files of a cam              |
 | `gears`       | design -> train, checks -> files of a gear train         |
 | `runs`        | the car's runs with play, one by one and by the thousand |

@@ -1,4 +1,4 @@
-"""What a newcomer does wrong, or does with the objects besides reading them: refused in one sentence, or it works."""
+"""Misuse by a newcomer, and uses of the objects besides reading them: refused in one sentence, or it works."""
 
 import copy
 import json

@@ -1,4 +1,4 @@
-"""What a design says of how its cars differ."""
+"""Variation among the cars of a design."""
 
 from math import radians
 

@@ -1,4 +1,4 @@
-"""What rolling and the track take of time and memory, by the sizes of what they work on."""
+"""Time and memory of rolling and of the track, by the size of their input."""
 
 import numpy as np
 import pytest

@@ -273,3 +273,10 @@ def test_an_interrupted_run_leaves_nothing(forks, tmp_path_factory, tmp_path):
     assert result.returncode == 130
     assert result.stderr.strip() == "cadgen: interrupted: nothing was written"
     assert list(tmp_path.iterdir()) == []
+
+
+def test_next_and_predict_are_asked_of_one_car(failing):
+    assert "--each judges files of several" in failing("--next", "--each", "a.csv", code=2)
+    assert "--each judges files of several" in failing("--predict", "b.csv", "--each", "a.csv", code=2)
+    assert "remove --out" in failing("--next", "--out", "x", code=2)
+    assert "name at least one" in failing("--next", "--predict", "b.csv", code=2)

@@ -1,4 +1,4 @@
-"""What is printed, wherever it goes: full disks, closed pipes, old terminals, narrow ones."""
+"""Printed output, wherever it goes: full disks, closed pipes, old terminals, narrow ones."""
 
 import os
 import signal

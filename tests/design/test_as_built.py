@@ -90,7 +90,7 @@ def test_a_worn_nose_keeps_its_number(written: Any, minimal: Any) -> None:
     worn = effect("profile", "worn nose", "part", nose_number=2, worn_depth_um=9.0, worn_width_deg=4.0)
     minimal["as_built"] = {"effects": [worn]}
     (placed,) = cam_model.as_built(load_design(written(minimal))).effects
-    assert placed.effect.given == (("nose_number", 2),)
+    assert placed.effect.indices == (("nose_number", 2),)
     assert placed.values == pytest.approx((0.009, 0.0698131700797732))
 
 

@@ -59,7 +59,7 @@ VALUES = [
         {"joint": "keyed", "joint_fit": "X1/y2"},
         ['blank.joint_fit: the fit "X1/y2" is not in the table', "clearance itself"],
     ),
-    ("path.spline", "akima", ['path.spline is "akima"', '"quintic" or "cubic"']),
+    ("path.spline", "akima", ['path.spline is "akima"', '"quintic", "cubic" or "b_spline"']),
     ("path.waypoints_mm", 3, ["path.waypoints_mm is 3", "a list of pairs [x, y] in mm"]),
     ("path.waypoints_mm", [[0, 0], [900, 0], [1800, 300]], ["path.waypoints_mm has 3 items", "at least 4"]),
     ("path.waypoints_mm", [[0, 0], [9, 0], [1], [2, 3]], ["path.waypoints_mm.3 is [1]", "a pair [x, y]"]),

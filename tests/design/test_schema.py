@@ -2,7 +2,7 @@
 
 from itertools import combinations
 from math import cos, hypot, radians, sin
-from typing import Any, get_args, get_type_hints
+from typing import Any, get_args
 
 import pytest
 from hypothesis import given
@@ -14,8 +14,11 @@ from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
 from cadgen.design.blank import Blank, Lightening
 from cadgen.design.follower import section_of
 from cadgen.design.keys import keys
-from cadgen.design.schema import Cam, Checks, DesignFile, Path
-from cadgen.path.spline import MIN_WAYPOINTS, SplineKind
+from cadgen.design.kinds import Kinds
+from cadgen.design.schema import Cam, Checks, DesignFile
+from cadgen.path.kinds.b_spline import B_SPLINE
+from cadgen.path.kinds.table import codes
+from cadgen.path.spline import DEGREE, MIN_WAYPOINTS, SplineKind
 
 
 def accepted(section: type, **values: Any) -> bool:
@@ -123,7 +126,8 @@ def test_holes_are_refused_just_when_two_of_them_meet(holes: int, circle: float,
 
 def test_the_schema_agrees_with_the_numeric_rooms() -> None:
     assert keys()["path.waypoints_mm"].allowed == f"{MIN_WAYPOINTS} or more"
-    assert get_args(get_type_hints(Path)["spline"]) == get_args(SplineKind)
+    assert set(get_args(SplineKind)) < set(codes())
+    assert keys(Kinds(path=B_SPLINE))["path.control_points_mm"].allowed == f"{DEGREE + 1} or more"
     for name in PRESSURE_ANGLE_LIMITS:
         assert Checks(pressure_angle_limit=name).pressure_angle_limit == name
     assert keys()["checks.pressure_angle_limit"].allowed.count('"') == 2 * len(PRESSURE_ANGLE_LIMITS)

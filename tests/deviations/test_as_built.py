@@ -223,4 +223,4 @@ def test_an_unknown_name_names_the_nearest(kind, name, near):
     assert kind_of("profile").named("waviness, order 30").name == "waviness, order 30"
     assert kind_of("transmission").named("runout of shaft 2").name == "runout of shaft 2"
     assert kind_of("transmission").named("tooth mesh of stage 3").name == "tooth mesh of stage 3"
-    assert kind_of("lift").named("worn nose", {"nose_number": 3}).given == (("nose_number", 3),)
+    assert kind_of("lift").named("worn nose", {"nose_number": 3}).indices == (("nose_number", 3),)

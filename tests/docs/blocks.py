@@ -113,7 +113,7 @@ class Workshop:
         return len(done)
 
     def printed(self, command: str) -> str:
-        """What a command prints; one that ends with `# exit code N` must end so, others with 0."""
+        """Output of a command; one that ends with `# exit code N` must end so, others with 0."""
         if command not in self._printed:
             text, _, remark = command.partition("#")
             program, *arguments = shlex.split(text)

@@ -89,7 +89,7 @@ creep_deg = 0.1
 
 
 def train_of_teeth(design):
-    """What a calibration asks of the train."""
+    """Numbers of the train for a calibration."""
     return calibration._train(design)
 
 
@@ -257,6 +257,10 @@ def test_what_is_for_spur_gears_alone_says_so(mixed, job, words):
         (
             "train.stages.1={centre_distance_mm = 40, driver.teeth = 20, driven.teeth = 60}",
             "train.module_mm is missing: add it, a number in mm (m_n)",
+        ),
+        (
+            "train.grade=5",
+            "train.grade is of spur gears, and no stage of this train has any: remove it",
         ),
         ("train.width=3", "train.width is not a key: write train.width_mm, in mm"),
         ("train.output.bore_diameter_mm=90", "on shaft 3 (output), the disc of 75 mm has a bore that reaches to 90 mm"),

@@ -31,7 +31,7 @@ def nominal(synthetic_car: Car) -> Nominal:
 
 @pytest.fixture(scope="session")
 def blind(nominal: Nominal, measured: Path) -> Callable[[str], EvidenceDiagnosis]:
-    """What is said of a measured file by itself, once."""
+    """Diagnosis of a measured file by itself, made once."""
 
     @cache
     def told(name: str) -> EvidenceDiagnosis:

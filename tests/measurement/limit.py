@@ -1,4 +1,4 @@
-"""What the best of judges could do, who knows noise, spectrum of the form error and every other cause.
+"""Error rate of an ideal judge, who knows noise, spectrum of the form error and every other cause.
 
     python -m tests.measurement.limit
 

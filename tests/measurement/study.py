@@ -225,7 +225,7 @@ def cases(car: syn.Car, kind: str, count: int, seed: int, sorts: Sequence[str] =
 
 @dataclass
 class Tally:
-    """What came out, over the cases of one kind or of all."""
+    """Results over the cases of one kind or of all."""
 
     marks: dict[str, list[bool]] = field(default_factory=dict)
     ratios: list[float] = field(default_factory=list)

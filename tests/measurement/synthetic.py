@@ -122,7 +122,7 @@ class Car:
         return np.tan(out)
 
     def readings(self, bench: Bench, theta: np.ndarray, direction: np.ndarray) -> np.ndarray:
-        """What the dial shows, mm, in the order measured."""
+        """Readings of the dial, mm, in the order measured."""
         at = theta + bench.phase - direction * bench.play / 2
         T = self._fine(bench, at)
         # Where the spindle's line w = w0 + t sin, x = t cos meets the rod's line x = w T.

@@ -1,4 +1,4 @@
-"""What the data cannot bear is not claimed, and what they cannot show is said."""
+"""Nothing is claimed beyond the evidence of the data, and their limits are stated."""
 
 from dataclasses import replace
 
@@ -57,11 +57,11 @@ def test_a_rest_that_dwarfs_noise_and_form_error_names_nothing(lift, nominal):
     rows = len(model.rows.run)
     noise = Noise(np.full(rows, 4e-3), 0.0, 0.0, 3)
     # Noise of 4 um and form error of 2 um make 4.5 um together.
-    for left, verdict, claimed in ((0.012, "traced", ("x",)), (0.025, "traced", ()), (0.050, "unexplained", ())):
+    for left, verdict, claimed in ((0.012, "traced", ("x",)), (0.025, "ambiguous", ()), (0.050, "unexplained", ())):
         told = doubted(CLEAR, lift, model, noise, _Best(), np.full(rows, left))
         assert told.verdict == verdict
         assert told.claimed == claimed
-        assert any("nothing is claimed" in limit for limit in told.limits) == (left == 0.025)
+        assert any("and so not claimed" in limit for limit in told.limits) == (left == 0.025)
 
 
 def test_a_value_on_its_physical_bound_is_not_claimed(lift, nominal):

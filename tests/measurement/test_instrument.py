@@ -1,4 +1,4 @@
-"""What the instrument does and what the part: twins in one record, parted by a part that is turned on the machine."""
+"""Effects of instrument and part: twins in one record, parted by a part that is turned on the machine."""
 
 from dataclasses import replace
 

@@ -70,7 +70,7 @@ def test_cogging_beside_play_is_said(told):
 
 @pytest.fixture(scope="module")
 def built(synthetic_car, nominal):
-    """What the command makes of one file: its diagnosis, and effects with their places in the as-built design."""
+    """Result of the command for one file: its diagnosis, and effects with their places in the as-built design."""
 
     def of(name):
         told = plan.calibrate(load_design(), "actual", plan.read([LOOP / name]), nominal=nominal)
@@ -101,7 +101,7 @@ def test_a_measuring_machine_out_of_square_is_no_lobing(built):
 
 @pytest.fixture(scope="module")
 def joint(nominal):
-    """What the command makes of several files of one car, and their joint findings by name."""
+    """Result of the command for several files of one car, and their joint findings by name."""
 
     def of(*names):
         told = plan.calibrate(load_design(), "actual", plan.read([LOOP / name for name in names]), nominal=nominal)

@@ -42,6 +42,7 @@ class ForkModel:
     """Angle of the fork by cam angle, the protractor's zero free in each run."""
 
     behind = ()
+    rolled = None
     unit = "deg"
     measured = None
     datum = ()

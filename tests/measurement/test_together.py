@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.deviations.quantities import RETURN_ERROR
+from cadgen.errors import FileError
 from cadgen.measurement.calibrate import calibrate
 from cadgen.measurement.diagnose import diagnose
 from cadgen.measurement.findings import Finding, Value
@@ -124,3 +125,42 @@ def test_a_train_without_play_is_known_to_have_none_only_if_it_was_turned_both_w
     assert no_play(both.source, both.kind, both.unnamed[RETURN_ERROR], 0.02) is None
     # Where play is named, or a single run names nothing, there is no such claim.
     assert diagnose([record.only(np.array([0]))], nominal.model)[0].unnamed == {}
+
+
+def test_more_rows_than_one_model_can_hold_are_refused(records, nominal):
+    many = [replace(record, source=f"{i}.csv") for i, record in enumerate(records)]
+    rows = sum(len(record.run) for record in many)
+    copies = -(-12_000 // rows)
+    grown = [
+        replace(
+            record,
+            columns={name: np.tile(values, copies) for name, values in record.columns.items()},
+            run=np.concatenate([record.run + n * record.runs for n in range(copies)]),
+        )
+        for record in many
+    ]
+    with pytest.raises(FileError, match=r"0\.csv, 1\.csv: \d+ rows of 2 kinds, more than the 10000 .* one row in 2"):
+        calibrate(grown, nominal)
+
+
+@pytest.mark.slow
+def test_of_many_runs_several_are_left_out_at_a_time(synthetic_car, nominal):
+    rng = np.random.default_rng(8)
+    few = syn.lift_record(synthetic_car, syn.bench_with(syn.form_error(rng, 2e-3), {}), rng, noise_um=4.0)
+    thin = few.where(few["cam_angle_deg"] % 6 == 0)
+    rows = len(thin.run)
+    record = replace(
+        thin,
+        columns={name: np.tile(values, 4) for name, values in thin.columns.items()},
+        run=np.concatenate([thin.run + n * thin.runs for n in range(4)]),
+    )
+    # Copies of runs would be runs without noise.
+    record.columns["lift_mm"] = record["lift_mm"] + rng.normal(0, 4e-3, 4 * rows)
+    steps: list[str] = []
+    (told,) = diagnose([record], nominal.model, steps.append)
+    left_out = [step for step in steps if step.endswith("left out")]
+    assert (record.runs, len(left_out)) == (12, 10)
+    assert left_out[0].endswith("runs 1 to 2 left out")
+    assert left_out[-1].endswith("run 12 left out")
+    assert told.per_run.held_out.shape == (12,)
+    assert told.residual.left_out.rms == pytest.approx(told.residual.after, rel=0.1)

@@ -64,7 +64,7 @@ def test_a_longer_run_begins_with_the_cars_of_a_shorter(fleet):
 
 
 def test_random_cars_are_those_drawn_from_the_children_of_the_seed(fleet):
-    """What is kept of them is what all stations of the same cars give, run at once; not all are widest at the end."""
+    """Extremes kept car by car equal those of all stations run at once; not all are widest at the end."""
     tolerances = Tolerances(half_widths={**HALF_WIDTHS, "start_y": 3000.0}, play=(0.012, 0.015))
     kept = tolerance_run(fleet, tolerances, CHUNK + 7, seed=5)
     children = np.random.SeedSequence(5).spawn(2)

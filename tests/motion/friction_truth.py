@@ -31,7 +31,7 @@ class Rod:
 
 @dataclass(frozen=True)
 class Contact:
-    """What the rod does to a cam that turns, n places; torques in N mm, powers per radian of the cam.
+    """Action of the rod on a turning cam at n places; torques in N mm, powers per radian of the cam.
 
     Attributes:
         push: power of the rod's force: minus the force times the slope of the lift.

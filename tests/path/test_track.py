@@ -16,7 +16,7 @@ def parabola(width: float = 1000.0) -> PlannedPath:
     """y = x^2 / (4 f) over [0, width] as one exact Bezier span."""
     knots = np.concatenate([np.zeros(3), np.ones(3)])
     control = np.array([[0, 0], [width / 2, 0], [width, width**2 / (4 * FOCUS)]])
-    return PlannedPath(control[[0, 2]], np.array([0.0, 1.0]), BSpline(knots, control, 2), smooth=True)
+    return PlannedPath(np.array([0.0, 1.0]), BSpline(knots, control, 2), smooth=True)
 
 
 def parabola_arc(x: np.ndarray) -> np.ndarray:

@@ -129,7 +129,7 @@ def test_a_lift_without_valleys_has_no_picture_of_one(simulation, figures, tmp_p
 
 
 def test_colours_differ_in_lightness():
-    """What tells them apart in grey, too: relative luminance of neighbours in a picture, at least 0.05 apart."""
+    """Contrast in grey: relative luminance of neighbours in a picture, at least 0.05 apart."""
 
     def luminance(color):
         red, green, blue = (int(color[at : at + 2], 16) / 255 for at in (1, 3, 5))

@@ -72,10 +72,10 @@ class World:
         table = self.lift(car).tolist()
         motor = np.arange(CELLS + 1)
         pushed = np.ceil(self.asked(car, motor * STEP) / STEP - 1e-9).astype(int).tolist()
-        cam, now = np.empty(CELLS + 1), pushed[0]
+        cam, now, shift = np.empty(CELLS + 1), pushed[0], round(car.phase / STEP)  # the disc stands ahead of its shaft
         for i, least in enumerate(pushed):
             now = max(now, least)
-            while now < least + car.play and table[(now + 1) % CELLS] < table[now % CELLS]:
+            while now < least + car.play and table[(now + 1 + shift) % CELLS] < table[(now + shift) % CELLS]:
                 now += 1
             cam[i] = now
         exact = self.asked(car, motor * STEP) / STEP
@@ -98,15 +98,23 @@ class World:
             [[0], np.cumsum(travel * (way * np.sinc(swing / TURN) + creep))]
         )
 
-    def track(self, car: Car, rng: np.random.Generator, *, runs: int = 4, noise_mm: float = 3.0) -> Record:
-        """Camera's rows every two degrees, started by hand within 3 mm and 0.15 degrees."""
+    def track(
+        self,
+        car: Car,
+        rng: np.random.Generator,
+        *,
+        runs: int = 4,
+        noise_mm: float = 3.0,
+        start: tuple[float, float] = (3.0, 0.15),
+    ) -> Record:
+        """Camera's rows every two degrees, started by hand within so many mm and degrees."""
         degrees = np.arange(0, 361, 2)
         rows = []
         for _ in range(runs):
             clean = self.path(car, rng)[degrees * CELLS // 360]
-            turned = clean[0] + (clean - clean[0]) * np.exp(1j * rng.normal(0, 0.15) * DEG)
+            turned = clean[0] + (clean - clean[0]) * np.exp(1j * rng.normal(0, start[1]) * DEG)
             noise = rng.normal(0, noise_mm, (2, len(degrees)))
-            rows.append(turned + rng.normal(0, 3) + 1j * rng.normal(0, 3) + noise[0] + 1j * noise[1])
+            rows.append(turned + rng.normal(0, start[0]) + 1j * rng.normal(0, start[0]) + noise[0] + 1j * noise[1])
         place = np.concatenate(rows)
         columns = {
             "cam_angle_deg": np.tile(degrees * 1.0, runs),

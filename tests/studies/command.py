@@ -7,7 +7,7 @@ DOCS = Path(__file__).parents[2] / "docs" / "studies"
 
 
 def options(description: str | None, *, cases: int, seed: int = 1) -> argparse.Namespace:
-    """What the command line says, with a study's own defaults."""
+    """Options of the command line, with a study's own defaults."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cases", type=int, default=cases)
     parser.add_argument("--seed", type=int, default=seed)

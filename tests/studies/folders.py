@@ -137,7 +137,7 @@ def parts(files: Mapping[str, bytes]) -> dict[str, dict[str, str]]:
 
 
 def untrue(files: Mapping[str, bytes]) -> list[str]:
-    """What the manifest lists and is not there as it says."""
+    """Entries of the manifest that do not agree with the folder."""
     return [
         name
         for listed in parts(files).values()
@@ -188,7 +188,7 @@ def pair(rng: random.Random, folder: Path, *, commands: bool) -> list[str]:
 
 
 def judged(out: Path, done: Iterable[Job]) -> list[str]:
-    """What is wrong with a folder after runs that are done: at least the last of them must be listed whole."""
+    """Faults of a folder after runs that are done: at least the last of them must be listed whole."""
     files = content(out)
     listed = parts(files)
     wrong = [f"{name} is not as listed" for name in untrue(files)]

@@ -48,7 +48,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What was said of a car.
+    """Diagnosis of a car.
 
     Attributes:
         verdict: its class.

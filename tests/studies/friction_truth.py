@@ -59,8 +59,8 @@ class World:
         self.holds_back = np.where(slope > 0, _ratio(built.follower, self.middle, -slope), -1.0)
 
     def cam(self, car: FrictionCar) -> np.ndarray:
-        """Cell in which the cam stands while the motor is in each cell of the turn."""
-        ahead = (self.holds > car.friction).tolist()
+        """Cell in which the shaft stands while the motor is in each cell of the turn; the disc stands ahead of it."""
+        ahead = np.roll(self.holds > car.friction, -car.phase).tolist()
         out, now = [], 0
         for motor in range(CELLS):
             now = max(now, motor)

@@ -51,7 +51,7 @@ DOCS = Path(__file__).parents[2] / "docs" / "studies"
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a run did, and what of that is a fault."""
+    """Outcome of a run, and the faults in it."""
 
     number: int
     code: int
@@ -111,7 +111,7 @@ def run(command: str, seed: int, number: int) -> Outcome:
 def judge(
     command: str, code: int, said: str, printed: str, seconds: float, kilobytes: float, *, as_json: bool
 ) -> Iterator[str]:
-    """What of a run is outside the contract."""
+    """Breaches of the contract by a run."""
     if code < 0:
         yield f"ended by {signal.Signals(-code).name}"
     elif code not in (0, 1, 2, 3):

@@ -1,4 +1,4 @@
-"""What a cam for a path must be like, by brute force: no line of cadgen is used here.
+"""Properties of a cam for a path, by brute force: no line of cadgen is used here.
 
 The path's curvature from scipy's spline, the lift by its definition, derivatives by differences, and the disc as the
 nearest crossing of each ray with any of thousands of ellipses.

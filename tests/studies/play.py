@@ -39,7 +39,7 @@ REPORT = DOCS / "play.md"
 
 @dataclass(frozen=True)
 class Result:
-    """What was found for a case; sums of tan(beta) along a turn, rad.
+    """Results of a case; sums of tan(beta) along a turn, rad.
 
     Attributes:
         number: of the case.

@@ -105,7 +105,7 @@ def write_csv(record: Record, file: Path) -> None:
 
 
 def _world(built: Built, outline: Outline) -> SimpleNamespace:
-    """What the generator drives: the designed car and path, with the lift that an outline gives the rod."""
+    """The car for the generator: the designed car and path, with the lift that an outline gives the rod."""
     disc = SimpleNamespace(outline=lambda step: outline)
     bed = Bed(SimpleNamespace(actual=SimpleNamespace(curve=disc), follower=built.follower))
     table = bed.steering(Bench(), np.arange(STATIONS) * TURN / STATIONS)

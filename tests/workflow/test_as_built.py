@@ -69,7 +69,7 @@ class Table:
 
 @dataclass(frozen=True)
 class World:
-    """What the generator drives: a lift on the car of the design."""
+    """The car for the generator: a lift on the car of the design."""
 
     lift: Table
     car: Any
@@ -137,7 +137,7 @@ def test_a_slipping_car_with_another_lever(built, carbon_free_car):
 
 @pytest.mark.slow
 def test_a_shrinking_printer_is_precompensated(built, carbon_free_car):
-    """What is printed and shrinks gives the lift of the design to 0.1 um."""
+    """A printed part that shrinks gives the lift of the design to 0.1 um."""
     design = built(effect("profile", "anisotropic scale", "process", scale_x_percent=-0.19, scale_y_percent=-0.05))
     plan = plan_cam(design, "actual")
     theta = np.linspace(0.0, TURN, 1000, endpoint=False)

@@ -61,7 +61,7 @@ def test_search_finds_a_train_of_the_same_ratio_with_less_return_error():
     plan = plan_gears(load_design(None, ["train.search.keep=3"]), "search")
     assert plan.play.train.ratio == 45
     # Better than the best order of the given stages, 24.74 % less.
-    assert plan.play.return_error_max < 0.7 * plan.given.return_error_max
+    assert plan.play.return_error_max < 0.7 * plan.designed.return_error_max
     assert len(plan.ranked) == 3
     assert plan.passed
 
@@ -221,7 +221,7 @@ def test_a_search_of_which_nothing_can_be_made_keeps_its_ranking():
 def test_the_search_is_compared_with_the_train_given_by_the_standard_alone():
     sets = ["train.stages.2.driven.b_r_um=200", "train.stages.1.direction_deg=30"]
     plan = plan_gears(load_design(None, sets), "search")
-    assert plan.baseline.return_error_max < plan.given.return_error_max
+    assert plan.baseline.return_error_max < plan.designed.return_error_max
     assert f"{plan_facts(plan)['return_error_as_given_by_the_standard_deg']['greatest']:.3f}" == "0.961"
     limits, left_out, tolerances, directions = plan.notes
     assert "30 to 150 teeth" in limits

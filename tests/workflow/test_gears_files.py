@@ -1,4 +1,4 @@
-"""What is read back is judged: each way in which a file can be wrong is refused. No CAD kernel is needed here."""
+"""Files read back are judged: each way in which a file can be wrong is refused. No CAD kernel is needed here."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -75,9 +75,9 @@ class GearPair(Pair, Stage):
         Both angles are those of a tooth's middle, and `direction` that from the driver's axis to the driven gear's.
         The phases of both in pitches, counted from the line of centres, add up to half a pitch.
         """
-        one, two = self.driver.form.teeth, self.driven.form.teeth
-        phase = one * (driver_angle - direction)
-        return (direction + pi + (pi - phase) / two) % (2 * pi)
+        driver_teeth, driven_teeth = self.driver.form.teeth, self.driven.form.teeth
+        phase = driver_teeth * (driver_angle - direction)
+        return (direction + pi + (pi - phase) / driven_teeth) % (2 * pi)
 
     def meshes(self, engage: Engage) -> bool:
         """Whether the teeth, as cut, have one play all the time."""
@@ -103,11 +103,11 @@ class GearPair(Pair, Stage):
 
     def wheel_facts(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Form, thickness limits, span and size over pins of both gears; a `DesignError` for pins that do not rest."""
-        play, found = self.play(), _inspections(self)
+        play, inspections = self.play(), _inspections(self)
         driver, driven = self.wheels
         return (
-            spur_facts.gear_facts(driver, play.driver, found[0]),
-            spur_facts.gear_facts(driven, play.driven, found[1]),
+            spur_facts.gear_facts(driver, play.driver, inspections[0]),
+            spur_facts.gear_facts(driven, play.driven, inspections[1]),
         )
 
 

@@ -94,7 +94,7 @@ def form_facts(form: GearForm) -> dict[str, Any]:
 
 
 def gear_facts(form: GearForm, play: GearPlay[float], sizes: Inspection) -> dict[str, Any]:
-    """What the shop is told of one gear."""
+    """Dimensions of one gear for the workshop."""
     return {
         **form_facts(form),
         "E_sn_um": form.tooth_thickness_deviation * 1e3,

@@ -54,6 +54,7 @@ KIND = Kind(
     ),
     model=_model,
     check=_check,
+    counts=8192,  # an encoder of 13 bits
     spans=_spans,
     absences=(quantities.RETURN_ERROR,),
     nearness=3,

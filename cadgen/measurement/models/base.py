@@ -1,6 +1,7 @@
 """Interface of every forward model to the search."""
 
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any, Protocol
 
 import numpy as np
@@ -9,11 +10,14 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect, Stage
 from cadgen.deviations.rows import Rows
+from cadgen.measurement.models.rolled import Rolled
+
+SMALL = 0.1  # of the step of a parameter
 
 
 @dataclass(frozen=True)
 class Discrepancy:
-    """What no effect makes but every record of a kind may hold: columns with amplitudes of a known spread.
+    """Systematic errors of a kind of record that no effect describes: columns with amplitudes of a known spread.
 
     Attributes:
         words: as in "fitted and never claimed: the slope of the floor".
@@ -39,6 +43,10 @@ class Model(Protocol):
     @property
     def behind(self) -> tuple[Stage[Any], ...]:
         """Stages at which effects that other kinds of data show change this one too."""
+
+    @property
+    def rolled(self) -> Rolled | None:
+        """The lift that effects on disc and rod change; None where they act otherwise, or not at all."""
 
     @property
     def unit(self) -> str:
@@ -70,7 +78,7 @@ class Model(Protocol):
 
     @property
     def discrepancy(self) -> Discrepancy:
-        """What repeats beside effects and form error."""
+        """Repeating errors beside effects and form error."""
 
     @property
     def form(self) -> Array:
@@ -140,19 +148,36 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active) -> Array:
     """How the expected value answers each parameter of some effects, shape (n, sum of parameters).
 
     Central differences over each parameter's own step; one-sided where a bound is in the way. An effect that is
-    active is varied about its value, any other about its start.
+    active is varied about its value, any other about its start. In place of an effect on disc or rod its change of the
+    lift to first order is varied, so that the rod is rolled once and not for every difference; what follows the lift
+    is smooth, so that a small step to one side will do. So does a step for the numerous ones that are not active: they
+    are small, and looked at to first order alone.
     """
     values = {effect.key: v for effect, v in active}
+
+    @cache
+    def base() -> Array:
+        return model.residual(active)
+
     columns = []
     for effect in effects:
+        rolled = model.rolled if model.rolled and effect.stage in model.rolled.stages else None
         others = [(e, v) for e, v in active if e.key != effect.key]
-        middle = values.get(effect.key, effect.start)
-        lower, upper = effect.bounds
+        middle = np.asarray(values.get(effect.key, effect.start), dtype=float)
         for k, step in enumerate(effect.steps):
-            ends = []
-            for sign in (-1.0, 1.0):
-                moved = np.array(middle, dtype=float)
-                moved[k] = np.clip(moved[k] + sign * step, lower[k], upper[k])
-                ends.append((moved[k], model.residual([*others, (effect, moved)])))
-            columns.append((ends[0][1] - ends[1][1]) / (ends[1][0] - ends[0][0]))
+            if rolled:
+                standing = rolled.first_order(effect, k, active, model.rows), np.array([SMALL * step])
+                columns.append((base() - model.residual([*active, standing])) / (SMALL * step))
+                continue
+            one_sided = effect.numerous and effect.key not in values
+            low, high = (middle if one_sided else _moved(effect, middle, k, -step)), _moved(effect, middle, k, step)
+            before = base() if one_sided else model.residual([*others, (effect, low)])
+            columns.append((before - model.residual([*others, (effect, high)])) / (high[k] - low[k]))
     return np.stack(columns, axis=1) if columns else np.empty((len(model.rows.run), 0))
+
+
+def _moved(effect: Effect, values: Array, number: int, by: float) -> Array:
+    """Values of which one is moved, as far as its bounds let it."""
+    moved, (lower, upper) = values.copy(), effect.bounds
+    moved[number] = np.clip(moved[number] + by, lower[number], upper[number])
+    return moved

@@ -1,4 +1,4 @@
-"""What the floor does to a track: a car creeps down a slope, and every unevenness turns it a little.
+"""Errors of a track by the floor: a car creeps down a slope, and every unevenness turns it a little.
 
 On a slope g a car that goes in direction t creeps by a share of its travel: along t by (g . t), and across, along n,
 by (g . n), each with a ratio of its own, since wheels roll along and slide across. The heading is disturbed as a random

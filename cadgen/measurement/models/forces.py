@@ -22,7 +22,7 @@ class Forces:
 
     cut: LiftCurve
     mechanics: Mechanics
-    _known: dict[tuple[float, bool, int], Leads] = field(default_factory=dict, repr=False)
+    _known: dict[tuple[float, bool, int], tuple[LiftCurve, Leads]] = field(default_factory=dict, repr=False)
 
     def leads(self, friction: float, *, back: bool = False, lift: LiftCurve | None = None) -> Leads:
         """Where the cam leads with a sliding friction; remembered, since most differences leave friction alone.
@@ -38,8 +38,9 @@ class Forces:
             if len(self._known) >= _KEPT:
                 self._known.pop(next(iter(self._known)))
             mechanics = replace(self.mechanics, friction=friction)
-            self._known[key] = mechanics.leads(cut.mirrored if back else cut)
-        return self._known[key]
+            # With the lift, so that no other one is taken for it.
+            self._known[key] = cut, mechanics.leads(cut.mirrored if back else cut)
+        return self._known[key][1]
 
     def drawn(self, friction: float) -> tuple[Array, Array]:
         """Where the rod draws a free cam on, and where it draws it back.

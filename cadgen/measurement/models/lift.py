@@ -52,7 +52,7 @@ class LiftModel:
         self.form, self.order = fourier(angle, FORM_ORDERS)
         self.floor = floor
         self.slip = follower.inner * slope
-        self._rolled = rolled
+        self.rolled = rolled
 
     @cached_property
     def shapes(self) -> tuple[Effect, ...]:
@@ -63,7 +63,7 @@ class LiftModel:
         """Measured less expected reading, mm."""
         angle = through(ANGLE, self.rows.place, active, self.rows)
         steering = self._lift.tan_beta(angle)
-        if (change := self._rolled.change(active, self.rows)) is not None:
+        if (change := self.rolled.change(active, self.rows)) is not None:
             steering = steering + change(angle)
         reading = through(READING, self._follower.inner * steering, active, self.rows)
         return self._reading - reading

@@ -52,6 +52,7 @@ class ProfileModel:
     """
 
     behind = ()
+    rolled = None
     unit = "um"
     measured = None
 

@@ -1,17 +1,25 @@
-"""What effects on disc and follower make of the lift: the rod rolled on the changed disc."""
+"""The lift with effects on disc and follower: the rod rolled on the changed disc.
+
+A fit needs the lift of every value that it comes by, and how the lift answers each value there. The first is rolled;
+the second follows from the contacts of that roll, for to first order the rod stays on the same points of the disc
+(`cadgen.cam.followers.rod_first_order`).
+"""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicSpline, PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll
 from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.followers.rod_first_order import FirstOrder
 from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import Outline
 from cadgen.deviations.disc import DISC, Disc
-from cadgen.deviations.effect import Active, Effect, through
+from cadgen.deviations.effect import Active, Effect, Stage, through
 from cadgen.deviations.lift import FOLLOWER, Setting
 from cadgen.errors import DesignError
 from cadgen.motion.sampled import sampled_lift
@@ -19,6 +27,68 @@ from cadgen.motion.sampled import sampled_lift
 GRID = 720  # stations of the roll; only the change against the nominal cam is interpolated between them
 STATIONS = 3600  # of a changed lift as a curve; it errs by under 0.01 um between them
 _KEPT = 128  # most differences leave disc and rod alone
+
+# Change of tan(beta) by cam angle, as a periodic spline; nothing where disc and rod are as designed.
+CHANGE = Stage[PPoly | None]("change of the lift")
+
+
+@dataclass(frozen=True)
+class _Roll:
+    """The rod rolled on a disc.
+
+    Attributes:
+        outline, setting: of the disc, and of the rod on it.
+        contacts: with the disc as it stands, or with a wobbling one in its two extremes and the middle.
+        share: of each of them at each cam angle, shape (1 or 3, n).
+    """
+
+    outline: Outline
+    setting: Setting
+    contacts: tuple[Contact, ...]
+    share: Array
+
+    @classmethod
+    def of(cls, disc: Disc, setting: Setting, grid: Array) -> "_Roll":
+        """Roll at the cam angles of a grid."""
+        outline = Outline(disc.points, disc.piece)
+        a, b = setting.wobble
+        if a == 0 and b == 0:
+            return cls(outline, setting, (roll(outline, setting.follower, grid),), np.ones((1, len(grid))))
+        # A wobbling disc offers its faces at w + a cos + b sin: three rolls, and a parabola through them.
+        size = float(np.hypot(a, b))
+        contacts = tuple(roll(outline, _shifted(setting.follower, k * size), grid) for k in (-1.0, 0.0, 1.0))
+        x = (a * np.cos(grid) + b * np.sin(grid)) / size
+        return cls(outline, setting, contacts, np.stack([(x**2 - x) / 2, 1 - x**2, (x**2 + x) / 2]))
+
+    @property
+    def tan_beta(self) -> Array:
+        """tan(beta) on the grid."""
+        return np.asarray(sum(share * c.tan_beta for share, c in zip(self.share, self.contacts, strict=True)))
+
+    def answer(self, moved: Array, by: Setting) -> Array:
+        """Change of tan(beta) on the grid to first order.
+
+        Args:
+            moved: displacement of the outline's points, shape (m, 2), mm.
+            by: change of the rod's dimensions and of the wobble, mm.
+        """
+        angle = self.outline.angle
+        out = np.zeros(self.share.shape[1])
+        for share, contact in zip(self.share, self.contacts, strict=True):
+            inner = np.abs(contact.face - contact.face.min()) < np.abs(contact.face - contact.face.max())
+            theta = contact.cam_angle
+            follower = self.setting.follower
+            first = FirstOrder.of(contact, follower)
+            ahead = follower.base_radius + contact.face * contact.tan_beta - first.height * first.root
+            place = theta + np.arctan2(contact.across, ahead)
+            at = angle[0] + (place - angle[0]) % TURN
+            x, y = (np.interp(at, angle, column) for column in moved.T)
+            c, s = np.cos(theta), np.sin(theta)
+            face = np.where(inner, by.follower.inner, by.follower.outer) + by.wobble[0] * c + by.wobble[1] * s
+            out += share * (
+                first.displaced(x * c + y * s, y * c - x * s) + first.face * face + first.thicker * by.follower.radius
+            )
+        return out
 
 
 class Rolled:
@@ -33,38 +103,34 @@ class Rolled:
     def __init__(self, lift: LiftCurve, follower: LeaningRod, disc: Disc) -> None:
         self._lift, self._follower, self._disc = lift, follower, disc
         self._grid = np.linspace(0.0, TURN, GRID, endpoint=False)
-        self._nominal: Array | None = None
-        self._changes: dict[bytes, CubicSpline] = {}
+        self._rolls: dict[bytes, _Roll] = {}
+        self._changes: dict[bytes, PPoly] = {}
         self._lifts: dict[bytes, LiftCurve] = {}
 
-    def change(self, active: Active, rows: object) -> CubicSpline | None:
+    def change(self, active: Active, rows: object) -> PPoly | None:
         """Change of tan(beta) by cam angle; None if no effect changes disc or rod.
 
         Raises:
             DesignError: no rod can follow that disc.
         """
         moved = self._of(active)
-        if not moved:
-            return None
-        key = _key(moved)
-        if key not in self._changes:
-            if self._nominal is None:
-                self._nominal = self._roll(Outline(self._disc.points, self._disc.piece), Setting(self._follower))
-            disc = through(DISC, self._disc, moved, rows)
-            setting = through(FOLLOWER, Setting(self._follower), moved, rows)
-            change = self._roll(Outline(disc.points, disc.piece), setting) - self._nominal
-            if not np.isfinite(change).all():
-                raise DesignError("no rod can follow a disc that is so far from its design")
-            closed = CubicSpline(np.append(self._grid, TURN), np.append(change, change[0]), bc_type="periodic")
-            self._changes = {**dict(list(self._changes.items())[-_KEPT:]), key: closed}
-        return self._changes[key]
+        rolled = None
+        if moved:
+            key = _key(moved)
+            if key not in self._changes:
+                change = self._roll(moved, rows).tan_beta - self._roll([], rows).tan_beta
+                if not np.isfinite(change).all():
+                    raise DesignError("no rod can follow a disc that is so far from its design")
+                self._changes = {**dict(list(self._changes.items())[-_KEPT:]), key: self._closed(change)}
+            rolled = self._changes[key]
+        return through(CHANGE, rolled, active, rows)
 
     def lift(self, active: Active, rows: object) -> LiftCurve:
         """The lift as a curve that a car can be driven by; arguments and errors as of `change`."""
         change = self.change(active, rows)
         if change is None:
             return self._lift
-        key = _key(self._of(active))
+        key = _key([(e, v) for e, v in active if e.stage in self.stages or e.stage is CHANGE])
         if key not in self._lifts:
             angle = np.linspace(0.0, TURN, STATIONS, endpoint=False)
             steering = self._lift.tan_beta(angle) + change(angle)
@@ -72,18 +138,65 @@ class Rolled:
             self._lifts = {**dict(list(self._lifts.items())[-_KEPT:]), key: made}
         return self._lifts[key]
 
+    def first_order(self, effect: Effect, number: int, active: Active, rows: object) -> Effect:
+        """An effect on the lift that stands, to first order, for a number of an effect on disc or rod.
+
+        Args:
+            effect: on disc or rod, active or not.
+            number: which of its numbers; the effect returned adds its value to that.
+            active: about which; an effect that is not among them, about its start, where it does nothing.
+            rows: of the model.
+        """
+        moved = self._of(active)
+        base = self._roll(moved, rows)
+        values = next((v for e, v in moved if e.key == effect.key), effect.start)
+        step = effect.steps[number]
+        ends = []
+        for sign in (-1.0, 1.0):
+            there = np.array(values, dtype=float)
+            there[number] = np.clip(there[number] + sign * step, effect.bounds[0][number], effect.bounds[1][number])
+            others = [(e, there if e.key == effect.key else v) for e, v in moved]
+            if len(others) == len(moved) and all(e.key != effect.key for e, _ in moved):
+                others.append((effect, there))
+            disc = through(DISC, self._disc, others, rows)
+            ends.append((there[number], disc.points, through(FOLLOWER, Setting(self._follower), others, rows)))
+        (low, before, less), (high, after, more) = ends
+        by = high - low
+        follower = LeaningRod(
+            base_radius=0.0,
+            inner=(more.follower.inner - less.follower.inner) / by,
+            outer=(more.follower.outer - less.follower.outer) / by,
+            radius=(more.follower.radius - less.follower.radius) / by,
+        )
+        wobble = tuple((m - w) / by for m, w in zip(more.wobble, less.wobble, strict=True))
+        slope = self._closed(base.answer((after - before) / by, Setting(follower, (wobble[0], wobble[1]))))
+        return Effect(
+            name=effect.name,
+            variant=f"{effect.variant} {number} {hash(slope.c.tobytes())}",
+            stage=CHANGE,
+            parameters=(effect.parameters[number],),
+            act=lambda change, p, at: _plus(change, slope, float(p[0])),
+        )
+
     def _of(self, active: Active) -> list[tuple[Effect, Array]]:
         return [(e, v) for e, v in active if e.stage in self.stages]
 
-    def _roll(self, outline: Outline, setting: Setting) -> Array:
-        a, b = setting.wobble
-        if a == 0 and b == 0:
-            return roll(outline, setting.follower, self._grid).tan_beta
-        # A wobbling disc offers its faces at w + a cos + b sin: three rolls, and a parabola through them.
-        size = float(np.hypot(a, b))
-        at = [roll(outline, _shifted(setting.follower, k * size), self._grid).tan_beta for k in (-1.0, 0.0, 1.0)]
-        x = (a * np.cos(self._grid) + b * np.sin(self._grid)) / size
-        return at[1] + x * (at[2] - at[0]) / 2 + x**2 * (at[2] - 2 * at[1] + at[0]) / 2
+    def _roll(self, moved: Sequence[tuple[Effect, Array]], rows: object) -> _Roll:
+        key = _key(moved)
+        if key not in self._rolls:
+            disc = through(DISC, self._disc, moved, rows)
+            rolled = _Roll.of(disc, through(FOLLOWER, Setting(self._follower), moved, rows), self._grid)
+            self._rolls = {**dict(list(self._rolls.items())[-_KEPT:]), key: rolled}
+        return self._rolls[key]
+
+    def _closed(self, values: Array) -> PPoly:
+        """A periodic spline through values on the grid."""
+        return CubicSpline(np.append(self._grid, TURN), np.append(values, values[0]), bc_type="periodic")
+
+
+def _plus(change: PPoly | None, slope: PPoly, by: float) -> PPoly:
+    coefficients = by * slope.c if change is None else change.c + by * slope.c
+    return PPoly.construct_fast(coefficients, slope.x, extrapolate="periodic")
 
 
 def _key(active: Sequence[tuple[Effect, Array]]) -> bytes:

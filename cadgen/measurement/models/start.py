@@ -43,7 +43,7 @@ class Setting:
 
 
 def setting(record: Record) -> Setting:
-    """What the remark `start set to 3 mm and 0.15 deg` says, or that of a start set by hand."""
+    """Standard deviations from the remark `start set to 3 mm and 0.15 deg`, or those of a start set by hand."""
     stated = said(record, rf"\bstart\b.*?\b{_NUMBER} *mm\b.*?\b{_NUMBER} *deg\b")
     if stated and min(map(float, stated)) > 0:
         return Setting(float(stated[0]), radians(float(stated[1])), True)
@@ -119,7 +119,7 @@ def scattered(poses: Array, stated: Setting) -> Setting:
 
 
 def doubts(used: Setting, stated: Setting, values: Array, sigmas: Array) -> tuple[str, ...]:
-    """What is amiss with the starts: runs that scatter by more than was stated, or start off together.
+    """Warnings about the starts: runs that scatter by more than was stated, or start off together.
 
     Args:
         used: setting that runs were judged with.

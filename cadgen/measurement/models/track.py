@@ -23,6 +23,7 @@ from cadgen.steering.car import Car, wheel_tangent
 # Even steps of the turn. The midpoint rule errs by under 0.05 mm at the end of the paper's path.
 STEPS = 2880
 FORM_ORDERS = 25
+_KEPT = 8  # tangents at the steps of a turn
 BLEND_MARGIN = np.radians(4.0)  # the cam may lead the motor by phase and play
 
 
@@ -39,7 +40,8 @@ class TrackModel:
     def __init__(
         self, record: Record, rolled: Rolled, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
     ) -> None:
-        self._rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
+        self.rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
+        self._known: dict[tuple[int, bytes], tuple[LiftCurve, Array]] = {}
         self._steepest = float(np.abs(lift.tan_beta(np.linspace(0.0, TURN, STEPS), nu=1)).max())
         self._nominal = Running(car=car, length=track.turn)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
@@ -80,17 +82,23 @@ class TrackModel:
         """Measured less expected coordinates, linear in the start poses (see `start`), mm."""
         return self._starts.residual(self.place(active))
 
+    def as_logged(self, active: Active) -> Array:
+        """The same, started as by design, mm."""
+        place = self.place(active)
+        return np.asarray(self.measured - np.where(self._axis == 0, place.real, place.imag))
+
     def place(self, active: Active) -> NDArray[np.complex128]:
         """Where the car is at each row, started as by design, x + iy, mm."""
-        return self._driven(active, self._motor)
+        return self.at(active, self._motor)
 
     def finish(self, active: Active) -> complex:
         """Where the run ends, at the beginning of the cam's closing blend, x + iy, mm."""
-        return complex(self._driven(active, np.array([self._lift.blend_start]))[0])
+        return complex(self.at(active, np.array([self._lift.blend_start]))[0])
 
-    def _driven(self, active: Active, motor: Array) -> NDArray[np.complex128]:
+    def at(self, active: Active, motor: Array) -> NDArray[np.complex128]:
+        """The same at any motor positions."""
         run = through(RUNNING, self._nominal, active, self._grid)
-        lift = self._rolled.lift(active, self.rows)
+        lift = self.rolled.lift(active, self.rows)
         nodes, following = self._grid, None
         if run.play > 0:
             # Steps end where the cam jumps, so that the place answers evenly to what moves a jump.
@@ -101,7 +109,7 @@ class TrackModel:
 
         def wheel(motor: Array) -> Array:
             angle = self._asked(motor, active) + run.phase
-            rod = lift.tan_beta(angle if following is None else following.cam_angle(angle))
+            rod = self._tangents(lift, angle if following is None else following.cam_angle(angle))
             return through(STEERING, wheel_tangent(rod, run.car), active, motor)
 
         length = run.length * (1 - run.wear * (nodes[1:] + nodes[:-1])[:, None] / 2 / TURN)
@@ -109,6 +117,16 @@ class TrackModel:
         at = np.interp(motor, nodes, np.arange(len(nodes)))
         low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
+
+    def _tangents(self, lift: LiftCurve, cam_angle: Array) -> Array:
+        """tan(beta) of the rod; remembered, for most effects leave lift and cam angles as they are."""
+        key = id(lift), cam_angle.tobytes()
+        if key not in self._known:
+            if len(self._known) >= _KEPT:
+                self._known.pop(next(iter(self._known)))
+            # With the lift, so that no other one is taken for it.
+            self._known[key] = lift, lift.tan_beta(cam_angle)
+        return self._known[key][1]
 
     def _asked(self, motor: Array, active: Active) -> Array:
         """Cam angle that the gears ask for at motor positions, rad; the cam is set on its shaft at the start."""

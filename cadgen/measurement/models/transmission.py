@@ -30,6 +30,7 @@ class TransmissionModel:
     """Cam angle by motor angle, forward and back, the inclinometer's zero free in each run."""
 
     behind = ()
+    rolled = None
     unit = "deg"
     measured = None
 
@@ -98,7 +99,7 @@ class TransmissionModel:
 
 
 def _cogging(turned: Array, orders: Array) -> Discrepancy:
-    """What repeats with every turn of the motor, or several times in it: poles, and teeth of the first pinion."""
+    """Errors that repeat with every turn of the motor, or several times in it: poles, and teeth of the first pinion."""
     waves = turned[:, None] * orders
     columns = np.hstack([np.cos(waves), np.sin(waves)])
     return Discrepancy("what repeats with the motor's turns", columns, np.full(columns.shape[1], COGGING))

@@ -25,6 +25,7 @@ class TricycleModel:
     """
 
     behind = ()
+    rolled = None
     unit = "mm"
 
     def __init__(self, record: Record, wheelbase: float) -> None:

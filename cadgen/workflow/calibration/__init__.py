@@ -4,6 +4,8 @@
 |-----------------|---------------------------------------------------------------------------------|
 | `plan`          | measured files -> one verdict for each kind of data, and what they say together |
 | `new_cam`       | what a new cam is expected to do                                                |
+| `advice`        | what to measure next, in words too                                              |
+| `prediction`    | runs that were not used, predicted with what was found, in words too            |
 | `zone_means`    | mean turns over zones, beside what the design's train lets expect               |
 | `tables`        | arrays in memory, read as files are                                             |
 | `words`         | a calibration in words and tables                                               |

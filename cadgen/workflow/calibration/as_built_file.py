@@ -67,7 +67,7 @@ def _table(calibration: Calibration) -> str:
             lines += _effect("cut_for", known.effect, known.kind, known.place, values)
     for built in calibration.built:
         finding = built.claim.finding
-        values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.given)]
+        values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.indices)]
         lines += _effect("effects", finding.effect, built.claim.kind.code, built.place, values, sentence(built))
     return "\n".join(lines) + "\n"
 

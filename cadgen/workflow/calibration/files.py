@@ -10,10 +10,10 @@ from typing import Any
 from cadgen.design.load import load_design
 from cadgen.deviations import quantities
 from cadgen.errors import FileError
+from cadgen.expectation.outlook import Outlook
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, PathCandidate, PathDiagnosis
-from cadgen.measurement.outlook import Outlook
 from cadgen.measurement.together import Shared
 from cadgen.progress import Progress, silent
 from cadgen.report.calibration import draw_record
@@ -284,7 +284,7 @@ def _finding(finding: Finding, claimed: bool | None = None) -> dict[str, Any]:
     return {
         **facts,
         "values": values,
-        "given": dict(finding.given),
+        "given": dict(finding.indices),
         "cannot_be_told_from": list(finding.twins),
         "on_bound": list(finding.at_bound),
     }

@@ -1,4 +1,4 @@
-"""What a new cam is expected to do that is made for what a calibration claims."""
+"""Expected run of the car on a new cam that compensates the effects a calibration claims."""
 
 from collections.abc import Sequence
 
@@ -11,10 +11,10 @@ from cadgen.deviations import quantities
 from cadgen.deviations.effect import UNITS
 from cadgen.deviations.names import Place
 from cadgen.deviations.track import BACKLASH
+from cadgen.expectation.outlook import Name, Outlook, outlook
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.measurement.kinds import TRACK
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.outlook import Name, Outlook, outlook
 from cadgen.measurement.together import Claim
 
 

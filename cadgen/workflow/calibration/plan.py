@@ -16,6 +16,7 @@ from cadgen.design.schema import Design
 from cadgen.deviations import quantities
 from cadgen.deviations.names import Place
 from cadgen.errors import FileError, brief
+from cadgen.expectation.outlook import Outlook
 from cadgen.gears.kinds.spur import spur_pairs
 from cadgen.gears.search import arrange
 from cadgen.measurement.calibrate import calibrate as judge
@@ -23,7 +24,6 @@ from cadgen.measurement.calibrate import calibrate_tricycle
 from cadgen.measurement.diagnose import SOUND
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
-from cadgen.measurement.outlook import Outlook
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Shared, at_work, claims, no_friction, no_play, shared
@@ -87,6 +87,7 @@ class Calibration:
         claims: what the verdicts claim, and that there is no play where that was seen.
         warnings: what does not fit, but was let pass.
         outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
+        nominal: the design as data of its kinds were judged against it; None without such data.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
     """
@@ -104,6 +105,7 @@ class Calibration:
     warnings: tuple[str, ...]
     holds: tuple[float, float] | None = None
     outlook: Outlook | None = None
+    nominal: Nominal | None = None
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
@@ -218,7 +220,7 @@ def calibrate(
         holds = holding_friction(known.cut or known.lift, known.follower)
     wheelbase = None
     if logged := records[Method.RUNS_LEFT_OUT]:
-        wheelbase = _wheelbase(design, logged)
+        wheelbase = wheelbase_of(design, logged)
         diagnosis = calibrate_tricycle(logged, wheelbase[0], progress)
         diagnoses[diagnosis.kind] = diagnosis
     found = _claims(design, diagnoses.values(), zones)
@@ -237,6 +239,7 @@ def calibrate(
         claims=tuple(found),
         warnings=tuple(_warnings(design, profile, sources)),
         holds=holds,
+        nominal=known,
     )
     if known is None:
         return calibration
@@ -327,10 +330,10 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
 
 
 def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
-    """What becomes of a claim by default: nothing that may be the instrument's in all kinds of data that show it."""
+    """Default place of a claim: none for an effect that may be the instrument's in all kinds of data that show it."""
     if all(_instruments(other) for other in alike):
         return "noted"
-    return claim.kind.named(claim.finding.effect, dict(claim.finding.given)).places[0]
+    return claim.kind.named(claim.finding.effect, dict(claim.finding.indices)).places[0]
 
 
 def _instruments(claim: Claim) -> bool:
@@ -348,7 +351,7 @@ def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[f
     return MACHINED_UM, "machined: no file says printed"
 
 
-def _wheelbase(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
+def wheelbase_of(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
     """Wheelbase of the logged car, mm, and whether it is from a file."""
     stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
     if len(stated) > 1:

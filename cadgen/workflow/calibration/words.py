@@ -9,6 +9,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.design.section import listed
 from cadgen.deviations.friction import MEASURE_FRICTION
+from cadgen.expectation.outlook import WORSE, Outlook
 from cadgen.measurement.findings import (
     Candidate,
     Diagnosis,
@@ -20,7 +21,6 @@ from cadgen.measurement.findings import (
     PerRun,
     Value,
 )
-from cadgen.measurement.outlook import WORSE, Outlook
 from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
 from cadgen.workflow.calibration.plan import Built, Calibration, Source
@@ -58,7 +58,7 @@ def report(calibration: Calibration) -> list[Block]:
 
 
 def expected(o: Outlook) -> str:
-    """What a new cam is expected to do, and why not to cut it."""
+    """Sentences on the expected run with a new cam, and reasons not to cut it."""
     words = (
         f"A new cam made for what is claimed is expected to end the run {_length(o.new)} mm off ({_length(o.least)} to "
         f"{_length(o.most)} mm in 90 %), the old one {_length(o.old)} mm; it is worse with a chance of {o.worse:.1%}."
@@ -127,7 +127,7 @@ def sizes(findings: Sequence[Finding]) -> str:
 
 def _sizes(finding: Finding) -> str:
     numbers = [f"{v.name} {' ± '.join(text for text in shown(v) if text)}" for v in finding.values]
-    return ", ".join([*numbers, *(f"{name} {number:g}" for name, number in finding.given)])
+    return ", ".join([*numbers, *(f"{name} {number:g}" for name, number in finding.indices)])
 
 
 def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
@@ -313,7 +313,7 @@ def sentence(built: Built) -> str:
     if built.instead is not None:
         place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
     name = f"no {finding.effect}" if built.claim.absent else finding.effect
-    signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.given)).parameters)
+    signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.indices)).parameters)
     of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
     return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
 

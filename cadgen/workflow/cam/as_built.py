@@ -46,7 +46,7 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
 
 
 def outlook_sentence(design: Design) -> str:
-    """What the new cam is expected to do; empty if nothing was measured that says it."""
+    """Expected run of the car on the new cam; empty if no measurement predicts it."""
     outlook = design.as_built and design.as_built.outlook
     if not outlook:
         return ""
@@ -63,7 +63,7 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
     if not outlook:
         return ()
     # Only here: it needs the models of all kinds of data, and most designs have no outlook.
-    from cadgen.measurement.outlook import WORSE
+    from cadgen.expectation.outlook import WORSE
 
     remedy = "measure what cadgen calibrate asks for, and calibrate again"
     checks = [

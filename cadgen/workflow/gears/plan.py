@@ -51,8 +51,8 @@ class GearsPlan:
     Attributes:
         design: design that the train was planned from.
         order: order of the stages: `as-given`, `reordered` or `search`.
-        given: play of the train as the design has it.
-        given_standard: play of that train without the design's overrides; None if the standards do not cover it.
+        designed: play of the train as the design has it.
+        designed_standard: play of that train without the design's overrides; None if the standards do not cover it.
         ranked: trains that the order calls for, least return error first.
         play: play of the train that is made: the first that can be made and passes its checks.
         skipped: trains with less return error.
@@ -65,8 +65,8 @@ class GearsPlan:
 
     design: TrainDesign
     order: Order
-    given: TrainPlay
-    given_standard: TrainPlay | None
+    designed: TrainPlay
+    designed_standard: TrainPlay | None
     ranked: tuple[TrainPlay, ...]
     play: TrainPlay
     skipped: tuple[Skipped, ...]
@@ -89,7 +89,7 @@ class GearsPlan:
     @property
     def baseline(self) -> TrainPlay:
         """Play that the ranked trains are compared with; for a search, of the given train by the standard alone."""
-        return _baseline(self.order, self.given, self.given_standard)
+        return _baseline(self.order, self.designed, self.designed_standard)
 
     @property
     def stem(self) -> str:
@@ -120,18 +120,18 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progres
         NotMadeError: the same for every train of several.
     """
     gear_model.train_keys(design)
-    given = gear_model.train(design)
+    designed = gear_model.train(design)
     progress("computing play and return error" if order != "search" else "searching trains")
-    given_play, given_standard = train_play(given), _by_the_standard(given)
-    limits = gear_model.search_limits(design, given) if order == "search" else None
-    ranked = arrange(given, order, limits)
+    designed_play, designed_standard = train_play(designed), _by_the_standard(designed)
+    limits = gear_model.search_limits(design, designed) if order == "search" else None
+    ranked = arrange(designed, order, limits)
     trains = _Candidates(ranked, limits, design)
-    made, skipped = _first_made(design, given, trains, _baseline(order, given_play, given_standard), progress)
+    made, skipped = _first_made(design, designed, trains, _baseline(order, designed_play, designed_standard), progress)
     return GearsPlan(
         design=design,
         order=order,
-        given=given_play,
-        given_standard=given_standard,
+        designed=designed_play,
+        designed_standard=designed_standard,
         ranked=ranked,
         play=made.play,
         skipped=skipped,
@@ -141,15 +141,15 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progres
             *_thinning_notes(design, made),
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
             *_joint_notes(design, made.play),
-            *(_notes(design, given, limits) if limits else ()),
+            *(_notes(design, designed, limits) if limits else ()),
         ),
         layout=made.layout,
         checks=made.checks,
     )
 
 
-def _baseline(order: Order, given: TrainPlay, given_standard: TrainPlay | None) -> TrainPlay:
-    return given_standard if order == "search" and given_standard is not None else given
+def _baseline(order: Order, designed: TrainPlay, designed_standard: TrainPlay | None) -> TrainPlay:
+    return designed_standard if order == "search" and designed_standard is not None else designed
 
 
 def _by_the_standard(train: Train) -> TrainPlay | None:
@@ -207,7 +207,7 @@ class _Candidates:
 
 
 def _first_made(
-    design: TrainDesign, given: Train, trains: _Candidates, baseline: TrainPlay, progress: Progress
+    design: TrainDesign, designed: Train, trains: _Candidates, baseline: TrainPlay, progress: Progress
 ) -> tuple[MadeTrain, tuple[Skipped, ...]]:
     """The first train that can be made and passes its checks, else the first that can be made; and those before it."""
     skipped: list[Skipped] = []
@@ -215,7 +215,7 @@ def _first_made(
     for play in trains:
         progress(f"laying out and measuring {teeth_of(play)}")
         try:
-            made = _make(design, given, play)
+            made = _make(design, designed, play)
         except DesignError as error:
             skipped.append(Skipped(play, str(error)))
             if trains.limits:
@@ -254,20 +254,20 @@ def _can_be_cut(stage: Stage) -> bool:
     return True
 
 
-def _make(design: TrainDesign, given: Train, play: TrainPlay) -> MadeTrain:
+def _make(design: TrainDesign, designed: Train, play: TrainPlay) -> MadeTrain:
     keys = gear_model.train_keys(design)
     return make_train(
         play,
         gear_model.blanks(design),
-        _directions(given, play.train, gear_model.directions(design)),
+        _directions(designed, play.train, gear_model.directions(design)),
         keys.clearance_mm,
         lambda gears: gear_model.mesh_chord(design, gears),
     )
 
 
-def _directions(given: Train, made: Train, wanted: Sequence[float | None]) -> list[float | None]:
+def _directions(designed: Train, made: Train, wanted: Sequence[float | None]) -> list[float | None]:
     """Directions of a train's stages: each stage keeps its direction in another order; searched stages have none."""
-    left = list(zip(given.stages, wanted, strict=True))
+    left = list(zip(designed.stages, wanted, strict=True))
     directions: list[float | None] = []
     for pair in made.stages:
         place = next((number for number, (known, _) in enumerate(left) if known == pair), None)
@@ -300,16 +300,16 @@ def _joint_notes(design: TrainDesign, play: TrainPlay) -> tuple[str, ...]:
     return (whole.sentence(),) if whole.loose else ()
 
 
-def _notes(design: TrainDesign, given: Train, limits: SearchLimits) -> tuple[str, ...]:
+def _notes(design: TrainDesign, designed: Train, limits: SearchLimits) -> tuple[str, ...]:
     """Limits of the search, and the keys that searched trains do not take over from the stages given, in words."""
-    gears = [gear for pair in spur_pairs(given, "the search is") for gear in (pair.driver, pair.driven)]
+    gears = [gear for pair in spur_pairs(designed, "the search is") for gear in (pair.driver, pair.driven)]
     notes = [f"searched: {limits}"]
     if left := gear_model.limits_left_out(design):
         notes.append(
             f"not given in [train.search]: {left}; sizes that are left out span those of the given stages, the other"
             " limits are the usual ones, widened to the given stages where these go further"
         )
-    if given.departures():
+    if designed.departures():
         notes.append(
             "searched gears are made to the standard's tolerances, without those that the design gives for its own;"
             " they are compared with the given train by the standard"

@@ -34,7 +34,7 @@ Name = tuple[str, str]  # code of the kind of data that an effect is claimed in,
 
 @dataclass(frozen=True)
 class Outlook:
-    """What a new cam is expected to do.
+    """Expected errors at the end of the run on the old cam and on a new one.
 
     Attributes:
         old, new: distance from the planned end of the run, median of the draws, mm.
@@ -112,20 +112,20 @@ def _drawn(
     acting: Active = [(effect, values) for _, effect, values in here if effect]
     stays: Active = [(effect, values) for name, effect, values in here if effect and name not in gone]
     kept = np.array([e is not None and n not in gone for n, e, v in here for _ in v], dtype=bool)
-    ways = np.concatenate([_ways(model, effect, acting, len(values)) for _, effect, values in here] or [np.empty(0)])
+    answers = np.concatenate([ways(model, effect, acting, len(values)) for _, effect, values in here] or [np.empty(0)])
     known = [(name, _in_track(model, effect, name[0])) for name, effect, _ in likely.effects]
     cut_for: Active = [(effect, taken[name]) for name, effect in known if effect and name in taken]
     others = [name for name in taken if name not in {n for n, _ in known}]
     cut_for = [*cut_for, *((e, taken[n]) for n in others if (e := _of_name(model, n)))]
-    drawn = (
-        rng.multivariate_normal(np.zeros(len(ways)), likely.covariance, count) if len(ways) else np.zeros((count, 0))
-    )
-    old = model.finish(acting) - model.finish([]) + drawn @ ways
-    new = model.finish(stays) - model.finish(cut_for) + drawn @ (ways * kept)
+    drawn = np.zeros((count, len(answers)))
+    if len(answers):
+        drawn = rng.multivariate_normal(np.zeros(len(answers)), likely.covariance, count)
+    old = model.finish(acting) - model.finish([]) + drawn @ answers
+    new = model.finish(stays) - model.finish(cut_for) + drawn @ (answers * kept)
     return old, new
 
 
-def _ways(model: TrackModel, effect: Effect | None, active: Active, width: int) -> Array:
+def ways(model: TrackModel, effect: Effect | None, active: Active, width: int) -> Array:
     """How the end answers each number of an effect, shape (numbers,), complex."""
     if effect is None:
         return np.zeros(width, dtype=complex)
@@ -144,7 +144,7 @@ def _ways(model: TrackModel, effect: Effect | None, active: Active, width: int) 
 
 
 def _in_track(model: TrackModel, effect: Effect, kind: str) -> Effect | None:
-    """What an effect of any kind of data is on the road; None where it does nothing to the car."""
+    """Effect in the track that corresponds to one of any kind of data; None where it does not move the car."""
     if kind == KIND.code:
         return effect
     if effect.quantity is not None:

@@ -1,0 +1,84 @@
+"""A planned path: what `Design.plan` gives."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import Any, Generic
+
+from cadgen.api.calibration import D
+from cadgen.api.cam import Cam
+from cadgen.api.files import Written, folder_of, refusal
+from cadgen.errors import CheckError
+from cadgen.progress import Progress, silent
+from cadgen.workflow.planning.plan import PlannedPath
+from cadgen.workflow.planning.words import facts, sentences
+from cadgen.workflow.planning.write import write_plan
+
+WITHIN_MM, SEEDS = (0.1, 1000.0), (1, 100)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Plan(Generic[D]):
+    """Result of `Design.plan`: a path with its cam and checks, or the reasons why there is none.
+
+    Attributes:
+        computed: the whole result, for figures that are not named here; mm and rad.
+        source: design that a path was planned for.
+    """
+
+    computed: PlannedPath
+    source: D
+
+    def __repr__(self) -> str:
+        state = "passed" if self.passed else "failed" if self.computed.cam else "no path"
+        return f"<Plan of {self.computed.design.name}: {state}>"
+
+    @property
+    def passed(self) -> bool:
+        """Whether there is a path and all its checks pass."""
+        return self.computed.passed
+
+    @property
+    def sentences(self) -> tuple[str, ...]:
+        """The result in words, the most important first."""
+        return tuple(sentences(self.computed))
+
+    @cached_property
+    def cam(self) -> Cam | None:
+        """The cam for the path, with all its checks; None if there is no path."""
+        return None if self.computed.cam is None else Cam(self.computed.cam)
+
+    @cached_property
+    def design(self) -> D:
+        """The design with the planned path.
+
+        Raises:
+            CheckError: there is no path.
+        """
+        if not self.computed.text:
+            raise CheckError(self.sentences[0])
+        return type(self.source).from_toml(self.computed.text, self.computed.design.name)
+
+    def facts(self) -> dict[str, Any]:
+        """The result as plain values, as in the manifest and with `--json`."""
+        return facts(self.computed)
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write the design with the planned path, `NAME_planned.toml`, where comments of the file stay.
+
+        Args:
+            folder: where to; it is made if need be.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            CheckError: there is no path, or a check fails.
+            FileError: the file cannot be written.
+        """
+        if self.computed.cam is None:
+            raise CheckError(self.sentences[0])
+        if not self.passed:
+            raise CheckError(refusal(self.computed.cam.checks))
+        place: Path = folder_of(folder)
+        written = write_plan(self.computed, place, progress)
+        return Written.of(place, written.part, written.entry)

@@ -1,0 +1,74 @@
+"""`cadgen plan`: from a course and a car to the path that the play turns least off."""
+
+from pathlib import Path
+
+import click
+
+from cadgen.cli.options import Number, out_option, overrides_option
+
+
+@click.command()
+@click.argument("course", metavar="COURSE", required=False)
+@click.option(
+    "--from",
+    "improve",
+    metavar="DESIGN",
+    help="Design whose path is improved, instead of a plan from scratch; its start and finish stay.",
+)
+@click.option(
+    "--within",
+    "within_mm",
+    type=Number(0.1, 1000),
+    metavar="MM",
+    help="How far the drive wheel's track may leave the path of --from.  [default: 25]",
+)
+@click.option(
+    "--calm-as",
+    metavar="DESIGN",
+    help="Let the curvature change no faster than on the path of this design. With --from that is the default.",
+)
+@click.option(
+    "--seeds",
+    type=click.IntRange(1, 100),
+    default=1,
+    show_default=True,
+    help="Number of searches, each from another path; the best one counts.",
+)
+@overrides_option
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
+@out_option(help="Folder for NAME_planned.toml; without it no file is written.")
+def plan(
+    course: str | None,
+    improve: str | None,
+    within_mm: float | None,
+    calm_as: str | None,
+    seeds: int,
+    overrides: tuple[str, ...],
+    as_json: bool,
+    out: Path | None,
+) -> None:
+    """Plan the path of a course that the play of the gears turns least off.
+
+    COURSE is a design with [course]: gates, posts, walls, zones and field, start and finish; it may have no path.
+    The path keeps all of them and the limits of steering and cam, and is then run through every check of cadgen check.
+
+    The exit code is 1 if the course cannot be driven, which is said with the reason, or if a check fails.
+    """
+    from cadgen.api.design import Design
+    from cadgen.cli import show, show_plan
+
+    if within_mm is not None and improve is None:
+        raise click.UsageError("--within says how far the path of --from may be left: give --from too")
+    loaded = Design.load(course, overrides, train_only=True)
+    drawn = None if improve is None else Design.load(improve)
+    calm = None if calm_as is None else Design.load(calm_as)
+    with show.progress(not as_json) as progress:
+        planned = loaded.plan(drawn, within_mm, calm_as=calm, seeds=seeds, progress=progress)
+        written = None if out is None or not planned.passed else planned.write(out, progress=progress)
+    if as_json:
+        show.document(planned.facts() if written is None else written.entry)
+    else:
+        show_plan.plan(planned)
+        if written is not None and out is not None:
+            show.files(written, out)
+    raise SystemExit(0 if planned.passed else 1)

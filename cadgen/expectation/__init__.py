@@ -1,0 +1,10 @@
+"""What may be expected of a measured car: of a new cam, of measurements not made yet, and of runs that were not used.
+
+| module             | what it does                                                                              |
+|--------------------|-------------------------------------------------------------------------------------------|
+| `outlook`          | where the car ends on the old cam, and on a new one made for what is claimed              |
+| `proposals`        | measurements that could be made, as the records that they would give                      |
+| `linear`           | what records say of all effects at once, in proportion                                    |
+| `next_measurement` | which measurement brings the run nearest to its end on the next cam                       |
+| `predict`          | runs that were not used, predicted with what was found                                    |
+"""

@@ -1,0 +1,279 @@
+"""What records say of all effects at once, in proportion: information matrices about the likeliest car.
+
+Every number of every effect is a direction, measured in standard deviations of what cars differ by. A record's rows are
+X p + D d + F b + e, as in `evidence`; its information on p is X'C^-1 X, with the datum d, what repeats without a name
+and the noise in C. What repeats in a track is the floor's and the disc's: runs that are measured later meet it again,
+so there its amplitudes are directions too.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import TURN, Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.names import Place
+from cadgen.deviations.quantities import Quantity
+from cadgen.deviations.usual import usual
+from cadgen.expectation.outlook import ways
+from cadgen.expectation.proposals import NOISE
+from cadgen.measurement.diagnose import SOUND
+from cadgen.measurement.doubt import resolved
+from cadgen.measurement.evidence import Evidence, Spectrum, grid_of
+from cadgen.measurement.findings import EvidenceDiagnosis
+from cadgen.measurement.kinds import TRACK
+from cadgen.measurement.merged import Merged
+from cadgen.measurement.models.base import Model, repeating, slopes
+from cadgen.measurement.models.track import TrackModel
+from cadgen.measurement.noise import Noise, estimate_noise
+from cadgen.measurement.nominal import Nominal
+from cadgen.measurement.record import Kind, Record
+
+_FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to what the rows say of it
+
+
+@dataclass(frozen=True)
+class Linear:
+    """Effects of all kinds of data, and the directions that they span.
+
+    Attributes:
+        nominal: the design.
+        kinds: of data, those measured first.
+        measured: how many of them are.
+        models: one of each kind, the measured ones with their records.
+        noises: of the measured ones.
+        merged: their catalogues.
+        spread: of numbers by their names, in internal units, where the design states it.
+        likely: what may be true, the subset reported first: weight, and the effects with their values; nothing before
+            any measurement.
+        traced: whether all that the records show has names.
+    """
+
+    nominal: Nominal
+    kinds: tuple[Kind, ...]
+    measured: int
+    models: tuple[Model, ...]
+    noises: tuple[Noise, ...]
+    merged: Merged
+    spread: Mapping[str, float]
+    likely: tuple[tuple[float, Active], ...]
+    traced: bool
+
+    @classmethod
+    def of(
+        cls,
+        nominal: Nominal,
+        records: Sequence[Record],
+        told: Sequence[EvidenceDiagnosis],
+        others: Mapping[Kind, Record],
+        spread: Mapping[str, float],
+    ) -> "Linear":
+        """Put together what was measured and what may be.
+
+        Args:
+            nominal: the design.
+            records: measured, one of each kind.
+            told: what they show by one verdict, in the same order.
+            others: a record of each kind that was not measured.
+            spread: see `Linear.spread`.
+        """
+        kinds = (*(record.kind for record in records), *others)
+        models = tuple(nominal.model(record) for record in (*records, *others.values()))
+        noises = tuple(
+            resolved(record, estimate_noise(model, model.residual(d.active)))
+            for record, model, d in zip(records, models, told, strict=False)
+        )
+        merged = Merged.of(list(zip(kinds, models, strict=True)))
+        known = {
+            (kind.code, names[e.key].name, e.variant): e
+            for kind, names in zip(kinds, merged.names, strict=True)
+            for e in (*merged.catalogue, *merged.shapes)
+            if e.key in names
+        }
+        likely = [
+            (one.weight, [(known[*name, e.variant], v) for name, e, v in one.effects])
+            for d in told[:1]
+            for one in d.likely
+        ]
+        named = all(d.verdict in (*SOUND, "ambiguous") and not any(e.shape for e, _ in d.active) for d in told)
+        return cls(nominal, kinds, len(records), models, noises, merged, spread, tuple(likely or [(1.0, [])]), named)
+
+    @cached_property
+    def effects(self) -> tuple[Effect, ...]:
+        """Those that are weighed: all that combine freely, and what is likely beside them."""
+        wanted = {e.key for _, active in self.likely for e, _ in active}
+        every = (*self.merged.catalogue, *self.merged.shapes)
+        return tuple(e for e in every if e.key in wanted or not (e.numerous or e.shape))
+
+    @property
+    def best(self) -> Active:
+        """The effects reported, with their values."""
+        return self.likely[0][1]
+
+    def own(self, kind: Kind, active: Active) -> Active:
+        """Effects as those of a kind of data, without what does nothing there."""
+        names = self.merged.names[self.kinds.index(kind)]
+        return [(names[e.key], v) for e, v in active if e.key in names]
+
+    @cached_property
+    def spans(self) -> tuple[slice, ...]:
+        """Directions of each effect."""
+        ends = np.cumsum([0, *(len(e.parameters) for e in self.effects)]).tolist()
+        return tuple(slice(a, b) for a, b in pairwise(ends))
+
+    @cached_property
+    def scale(self) -> Array:
+        """One standard deviation of each direction, internal units, shape (p,)."""
+        return np.array([self.spread.get(q.name, 0.0) or usual(q) for e in self.effects for q in e.parameters])
+
+    @property
+    def size(self) -> int:
+        """How many directions there are, those of what repeats in a track among them."""
+        return len(self.scale) + len(self.repeats)
+
+    @cached_property
+    def track(self) -> TrackModel:
+        """The model of the track."""
+        model = self.models[self.kinds.index(TRACK)]
+        assert isinstance(model, TrackModel)
+        return model
+
+    def at_home(self, effect: Effect, kinds: Sequence[Kind]) -> tuple[tuple[int, Place], ...]:
+        """Nearness of the kinds in whose catalogue an effect stands, and what becomes of it by each."""
+        table = zip(self.kinds, self.models, self.merged.names, strict=True)
+        return tuple(
+            (kind.nearness, names[effect.key].places[0])
+            for kind, model, names in table
+            if kind in kinds and effect.key in names and names[effect.key] in model.catalogue
+        )
+
+    def place(self, effect: Effect, kinds: Sequence[Kind]) -> Place:
+        """What becomes of an effect by default, once these kinds of data were measured."""
+        homes = self.at_home(effect, kinds)
+        return min(homes)[1] if homes else "noted"
+
+    def ways(self, active: Active) -> NDArray[np.complex128]:
+        """How the end of the run answers one standard deviation in each direction, shape (size,), mm."""
+        own = self.own(TRACK, active)
+        names = self.merged.names[self.kinds.index(TRACK)]
+        out = []
+        for effect in self.effects:
+            here = names.get(effect.key)
+            at = own if here is None or any(e is here for e, _ in own) else [*own, (here, here.start)]
+            out.append(ways(self.track, here, at, len(effect.parameters)))
+        mine = np.flatnonzero(self.track.rows.run == 0)
+        last = repeating(self.track)[mine[[len(mine) // 2 - 1, -1]]]
+        return np.concatenate([np.concatenate(out) * self.scale, (last[0] + 1j * last[1]) / np.sqrt(self.repeats)])
+
+    @cached_property
+    def spectra(self) -> tuple[tuple[Spectrum, ...], Array]:
+        """Spectra of what repeats that keep the stated floor, and the chance of each by the records so far."""
+        grid = tuple(s for s in grid_of([self.track]) if s.within)
+        misfit = np.zeros(len(grid))
+        for kind, model, noise in zip(self.kinds, self.models, self.noises, strict=False):
+            evidence = Evidence(model, noise, grid)
+            misfit += evidence.misfit(evidence.whiten(model.residual(self.own(kind, self.best))))
+        chance = np.exp((misfit.min() - misfit) / 2)
+        return grid, chance / chance.sum()
+
+    @property
+    def spectrum(self) -> Spectrum:
+        """The likeliest of them."""
+        grid, chance = self.spectra
+        return grid[int(np.argmax(chance))]
+
+    @cached_property
+    def repeats(self) -> Array:
+        """Precision of each amplitude of what repeats in a track, the mean over the spectra."""
+        track, (grid, chance) = self.track, self.spectra
+        form = np.array([s.variance(track.order, track.floor) for s in grid])
+        beside = np.array([(s.beside * track.discrepancy.sigma) ** 2 for s in grid])
+        return np.asarray(1 / (chance @ np.hstack([form, beside])))
+
+    def _columns(self, kind: Kind, model: Model, active: Active, idle: frozenset[Quantity]) -> Array:
+        """How a record answers one standard deviation in each direction, shape (n, size)."""
+        names, own = self.merged.names[self.kinds.index(kind)], self.own(kind, active)
+        out = np.zeros((len(model.rows.run), self.size))
+        for effect, span in zip(self.effects, self.spans, strict=True):
+            if effect.key in names and effect.quantity not in idle:
+                out[:, span] = -slopes(model, (names[effect.key],), own) * self.scale[span]
+        if kind is TRACK:
+            out[:, len(self.scale) :] = repeating(model) / np.sqrt(self.repeats)
+        return out
+
+    def rows(
+        self,
+        kind: Kind,
+        model: Model,
+        noise: Noise,
+        active: Active,
+        idle: frozenset[Quantity] = frozenset(),
+    ) -> "Rows":
+        """A record's rows, whitened.
+
+        Args:
+            kind, model, noise: of the record.
+            active: effects about which it answers in proportion.
+            idle: quantities that do not act in it.
+        """
+        evidence = Evidence(model, noise, (self.spectrum,))
+        # What repeats in a track is among the directions.
+        first = repeating(model).shape[1] if kind is TRACK else 0
+        turned = slopes(model, model.datum, [*self.own(kind, active), *((e, e.start) for e in model.datum)])
+        return Rows(
+            evidence.whiten(self._columns(kind, model, active, idle)),
+            evidence.whiten(model.residual(self.own(kind, active))),
+            np.hstack([evidence.basis[:, first:], evidence.whiten(turned)]),
+            np.append(evidence.prior[0][first:], np.zeros(turned.shape[1])),
+            model.rows.place,
+        )
+
+    def noise_of(self, kind: Kind, model: Model) -> Noise:
+        """Of a record to be made: that of the records so far, or the instrument's usual one."""
+        rows = len(model.rows.run)
+        if kind in self.kinds[: self.measured]:
+            known = self.noises[self.kinds.index(kind)]
+            return Noise(np.full(rows, known.rms), 0.0, 0.0, known.runs)
+        return Noise(np.full(rows, NOISE[kind.code]), 0.0, 0.0, model.rows.runs)
+
+
+@dataclass(frozen=True)
+class Rows:
+    """A record's rows, whitened.
+
+    Attributes:
+        columns: responses to all directions, shape (n, size).
+        left: what the rows show beside the effects about which they answer, shape (n,).
+        nuisance: columns that are no directions: datum, and what repeats in this record alone, shape (n, k).
+        precision: of their amplitudes, shape (k,).
+        place: cam angle of each, shape (n,), rad.
+    """
+
+    columns: Array
+    left: Array
+    nuisance: Array
+    precision: Array
+    place: Array
+
+    def within(self, begin: float, width: float) -> NDArray[np.bool_]:
+        """Which lie in a part of the turn."""
+        return np.asarray((self.place - begin) % TURN < width)
+
+    def information(self, rows: NDArray[np.bool_] | slice = slice(None)) -> Array:
+        """On all directions, by some of the rows, shape (size, size)."""
+        return self._less(self.columns[rows], self.columns[rows], self.nuisance[rows])
+
+    @property
+    def pull(self) -> Array:
+        """What is left, as information times directions, shape (size,)."""
+        return self._less(self.columns, self.left[:, None], self.nuisance)[:, 0]
+
+    def _less(self, one: Array, two: Array, nuisance: Array) -> Array:
+        """Products of columns, once the nuisance is taken out."""
+        inner = nuisance.T @ nuisance
+        inner[np.diag_indices(len(inner))] += np.maximum(self.precision, _FLAT * np.diag(inner) + 1e-300)
+        return np.asarray(one.T @ two - (nuisance.T @ one).T @ np.linalg.solve(inner, nuisance.T @ two))

@@ -1,0 +1,388 @@
+"""Which measurement to make next: the one that most narrows where the run ends on the next cam.
+
+What is known so far is a set of likely subsets of effects, each a normal distribution of their numbers; what no record
+could have shown yet lies as cars differ, and what the records would have shown is not there. A measurement that could
+be made adds its information (`linear`) to each subset and weighs the subsets anew. So a car is drawn from what is
+known, its readings from the car, and a new cam is made for what would then be claimed; the spread of the ends of many
+such runs is what is expected of that measurement (preposterior analysis; Raiffa and Schlaifer 1961, chapter 4, and for
+normal distributions the c-optimal design of Chaloner and Verdinelli, Statistical Science 10 (1995) 273-304).
+
+A track shows where the run ends, whatever the names: what it shows is taken out by the effects that it is traced to.
+Without a track an effect is taken out if the data show it by itself. Where something without a name is left, nothing is
+taken out until a kind of data has named it; it may be any one effect that acts on the records so far and stands in the
+catalogue of another kind, by how well it explains what is left.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import TURN, Array
+from cadgen.deviations import quantities
+from cadgen.deviations.effect import Active, Effect
+from cadgen.expectation.linear import Linear, Rows
+from cadgen.expectation.outlook import RANGE
+from cadgen.expectation.proposals import BY_HAND, Proposal, around, proposals
+from cadgen.measurement.findings import EvidenceDiagnosis
+from cadgen.measurement.kinds import TRACK
+from cadgen.measurement.nominal import Nominal
+from cadgen.measurement.record import Kind, Record
+from cadgen.measurement.verdict import MARGIN, SIGMAS, SURE
+
+DRAWS = 1000
+# An effect whose number the records so far would show to this share of what cars differ by, and do not, is not there;
+# one that they show to the other share is known well enough to be taken out.
+ABSENT, SEEN = 0.2, 0.5
+# Beside what is not in a subset at all, the prior spread of what is in it: so many times what cars differ by.
+WIDE = 100.0
+LEAST_WEIGHT = 0.01
+# What is left without a name is larger than usual: by so much.
+UNTRACED = 5.0
+# Ends of the run that differ by this share are as good as the same.
+ALIKE = 0.03
+# Parts of the turn that are looked at, rad, and how far they are moved on.
+PART, MOVED = TURN / 3, TURN / 12
+
+
+@dataclass(frozen=True)
+class Range:
+    """Distance of the end of the run from the planned one, mm: mean, and between what it lies with 90 %."""
+
+    mean: float
+    least: float
+    most: float
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What a measurement is expected to bring.
+
+    Attributes:
+        words: what to do.
+        kind: of the data; None for the play by hand.
+        runs: how many.
+        end: of the run on a new cam made for what is then claimed.
+        parted: chance that the likeliest names are then sure.
+        part: of the turn that says most, begin and end, rad, and the end of the run if that alone is measured; None
+            where it is not looked at.
+    """
+
+    words: str
+    kind: Kind | None
+    runs: int
+    end: Range
+    parted: float
+    part: tuple[float, float, Range] | None = None
+
+
+@dataclass(frozen=True)
+class Next:
+    """What to measure next.
+
+    Attributes:
+        now: end of the run on a new cam made for what is claimed so far.
+        parted: chance of the likeliest names so far; 1 before any measurement.
+        rivals: what else may be true, as names.
+        ranked: what could be measured, the best first.
+    """
+
+    now: Range
+    parted: float
+    rivals: tuple[tuple[str, ...], ...]
+    ranked: tuple[Expected, ...]
+
+    def shrinks(self, expected: Expected) -> float:
+        """Share of the mean distance of the end that a measurement takes away."""
+        return 1 - expected.end.mean / self.now.mean
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What is known without a measurement.
+
+    Attributes:
+        spread: standard deviations of numbers by their names, internal units, where the design states them.
+        play, friction: means where there are such effects; play is 0 for a car without.
+        assumed: play that a new cam is made for while nothing is known of it, rad.
+    """
+
+    spread: Mapping[str, float]
+    play: float
+    friction: float
+    assumed: float
+
+
+def next_measurement(
+    nominal: Nominal, records: Sequence[Record], told: Sequence[EvidenceDiagnosis], prior: Prior
+) -> Next:
+    """Rank what could be measured.
+
+    Args:
+        nominal: the design.
+        records: measured so far, one of each kind; none is right.
+        told: what they show, in the same order.
+        prior: what is known without them.
+    """
+    measured = [record.kind for record in records]
+    first = {p.kind: p.record for p in proposals(nominal, [], measured) if p.kind and p.record}
+    others = {kind: record for kind, record in first.items() if kind not in measured}
+    linear = Linear.of(nominal, records, told, others, prior.spread)
+    state = _State(linear, prior)
+    rows = state.proposed(proposals(nominal, linear.own(TRACK, state.about), measured))
+    now, parted = state.expected(np.zeros((linear.size, linear.size)), measured)
+    ranked = []
+    for proposal, known in rows:
+        kinds = [*measured, *([proposal.kind] if proposal.kind else [])]
+        information = state.by_hand if known is None else known.information()
+        end, sure = state.expected(information, kinds)
+        ranked.append((Expected(proposal.words, proposal.kind, proposal.runs, end, sure), known, proposal))
+    # Of measurements that bring as much, the one with the fewest runs.
+    ranked.sort(key=lambda entry: (round(np.log(entry[0].end.mean) / ALIKE), entry[0].runs))
+    out = [entry[0] for entry in ranked]
+    best, known, proposal = ranked[0]
+    if known is not None and proposal.kind and around(proposal.kind):
+        out[0] = state.with_part(best, known, [*measured, proposal.kind])
+    rivals = sorted(linear.likely, key=lambda entry: -entry[0])[1:]
+    names = tuple(tuple(e.name for e, _ in active) for weight, active in rivals if weight >= LEAST_WEIGHT)
+    return Next(now, parted, names, tuple(out))
+
+
+@dataclass(frozen=True)
+class _Subset:
+    """A likely subset: a normal distribution in some of the directions, the others being nothing.
+
+    Attributes:
+        weight: chance of it.
+        key: of its effects.
+        at: its directions, shape (k,).
+        mean, precision: shapes (k,) and (k, k).
+        cause: what may have made something without a name; None where all has names.
+    """
+
+    weight: float
+    key: frozenset[str]
+    at: NDArray[np.intp]
+    mean: Array
+    precision: Array
+    cause: Effect | None = None
+
+    def pull(self, whole: Array) -> Array:
+        """What is left, as information times its directions."""
+        return np.asarray(whole[self.at])
+
+
+class _State:
+    """What is known so far, and what it is expected to become.
+
+    Attributes:
+        about: effects with the values about which everything is taken in proportion.
+        by_hand: information of a play that was measured by hand.
+    """
+
+    def __init__(self, linear: Linear, prior: Prior) -> None:
+        self._linear, self._assumed, size = linear, prior.assumed, linear.size
+        self._effects = list(zip(linear.effects, linear.spans, strict=True))
+        best = [(e, v) for e, v in linear.best if not e.shape]
+        known, pull = np.zeros((size, size)), np.zeros(size)
+        for kind, model, noise in zip(linear.kinds, linear.models, linear.noises, strict=False):
+            rows = linear.rows(kind, model, noise, best)
+            known += rows.information()
+            pull += rows.pull
+        unseen = self._unseen(known, {e.key for e, _ in best})
+        means = {quantities.RETURN_ERROR: prior.play, quantities.SLIDING_FRICTION: prior.friction}
+        hidden = [(e, np.array([means[e.quantity]])) for e in unseen if e.quantity in means]
+        if linear.traced:
+            self._subsets = [self._subset(weight, active, unseen, hidden, known) for weight, active in linear.likely]
+        else:
+            self._subsets = self._causes(best, unseen, hidden, known, pull)
+        self._subsets = [s for s in self._subsets if s.weight >= LEAST_WEIGHT]
+        self.about: Active = [*best, *hidden]
+        self._ways = linear.ways(self.about)
+        self._nested = np.array([[one.key <= other.key for one in self._subsets] for other in self._subsets])
+        self._draw()
+        self.by_hand = np.zeros((size, size))
+        for effect, span in self._effects:
+            if effect.quantity == quantities.RETURN_ERROR and not effect.numerous:
+                self.by_hand[span, span] = (linear.scale[span] / BY_HAND) ** 2
+
+    def _unseen(self, known: Array, inside: set[str]) -> list[Effect]:
+        """Effects that are in no likely subset, and that the records could not have shown beside the best one."""
+        likely = {e.key for weight, active in self._linear.likely if weight >= LEAST_WEIGHT for e, _ in active}
+        first = len(self._linear.scale)
+        held = [np.arange(first, self._linear.size)]
+        held += [np.arange(s.start, s.stop) for e, s in self._effects if e.key in inside]
+        at = np.concatenate(held)
+        inner = np.linalg.inv(known[np.ix_(at, at)] + np.diag(np.where(at < first, WIDE**-2, 1.0)))
+        out: list[Effect] = []
+        for effect, span in self._effects:
+            if effect.key in inside | likely or effect.numerous or effect.shape:
+                continue
+            if effect.beside and effect.beside.key not in inside | {e.key for e in out}:
+                continue
+            side = known[span, :][:, at]
+            if np.any(np.diag(known[span, span] - side @ inner @ side.T) < ABSENT**-2 - 1):
+                out.append(effect)
+        return out
+
+    def _causes(
+        self, best: Active, unseen: Sequence[Effect], hidden: Active, known: Array, pull: Array
+    ) -> list[_Subset]:
+        """The best subset with each effect that may have made what has no name, by how well it explains that."""
+        linear, found, score = self._linear, [], []
+        measured = linear.kinds[: linear.measured]
+        for effect, _ in self._effects:
+            acts = any(effect.key in names for names in linear.merged.names[: linear.measured])
+            if effect.shape or effect.beside or not acts or linear.at_home(effect, measured):
+                continue
+            subset = self._subset(1.0, best, unseen, hidden, known, effect)
+            without = self._subset(1.0, best, unseen, hidden, known)
+            gained = [one.pull(pull) @ np.linalg.solve(one.precision, one.pull(pull)) for one in (subset, without)]
+            narrowed = [np.linalg.slogdet(one.precision)[1] for one in (subset, without)]
+            new = len(effect.parameters) * (effect not in unseen)
+            score.append((gained[0] - gained[1] - narrowed[0] + narrowed[1]) / 2 - new * np.log(UNTRACED))
+            found.append(replace(subset, mean=subset.mean + np.linalg.solve(subset.precision, subset.pull(pull))))
+        if not found:
+            return [self._subset(1.0, best, unseen, hidden, known)]
+        weight = np.exp(np.array(score) - max(score))
+        return [replace(s, weight=float(w)) for s, w in zip(found, weight / weight.sum(), strict=True)]
+
+    def _subset(
+        self,
+        weight: float,
+        active: Active,
+        unseen: Sequence[Effect],
+        hidden: Active,
+        known: Array,
+        cause: Effect | None = None,
+    ) -> _Subset:
+        """A subset with effects that were not seen, some of them with a value beforehand, and what made the rest."""
+        linear, first = self._linear, len(self._linear.scale)
+        values = {e.key: v for e, v in active}
+        physical = {e.quantity for e, _ in active if e.quantity}
+        means = {e.key: v for e, v in hidden if e.quantity not in physical} | values
+        here = [(e, s) for e, s in self._effects if e.key in values or e in unseen or e == cause]
+        at = np.concatenate([*(np.arange(s.start, s.stop) for _, s in here), np.arange(first, linear.size)])
+        at = at.astype(np.intp)
+        wide = [np.full(s.stop - s.start, WIDE if e.key in values else UNTRACED if e == cause else 1) for e, s in here]
+        prior = np.concatenate([*wide, np.ones(linear.size - first)]).astype(float) ** -2.0
+        fitted, before = np.zeros(linear.size), np.zeros(linear.size)
+        for effect, span in here:
+            fitted[span] = values.get(effect.key, 0.0) / linear.scale[span]
+            before[span] = means.get(effect.key, 0.0) / linear.scale[span]
+        precision = known[np.ix_(at, at)] + np.diag(prior)
+        # What was fitted without the unseen, drawn towards what these are beforehand.
+        mean = fitted[at] + np.linalg.solve(precision, prior * (before - fitted)[at])
+        key = frozenset(values) | ({cause.key} if cause else set())
+        return _Subset(weight, key, at, mean, precision, cause)
+
+    def _draw(self) -> None:
+        """Cars by what is known, and the chance of their readings."""
+        rng = np.random.default_rng(0)
+        weights = np.array([s.weight for s in self._subsets])
+        which = np.repeat(np.arange(len(weights)), rng.multinomial(DRAWS, weights / weights.sum()))
+        normal = rng.standard_normal((DRAWS, self._linear.size))
+        self._cars = np.zeros((DRAWS, self._linear.size))
+        for number, subset in enumerate(self._subsets):
+            mine = which == number
+            root = np.linalg.cholesky(np.linalg.inv(subset.precision))
+            self._cars[np.ix_(mine, subset.at)] = subset.mean + normal[mine][:, subset.at] @ root.T
+        self._noise = rng.standard_normal((DRAWS, self._linear.size))
+
+    def proposed(self, some: Sequence[Proposal]) -> list[tuple[Proposal, Rows | None]]:
+        """Each proposal with the rows of its record."""
+        linear, out = self._linear, []
+        for proposal in some:
+            rows = None
+            if proposal.kind is not None and proposal.record is not None:
+                model = linear.nominal.model(proposal.record)
+                noise = linear.noise_of(proposal.kind, model)
+                rows = linear.rows(proposal.kind, model, noise, self.about, proposal.idle)
+            out.append((proposal, rows))
+        return out
+
+    def expected(self, information: Array, kinds: Sequence[Kind]) -> tuple[Range, float]:
+        """End of the run on a new cam with some information more, and the chance that names are then sure."""
+        values, vectors = np.linalg.eigh(information)
+        root = vectors * np.sqrt(np.maximum(values, 0.0))
+        shown = self._cars @ information + self._noise @ root.T
+        score, found, after = [], [], []
+        for subset in self._subsets:
+            own = information[np.ix_(subset.at, subset.at)]
+            covariance: Array = np.asarray(np.linalg.inv(subset.precision + own), dtype=float)
+            off = shown[:, subset.at] - own @ subset.mean
+            moved = off @ covariance
+            likelihood = shown[:, subset.at] @ subset.mean + np.sum(off * moved, axis=1) / 2
+            constant = np.linalg.slogdet(subset.precision)[1] + np.linalg.slogdet(covariance)[1]
+            score.append(np.log(subset.weight) + likelihood - subset.mean @ own @ subset.mean / 2 + constant / 2)
+            found.append(subset.mean + moved)
+            after.append(covariance)
+        weight = np.exp(np.array(score) - np.max(score, axis=0))
+        weight /= weight.sum(axis=0)
+        best = self._reported(np.log(np.maximum(weight, 1e-300)))
+        error = np.empty(DRAWS, dtype=complex)
+        for number in range(len(self._subsets)):
+            mine = best == number
+            if mine.any():
+                error[mine] = self._error(number, mine, weight[:, mine], found[number][mine], after[number], kinds)
+        size = np.abs(error)
+        least, most = np.percentile(size, RANGE)
+        sure = float(np.mean(weight.max(axis=0) >= SURE)) if len(self._subsets) > 1 else 1.0
+        return Range(float(size.mean()), float(least), float(most)), sure
+
+    def _reported(self, score: Array) -> NDArray[np.intp]:
+        """The smallest subset nested in the likeliest one and as good as likely: see `verdict`."""
+        best = np.argmax(score, axis=0)
+        close = self._nested[best].T & (score > np.max(score, axis=0) - MARGIN / 2)
+        sizes = np.array([len(s.key) for s in self._subsets])[:, None]
+        rank = np.where(close, sizes - score / 1e3, np.inf)
+        return np.asarray(np.argmin(rank, axis=0), dtype=np.intp)
+
+    def _error(
+        self,
+        number: int,
+        mine: NDArray[np.bool_],
+        weight: Array,
+        found: Array,
+        covariance: Array,
+        kinds: Sequence[Kind],
+    ) -> NDArray[np.complex128]:
+        """Error at the end of the run on a cam made for what is claimed of the likeliest subset."""
+        subset, cars, linear = self._subsets[number], self._cars[mine], self._linear
+        where = np.full(linear.size, -1)
+        where[subset.at] = np.arange(len(subset.at))
+        sigma = np.sqrt(np.diag(covariance))
+        named = subset.cause is None or bool(linear.at_home(subset.cause, kinds))
+        # A track that was measured without tracing it to names does not trace it by more of the same.
+        untraced = subset.cause is not None and TRACK in linear.kinds[: linear.measured] and not named
+        aliased = TRACK in kinds and not untraced
+        error = cars @ self._ways
+        for effect, span in self._effects:
+            at, way = where[span], self._ways[span]
+            if at[0] < 0 or not way.any():
+                continue
+            has = np.array([effect.key in s.key or effect.key not in subset.key for s in self._subsets])
+            claimed = np.sum(weight[has], axis=0) >= SURE
+            if effect.key in subset.key:
+                claimed &= named or aliased
+            if not aliased:
+                small = np.abs(found[:, at]).max(axis=1) / SIGMAS
+                claimed &= np.all(sigma[at] < np.maximum(SEEN, small)[:, None], axis=1)
+            play = effect.quantity == quantities.RETURN_ERROR  # a number of the design, too
+            place = "car" if play else linear.place(effect, kinds)
+            if place == "part":
+                error -= np.where(claimed, cars[:, span] @ way, 0.0)
+            elif place != "noted" or aliased:
+                error -= np.where(claimed, found[:, at] @ way, 0.0)
+            if play:
+                error -= np.where(claimed, 0.0, (self._assumed / linear.scale[span]) @ way)
+        return error
+
+    def with_part(self, best: Expected, rows: Rows, kinds: Sequence[Kind]) -> Expected:
+        """The best measurement with the part of the turn that says most."""
+        parts = []
+        for begin in np.arange(0.0, TURN, MOVED).tolist():
+            end, _ = self.expected(rows.information(rows.within(begin, PART)), kinds)
+            parts.append((begin, begin + PART, end))
+        return replace(best, part=min(parts, key=lambda part: part[2].mean))

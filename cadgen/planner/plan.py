@@ -1,0 +1,139 @@
+"""A task planned: the best path of several searches."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.path.spline import DEGREE
+from cadgen.planner.barriers import Clearances, barriers_of
+from cadgen.planner.basis import Basis
+from cadgen.planner.gates import Passing
+from cadgen.planner.near import Near
+from cadgen.planner.programme import Fixed
+from cadgen.planner.route import planned_end, route_of
+from cadgen.planner.rows import Rows
+from cadgen.planner.search import Path, Search, fixed_ends
+from cadgen.planner.start import End, fitted_to, smooth_path
+from cadgen.planner.task import Task, Vehicle
+
+_SPAN = 320.0  # mm of the path to a span of the B-spline
+_SPANS_A_STOP = 4
+_LEAST_SPANS, _MOST_SPANS = 16, 110
+UNEVEN = ("fast", "slow")  # limits that serve the search alone
+KEPT = 2e-3  # of a limit, or mm of a gate or a clearance: what a search may leave
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A planned path.
+
+    Attributes:
+        path: path with its cost and its limits.
+        task: what was planned.
+    """
+
+    path: Path
+    task: Task
+
+    @property
+    def missed(self) -> dict[str, float]:
+        """Limits that are not kept, with most of what each is beyond."""
+        return {name: most for name, most in self.path.violated.items() if most > KEPT and name not in UNEVEN}
+
+
+def plan(
+    task: Task, *, seeds: int = 1, begin: Array | None = None, report: Callable[[str], None] | None = None
+) -> Plan:
+    """Plan a task from scratch, near to the track that it names, or on from a path.
+
+    Args:
+        task: what is planned; its gates are passed in their order.
+        seeds: number of searches, each from another path; the best one counts.
+        begin: control points to go on from, shape (n, 2), mm; then there is one search.
+        report: function that is called with a few words as the plan gets better.
+
+    Raises:
+        DesignError: the course has nothing to drive to.
+    """
+    best: Plan | None = None
+    for seed in range(seeds if begin is None and task.near is None else 1):
+        candidate = _searched(task, seed, begin, report)
+        if best is None or _merit(candidate) < _merit(best):
+            best = candidate
+    assert best is not None
+    return best
+
+
+def _merit(candidate: Plan) -> tuple[float, float]:
+    return sum(candidate.missed.values()), candidate.path.cost.cost
+
+
+def _searched(task: Task, seed: int, begin: Array | None, report: Callable[[str], None] | None) -> Plan:
+    vehicle, course = task.vehicle, task.course
+    start, finish = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
+    if begin is not None:
+        points, basis = begin, Basis(len(begin))
+    elif task.near is None:
+        route = route_of(course, vehicle, seed)
+        spans = max(route.length / _SPAN, _SPANS_A_STOP * (route.stops - 1))
+        basis = Basis(int(np.clip(spans, _LEAST_SPANS, _MOST_SPANS)) + DEGREE)
+        points = smooth_path(basis, route.places, route.is_stop, start, finish)
+    else:
+        points, basis = _from_track(task.near, vehicle)
+    if task.near is not None:
+        start, finish = _ends_of(points)
+    search = _search(task, basis, start, finish)
+    words = None if report is None else (lambda cost: report(f"end of the run {cost:.0f} mm"))
+    return Plan(search.best(points, words), task)
+
+
+def search_of(task: Task, count: int, loose: str = "") -> Search:
+    """The search of a task from scratch with some number of control points.
+
+    Args:
+        task: what is planned.
+        count: number of control points.
+        loose: name of a limit that may be violated at little cost.
+    """
+    vehicle, course = task.vehicle, task.course
+    ends = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
+    return replace(_search(task, Basis(count), *ends), loose=loose)
+
+
+def _search(task: Task, basis: Basis, start: End, finish: End) -> Search:
+    return Search(task, basis, _fixed(basis, start, finish), _course_rows(task, basis, finish))
+
+
+def _from_track(track: Array, vehicle: Vehicle) -> tuple[Array, Basis]:
+    """Control points of the path of a track."""
+    along = np.gradient(track, axis=0)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    planned = track + vehicle.path_offset * np.stack([along[:, 1], -along[:, 0]], axis=1)
+    length = float(np.linalg.norm(np.diff(planned, axis=0), axis=1).sum())
+    basis = Basis(int(np.clip(length / _SPAN, _LEAST_SPANS, _MOST_SPANS)) + DEGREE)
+    return fitted_to(basis, planned), basis
+
+
+def _ends_of(points: Array) -> tuple[End, End]:
+    """Start and finish of a path as they are."""
+    heading = [float(np.arctan2(leg[1], leg[0])) for leg in (points[1] - points[0], points[-1] - points[-2])]
+    return End(points[0], heading[0]), End(points[-1], heading[1])
+
+
+def _fixed(basis: Basis, start: End, finish: End) -> Fixed:
+    return fixed_ends(basis.count, (start.place is not None, start.heading), (finish.place is not None, finish.heading))
+
+
+def _course_rows(task: Task, basis: Basis, finish: End) -> Callable[[Array], list[Rows]]:
+    course, vehicle = task.course, task.vehicle
+    last = course.finish if course.finish is not None and finish.place is None else None
+    passing = Passing(basis, course.gates, last, vehicle, task.gate_margin)
+    clearances = Clearances(basis, vehicle, barriers_of(course, vehicle.body))
+    near = None if task.near is None else Near(basis, vehicle.path_offset, task.near, task.within)
+
+    def rows(points: Array) -> list[Rows]:
+        return [*passing.rows(points), *clearances.rows(points), *(near.rows(points) if near else [])]
+
+    return rows

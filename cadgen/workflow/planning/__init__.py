@@ -1,0 +1,9 @@
+"""From a course and a car to a planned path that the checks have passed, and its design file.
+
+| module  | what it does                                                              |
+|---------|---------------------------------------------------------------------------|
+| `task`  | design -> what the planner is asked                                       |
+| `plan`  | plan, the exact chain with all checks, and again with what they ask for    |
+| `words` | the result, or why there is none, as sentences and plain values           |
+| `write` | the files, published                                                      |
+"""

@@ -1,0 +1,154 @@
+"""A path planned, run through the exact chain with all its checks, and planned again with what they ask for."""
+
+from dataclasses import dataclass, replace
+from math import ceil, pi, radians
+from pathlib import Path
+
+from cadgen.build import gear_model
+from cadgen.check import Check, CheckCode, failing
+from cadgen.design.load import design_of
+from cadgen.design.planned import planned_text, rounded
+from cadgen.design.schema import Design
+from cadgen.errors import CheckError
+from cadgen.path.track import Track
+from cadgen.planner.plan import Plan
+from cadgen.planner.plan import plan as planned
+from cadgen.planner.reasons import Reason, reasons
+from cadgen.planner.task import Task
+from cadgen.progress import Progress, silent
+from cadgen.workflow.cam.plan import CamPlan, plan_cam
+from cadgen.workflow.planning.task import Reserve, task_of
+
+_ROUNDS = 3  # of plan and exact chain
+_MORE_PRESSURE, _MORE_RADIUS, _MORE_MARGIN = radians(0.5), 0.5, 0.1  # beyond what a check asks for; rad, mm, mm
+_FLATTER = radians(2.0)  # rad
+_WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is chosen
+_CLEARANCES = (
+    CheckCode.COURSE_POST,
+    CheckCode.COURSE_WALL,
+    CheckCode.COURSE_ZONE,
+    CheckCode.COURSE_EDGE,
+    CheckCode.COURSE_POST_PLAY,
+    CheckCode.COURSE_WALL_PLAY,
+    CheckCode.COURSE_ZONE_PLAY,
+    CheckCode.COURSE_EDGE_PLAY,
+)
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a plan is asked for besides its course.
+
+    Attributes:
+        near: track to stay near to; None for a plan from scratch.
+        within: how far from it the drive wheel may be, mm.
+        calm: track whose curvature's slopes are not to be exceeded; None without.
+        seeds: number of searches; the best one counts.
+    """
+
+    near: Track | None = None
+    within: float = 0.0
+    calm: Track | None = None
+    seeds: int = 1
+
+
+@dataclass(frozen=True)
+class PlannedPath:
+    """A planned path, or the reasons why there is none.
+
+    Attributes:
+        design: design that was planned.
+        task: what the planner was asked.
+        plan: the planner's result.
+        text: text of the design file with the path; empty if the course cannot be driven.
+        cam: plan of the cam for the path with all checks; None if the course cannot be driven.
+        reasons: why the course cannot be driven; empty if it can.
+        failed: sentence on a limit of [optimize] that no profile keeps; empty if there is one.
+    """
+
+    design: Design
+    task: Task
+    plan: Plan
+    text: str
+    cam: CamPlan | None
+    reasons: tuple[Reason, ...] = ()
+    failed: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether there is a path and all checks pass."""
+        return self.cam is not None and self.cam.passed
+
+    @property
+    def wheel_radius(self) -> float | None:
+        """Radius of the drive wheel that the plan chose, mm; None if it was given or follows from the path."""
+        return None if self.cam is None else _chosen_radius(self.design, self.task, self.plan)
+
+
+def plan_design(
+    design: Design, text: str, drawn: Track | None, wanted: Wanted, progress: Progress = silent
+) -> PlannedPath:
+    """Plan a path for a design.
+
+    Args:
+        design: loaded design; its own path counts only for what the course leaves out.
+        text: text of its file.
+        drawn: drive wheel's track of its own path; None if it has none.
+        wanted: what the plan is asked for.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: the design has no course or no start, or its values cannot be.
+    """
+    reserve, begin = Reserve(), None
+    for number in range(_ROUNDS):
+        progress("planning the path" if number == 0 else "planning on with what the checks ask for")
+        task = task_of(design, drawn=drawn, near=wanted.near, within=wanted.within, calm=wanted.calm, reserve=reserve)
+        result = planned(
+            task, seeds=wanted.seeds, begin=begin, report=lambda words: progress(f"planning the path: {words}")
+        )
+        if result.missed:
+            progress("looking for the reason")
+            return PlannedPath(design, task, result, "", None, reasons(result))
+        radius = _chosen_radius(design, task, result)
+        written = planned_text(design, text, result.path.points, radius)
+        progress("checking the planned cam")
+        try:
+            cam = plan_cam(design_of(written, Path(f"{design.name}.toml")), None, progress)
+        except CheckError as error:
+            return PlannedPath(design, task, result, "", None, (), str(error))
+        path = PlannedPath(design, task, result, written, cam)
+        more = _reserve(reserve, failing(cam.checks))
+        if more == reserve:
+            break
+        reserve, begin = more, rounded(result.path.points)
+    return path
+
+
+def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
+    if task.vehicle.path_turn == 1.0:
+        return None
+    turn = result.path.cost.line.length / task.vehicle.path_turn
+    least = turn / (2 * pi * float(gear_model.train(design).ratio))
+    return ceil(least * _WHEEL_STEP + 1e-3) / _WHEEL_STEP
+
+
+def _reserve(reserve: Reserve, failed: tuple[Check, ...]) -> Reserve:
+    """What must be kept besides so that checks pass which the planner can do something about."""
+    for check in failed:
+        beyond = abs(check.value - check.limit)
+        match check.code:
+            case CheckCode.PRESSURE_ANGLE_RISE | CheckCode.PRESSURE_ANGLE_RETURN:
+                pressure = reserve.pressure + radians(beyond) + _MORE_PRESSURE
+                reserve = replace(reserve, pressure=pressure)
+            case CheckCode.LOST_LIFT_FACE_CHANGE:  # it grows with the square of the slope
+                reserve = replace(reserve, pressure=reserve.pressure + _FLATTER)
+            case CheckCode.CONVEX_RADIUS_THEORY | CheckCode.CONVEX_RADIUS_PROFILE | CheckCode.LOST_LIFT_UNDERCUT:
+                reserve = replace(reserve, radius=reserve.radius + _MORE_RADIUS)
+            case CheckCode.LIFT_ERROR_WITH_PLAY:
+                reserve = replace(reserve, valley=reserve.valley * 0.8 * check.limit / check.value)
+            case code if code in _CLEARANCES:
+                reserve = replace(reserve, margin=reserve.margin + beyond + _MORE_MARGIN)
+            case CheckCode.COURSE_GATE_MARGIN | CheckCode.COURSE_GATE_MARGIN_PLAY | CheckCode.COURSE_FINISH_PLAY:
+                reserve = replace(reserve, gate=reserve.gate + beyond + _MORE_MARGIN)
+    return reserve

@@ -1,0 +1,185 @@
+"""From a design to what the planner is asked; degrees become radians here."""
+
+from dataclasses import dataclass, replace
+from math import inf, radians
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.build import cam_model, course_model, gear_model, variation
+from cadgen.cam.followers.rod import rod_of
+from cadgen.course.course import Course, Gate, Shape
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError
+from cadgen.path.track import Track
+from cadgen.planner.limits import curvature_limits
+from cadgen.planner.order import in_order
+from cadgen.planner.task import Limits, Task, Vehicle
+
+# Where nothing is known of the play, or it was measured, a car may still be off by this share of a degree.
+_UNKNOWN_SPREAD = radians(0.1)
+# Kept from the limits of the pressure angle, rad: play is taken out by flanks a little steeper than those wanted.
+_PRESSURE_RESERVE = radians(3.0)
+_ROUND_RESERVE = 1.5  # times the least convex radius: where play is taken out the outline is sharper
+_LIFT_RESERVE = 0.7  # of the greatest lift error with play
+# Between the places at which the planner holds a limit the path may be a little beyond it.
+_CALM_SHARE = 0.98
+_TRACK_STEP = 1.0  # mm between the points of a track to stay near to
+
+
+@dataclass(frozen=True)
+class Reserve:
+    """What is kept from the limits besides the usual, after the exact chain has failed a check.
+
+    Attributes:
+        pressure: rad.
+        radius: mm.
+        valley: factor on the greatest lift error.
+        margin: from obstacles, mm.
+        gate: from the edges of the gates, mm.
+    """
+
+    pressure: float = 0.0
+    radius: float = 0.0
+    valley: float = 1.0
+    margin: float = 0.0
+    gate: float = 0.0
+
+
+def _free_wheel(design: Design, drawn: bool) -> bool:
+    """Whether the plan chooses the radius of the drive wheel.
+
+    It does where the course says where the run ends: then the whole path must be driven before the closing blend.
+
+    Args:
+        design: loaded design.
+        drawn: whether the design has a path.
+    """
+    finish = design.course is not None and design.course.finish is not None
+    return design.car.drive_wheel_radius_mm is None and design.train is not None and (finish or not drawn)
+
+
+def task_of(
+    design: Design,
+    *,
+    drawn: Track | None,
+    near: Track | None,
+    within: float,
+    calm: Track | None,
+    reserve: Reserve,
+) -> Task:
+    """What the planner is asked.
+
+    Args:
+        design: loaded design.
+        drawn: drive wheel's track of the design's own path; None if it has none.
+        near: track to stay near to; None for a plan from scratch.
+        within: how far from it the drive wheel may be, mm.
+        calm: track whose curvature's slopes are not to be exceeded; None without.
+        reserve: kept from the limits.
+
+    Raises:
+        DesignError: the design has no course, no start, or another follower than the rod.
+    """
+    vehicle = _vehicle(design, near is None and _free_wheel(design, drawn is not None))
+    course = _course(design, drawn) if near is None else replace(_given_course(design), gates=())
+    return Task(
+        vehicle=vehicle,
+        limits=_limits(design, vehicle, calm, reserve),
+        course=replace(course, margin=course.margin + reserve.margin),
+        near=None if near is None else track_points(near),
+        within=within,
+        gate_margin=reserve.gate,
+    )
+
+
+def track_points(track: Track) -> Array:
+    """Points of a track, close together, shape (k, 2), mm."""
+    return np.asarray(track.position(np.linspace(0.0, track.length, int(track.length / _TRACK_STEP) + 2)))
+
+
+def _given_course(design: Design) -> Course:
+    return course_model.course(design) or Course()
+
+
+def _course(design: Design, drawn: Track | None) -> Course:
+    """The course; start and finish that it leaves out are those of the design's path."""
+    course = course_model.course(design)
+    if course is None:
+        raise DesignError(
+            "the design has no course to plan a path for: add [course] with [course.start], [[course.gates]] and "
+            "[course.finish]"
+        )
+    if course.start is None and drawn is None:
+        raise DesignError("course.start is missing: add [course.start] with at_mm and heading_deg")
+    start, finish = course.start, course.finish
+    if start is None and drawn is not None:
+        start = _stand("path", drawn, 0.0)
+    if finish is None and drawn is not None:
+        finish = _stand("path", drawn, drawn.length)
+    course = in_order(replace(course, start=start, finish=finish))
+    if finish is None and course.gates:
+        *gates, last = course.gates
+        return replace(course, finish=last, gates=tuple(gates))
+    return course
+
+
+def _stand(key: str, track: Track, arc: float) -> Gate:
+    x, y = track.position(arc).tolist()
+    heading = float(track.heading(np.array([arc]))[0])
+    return Gate(key=key, place=Shape.disc((x, y), 0.0), point="drive_wheel", heading=heading, heading_tolerance=0.0)
+
+
+def _vehicle(design: Design, free: bool) -> Vehicle:
+    band = variation.play_bands(design).get(design.optimize.order)
+    spread = _UNKNOWN_SPREAD
+    if band is not None and band.measured is None:
+        low, high = band.ends
+        spread = max((high - low) / 2, radians(0.01))
+    rod = rod_of(cam_model.follower(design), "planning a path", "plan with the rod")
+    share = 1.0 - design.cam.blend_deg / 360
+    travel, most_length = None, inf
+    if (radius := design.car.drive_wheel_radius_mm) is not None:
+        if design.train is None:
+            raise DesignError(
+                f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the "
+                "ratio of [train] too: add [train], or remove car.drive_wheel_radius_mm"
+            )
+        travel = TURN * radius * float(gear_model.train(design).ratio)
+        most_length = travel * share
+    return Vehicle(
+        car=cam_model.car(design),
+        body=course_model.body(design),
+        path_offset=design.path.offset_mm,
+        base_radius=rod.base_radius,
+        faces=(rod.inner, rod.outer),
+        spread=spread,
+        travel=travel,
+        most_length=most_length,
+        path_turn=share if free else 1.0,
+        end=1.0 if free or travel is not None else share,
+    )
+
+
+def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reserve) -> Limits:
+    checks = cam_model.check_limits(design)
+    left, right = curvature_limits(vehicle)
+    rod = rod_of(cam_model.follower(design), "planning a path")
+    least_radius = max(checks.min_convex_radius, design.blank.edge_break_mm or 0.0)
+    valley, band = inf, variation.play_bands(design).get(design.optimize.order)
+    if design.optimize.max_lift_error_um is not None and band is not None and band.ends[1] > 0:
+        # In a valley the play takes the height that the lift gains in half of it to either side (play.md).
+        height = _LIFT_RESERVE * reserve.valley * design.optimize.max_lift_error_um * 1e-3
+        valley = 8 * height / band.ends[1] ** 2
+    kept = _PRESSURE_RESERVE + reserve.pressure
+    slope, bend = (inf, inf) if calm is None else np.abs(calm.curvature_jets[:, 1:]).max(axis=0).tolist()
+    return Limits(
+        left=left,
+        right=right,
+        rise=max(checks.pressure_angle.rise - kept, radians(5.0)),
+        fall=max(checks.pressure_angle.fall - kept, radians(5.0)),
+        convex_radius=_ROUND_RESERVE * (rod.radius + least_radius) + reserve.radius,
+        slope=slope * _CALM_SHARE,
+        bend=bend * _CALM_SHARE,
+        valley=valley,
+    )

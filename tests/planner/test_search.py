@@ -1,0 +1,74 @@
+"""Small searches: limits and gates are kept, seeds reproduce, what cannot be driven is blamed on the right limit."""
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+from cadgen.course.course import Course, Gate, Obstacle, Shape
+from cadgen.planner.plan import plan
+from cadgen.planner.reasons import reasons
+from cadgen.planner.task import Task
+
+
+def disc(key: str, x: float, y: float, radius: float, heading: float | None = None, tolerance: float = pi / 2) -> Gate:
+    place = Shape.disc((x, y), radius)
+    return Gate(key=key, place=place, heading=heading, heading_tolerance=tolerance)
+
+
+START, FINISH = disc("course.start", 0, 0, 1.0, 0.0), disc("course.finish", 4000, 600, 50.0)
+
+
+@pytest.fixture(scope="module")
+def task(vehicle, limits) -> Task:
+    course = Course(start=START, gates=(disc("course.gates.1", 1800, -200, 30.0),), finish=FINISH, margin=10.0)
+    return Task(vehicle=vehicle, limits=limits, course=course)
+
+
+@pytest.mark.slow
+def test_a_post_on_the_way_is_passed_on_either_side(task):
+    sides = {}
+    for side in ("left", "right"):
+        post = Obstacle(kind="post", key="course.posts.1", shape=Shape.disc((2000.0, 100.0), 10.0), side=side)
+        found = plan(replace(task, course=replace(task.course, gates=(), obstacles=(post,))))
+        assert not found.missed
+        motion = found.path.cost.line.motion
+        near = int(np.linalg.norm(motion.jets[0] - [2000, 100], axis=1).argmin())
+        sides[side] = (motion.jets[0][near] - [2000, 100]) @ motion.left[near]
+    assert sides["right"] < -100 < 100 < sides["left"]
+
+
+@pytest.mark.slow
+def test_a_plan_is_reproducible_and_more_searches_are_no_worse(task):
+    one, again, more = plan(task), plan(task), plan(task, seeds=2)
+    assert not one.missed
+    np.testing.assert_array_equal(one.path.points, again.path.points)
+    assert more.path.cost.cost <= one.path.cost.cost
+
+
+@pytest.mark.parametrize(
+    ("course", "limit", "least", "most"),
+    [
+        # The field ends 100 mm beside the gate.
+        (
+            Course(
+                start=START,
+                gates=(disc("course.gates.1", 2000, 400, 10.0),),
+                finish=disc("course.finish", 4000, 0, 50.0),
+                edge=Shape(((-400, -1500), (4500, -1500), (4500, 500), (-400, 500)), filled=True),
+            ),
+            ("course.field", "course.gates.1"),
+            10.0,
+            60.0,
+        ),
+    ],
+)
+@pytest.mark.slow
+def test_what_cannot_be_driven_is_blamed_on_the_right_limit(task, course, limit, least, most):
+    found = plan(replace(task, course=course))
+    assert found.missed
+    (first, *_) = reasons(found)
+    print(first)
+    assert first.limit.startswith(limit)
+    assert least <= first.amount <= most

@@ -1,0 +1,138 @@
+"""`cadgen plan` as a whole: the paper's course against the bars, comments, wheels, and refusals."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cadgen import Design
+from cadgen.build import cam_model
+from cadgen.errors import CheckError, DesignError
+from tests.studies import courses
+
+GATES = [f"course.gates.{number}.radius_mm=50" for number in range(1, 13)]
+SMALL = f"""
+name = "small"            # a course of two gates
+{courses.CAR}
+[course]
+margin_mm = 10.0          # kept
+start = {{ at_mm = [0.0, 0.0], heading_deg = 0.0 }}
+finish = {{ at_mm = [4000.0, 600.0], radius_mm = 50.0 }}
+field = {{ corner_mm = [-600.0, -1500.0], size_mm = [5600.0, 3500.0] }}
+gates = [{{ at_mm = [1800.0, -200.0], radius_mm = 30.0 }}]
+
+[[course.posts]]
+at_mm = [2600.0, 50.0]
+radius_mm = 10.0
+"""
+
+
+@pytest.fixture(scope="module")
+def small():
+    return Design.from_toml(SMALL, train_only=True).plan()
+
+
+@pytest.mark.slow
+def test_the_papers_course_with_gates_of_50_mm():
+    """The first direct collocation reached 173 mm, and 130 with the train reordered; today's path ends 306 mm off."""
+    today = Design.load()
+    planned = Design.load(None, GATES).plan(calm_as=today)
+    assert planned.passed
+    band = planned.cam.against.chosen.band
+    reordered = planned.design.with_({"optimize.order": "reordered"}).cam()
+    print(f"{band.worst_distance:.1f} mm, reordered {reordered.against.chosen.band.worst_distance:.1f} mm")
+    assert band.worst_distance <= 173
+    assert reordered.against.chosen.band.worst_distance <= 130
+    assert reordered.passed
+    track, before = (cam_model.track(design.values) for design in (planned.design, today))
+    slopes, most = (np.abs(each.curvature_jets[:, 1:]).max(axis=0) for each in (track, before))
+    assert (slopes <= 1.002 * most).all()
+    ends, were = (each.position(np.array([0.0, each.length])) for each in (track, before))
+    np.testing.assert_allclose(ends, were, atol=1e-3)
+    # The cost to first order, which the search makes least, is the exact one.
+    assert planned.computed.plan.path.cost.distance == pytest.approx(band.worst_distance, rel=0.01)
+
+
+@pytest.mark.slow
+def test_the_papers_path_improved_within_25_mm():
+    """By a linear programme on the lateral shift it was 205 mm."""
+    today = Design.load()
+    planned = today.plan(today, 25)
+    distance = planned.cam.against.chosen.band.worst_distance
+    print(f"{distance:.1f} mm")
+    assert distance <= 205
+    new, old = (cam_model.track(design.values) for design in (planned.design, today))
+    points = old.position(np.linspace(0, old.length, 20_001))
+    for place in new.position(np.linspace(0, new.length, 500)):
+        assert np.hypot(*(points - place).T).min() < 25.01
+
+
+@pytest.mark.slow
+def test_a_course_without_a_path(small, tmp_path):
+    assert small.passed, small.sentences
+    gap = courses.swept(
+        small.computed.text,
+        courses.Case(
+            "",
+            "",
+            (),
+            (("post", np.array([[2600.0, 50.0]]), 10.0),),
+            (np.array([-600, -1500]), np.array([5000, 2000])),
+            10,
+        ),
+    )
+    print(gap)
+    assert min(gap.values()) > 10 - 0.1
+    written = small.write(tmp_path)
+    (file,) = [each.path for each in written]
+    assert file.name == "small_planned.toml"
+    text = file.read_text()
+    assert "# a course of two gates" in text
+    assert "# kept" in text
+    again = Design.load(file)
+    assert again.values.path.spline == "b_spline"
+    # The whole path is driven before the closing blend, by a wheel that the plan chose.
+    track = cam_model.track(again.values)
+    assert track.length <= track.turn * (1 - 12 / 360) <= track.length * 1.001
+    entry = json.loads((tmp_path / "manifest.json").read_text())["parts"]["small_planned"]
+    assert entry["passed"]
+    assert entry["drive_wheel_radius_mm"] == again.values.car.drive_wheel_radius_mm
+
+
+@pytest.mark.slow
+def test_a_course_that_cannot_be_driven_is_told_with_its_cure(tmp_path):
+    short = Design.from_toml(SMALL, train_only=True).with_({"car.drive_wheel_radius_mm": 12.0})
+    plan = short.plan()
+    print(*plan.sentences, sep="\n")
+    assert not plan.passed
+    assert plan.sentences[0].startswith("the course cannot be driven: the path is ")
+    assert "mm longer than wheel and train drive before the closing blend" in plan.sentences[0]
+    wheel = float(plan.sentences[0].rpartition("raise car.drive_wheel_radius_mm to ")[2])
+    with pytest.raises(CheckError, match="the course cannot be driven"):
+        plan.write(tmp_path)
+    assert not list(Path(tmp_path).iterdir())
+    cured = short.with_({"car.drive_wheel_radius_mm": round(wheel * 1.01, 2)}).plan()
+    assert cured.passed
+    assert cured.design.values.car.drive_wheel_radius_mm == round(wheel * 1.01, 2)
+    assert cured.design.values.overrides == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (SMALL.partition("[course]")[0], "no course to plan a path for: add"),
+        (SMALL.replace("start = {", "# start = {"), "course.start is missing: add"),
+        (SMALL.replace("finish = {", "# finish = {").replace("gates = [", "# gates = ["), "nothing to drive to"),
+        (SMALL.replace("wheelbase_mm = 167.0\n", ""), "car.wheelbase_mm is missing"),
+        (SMALL + "[path]\nwaypoints_mm = 3\n", "path.waypoints_mm is 3"),
+    ],
+)
+def test_what_cannot_be_planned_is_refused_by_its_key(text, words):
+    with pytest.raises(DesignError, match=words):
+        Design.from_toml(text, train_only=True).plan()
+
+
+def test_a_distance_without_a_path_is_refused():
+    with pytest.raises(DesignError, match="within_mm says how far a given path may be left"):
+        Design.load().plan(within_mm=10)
