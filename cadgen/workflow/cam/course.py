@@ -21,8 +21,9 @@ from cadgen.course.sweep import Approach
 from cadgen.design.schema import Design
 from cadgen.motion.drive import STEPS, Run, drive, start_pose
 from cadgen.motion.mechanics import Mechanics
+from cadgen.motion.poses import poses_of
 from cadgen.path.track import Track
-from cadgen.steering.car import Car, wheel_tangent
+from cadgen.steering.car import Car
 from cadgen.workflow.cam.against import Against
 
 _STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
@@ -341,22 +342,6 @@ def _missed(passage: Passage) -> str:
     if passage.fault:
         return f"{passage.gate.key} in the wrong {passage.fault}"
     return f"{passage.gate.key} missed by {-passage.margin:.1f} mm"
-
-
-def poses_of(run: Run, car: Car) -> Poses:
-    """Poses of a run.
-
-    Args:
-        run: run of the car, with what happens between its steps.
-        car: the car that ran.
-    """
-    drive_wheel, fork = (wheel[:, 0] + 1j * wheel[:, 1] for wheel in (run.drive_wheel, run.front_wheel))
-    return Poses(
-        fork=fork,
-        heading=run.heading,
-        steering=-np.arctan(wheel_tangent(run.tan_beta, car)),
-        travel=np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drive_wheel)))]),
-    )
 
 
 def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:
