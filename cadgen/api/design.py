@@ -100,8 +100,7 @@ class Design:
 
         Args:
             name, folder: name of the design and, with .toml, of its file; folder for that.
-            points: file of the path's points, in CSV, TXT or DXF; an example if left out.
-            layer: layer of the polyline in a DXF that has several.
+            points, layer: file of the path's points, CSV, TXT or DXF; layer of the polyline in a DXF with several.
             gate_radius_mm, field_mm: radius of the gates at the points; width and height of the field.
             changes: changes as for `with_`, written into the file.
 
