@@ -59,6 +59,8 @@ class CheckCode(StrEnum):
     COURSE_START_HEADING = "course-start-heading"
     COURSE_FINISH = "course-finish"
     COURSE_FINISH_HEADING = "course-finish-heading"
+    COURSE_BLEND = "course-blend"
+    COURSE_BLEND_PLAY = "course-blend-play"
     COURSE_POST_PLAY = "course-post-play"
     COURSE_WALL_PLAY = "course-wall-play"
     COURSE_ZONE_PLAY = "course-zone-play"

@@ -99,17 +99,13 @@ class Design:
         """Begin a design: write a commented file with the paper's mechanism and a path, and load it.
 
         Args:
-            name: name of the design and, with .toml, of its file.
-            folder: folder for the file.
-            points: file of the path's points, in CSV, TXT or DXF; an example if left out.
-            layer: layer of the polyline in a DXF that has several.
-            gate_radius_mm: radius of the gates at the points.
-            field_mm: width and height of the field.
+            name, folder: name of the design and, with .toml, of its file; folder for that.
+            points, layer: file of the path's points, CSV, TXT or DXF; layer of the polyline in a DXF with several.
+            gate_radius_mm, field_mm: radius of the gates at the points; width and height of the field.
             changes: changes as for `with_`, written into the file.
 
         Raises:
-            DesignError: a name that files cannot have, or values that are not allowed.
-            FileError: the points cannot be read, or the file is there already or cannot be written.
+            DesignError, FileError: values that are not allowed; points that cannot be read, a file that is there.
         """
         from cadgen.design.begin import begin, write_new
         from cadgen.records.points import read_points
@@ -117,8 +113,7 @@ class Design:
         path = None if points is None else read_points(Path(points), layer)
         if path is None and layer is not None:
             raise DesignError("a layer is named, but no DXF with points: give the DXF too, or leave the layer out")
-        text = begin(name, path, overrides_of(changes), gate_radius=gate_radius_mm, field=field_mm)
-        file = Path(folder) / f"{name}.toml"
+        text, file = begin(name, path, overrides_of(changes), gate_radius_mm, field_mm), Path(folder) / f"{name}.toml"
         write_new(text, file)
         return cls._checked(text, file, (), False)
 

@@ -36,6 +36,13 @@ class Poses:
         """Directions of travel as x + iy of length 1, shape (n,)."""
         return np.asarray(np.exp(1j * self.heading))
 
+    def part(self, start: int, stop: int) -> "Poses":
+        """Poses from a number up to another, which is left out."""
+        some = slice(start, stop)
+        return Poses(
+            fork=self.fork[some], heading=self.heading[some], steering=self.steering[some], travel=self.travel[some]
+        )
+
     def track(self, point: Point) -> Complex:
         """Positions x + iy of a point of the car, shape (n,), mm.
 

@@ -21,7 +21,6 @@ def begin(
     name: str,
     points: Points | None = None,
     changes: Sequence[str] = (),
-    *,
     gate_radius: float = GATE_RADIUS,
     field: tuple[float, float] | None = None,
 ) -> str:

@@ -79,10 +79,13 @@ def error_budget(fleet: Fleet, half_widths: Mapping[str, float], plays: Mapping[
     deviations += [(name, "play", half) for name, half in plays.items() if half > 0]
     if not deviations:
         return Budget(())
+    at = [fleet.end]
     fleet = replace(
         fleet,
-        stations=fleet.stations[-1:],
-        planned=replace(fleet.planned, heading=fleet.planned.heading[:, -1:], position=fleet.planned.position[:, -1:]),
+        stations=fleet.stations[at],
+        planned=replace(fleet.planned, heading=fleet.planned.heading[:, at], position=fleet.planned.position[:, at]),
+        end=-1,
+        watches=(),
     )
     tables = [_cases(parameter, half) for _, parameter, half in deviations]
     cases = np.concatenate(tables)

@@ -4,6 +4,7 @@
 |-----------|-----------------------------------------------------------------------------------------|
 | `play`    | where the cam stands at each motor position: it jumps at peaks and waits in valleys      |
 | `drive`   | cam angle -> steering -> heading and the tracks of the three wheels (eq. 20-24): the one |
+| `poses`   | a run as the poses that a course is held against                                         |
 |           | integration of a run, for simulation, profiles and measured tracks alike                 |
 | `friction` | bands of sliding friction, by pairs of materials                                       |
 | `mechanics` | forces that turn the cam ahead of its gears or hold it: rod force, friction, drag     |

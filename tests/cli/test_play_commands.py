@@ -113,7 +113,7 @@ def test_tolerance_fits_the_terminal_and_draws_on_request(cadgen, tmp_path):
     result = cadgen("tolerance", "--samples", "300", "--out", "p", code=0)
     print(result.stdout)
     assert max(map(len, result.stdout.splitlines())) <= 80
-    assert "% keep the course: 12 gates and the edge" in result.stdout
+    assert "% keep the course: 11 gates and the edge" in result.stdout
     files = {file.name for file in (tmp_path / "p").iterdir()}
     assert files == {
         "carbon_free_car_optimized_tolerance.png",

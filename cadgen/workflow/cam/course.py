@@ -1,6 +1,6 @@
 """Runs of a car held against the course of its design: the planned run, and those over the band of play."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import ceil, degrees, inf
@@ -13,7 +13,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, CheckCode
 from cadgen.course.body import Body
 from cadgen.course.course import Course
-from cadgen.course.gates import Passage
+from cadgen.course.gates import Passage, passages
 from cadgen.course.judge import Driven, Stand, judge
 from cadgen.course.poses import Poses
 from cadgen.course.refuse import refuse_course
@@ -21,13 +21,13 @@ from cadgen.course.sweep import Approach
 from cadgen.design.schema import Design
 from cadgen.motion.drive import STEPS, Run, drive, start_pose
 from cadgen.motion.mechanics import Mechanics
+from cadgen.motion.poses import poses_of
 from cadgen.path.track import Track
-from cadgen.steering.car import Car, wheel_tangent
+from cadgen.steering.car import Car
 from cadgen.workflow.cam.against import Against
 
 _STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
 _MOST_STEPS = 40_000
-_ON_BLEND = "; the closing blend steers there: set car.drive_wheel_radius_mm, with which the path is driven before it"
 _OF_KIND = {"post": CheckCode.COURSE_POST, "wall": CheckCode.COURSE_WALL, "zone": CheckCode.COURSE_ZONE}
 
 
@@ -35,8 +35,8 @@ _OF_KIND = {"post": CheckCode.COURSE_POST, "wall": CheckCode.COURSE_WALL, "zone"
 class OnCourse:
     """A design's course with the car that is to keep it.
 
-    Without a wheel's radius a turn of the cam takes the whole path, so the runs here go on over the closing blend to
-    the end of the turn.
+    Without a wheel's radius a turn of the cam takes the whole path. Then runs are judged to where the closing blend
+    begins, as everywhere; they go on over the blend to the end of the turn, and what happens there is shown.
 
     Attributes:
         design: loaded design.
@@ -73,8 +73,23 @@ class OnCourse:
         """
         steps = min(max(STEPS, ceil(cam_model.travel(self.design, self.track) / _STEP)), _MOST_STEPS)
         run = driving(self.stop, steps)
-        poses = poses_of(run, self.car)
-        return CourseRun(self, run, poses, judge(poses, self.car, self.body, self.course))
+        poses, end = poses_of(run, self.car), len(run.motor)
+        if self.design.car.drive_wheel_radius_mm is not None:
+            return CourseRun(self, run, poses, judge(poses, self.car, self.body, self.course))
+        end = max(int(np.searchsorted(run.motor, self.lift.blend_start)) + 1, 2)
+        late = _late(passages(poses, self.car, self.course.gates), end - 1)
+        before, behind = (
+            replace(
+                self.course,
+                gates=tuple(gate for gate, after in zip(self.course.gates, late, strict=True) if after is on_blend),
+                start=None if on_blend else self.course.start,
+                finish=self.course.finish if on_blend else None,
+            )
+            for on_blend in (False, True)
+        )
+        driven = judge(poses.part(0, end), self.car, self.body, before)
+        blend = judge(poses.part(end - 1, len(poses)), self.car, self.body, behind)
+        return CourseRun(self, run, poses, driven, blend)
 
     @cached_property
     def planned(self) -> "CourseRun":
@@ -135,7 +150,8 @@ class CourseRun:
         on: course and car.
         run: the run.
         poses: its poses.
-        driven: what the car comes near to and what it passes.
+        driven: what the car comes near to and what it passes, up to where the run is judged.
+        blend: the same on the closing blend; None where the path is driven before it.
         play: return error, rad; None of the planned run.
     """
 
@@ -143,29 +159,40 @@ class CourseRun:
     run: Run
     poses: Poses
     driven: Driven
+    blend: Driven | None = None
     play: float | None = None
 
     def figures(self) -> dict[str, tuple[str, float]]:
         """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
-        course, driven = self.on.course, self.driven
-        found = {
-            obstacle.key: (f"{there.part}, passing {side} of it", there.clearance)
-            for (obstacle, there), side in zip(driven.approaches, driven.sides, strict=True)
-        }
-        if driven.edge is not None and course.edge is not None:
-            found["course.field"] = (driven.edge.part, driven.edge.clearance)
-        for passage in driven.passages:
-            wrong = f", wrong {passage.fault}" if passage.fault else ""
-            found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
-        for stand in (driven.start, driven.finish):
-            if stand is not None:
-                off = "" if stand.turned is None else f", {degrees(stand.turned):.2f}° off"
-                found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
+        found = _figures(self.driven)
+        if self.blend is not None:
+            for key, (where, room) in _figures(self.blend).items():
+                if key not in found or room < found[key][1]:
+                    found[key] = (f"{where}, on the blend", room)
         return found
 
     def checks(self) -> tuple[Check, ...]:
         """Every figure of the run with its verdict."""
-        return (*self._clear(), *self._sides(), *self._gates(), *self._stands())
+        return (*self._clear(), *self._sides(), *self._gates(), *self._stands(), *self._blend())
+
+    def _blend(self) -> Iterator[Check]:
+        """Least room on the closing blend: a figure, for the path does not steer there."""
+        if self.blend is None:
+            return
+        room = min(
+            ((room, f"{key}, {where}") for key, (where, room) in _figures(self.blend).items()),
+            default=None,
+        )
+        if room is not None:
+            yield Check(
+                CheckCode.COURSE_BLEND if self.play is None else CheckCode.COURSE_BLEND_PLAY,
+                "least room on the blend" + ("" if self.play is None else ", with play"),
+                room[0],
+                "mm",
+                -inf,
+                "min",
+                room[1] + ("" if self.play is None else f", return error {degrees(self.play):.3f}°"),
+            )
 
     def _clear(self) -> Iterator[Check]:
         margin, driven = self.on.course.margin, self.driven
@@ -182,7 +209,7 @@ class CourseRun:
                     margin,
                     "min",
                     self._by(obstacle.key, there),
-                    advice + self._on_blend(there.place),
+                    advice,
                 )
         if driven.edge is not None:
             place = self._by("course.field" if self.on.body.corners else "course.field (wheels alone)", driven.edge)
@@ -195,7 +222,7 @@ class CourseRun:
                 margin,
                 "min",
                 place,
-                advice + self._on_blend(driven.edge.place),
+                advice,
             )
 
     def _sides(self) -> Iterator[Check]:
@@ -214,8 +241,7 @@ class CourseRun:
             return
         missed = [passage for passage in passages if passage.margin < 0 or passage.fault]
         place = ", ".join(_missed(passage) for passage in missed) or f"all, {len(passages)} in order"
-        blend = next((text for passage in missed if (text := self._on_blend(passage.place))), "")
-        advice = "lead the path through the gates in their order and direction, or make them wider" + blend
+        advice = "lead the path through the gates in their order and direction, or make them wider"
         yield self._check(
             CheckCode.COURSE_GATES, "gates passed", len(passages) - len(missed), "", len(passages), "min", place, advice
         )
@@ -235,7 +261,6 @@ class CourseRun:
 
     def _stand(self, name: str, stand: Stand, code: CheckCode, turned: CheckCode) -> Iterator[Check]:
         wanted = stand.wanted
-        blend = self._on_blend(len(self.poses) - 1.0) if name == "finish" else ""
         what = f"{wanted.point.replace('_', ' ')} of the car"
         yield self._check(
             code,
@@ -245,7 +270,7 @@ class CourseRun:
             wanted.place.reach,
             "max",
             what,
-            f"let the path {name} there, or change {wanted.key}{blend}",
+            f"let the path {name} there, or change {wanted.key}",
         )
         if stand.turned is not None:
             yield self._check(
@@ -256,7 +281,7 @@ class CourseRun:
                 degrees(wanted.heading_tolerance),
                 "max",
                 what,
-                f"let the path {name} in that direction, or change {wanted.key}.heading_deg{blend}",
+                f"let the path {name} in that direction, or change {wanted.key}.heading_deg",
             )
 
     def _check(
@@ -284,31 +309,39 @@ class CourseRun:
         at = self.poses.at(np.array([place]))
         return f"{at.travel[0]:.0f} mm along, fork at ({at.fork[0].real:.0f}, {at.fork[0].imag:.0f}) mm"
 
-    def _on_blend(self, place: float) -> str:
-        motor = float(np.interp(place, np.arange(len(self.poses)), self.run.motor))
-        return _ON_BLEND if motor > self.on.lift.blend_start + 1e-9 else ""
+
+def _late(passed: Sequence[Passage], end: float) -> list[bool]:
+    """Whether each gate lies behind a place of the run: of those that have an order only the last can."""
+    late, last = [], True
+    for passage in reversed(passed):
+        behind = passage.place > end and (passage.gate.free or last)
+        last = last and (behind or passage.gate.free)
+        late.append(behind)
+    return late[::-1]
+
+
+def _figures(driven: Driven) -> dict[str, tuple[str, float]]:
+    """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
+    found = {
+        obstacle.key: (f"{there.part}, passing {side} of it", there.clearance)
+        for (obstacle, there), side in zip(driven.approaches, driven.sides, strict=True)
+    }
+    if driven.edge is not None:
+        found["course.field"] = (driven.edge.part, driven.edge.clearance)
+    for passage in driven.passages:
+        wrong = f", wrong {passage.fault}" if passage.fault else ""
+        found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
+    for stand in (driven.start, driven.finish):
+        if stand is not None:
+            off = "" if stand.turned is None else f", {degrees(stand.turned):.2f}° off"
+            found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
+    return found
 
 
 def _missed(passage: Passage) -> str:
     if passage.fault:
         return f"{passage.gate.key} in the wrong {passage.fault}"
     return f"{passage.gate.key} missed by {-passage.margin:.1f} mm"
-
-
-def poses_of(run: Run, car: Car) -> Poses:
-    """Poses of a run.
-
-    Args:
-        run: run of the car, with what happens between its steps.
-        car: the car that ran.
-    """
-    drive_wheel, fork = (wheel[:, 0] + 1j * wheel[:, 1] for wheel in (run.drive_wheel, run.front_wheel))
-    return Poses(
-        fork=fork,
-        heading=run.heading,
-        steering=-np.arctan(wheel_tangent(run.tan_beta, car)),
-        travel=np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drive_wheel)))]),
-    )
 
 
 def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:

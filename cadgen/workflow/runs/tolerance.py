@@ -85,7 +85,7 @@ class ToleranceRun:
         if course is None:
             return ""
         kinds = [obstacle.kind for obstacle in course.course.obstacles]
-        counted: dict[str, int] = {"gate": len(course.course.gates)}
+        counted: dict[str, int] = {"gate": len(course.planned.driven.passages)}
         counted.update({kind: kinds.count(kind) for kind in dict.fromkeys(kinds)})
         words = [f"{count} {kind}{'s' if count > 1 else ''}" for kind, count in counted.items() if count]
         return listed([*words, *(["the edge"] if course.course.edge is not None else [])], "and")
@@ -179,8 +179,8 @@ def _fleet(plan: CamPlan) -> Fleet:
 
 
 def _count(plan: CamPlan) -> int:
-    gates = () if plan.course is None else plan.course.course.gates
-    return len(gates) or len(_gates(plan))
+    passed = () if plan.course is None else plan.course.planned.driven.passages
+    return len(passed) or len(_gates(plan))
 
 
 def _gates(plan: CamPlan) -> list[int]:
