@@ -1,4 +1,4 @@
-"""A slice of the study of random courses: planned, checked, and clear by a sweep that shares no code with the planner."""
+"""A slice of the study of random courses: planned, checked, and clear by a sweep that shares no code with it."""
 
 import pytest
 
