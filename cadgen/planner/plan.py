@@ -32,10 +32,12 @@ class Plan:
     Attributes:
         path: path with its cost and its limits.
         task: what was planned.
+        begin: control points that the search began with, shape (n, 2), mm.
     """
 
     path: Path
     task: Task
+    begin: Array
 
     @property
     def missed(self) -> dict[str, float]:
@@ -86,7 +88,7 @@ def _searched(task: Task, seed: int, begin: Array | None, report: Callable[[str]
         start, finish = _ends_of(points)
     search = _search(task, basis, start, finish)
     words = None if report is None else (lambda cost: report(f"end of the run {cost:.0f} mm"))
-    return Plan(search.best(points, words), task)
+    return Plan(search.best(points, words), task, points)
 
 
 def search_of(task: Task, count: int, loose: str = "") -> Search:

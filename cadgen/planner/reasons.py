@@ -70,7 +70,7 @@ def _loosened(plan: Plan, name: str) -> Reason | None:
     """Amount by which a limit must give way when all others are kept; None if it need not."""
     vehicle = replace(plan.task.vehicle, spread=plan.task.vehicle.spread * _QUIET)
     search = search_of(replace(plan.task, vehicle=vehicle), len(plan.path.points), loose=name)
-    path = search.best(plan.path.points, rounds=_ROUNDS)
+    path = search.best(plan.begin, rounds=_ROUNDS)  # the best path may be crumpled
     violated = path.violated
     others = [most for other, most in violated.items() if other not in (name, *UNEVEN) and most > _NEARLY]
     amount = violated.get(name, 0.0)

@@ -334,6 +334,23 @@ def planned(course: Case, seeds: int = 1) -> tuple[str, bool, str, float]:
     return course.name, fine, words, time.process_time() - began
 
 
+def record(given: argparse.Namespace, summary: str, wrong: list, seconds: list[float]) -> None:
+    """Write the page."""
+    from cadgen import __version__
+
+    text = (__doc__ or "").strip().split("\n\n")
+    command = (
+        f"python -m tests.studies.courses --cases {given.cases} --broken {given.broken} --seed {given.seed} --record"
+    )
+    failures = "\n".join(f"- {row[1]}: {row[3]}" for row in wrong) or "none"
+    PAGE.write_text(
+        f"# Random courses planned\n\n`{command}`, cadgen {__version__}.\n\n{text[1]}\n\n{text[2]}\n\n"
+        f"**{summary[0].upper()}{summary[1:]}.** Processor time of a course: {np.median(seconds):.0f} s in the middle, "
+        f"{max(seconds):.0f} s at most.\n\nCourses that failed: {failures}\n",
+        encoding="utf-8",
+    )
+
+
 def main() -> int:
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--cases", type=int, default=50)
@@ -357,6 +374,8 @@ def main() -> int:
         f"{sum(row[2] for row in other)} of {len(other)} that cannot be driven were told with the right culprit"
     )
     print(summary)
+    if given.record:
+        record(given, summary, [row for row in rows if not row[2]], [row[4] for row in rows])
     return 0 if all(row[2] for row in rows) else 1
 
 

@@ -82,7 +82,7 @@ def task_of(
         DesignError: the design has no course, no start, or another follower than the rod.
     """
     vehicle = _vehicle(design, near is None and _free_wheel(design, drawn is not None))
-    course = _course(design, drawn) if near is None else replace(_given_course(design), gates=())
+    course = _course(design, drawn) if near is None else in_order(course_model.course(design) or Course())
     return Task(
         vehicle=vehicle,
         limits=_limits(design, vehicle, calm, reserve),
@@ -96,10 +96,6 @@ def task_of(
 def track_points(track: Track) -> Array:
     """Points of a track, close together, shape (k, 2), mm."""
     return np.asarray(track.position(np.linspace(0.0, track.length, int(track.length / _TRACK_STEP) + 2)))
-
-
-def _given_course(design: Design) -> Course:
-    return course_model.course(design) or Course()
 
 
 def _course(design: Design, drawn: Track | None) -> Course:
