@@ -27,7 +27,6 @@ _MOST_CELLS = 60_000
 _BESIDE = 300.0  # mm beyond gates and obstacles that the grid reaches
 _DEAR = 2.0  # times the length that a way close to an obstacle costs
 _COMFORT = 400.0  # mm from an obstacle from which on a way is not dearer
-_AHEAD = 150.0  # mm before and behind a gate with a direction
 _LEG = 350.0  # mm between the points of a way round something
 _BLOCKED = 1e3  # times the length that a way costs where the car does not fit
 _NOISE = 2.0  # by which another search makes places dearer
@@ -129,13 +128,7 @@ def _stops(course: Course, vehicle: Vehicle) -> Array:
     for number, gate in enumerate(gates):
         heading = gate.heading if gate.heading is not None else float(np.arctan2(along[number, 1], along[number, 0]))
         middles[number] -= _turned(*planned_place(gate, vehicle), heading)
-    stops = []
-    for gate, middle in zip(gates, middles, strict=True):
-        headed = gate.heading is not None and gate not in (course.start, course.finish)
-        ahead = _turned(_AHEAD, 0.0, gate.heading or 0.0)
-        # Two places lead through a gate in its direction.
-        stops += [middle - ahead, middle, middle + ahead] if headed else [middle]
-    return np.array(stops)
+    return middles
 
 
 def _half_widths(vehicle: Vehicle) -> tuple[float, float]:
