@@ -11,7 +11,7 @@ from time import perf_counter
 
 import pytest
 
-FILES = Path(__file__).parents[1] / "tests" / "data" / "measured"
+DATA = Path(__file__).parents[1] / "tests" / "data"
 
 
 def seconds(*arguments: str) -> float:
@@ -29,15 +29,16 @@ def import_of_build123d() -> float:
 @pytest.mark.parametrize(
     ("names", "limit"),
     [
-        (["lift_d"], 5.0),
-        (["profile_c"], 5.0),
-        (["transmission_a"], 5.0),
-        (["track_b"], 5.0),
+        (["lift_d"], 3.0),
+        (["profile_c"], 3.0),
+        (["transmission_a"], 3.0),
+        (["track_b"], 3.0),
+        (["track_b", "lift_d", "transmission_a"], 8.0),
         (["circles", "squares"], 30.0),
     ],
 )
 def test_command(benchmark, tmp_path, names, limit):
-    files = [str(FILES / f"{name}.csv") for name in names]
+    files = [str(DATA / "measured" / f"{name}.csv") for name in names]
     command = ["-c", "from cadgen.cli import main; main()", "calibrate", *files, "--out", str(tmp_path)]
     benchmark.pedantic(seconds, command, rounds=2)
     ratio = benchmark.stats["min"] / import_of_build123d()
