@@ -23,6 +23,8 @@ from cadgen.planner.rows import Rows
 from cadgen.planner.sensitivity import Sensitivity
 
 _SCALE = 1e3  # curvature in 1/m, so that all numbers of a programme are of one size
+# A programme takes some 500. Where next to nothing costs anything the dual simplex may turn in circles for ever.
+_MOST_PIVOTS = 20_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,8 +84,9 @@ def best_step(cost: Sensitivity, rows: list[Rows], penalty: float, step: float, 
         b_eq=np.zeros(len(fixed.matrix)) if len(fixed.matrix) else None,
         bounds=bounds,
         method="highs-ds",
+        options={"maxiter": _MOST_PIVOTS},
     )
-    if result.x is None:
+    if result.status != 0:
         raise ArithmeticError(str(result.message))
     return np.asarray(result.x[:points].reshape(2, -1).T), float(result.fun or 0.0)
 
