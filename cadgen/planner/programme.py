@@ -86,7 +86,7 @@ def best_step(cost: Sensitivity, rows: list[Rows], penalty: float, step: float, 
         method="highs-ds",
         options={"maxiter": _MOST_PIVOTS},
     )
-    if result.status != 0:
+    if result.status != 0 or result.x is None:
         raise ArithmeticError(str(result.message))
     return np.asarray(result.x[:points].reshape(2, -1).T), float(result.fun or 0.0)
 
