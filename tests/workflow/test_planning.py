@@ -136,3 +136,11 @@ def test_what_cannot_be_planned_is_refused_by_its_key(text, words):
 def test_a_distance_without_a_path_is_refused():
     with pytest.raises(DesignError, match="within_mm says how far a given path may be left"):
         Design.load().plan(within_mm=10)
+
+
+def test_a_post_on_the_start_is_refused():
+    text = SMALL.replace("at_mm = [2600.0, 50.0]", "at_mm = [10.0, 20.0]")
+    with pytest.raises(
+        DesignError, match=r"course\.posts\.1 stands on the car at its start, .*: move the post, or the start"
+    ):
+        Design.from_toml(text, train_only=True).plan()

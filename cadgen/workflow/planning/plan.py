@@ -4,8 +4,13 @@ from dataclasses import dataclass, replace
 from math import ceil, pi, radians
 from pathlib import Path
 
-from cadgen.build import gear_model
+import numpy as np
+
+from cadgen.build import cam_model, course_model, gear_model
 from cadgen.check import Check, CheckCode, failing
+from cadgen.course.body import place_of
+from cadgen.course.poses import Poses
+from cadgen.course.refuse import refuse_course
 from cadgen.design.load import design_of
 from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
@@ -100,6 +105,7 @@ def plan_design(
     Raises:
         DesignError: the design has no course or no start, or its values cannot be.
     """
+    _refuse_course(design)
     reserve, begin = Reserve(), None
     for number in range(_ROUNDS):
         progress("planning the path" if number == 0 else "planning on with what the checks ask for")
@@ -123,6 +129,19 @@ def plan_design(
             break
         reserve, begin = more, rounded(result.path.points)
     return path
+
+
+def _refuse_course(design: Design) -> None:
+    """Refuse a course on which the car cannot stand at its start, where the course says how it stands there."""
+    course, car = course_model.course(design), cam_model.car(design)
+    start = None if course is None else course.start
+    if course is None or start is None or start.heading is None or start.place.reach > course_model.STAND_RADIUS:
+        return
+    ahead = np.exp(1j * start.heading)
+    fork = complex(*start.place.points[0]) - complex(*place_of(start.point, car)) * ahead
+    still = np.zeros(2)
+    pose = Poses(fork=np.full(2, fork), heading=still + start.heading, steering=still, travel=still)
+    refuse_course(course, course_model.body(design), pose)
 
 
 def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
