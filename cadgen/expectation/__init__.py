@@ -4,7 +4,7 @@
 |--------------------|-------------------------------------------------------------------------------------------|
 | `outlook`          | where the car ends on the old cam, and on a new one made for what is claimed              |
 | `proposals`        | measurements that could be made, as the records that they would give                      |
-| `linear`           | what records say of all effects at once, in proportion                                    |
+| `linear`           | joint information of records on all effects, to first order                               |
 | `next_measurement` | which measurement brings the run nearest to its end on the next cam                       |
 | `predict`          | runs that were not used, predicted with what was found                                    |
 """

@@ -1,4 +1,4 @@
-"""Which measurement to make next: the one that most narrows where the run ends on the next cam.
+"""Ranking of measurements by how near to its planned end each is expected to bring the run on the next cam.
 
 What is known so far is a set of likely subsets of effects, each a normal distribution of their numbers; what no record
 could have shown yet lies as cars differ, and what the records would have shown is not there. A measurement that could

@@ -137,6 +137,23 @@ def _jets(path: PlannedPath, u: Array) -> tuple[Array, Array, Array, Array, Arra
     cross, cross1, cross2 = _cross(r1, r2), _cross(r1, r3), _cross(r2, r3) + _cross(r1, r4)
     straight = _straight(path, u, (r, r1, r2, r3, r4), (cross, cross1, cross2))
     cross, cross1, cross2 = (np.where(straight, 0.0, product) for product in (cross, cross1, cross2))
+    return r, r1 / speed[:, None], speed, *curvatures(speed, speed1, speed2, (cross, cross1, cross2))
+
+
+def curvatures(
+    speed: Array, speed1: Array, speed2: Array, crosses: tuple[Array, Array, Array]
+) -> tuple[Array, Array, Array]:
+    """Curvature with two derivatives by the arc length, shape (m,) each, 1/mm, 1/mm^2, 1/mm^3.
+
+    With k = r' x r'' / v^3, differentiated by the parameter and then by the arc length. Real or complex.
+
+    Args:
+        speed: v = |r'|, shape (m,), mm.
+        speed1: v', shape (m,), mm.
+        speed2: v'', shape (m,), mm.
+        crosses: r' x r'' and its two derivatives by the parameter, shape (m,) each, mm^2.
+    """
+    cross, cross1, cross2 = crosses
     k = cross / speed**3
     k_u = cross1 / speed**3 - 3 * k * speed1 / speed
     k_uu = (
@@ -145,9 +162,7 @@ def _jets(path: PlannedPath, u: Array) -> tuple[Array, Array, Array, Array, Arra
         - 3 * k_u * speed1 / speed
         - 3 * k * (speed2 / speed - speed1**2 / speed**2)
     )
-    k_s = k_u / speed
-    k_ss = (k_uu - k_u * speed1 / speed) / speed**2
-    return r, r1 / speed[:, None], speed, k, k_s, k_ss
+    return k, k_u / speed, (k_uu - k_u * speed1 / speed) / speed**2
 
 
 def _cross(a: Array, b: Array) -> Array:

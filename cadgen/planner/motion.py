@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.path.track import curvatures
 from cadgen.planner.basis import Places
 
 _STEP = 1e-30  # of a complex step, which has no rounding to trade against
@@ -107,16 +108,7 @@ def _quantities(jets: Array, offset: float) -> Array:
     rate = _dot(r1, r2) / speed
     bend = (_dot(r2, r2) + _dot(r1, r3) - rate**2) / speed
     cross, cross1, cross2 = _cross(r1, r2), _cross(r1, r3), _cross(r2, r3) + _cross(r1, r4)
-    k = cross / speed**3
-    k_u = cross1 / speed**3 - 3 * k * rate / speed
-    k_uu = (
-        cross2 / speed**3
-        - 3 * cross1 * rate / speed**4
-        - 3 * k_u * rate / speed
-        - 3 * k * (bend / speed - rate**2 / speed**2)
-    )
-    k_s = k_u / speed
-    k_ss = (k_uu - k_u * rate / speed) / speed**2
+    k, k_s, k_ss = curvatures(speed, rate, bend, (cross, cross1, cross2))
     shrink = 1.0 - offset * k
     return np.stack(
         [k / shrink, k_s / shrink**3, k_ss / shrink**4 + 3 * offset * k_s**2 / shrink**5, speed * shrink, speed]

@@ -208,7 +208,7 @@ def test_the_play_of_the_teeth_beside_discs_is_still_measured_in_the_file(tmp_pa
 
 
 def test_a_rim_that_is_not_in_the_file_is_found(tmp_path, discs):
-    """A disc of another size, or at another height, is not the one that the part should have."""
+    """A disc whose size or height differs from that of the part."""
     plan = plan_gears(load_train(discs))
     write_gears(plan, tmp_path, formats=["step"])
     file = tmp_path / "discs_as-given_3_wheel.step"
