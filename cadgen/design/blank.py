@@ -4,12 +4,12 @@ Walls against the profile need the profile, and are checked with it.
 """
 
 from math import hypot, pi, sin
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
 from cadgen.design.joint import Held
-from cadgen.design.section import Section
+from cadgen.design.section import Feature, Section, ZeroOrFeature
 from cadgen.errors import DesignError
 from cadgen.gears.fit_table import zones_of
 from cadgen.motion.friction import DiscMaterial
@@ -20,16 +20,16 @@ _WIDEST_SCREW = 0.998  # of the bore
 class Keyway(Section):
     """A keyway in the bore."""
 
-    width_mm: float = Field(gt=0, le=100, description="across the key; less than the bore's diameter")
-    depth_mm: float = Field(gt=0, le=50, description="from the bore's circle to the keyway's floor, along its middle")
+    width_mm: Feature = Field(le=100, description="across the key; less than the bore's diameter")
+    depth_mm: Feature = Field(le=50, description="from the bore's circle to the keyway's floor, along its middle")
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of its middle")
 
 
 class DFlat(Section):
     """A flat in the bore, for a D-shaft."""
 
-    across_mm: float = Field(
-        gt=0, le=200, description="from the flat to the bore's far side; more than half the bore's diameter"
+    across_mm: Feature = Field(
+        le=200, description="from the flat to the bore's far side; more than half the bore's diameter"
     )
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the flat's middle")
 
@@ -37,7 +37,7 @@ class DFlat(Section):
 class SetScrew(Section):
     """A radial hole through the hub's wall."""
 
-    hole_diameter_mm: float = Field(gt=0, le=50, description="of the hole to be tapped; less than the bore's diameter")
+    hole_diameter_mm: Feature = Field(le=50, description="of the hole to be tapped; less than the bore's diameter")
     height_mm: float = Field(gt=0, le=200, description="from the disc's face to the hole's axis")
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the hole")
 
@@ -45,8 +45,8 @@ class SetScrew(Section):
 class Hub(Section):
     """A round hub on one face of the disc."""
 
-    diameter_mm: float = Field(gt=0, le=500, description="outer; the bore and its keyway must fit inside")
-    length_mm: float = Field(gt=0, le=200, description="how far it stands out of the disc's face")
+    diameter_mm: Feature = Field(le=500, description="outer; the bore and its keyway must fit inside")
+    length_mm: Feature = Field(le=200, description="how far it stands out of the disc's face")
     side: Literal["outer", "inner"] = Field(
         default="outer", description="face that it stands on; the inner one is nearer to the fork"
     )
@@ -71,8 +71,8 @@ class Lightening(Section):
     """A ring of equal round holes."""
 
     holes: int = Field(ge=1, le=360, description="how many")
-    hole_diameter_mm: float = Field(gt=0, le=500, description="of each hole")
-    circle_diameter_mm: float = Field(gt=0, le=1000, description="of the circle that their centres lie on")
+    hole_diameter_mm: Feature = Field(le=500, description="of each hole")
+    circle_diameter_mm: Feature = Field(le=1000, description="of the circle that their centres lie on")
     angle_deg: float = Field(default=0.0, ge=-360, le=360, description="polar angle of the first hole")
 
     @model_validator(mode="after")
@@ -90,10 +90,9 @@ class Lightening(Section):
 class Blank(Held):
     """Features of the disc besides its profile. Polar angles are those of the profile."""
 
-    bore_diameter_mm: float = Field(default=8.0, gt=0, le=200, description="of the hole for the camshaft")
-    edge_break_mm: float | None = Field(
+    bore_diameter_mm: Feature = Field(default=8.0, le=200, description="of the hole for the camshaft")
+    edge_break_mm: Annotated[float | None, ZeroOrFeature()] = Field(
         default=None,
-        ge=0,
         le=20,
         description="leg of the 45° chamfer by which both edges of the outline (not those of bore and holes) are "
         "broken; the rod rides on the land between them, and the profile is made for that; left out, 0: sharp edges",

@@ -15,7 +15,7 @@ from cadgen.design.follower import Follower, section_of
 from cadgen.design.kinds import USUAL, Kinds
 from cadgen.design.path import Path, path_section
 from cadgen.design.schema import DesignFile
-from cadgen.design.section import OneOf, Section, listed
+from cadgen.design.section import OneOf, Section, ZeroOrFeature, listed
 from cadgen.design.stage import Stage, stage_section
 from cadgen.errors import escaped
 
@@ -226,12 +226,13 @@ def _choices_inside(annotation: Any) -> str:
 
 
 def _phrases(limits: Iterable[Any]) -> str:
-    return listed([phrase for limit in limits if (phrase := _phrase(limit))], "and")
+    from_below = sorted(limits, key=lambda limit: isinstance(limit, Lt | Le))
+    return listed([phrase for limit in from_below if (phrase := _phrase(limit))], "and")
 
 
 def _phrase(limit: Any) -> str:
     match limit:
-        case OneOf():
+        case OneOf() | ZeroOrFeature():
             return limit.allowed
         case MinLen(least):
             return f"{least} or more"

@@ -13,6 +13,8 @@ from cadgen.path import names
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
+LEAST_FEATURE_MM = 0.01  # no tool cuts a smaller one, and the CAD kernel takes points 1e-7 mm apart for one
+
 HERE = "{here}"  # in a message: the section that holds the keys, for one that several sections share
 
 Coordinate = Annotated[float, Ge(-FARTHEST_MM), Le(FARTHEST_MM)]
@@ -56,6 +58,25 @@ class OneOf:
             raise ValueError(f"{HERE} is {json.dumps(code[:80])}; it must be {self.allowed}")
         return code
 
+
+@dataclass(frozen=True)
+class ZeroOrFeature:
+    """A length of a feature, mm, that is 0 where there is none, and else one that can be made."""
+
+    allowed = f"0, or at least {LEAST_FEATURE_MM:g}"
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.no_info_after_validator_function(self._checked, handler(source))
+
+    def _checked(self, length: float | None) -> float | None:
+        if length and not length >= LEAST_FEATURE_MM:
+            raise ValueError(f"{HERE} is {length:g}; it must be {self.allowed}")
+        return length
+
+
+# Lengths of a feature that must be there, or may be 0; how long they may be stands at each key.
+Feature = Annotated[float, Ge(LEAST_FEATURE_MM)]
+FeatureOrNone = Annotated[float, ZeroOrFeature()]
 
 S = TypeVar("S", bound=Section)
 

@@ -10,7 +10,7 @@ from annotated_types import Gt, Le
 from pydantic import Field, Strict, create_model
 
 from cadgen.design.joint import Held
-from cadgen.design.section import Section, listed
+from cadgen.design.section import Feature, FeatureOrNone, Section, listed
 from cadgen.design.stage import StageItem, stage_kinds
 from cadgen.gears.names import Thinning
 
@@ -24,8 +24,8 @@ Lengths = Annotated[tuple[Annotated[float, Gt(0), Le(500)], ...], Strict(False)]
 class GearKeyway(Section):
     """A keyway in the bore, under a tooth of the larger gear."""
 
-    width_mm: float = Field(gt=0, le=100, description="b")
-    depth_mm: float = Field(gt=0, le=50, description="t2: bore and keyway span the bore's diameter and this")
+    width_mm: Feature = Field(le=100, description="b")
+    depth_mm: Feature = Field(le=50, description="t2: bore and keyway span the bore's diameter and this")
 
 
 class GearHub(Section):
@@ -36,25 +36,25 @@ class GearHub(Section):
     them.
     """
 
-    diameter_mm: float = Field(gt=0, le=1000, description="outer")
-    length_mm: float = Field(default=0.0, ge=0, le=200, description="how far it stands out of the face")
-    set_screw_mm: float = Field(
-        default=0.0, ge=0, le=50, description="diameter of a radial hole through it; 0 for none"
+    diameter_mm: Feature = Field(le=1000, description="outer")
+    length_mm: FeatureOrNone = Field(default=0.0, le=200, description="how far it stands out of the face")
+    set_screw_mm: FeatureOrNone = Field(
+        default=0.0, le=50, description="diameter of a radial hole through it; 0 for none"
     )
 
 
 class GearWeb(Section):
     """A thinner disc between hub and rim."""
 
-    thickness_mm: float = Field(gt=0, le=500, description="of the disc")
-    rim_mm: float = Field(gt=0, le=500, description="thickness of the rim under the teeth's root")
+    thickness_mm: Feature = Field(le=500, description="of the disc")
+    rim_mm: Feature = Field(le=500, description="thickness of the rim under the teeth's root")
 
 
 class GearLightening(Section):
     """A ring of equal round holes midway between rim and hub."""
 
     holes: int = Field(ge=1, le=360, description="how many")
-    hole_diameter_mm: float = Field(gt=0, le=500, description="of each hole")
+    hole_diameter_mm: Feature = Field(le=500, description="of each hole")
 
 
 class Blank(Held):
@@ -63,7 +63,7 @@ class Blank(Held):
     A joint on an intermediate shaft is that between its wheel and its pinion, which are one piece without it.
     """
 
-    bore_diameter_mm: float = Field(default=0.0, ge=0, le=500, description="of the hole for the shaft; 0 for none")
+    bore_diameter_mm: FeatureOrNone = Field(default=0.0, le=500, description="of the hole for the shaft; 0 for none")
     keyway: GearKeyway | None = None
     hub: GearHub | None = None
     web: GearWeb | None = None
@@ -121,7 +121,7 @@ class Train(Section):
 
     module_mm: float = Field(gt=0, le=10, description="m_n")
     pressure_angle_deg: float = Field(default=20.0, ge=10, le=35, description="alpha_n")
-    width_mm: float = Field(gt=0, le=500, description="b, face width")
+    width_mm: Feature = Field(le=500, description="b, face width")
     bearing_span_mm: float = Field(gt=0, le=5000, description="l, between the bearings of a shaft")
     bearing_clearance_um: float | None = Field(
         default=None,
@@ -146,7 +146,7 @@ class Train(Section):
     rack_tip_radius_factor: float = Field(
         default=0.38, gt=0, le=1, description="rho_fP*, of the basic rack, in modules"
     )
-    tip_chamfer_mm: float = Field(default=0.0, ge=0, le=10, description="leg of the chamfer at the tips; 0 for none")
+    tip_chamfer_mm: FeatureOrNone = Field(default=0.0, le=10, description="leg of the chamfer at the tips; 0 for none")
     pin_diameter_mm: float | None = Field(
         default=None, gt=0, le=50, description="D_M, of the pins for inspection; left out, one to suit each gear"
     )

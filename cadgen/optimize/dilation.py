@@ -159,7 +159,8 @@ def _tilt(lift: LiftCurve, theta: Array, height: Array, play: float, peak: float
     # The fall lasts as long as the dilation goes down; a rise before that hides the plateau or ends the fall.
     rises = np.flatnonzero(~plateau[1:] & (np.diff(wanted) > 0))
     falling = ~plateau & (np.arange(len(span)) <= (rises[0] if rises.size else len(span)))
-    if not falling.any() or np.abs(wanted[plateau] - top).max() > _LEVEL:
+    # A plateau between two samples, of a play far narrower than the rounding, needs no tilt.
+    if not (plateau.any() and falling.any()) or np.abs(wanted[plateau] - top).max() > _LEVEL:
         return
     depth = top - wanted[falling].min()
     # A fall that begins gently would stay lower for long: no more than half of what it falls over the play itself.

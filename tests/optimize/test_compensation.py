@@ -171,6 +171,17 @@ def test_no_play_changes_nothing(carbon_free_car):
     assert compensated_lift(carbon_free_car.lift, carbon_free_car.follower, 0.0) is carbon_free_car.lift
 
 
+@pytest.mark.parametrize("play_deg", [1e-9, 1e-3, 0.003, 0.01, 0.02])
+def test_a_play_narrower_than_the_rounding_costs_no_more_than_that(play_deg, carbon_free_car):
+    """Off by the dilation itself, slope times play, and by what a mean over 0.1 degrees to either side fills: s'' h^2/2."""
+    built, play = carbon_free_car, np.radians(play_deg)
+    mine = compensated_lift(built.lift, built.follower, play)
+    theta = np.linspace(0.0, built.lift.blend_start, 20001)
+    slope, curvature = (np.abs(built.lift.tan_beta(theta, order)).max() for order in (1, 2))
+    off = np.abs(mine.tan_beta(theta) - built.lift.tan_beta(theta)).max()
+    assert off < slope * play + curvature * np.radians(0.1) ** 2 / 2 + PLATEAU_FALL / built.follower.outer
+
+
 def test_refuses_what_is_no_play_or_plateau(carbon_free_car):
     built = carbon_free_car
     for play in (-0.01, float("nan")):
