@@ -37,6 +37,7 @@ The rooms, in walking order; each imports only those before it.
 | `solids`      | the only room that imports the CAD kernel                                 |
 | `export`      | one file per format, each with its read-back; manifest; publishing        |
 | `report`      | pictures, as PNG and SVG                                                  |
+| `drawing`     | drawings for a workshop: sheets as data, as DXF and as PDF                |
 | `workflow`    | one job from design to verified files                                     |
 | `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
 | `cli`         | the commands                                                              |
@@ -72,6 +73,7 @@ _HOMES = {
     "Web": "parts.features",
     "Written": "api.files",
     "WrittenFile": "api.files",
+    "draw": "api.drawing",
     "verify": "api.files",
 }
 
@@ -82,6 +84,7 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Calibration
     from cadgen.api.cam import Cam
     from cadgen.api.design import Design
+    from cadgen.api.drawing import draw
     from cadgen.api.files import Written, WrittenFile, verify
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
@@ -117,6 +120,7 @@ __all__ = [
     "Written",
     "WrittenFile",
     "__version__",
+    "draw",
     "verify",
 ]
 

@@ -7,6 +7,7 @@
 | `files`    | files of a job; comparison of a folder with its manifest                   |
 | `cam`      | a cam that has been computed: figures, picture, solid, files               |
 | `runs`     | runs with play, the methods against it, many cars within the tolerances    |
+| `drawing`  | drawings of cams and trains                                                |
 | `measured` | measured data, as files or as arrays                                       |
 | `gear`     | a gear by its numbers                                                      |
 | `gears`    | pairs and trains of gears, by their numbers or of a design                 |

@@ -7,6 +7,7 @@
 | `check`     | `cadgen check`: every figure of a cam, and nothing written         |
 | `cam`       | `cadgen cam`: a cam as verified files                              |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
+| `draw`      | `cadgen draw`: drawings for a workshop                             |
 | `simulate`  | `cadgen simulate`: the car's run with play                         |
 | `optimize`  | `cadgen optimize`: the methods against play                        |
 | `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
@@ -41,6 +42,7 @@ from cadgen.cli.adjust import adjust
 from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam
 from cadgen.cli.check import check
+from cadgen.cli.draw import draw
 from cadgen.cli.gears import gears
 from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
@@ -77,6 +79,7 @@ cli.add_command(plan)
 cli.add_command(cam)
 cli.add_command(check)
 cli.add_command(gears)
+cli.add_command(draw)
 cli.add_command(simulate)
 cli.add_command(optimize)
 cli.add_command(tolerance)

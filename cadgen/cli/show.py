@@ -158,3 +158,15 @@ def _number(value: float) -> str:
     if value != value or abs(value) == float("inf"):
         return "none" if value != value else "any"
     return f"{value:.3g}" if abs(value) < 1e-3 and value else f"{value:.3f}".rstrip("0").rstrip(".")
+
+
+def drawings(written: "Written", out: Path) -> None:
+    """Print each drawing with its sheet, and what else was written."""
+    table = plain_table(f"\n{out}{os.sep}")
+    table.add_column("file", overflow="fold")
+    for column in ("sheet", "scale", "dimensions"):
+        table.add_column(column, justify="right")
+    for name, facts in written.entry["files"].items():
+        count = len(facts["dimensions_mm"]) if "dimensions_mm" in facts else ""
+        table.add_row(name, facts.get("sheet", ""), facts.get("scale", ""), str(count))
+    Output().print(table)

@@ -10,6 +10,7 @@
 | `path`      | section of the path, with the keys of its kind                           |
 | `follower`  | section of the follower, with the keys of its kind                       |
 | `joint`     | what holds a wheel on its shaft                                          |
+| `drawing`   | section of the texts in title blocks                                     |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
 | `mechanics` | section of what turns the cam ahead of its gears, and what holds it      |
 | `as_built`  | sections of the car as it was built                                      |

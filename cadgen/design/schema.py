@@ -16,6 +16,7 @@ from cadgen.course.names import Side
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
 from cadgen.design.course import Course
+from cadgen.design.drawing import DrawingText
 from cadgen.design.follower import Follower, by_kind
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
@@ -221,6 +222,7 @@ class TrainFile(Section):
     mechanics: Mechanics | None = None
     tolerances: Tolerances = Tolerances()
     optimize: Optimize = Optimize()
+    drawing: DrawingText | None = None
     as_built: AsBuilt | None = None
 
     @field_validator("path", mode="wrap")

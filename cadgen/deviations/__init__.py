@@ -15,5 +15,6 @@
 | `friction`     | what effects of sliding friction share                                          |
 | `usual`        | how much cars differ in what nobody has measured                                |
 | `catalogue`    | the effects of each kind of data, by the names that design files give them      |
+| `edges`        | cost at the finish of edges broken more than designed                            |
 | `as_built`     | the car with its effects: what becomes of a disc, and what to cut for it        |
 """

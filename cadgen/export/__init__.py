@@ -4,6 +4,7 @@
 |----------------|-----------------------------------------------------------------------------|
 | `mesh`         | STL and 3MF                                                                 |
 | `dxf`          | the outline as arcs or as splines, for laser, wire EDM and CAD                |
+| `gear_outline` | the teeth of a gear as splines in DXF                                        |
 | `gcode`        | the milling program                                                          |
 | `gcode_reader` | an interpreter of milling programs, and the outline that the cutter leaves  |
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |

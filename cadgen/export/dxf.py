@@ -28,18 +28,18 @@ _GAP_MM = 1e-9  # between the end of a spline and the begin of the next, which a
 
 
 def write_dxf(
-    path: Path, profile: Contour | Sequence[SplineArc], bore: Contour, holes: Sequence[Contour], note: str = ""
+    path: Path, profile: Contour | Sequence[SplineArc], bore: Contour | None, holes: Sequence[Contour], note: str = ""
 ) -> None:
     """Write a drawing of the disc, each kind of contour on its own layer; equal input gives equal bytes.
 
     Args:
         path: file to write.
         profile: chain of arcs, which becomes one closed LWPOLYLINE, or splines end to end, each a SPLINE; mm.
-        bore: bore with its keyway or flat, mm.
+        bore: bore with its keyway or flat, mm; None for a part without.
         holes: lightening holes, mm.
         note: line of text under the outline, on a layer of its own that is not plotted; none if empty.
     """
-    with _fixed_dates():
+    with fixed_dates():
         drawing = ezdxf.new("R2000", units=_MM)
         for name, color in _COLORS.items():
             drawing.layers.add(name, color=color)
@@ -53,7 +53,8 @@ def write_dxf(
                 spline.control_points = np.pad(arc.control_points, ((0, 0), (0, 1)))
                 spline.knots = arc.knots
             points = np.concatenate([arc.control_points for arc in profile])
-        _add(space, bore, BORE)
+        if bore is not None:
+            _add(space, bore, BORE)
         for hole in holes:
             _add(space, hole, HOLES)
         if note:
@@ -75,7 +76,7 @@ def _add(space: Modelspace, contour: Contour, layer: str) -> None:
 
 
 @contextmanager
-def _fixed_dates() -> Iterator[None]:
+def fixed_dates() -> Iterator[None]:
     """Let ezdxf write the same dates and identifiers every time."""
     before = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True

@@ -8,6 +8,7 @@
 | `content`      | a mesh measured: closed or not, its bodies, volume, and the rim of a disc       |
 | `teeth`        | play and clearances of two gears, measured on their sections, without formulas  |
 | `train_checks` | the checks of a gear train: teeth in mesh, and parts at rest                    |
+| `train_made`   | play -> thinned teeth, layout, inspection and measured mesh                      |
 
 Only this room imports manifold3d. It uses neither the CAD kernel nor files.
 """

@@ -13,8 +13,8 @@ from cadgen.cam.followers.rod_checks import CHAMFER_LEAN
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.curves.closed import left_normal
 from cadgen.deviations.as_built import AS_DESIGNED
+from cadgen.deviations.edges import edges_check
 from cadgen.parts.blank import Blank
-from cadgen.workflow.cam.edges import edges_check
 
 STEP = 4e-3  # mm between points: a rod of 2.5 mm then rests within 1e-6 mm
 THETA = np.radians(np.arange(1.3, 348, 3.1))

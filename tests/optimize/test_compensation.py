@@ -173,7 +173,7 @@ def test_no_play_changes_nothing(carbon_free_car):
 
 @pytest.mark.parametrize("play_deg", [1e-9, 1e-3, 0.003, 0.01, 0.02])
 def test_a_play_narrower_than_the_rounding_costs_no_more_than_that(play_deg, carbon_free_car):
-    """Off by the dilation itself, slope times play, and by what a mean over 0.1 degrees to either side fills: s'' h^2/2."""
+    """Off by the dilation itself, slope times play, and by what a mean over 0.1 degrees fills: s'' h^2/2."""
     built, play = carbon_free_car, np.radians(play_deg)
     mine = compensated_lift(built.lift, built.follower, play)
     theta = np.linspace(0.0, built.lift.blend_start, 20001)

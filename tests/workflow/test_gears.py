@@ -193,7 +193,7 @@ def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(mo
         wrong = layout.train.stages[0].driver.form.teeth in failing
         return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, "max"),)
 
-    monkeypatch.setattr("cadgen.workflow.gears.made.gear_checks", judge)
+    monkeypatch.setattr("cadgen.meshes.train_made.gear_checks", judge)
     design = load_design()
     best = plan_gears(design, "reordered")
     assert (best.play, best.skipped, best.passed) == (best.ranked[0], (), True)

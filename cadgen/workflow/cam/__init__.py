@@ -10,7 +10,6 @@
 | `play`      | design with play -> the profile that is best against it, with the reasons |
 | `mechanics` | effect of friction and drag on a cam, in checks and words                 |
 | `remedies`  | other remedies against play, on one sheet                                 |
-| `edges`     | cost at the finish of edges broken more than designed                     |
 | `as_built`  | deviations of the car as built, in words                                  |
 | `wheel`     | the drive wheel that a cam is for, and the closing blend on the path      |
 | `course`    | the planned run and those with play, held against the course              |

@@ -14,6 +14,7 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.turned import turned
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
+from cadgen.deviations.edges import edges_check
 from cadgen.errors import DesignError
 from cadgen.optimize.evaluate import evaluate
 from cadgen.optimize.profiles.actual import ACTUAL
@@ -28,7 +29,6 @@ from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains, task
 from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
-from cadgen.workflow.cam.edges import edges_check
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
 from cadgen.workflow.cam.wheel import DriveWheel, drive_wheel

@@ -2,7 +2,6 @@
 
 | module    | what it holds                                                        |
 |-----------|----------------------------------------------------------------------|
-| `made`    | play -> thinned teeth, layout, inspection and measured mesh          |
 | `plan`    | design -> play, order, and the train that is made                    |
 | `facts`   | a planned train -> plain values for manifest, table and machines     |
 | `files`   | a checked train -> files, read back, measured, on record             |

@@ -20,11 +20,11 @@ from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.stage import Wheel
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, TrainPlay, train_play
+from cadgen.meshes.train_made import MadeTrain, make_train
 from cadgen.parts.blank import Blank
 from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import checks_facts, parts_facts, return_error, stages_facts
 from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, publish, tooth_errors, write_stl
-from cadgen.workflow.gears.made import MadeTrain, make_train
 
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Part

@@ -18,8 +18,8 @@ from cadgen.gears.search import TrainSearch, arrange
 from cadgen.gears.stage import Departure, Stage, Wheel
 from cadgen.gears.train import Train, TrainPlay, teeth_of, train_play
 from cadgen.meshes.train_checks import failing_stages
+from cadgen.meshes.train_made import MadeTrain, make_train
 from cadgen.progress import Progress, silent
-from cadgen.workflow.gears.made import MadeTrain, make_train
 
 # If none of the trains that a search reports can be made, so many of those whose gears fit their blanks are tried.
 DEPTHS = (100, 1000, 4000)

@@ -1,0 +1,62 @@
+"""Drawings for a workshop: of a cam, of a gear train, of the plate for its axes."""
+
+from os import PathLike
+from typing import TYPE_CHECKING
+
+from cadgen.api.files import Written, folder_of, refusal
+from cadgen.errors import CheckError, DesignError
+from cadgen.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from cadgen.api.cam import Cam
+    from cadgen.api.gears import GearTrain
+
+
+def draw(
+    folder: str | PathLike[str],
+    *,
+    cam: "Cam | None" = None,
+    train: "GearTrain | None" = None,
+    force: bool = False,
+    progress: Progress = silent,
+) -> Written:
+    """Draw a cam, a gear train, or both, as DXF and PDF; read all back, and publish all together or none.
+
+    A drawing names the files of the same part in the folder by their hashes: write these first.
+
+    Args:
+        folder: folder for the files; it is made if need be.
+        cam: cam to draw, with a form for its inspection, which `Design.calibrate` reads once it is filled in.
+        train: train to draw: every part, the outline of every gear as DXF, and the plate that holds the axes.
+        force: whether drawings are made even if a check fails.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: there is neither a cam nor a train, or they are of two designs.
+        CheckError: a check of the cam or of the train fails.
+        FileError: a file cannot be written, or holds something else when it is read back.
+
+    Example:
+        >>> from cadgen import Design, draw
+        >>> design = Design.load("carbon_free_car")
+        >>> draw("exports", cam=design.cam(), train=design.gears())  # doctest: +SKIP
+    """
+    from cadgen.workflow.drawing.files import Parts, write_drawings
+
+    place = folder_of(folder)
+    designs = [part.computed.design for part in (cam, train) if part is not None]
+    if not designs:
+        raise DesignError("there is nothing to draw: give cam, train, or both")
+    if len({design.content_hash for design in designs}) > 1:
+        raise DesignError("cam and train are of two designs: take both from the same Design")
+    failed = [check for part in (cam, train) if part is not None for check in part.checks if not check.passed]
+    if failed and not force:
+        raise CheckError(refusal(failed))
+    parts = Parts(
+        name=designs[0].name,
+        design_hash=designs[0].content_hash,
+        cam=None if cam is None else cam.computed,
+        train=None if train is None else train.plan,
+    )
+    written = write_drawings(parts, place, progress)
+    return Written.of(place, written.part, written.entry)

@@ -1,0 +1,299 @@
+"""A sheet as data: views with curves and dimensions, tables, notes, a title. Paper and part are in mm."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from textwrap import wrap
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.curves.contour import Contour, circle
+
+SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}  # landscape, ISO 5457
+SCALES = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1)  # ISO 5455
+LEFT, EDGE = 20.0, 10.0  # between paper and frame: where it is filed, and elsewhere
+TITLE_SIZE = (170.0, 40.0)
+ROW = 4.2  # height of a row of a table or of a note
+TEXT = 2.5  # height of letters
+DIAMETER = "Ø"  # as ezdxf writes it
+_LETTER = 0.72  # mean width of a letter of a sentence in heights, with its gap
+WIDEST = 0.86  # the same of names with digits and underscores
+
+
+class Line(StrEnum):
+    """Kinds of line (ISO 128), which are the layers of the DXF."""
+
+    VISIBLE = "VISIBLE"
+    THIN = "THIN"
+    CENTRE = "CENTRE"
+    PHANTOM = "PHANTOM"
+    HATCH = "HATCH"
+    DIMENSION = "DIMENSION"
+    TEXT = "TEXT"
+    FRAME = "FRAME"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Closed:
+    """Closed curve of lines and arcs, mm on the part."""
+
+    contour: Contour
+    line: Line = Line.VISIBLE
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stroke:
+    """Open polyline.
+
+    Attributes:
+        points: corners, shape (n, 2), mm on the part.
+        line: kind of line.
+    """
+
+    points: Array
+    line: Line = Line.VISIBLE
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Hatch:
+    """Area of material that is cut.
+
+    Attributes:
+        outside: corners of its outline, shape (n, 2), mm on the part.
+        holes: corners of each hole in it.
+    """
+
+    outside: Array
+    holes: tuple[Array, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Linear:
+    """Dimension between two points.
+
+    Attributes:
+        name: what is dimensioned, by which a test finds it again.
+        start: first point, mm on the part.
+        end: second point.
+        at: a point of the dimension line.
+        angle: direction that is measured, degrees.
+        prefix: text before the number.
+        suffix: text after it.
+    """
+
+    name: str
+    start: tuple[float, float]
+    end: tuple[float, float]
+    at: tuple[float, float]
+    angle: float = 0.0
+    prefix: str = ""
+    suffix: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Diameter:
+    """Diameter of a circle, written outside at the end of its dimension line.
+
+    Attributes:
+        name: what is dimensioned.
+        centre: centre of the circle, mm on the part.
+        diameter: diameter, mm.
+        angle: direction of the dimension line, degrees.
+        prefix: text before the sign and the number, such as `6 x `.
+        suffix: text after it, such as a fit.
+    """
+
+    name: str
+    centre: tuple[float, float]
+    diameter: float
+    angle: float = 45.0
+    prefix: str = ""
+    suffix: str = ""
+
+
+Dimension = Linear | Diameter
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Label:
+    """Text beside a place of the part.
+
+    Attributes:
+        text: what stands there.
+        at: place of its middle, mm on the part.
+        height: height of the letters, mm on paper.
+    """
+
+    text: str
+    at: tuple[float, float]
+    height: float = TEXT
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class View:
+    """A view of the part.
+
+    Attributes:
+        place: where the origin of the part's coordinates lies on the paper, mm.
+        curves: closed curves and strokes.
+        hatches: cut material.
+        dimensions: dimensions.
+        labels: texts.
+    """
+
+    place: tuple[float, float]
+    curves: tuple[Closed | Stroke, ...]
+    hatches: tuple[Hatch, ...] = ()
+    dimensions: tuple[Dimension, ...] = ()
+    labels: tuple[Label, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Table:
+    """Table with a heading.
+
+    Attributes:
+        title: heading.
+        at: upper left corner on the paper, mm.
+        widths: widths of the columns, mm.
+        rows: cells of each row; the first row names the columns where `headed` is true.
+        headed: whether the first row names the columns.
+    """
+
+    title: str
+    at: tuple[float, float]
+    widths: tuple[float, ...]
+    rows: tuple[tuple[str, ...], ...]
+    headed: bool = True
+
+    @property
+    def height(self) -> float:
+        """Height with the heading, mm."""
+        return (len(self.rows) + 1) * ROW
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Title:
+    """Title block (ISO 7200).
+
+    Attributes:
+        part: name of the part.
+        title: title of the machine, from `drawing.title` or the design's name.
+        material: material; empty if the design has none.
+        finish: finish; empty if the design has none.
+        quantity: how many are made.
+        date: date of the manifest, or of the drawing, ISO 8601.
+        design: name and hash of the design.
+        number: number of the drawing: the stem of its files.
+    """
+
+    part: str
+    title: str
+    material: str
+    finish: str
+    quantity: int
+    date: str
+    design: str
+    number: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Drawing:
+    """Everything on a sheet.
+
+    Attributes:
+        size: `A4` or `A3`.
+        scale: mm on paper for a mm of the part.
+        title: title block.
+        views: views of the part.
+        tables: tables.
+        notes: sentences for the shop, each a line.
+        notes_at: upper left corner of the notes, mm.
+    """
+
+    size: str
+    scale: float
+    title: Title
+    views: tuple[View, ...]
+    tables: tuple[Table, ...]
+    notes: tuple[str, ...]
+    notes_at: tuple[float, float]
+
+    @property
+    def dimensions(self) -> dict[str, float]:
+        """Length of every dimension by its name, mm on the part."""
+        every = [dimension for view in self.views for dimension in view.dimensions]
+        return {dimension.name: length_of(dimension) for dimension in every}
+
+
+def length_of(dimension: Dimension) -> float:
+    """Length that a dimension states, mm on the part."""
+    if isinstance(dimension, Diameter):
+        return dimension.diameter
+    along = np.array([np.cos(np.radians(dimension.angle)), np.sin(np.radians(dimension.angle))])
+    return abs(float((np.array(dimension.end) - np.array(dimension.start)) @ along))
+
+
+def ring(diameter: float, line: Line = Line.VISIBLE, centre: tuple[float, float] = (0.0, 0.0)) -> Closed:
+    """Circle of a diameter, mm."""
+    return Closed(circle(centre, diameter / 2), line)
+
+
+def centre_cross(reach: float, centre: tuple[float, float] = (0.0, 0.0), angle: float = 0.0) -> tuple[Stroke, Stroke]:
+    """Two centre lines through a point, `reach` mm to either side, the first in the direction `angle` (rad)."""
+    along = np.array([np.cos(angle), np.sin(angle)])
+    across = np.array([-along[1], along[0]])
+    first, second = (np.array([centre - reach * way, centre + reach * way]) for way in (along, across))
+    return Stroke(first, Line.CENTRE), Stroke(second, Line.CENTRE)
+
+
+def chosen_scale(part: tuple[float, float], room: tuple[float, float], greatest: float = 5.0) -> float | None:
+    """Greatest scale of `SCALES`, up to `greatest`, at which a part of some width and height (mm) has room on paper."""
+    fitting = (
+        scale
+        for scale in SCALES
+        if scale <= greatest and all(scale * length <= space for length, space in zip(part, room, strict=True))
+    )
+    return next(fitting, None)
+
+
+def shown(number: float, digits: int = 3) -> str:
+    """A number as on a drawing: without zeros at its end."""
+    text = f"{number:.{digits}f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def scale_text(scale: float) -> str:
+    """A scale as it is written: `2:1`, `1:1`, `1:2`."""
+    return f"{scale:g}:1" if scale >= 1 else f"1:{1 / scale:g}"
+
+
+def rows_of(values: Sequence[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
+    """Rows of a table of names and values, those with an empty value left out."""
+    return tuple((name, value) for name, value in values if value)
+
+
+def wrapped(notes: Sequence[str], width: float) -> tuple[str, ...]:
+    """Notes as lines that a column of a width (mm) holds; what follows the first line of a note is indented."""
+    letters = int(width / (_LETTER * TEXT))
+    return tuple(line for note in notes for line in wrap(note, letters, subsequent_indent="   "))
+
+
+def chosen_sheet(
+    part: tuple[float, float], beside: tuple[float, float], good: float, greatest: float
+) -> tuple[str, float]:
+    """Size and scale of the sheet for a part: A4 where it is shown there as large as is `good`, else the larger scale.
+
+    Args:
+        part: width and height of the views at 1:1, without what is between them, mm.
+        beside: width and height on paper for everything else within the frame, mm.
+        good: scale that A4 suffices for.
+        greatest: greatest scale.
+    """
+    scales = {}
+    for size, (width, height) in SIZES.items():
+        room = (width - LEFT - EDGE - beside[0], height - 2 * EDGE - beside[1])
+        scales[size] = chosen_scale(part, room, greatest) or SCALES[-1]
+    size = "A4" if scales["A4"] >= min(good, scales["A3"]) else "A3"
+    return size, scales[size]

@@ -1,0 +1,91 @@
+"""Title blocks, and the files of a folder that a drawing refers to."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from cadgen.design.drawing import DrawingText
+from cadgen.design.schema import DesignFile, TrainFile
+from cadgen.drawing.sheet import Title
+from cadgen.errors import FileError
+from cadgen.export.manifest import NAME, sound_parts
+
+_HASH = 12  # letters of a design's hash in a title block
+
+
+@dataclass(frozen=True)
+class Folder:
+    """State of a folder before its drawings are made.
+
+    Attributes:
+        parts: entries of its manifest by their names.
+        date: day on which the manifest was written, or today, ISO 8601; by SOURCE_DATE_EPOCH where that is set.
+    """
+
+    parts: Mapping[str, Any]
+    date: str
+
+    @classmethod
+    def at(cls, folder: Path) -> "Folder":
+        """State of a folder, which need not exist.
+
+        Raises:
+            FileError: SOURCE_DATE_EPOCH is no number of seconds.
+        """
+        manifest = folder / NAME
+        parts = sound_parts(manifest)
+        stated = os.environ.get("SOURCE_DATE_EPOCH")
+        try:
+            if stated is not None:
+                moment = datetime.fromtimestamp(int(stated), UTC)
+            elif parts:
+                moment = datetime.fromtimestamp(manifest.stat().st_mtime, UTC)
+            else:
+                moment = datetime.now(UTC)
+        except (ValueError, OverflowError, OSError):
+            raise FileError(f"SOURCE_DATE_EPOCH is {stated!r}; it must be a number of seconds since 1970") from None
+        return cls(parts, moment.date().isoformat())
+
+    def files(self, stem: str, design_hash: str, endings: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
+        """Name and hash of the files of a design whose names begin with `stem` and end as stated.
+
+        Args:
+            stem: what the names begin with.
+            design_hash: hash of the design that they must be of.
+            endings: endings of names, in the order in which the files are named.
+        """
+        listed = {
+            name: facts["sha256"]
+            for entry in self.parts.values()
+            if entry.get("design_sha256") == design_hash
+            for name, facts in entry["files"].items()
+        }
+        named = (f"{stem}{ending}" for ending in endings)
+        return tuple((name, listed[name]) for name in named if name in listed)
+
+
+def title_of(design: DesignFile | TrainFile, part: str, material: str, number: str, folder: Folder) -> Title:
+    """Title block of a part's sheet."""
+    text = design.drawing or DrawingText()
+    return Title(
+        part=part,
+        title=text.title or design.name,
+        material=material,
+        finish=text.finish or "",
+        quantity=text.quantity,
+        date=folder.date,
+        design=f"{design.name} {_hash_of(design)[:_HASH]}",
+        number=number,
+    )
+
+
+def _hash_of(design: Any) -> str:
+    return str(design.content_hash)
+
+
+def bore_class(fit: str | None) -> str:
+    """Tolerance class of a bore from its fit: `H7` of `H7/g6`; empty without a fit."""
+    return fit.partition("/")[0].strip() if fit else ""

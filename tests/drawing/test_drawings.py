@@ -1,0 +1,204 @@
+"""Drawings: each dimension is that of the solid in the STEP file, measured by the CAD kernel on its faces."""
+
+import csv
+import json
+from math import hypot
+
+import numpy as np
+import pytest
+import trimesh
+
+from cadgen import Design, draw
+from cadgen.drawing.dxf import read_dimensions
+from cadgen.errors import CheckError, DesignError, FileError
+
+CLOSE = 1e-4  # mm
+
+
+def measured(solid) -> dict[str, set[float]]:
+    """Diameters of the cylinders on the axis and beside it, of the circle of those beside, gaps of parallel planes."""
+    from build123d import GeomType
+
+    on_axis, beside, circle = set(), set(), set()
+    planes = []
+    for face in solid.faces():
+        if face.geom_type == GeomType.CYLINDER:
+            place = face.axis_of_rotation.position
+            away = hypot(place.X, place.Y)
+            (on_axis if away < 1e-6 else beside).add(2 * face.radius)
+            if away > 1e-6:
+                circle.add(2 * away)
+        elif face.geom_type == GeomType.PLANE:
+            normal, point = face.normal_at(), face.center()
+            planes.append((np.array([*normal]), np.array([*point])))
+    gaps = {abs(float((b - a) @ n)) for n, a in planes for m, b in planes if abs(abs(float(n @ m)) - 1) < 1e-9}
+    corners = [hypot(vertex.X, vertex.Y) for vertex in solid.vertices()]
+    floors = {abs(float(n @ a)) for n, a in planes if abs(n[2]) < 1e-9}
+    return {
+        "on the axis": on_axis,
+        "beside": beside,
+        "circle": circle,
+        "gap": gaps,
+        "floor": {floor + bore / 2 for floor in floors for bore in on_axis},
+        "corner": {2 * corner for corner in corners},
+    }
+
+
+WHERE = {
+    "bore": "on the axis",
+    "hub diameter": "on the axis",
+    "collar diameter": "on the axis",
+    "recess diameter": "on the axis",
+    "hole": "beside",
+    "circle of holes": "circle",
+    "keyway width": "gap",
+    "thickness": "gap",
+    "hub length": "gap",
+    "length": "gap",
+    "web thickness": "gap",
+    "bore and keyway": "floor",
+    "across the flat": "floor",
+}
+
+
+def agree(dimensions: dict[str, float], solid) -> None:
+    found = measured(solid)
+    assert dimensions
+    for name, length in dimensions.items():
+        kind = WHERE.get(name) or ("corner" if name.startswith("tip diameter") else "gap")
+        assert min(abs(length - other) for other in found[kind]) < CLOSE, (name, length, sorted(found[kind]))
+
+
+@pytest.fixture(scope="module")
+def design():
+    return Design.load("carbon_free_car")
+
+
+@pytest.fixture(scope="module")
+def cam(design):
+    return design.cam("actual")
+
+
+@pytest.fixture(scope="module")
+def train(design):
+    return design.gears()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, cam, train):
+    out = tmp_path_factory.mktemp("drawings")
+    cam.write(out, ["dxf"])
+    draw(out, cam=cam, train=train)
+    return out
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {
+            "blank.hub": {"diameter_mm": 24.0, "length_mm": 10.0, "side": "inner"},
+            "blank.keyway": None,
+            "blank.d_flat": {"across_mm": 7.2, "angle_deg": 40.0},
+            "blank.lightening.holes": 1,
+        },
+    ],
+)
+def test_the_dimensions_of_a_cam_are_those_of_its_step_file(changes, design, tmp_path):
+    from build123d import import_step
+
+    cam = design.with_(changes).cam("actual")
+    (step,) = cam.write(tmp_path, ["step"])
+    drawn = draw(tmp_path, cam=cam)
+    (sheet,) = [file for file in drawn if file.name.endswith("drawing.dxf")]
+    agree(read_dimensions(sheet.path), import_step(str(step.path)))
+
+
+@pytest.mark.slow
+def test_the_dimensions_of_gears_are_those_of_their_step_files(folder, train, tmp_path):
+    from build123d import import_step
+
+    from cadgen.solids.step import step_bytes
+    from cadgen.solids.train import train_parts
+
+    plan = train.computed
+    for part in train_parts(plan.layout, plan.stem, plan.description)[1::2]:  # a cluster, and the keyed wheel
+        step = tmp_path / f"{part.name}.step"
+        step.write_bytes(step_bytes(part))
+        agree(read_dimensions(folder / f"{part.name}_drawing.dxf"), import_step(str(step)))
+
+
+@pytest.mark.slow
+def test_the_plate_has_the_axes_of_the_train(folder, train):
+    lengths = read_dimensions(folder / f"{train.computed.stem}_plate_drawing.dxf")
+    apart = [stage["centre_distance_mm"] for stage in train.facts()["stages"]]
+    assert [lengths[f"axes {n} and {n + 1}"] for n in (1, 2, 3)] == pytest.approx(apart, abs=1e-9)
+
+
+@pytest.mark.slow
+def test_another_reader_sees_the_sheet_and_the_outlines(folder):
+    """trimesh reads lines, arcs and circles by code of its own: the gear's outline is closed and has the tips' size."""
+    for file in folder.glob("*_drawing.dxf"):
+        assert len(trimesh.load_path(file).entities) > 40
+    outline = trimesh.load_path(folder / "carbon_free_car_as-given_1_pinion_outline.dxf")
+    reach = np.linalg.norm(np.concatenate([entity.discrete(outline.vertices) for entity in outline.entities]), axis=1)
+    assert reach.max() == pytest.approx(8.0, abs=1e-3)
+
+
+@pytest.mark.slow
+def test_the_sheet_names_the_files_by_their_hashes(folder, cam):
+    import ezdxf
+
+    parts = json.loads((folder / "manifest.json").read_text())["parts"]
+    listed = {name: facts["sha256"] for part in parts.values() for name, facts in part["files"].items()}
+    sheet = ezdxf.readfile(folder / "carbon_free_car_actual_drawing.dxf")
+    texts = " ".join(text.dxf.text for text in sheet.modelspace().query("TEXT"))
+    name = "carbon_free_car_actual_spline.dxf"
+    assert name in texts
+    assert listed[name][:16] in texts
+    assert "none lies in this folder" not in texts
+    assert cam.computed.design.content_hash[:12] in texts
+
+
+@pytest.mark.slow
+def test_equal_designs_give_equal_bytes(folder, cam, tmp_path, monkeypatch):
+    """But for the day: that of the first folder's manifest, here stated."""
+    parts = json.loads((folder / "manifest.json").read_text())["parts"]
+    date = parts["carbon_free_car_drawings"]["date"]
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", str(int(np.datetime64(date, "s").astype(int))))
+    cam.write(tmp_path, ["dxf"])
+    written = draw(tmp_path, cam=cam)
+    assert len(written) == 3
+    for file in written:
+        assert file.path.read_bytes() == (folder / file.name).read_bytes(), file.name
+
+
+@pytest.mark.slow
+def test_a_filled_form_is_read_by_calibrate_and_an_empty_one_is_refused(folder, cam, design, tmp_path):
+    form = folder / "carbon_free_car_actual_inspection.csv"
+    lines = form.read_text().splitlines()
+    remarks = [line for line in lines if line.startswith("#")]
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    noise = np.random.default_rng(5).normal(0.0, 0.004, len(rows))
+    for row, off in zip(rows, noise, strict=True):
+        row["lift_mm"] = f"{float(cam.lift(np.radians(float(row['cam_angle_deg'])))) + off:.4f}"
+    filled = tmp_path / "filled.csv"
+    filled.write_text("\n".join([*remarks, ",".join(rows[0]), *(",".join(row.values()) for row in rows)]) + "\n")
+    result = design.calibrate([filled], profile="actual")
+    assert not result.effects
+    with pytest.raises(FileError, match="lift_mm"):
+        design.calibrate([form], profile="actual")
+
+
+@pytest.mark.slow
+def test_what_cannot_be_drawn_is_said(design, cam, train, tmp_path):
+    with pytest.raises(DesignError, match="nothing to draw"):
+        draw(tmp_path)
+    with pytest.raises(DesignError, match="two designs"):
+        draw(tmp_path, cam=cam, train=design.with_({"train.width_mm": 6.0}).gears())
+    bad = design.with_({"checks.min_wall_mm": 50.0}).cam("actual")
+    with pytest.raises(CheckError, match="thinnest wall"):
+        draw(tmp_path, cam=bad)
+    assert not list(tmp_path.iterdir())
+    assert draw(tmp_path, cam=bad, force=True)
