@@ -20,6 +20,7 @@ def field():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_cars_end_near_after_two_trial_runs(field):
     """Six of the study's cars, which docs/studies/adjust.md has by the hundred."""
     results = [case(field, 7, number) for number in range(CARS)]
@@ -55,6 +56,7 @@ def test_a_car_as_designed_is_left_alone(field):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_command_says_what_to_set(forks, tmp_path):
     trial = Path(__file__).parents[2] / "docs" / "tutorial" / "trial_1.csv"
     result = forks.run(MAIN, "adjust", str(trial), "--out", "out", cwd=tmp_path)

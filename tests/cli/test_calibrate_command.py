@@ -183,6 +183,7 @@ def test_one_run_names_nothing(cadgen, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_wrong_design_is_said_to_be_wrong(cadgen):
     facts = json.loads(cadgen("calibrate", "appendix_car", str(MEASURED / "track_c.csv"), "--json", code=0).stdout)
     (track,) = facts["records"]

@@ -76,6 +76,7 @@ def forced(forks, tmp_path_factory):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_same_design_gives_the_same_bytes(forced, cadgen, tmp_path):
     folder, _ = forced
     cadgen("gears", *JAMMING, "--force", "--out", "out", code=0, fresh=True)

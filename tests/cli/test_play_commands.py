@@ -17,6 +17,7 @@ STRAIGHT = SQUARE_TURN.replace("[2000, 300]", "[2000, 0]") + PLAY
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_simulate_writes_tracks_and_pictures_that_are_what_they_claim(cadgen, tmp_path):
     result = cadgen("simulate", "--play-deg", "0.962", "--out", "a", code=0, fresh=True)
     print(result.stdout)
@@ -60,6 +61,7 @@ def test_optimize_compares_alone_and_combined_and_writes_nothing(cadgen, tmp_pat
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_optimize_draws_on_request(cadgen, tmp_path):
     part = json.loads(cadgen("optimize", "--set", "optimize.order=reordered", "--json", "--out", "p", code=0).stdout)
     assert part["play"]["after"]["train"] == "reordered"
@@ -75,6 +77,7 @@ def test_optimize_draws_on_request(cadgen, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_optimize_fails_if_even_the_best_profile_fails_a_check(cadgen):
     result = cadgen("optimize", "appendix_car", code=1)
     words = " ".join(result.stdout.split())
@@ -85,6 +88,7 @@ def test_optimize_fails_if_even_the_best_profile_fails_a_check(cadgen):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_predictions_on_a_failing_profile_say_so(cadgen):
     for command in (("simulate", "--profile", "smoothed", "--out", "s"), ("tolerance", "--profile", "actual")):
         more = ("--samples", "100") if command[0] == "tolerance" else ()
@@ -99,6 +103,7 @@ def test_the_package_runs_as_a_module():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_seed_gives_the_same_cars_on_any_number_of_processes(cadgen):
     arguments = ("tolerance", "--samples", "450", "--seed", "7", "--json")
     one, two = (json.loads(cadgen(*arguments, "--processes", n, code=0, fresh=n == "2").stdout) for n in "12")
@@ -136,6 +141,7 @@ OFF = {
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_budget_ranks_what_may_be_off_and_says_what_to_hold_tighter(cadgen, tmp_path):
     changes = [part for key, value in OFF.items() for part in ("--set", f"{key}={value}")]
     result = cadgen("tolerance", "--samples", "200", "--budget", "--out", "p", *changes, code=0)

@@ -19,6 +19,7 @@ SLANT = 1.6
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @settings(max_examples=10, deadline=None)
 @given(cams())
 def test_every_approximation_keeps_its_tolerance(tmp_path_factory, cam):

@@ -35,6 +35,7 @@ def workshop(forks, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_pages_do_what_they_say(workshop, tmp_path) -> None:
     """Commands print what is shown, the second cam brings the car home, the pictures are those of these files.
 
@@ -100,6 +101,7 @@ def curves(svg: str) -> dict[str, list[float]]:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_dear_commands_print_what_the_pages_show(workshop) -> None:
     assert sum(workshop.run(page, slow=True) for page in PAGES.values()) >= 3
 

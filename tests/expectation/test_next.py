@@ -56,6 +56,7 @@ def test_of_a_car_of_which_nothing_is_known_the_run_itself_says_most(design):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_what_has_no_name_is_asked_of_the_kind_of_data_that_names_it(design, loop):
     """A track of a car with an eccentric bore, which no track can name."""
     sources = plan.read([loop / "C13" / "track.csv"])

@@ -21,6 +21,7 @@ def told(measured):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("fitted", "unseen", "bar"), [("squares", "circles", 60), ("circles", "squares", 95)])
 def test_the_manoeuvres_of_the_tricycle_predict_each_other(told, measured, fitted, unseen, bar):
     (found,) = prediction.predicted(told[fitted], plan.read([measured / f"{unseen}.csv"]))
@@ -35,6 +36,7 @@ def test_the_manoeuvres_of_the_tricycle_predict_each_other(told, measured, fitte
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_one_manoeuvre_alone_does_not_name_what_only_both_tell(told):
     """Slip with steering does as well as the wheelbase on squares, and leaves 157 mm on circles."""
     for name in ("circles", "squares"):

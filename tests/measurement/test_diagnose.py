@@ -88,6 +88,7 @@ def test_one_run_claims_nothing(synthetic_car, nominal):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_runs_that_disagree_claim_nothing(synthetic_car, nominal):
     record = _lift(synthetic_car, 28)
     angle = np.radians(record["cam_angle_deg"])
@@ -101,6 +102,7 @@ def test_runs_that_disagree_claim_nothing(synthetic_car, nominal):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_profile_and_transmission_and_track(synthetic_car, nominal):
     rng = np.random.default_rng(30)
     bench = syn.bench_with(syn.form_error(rng, FORM), {"lobes": (3, 0.015, 1.0)})

@@ -96,6 +96,7 @@ def test_noise_far_beyond_the_instruments_claims_nothing(lift, nominal):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_rows_out_of_order_claim_nothing(measured, nominal, blind):
     assert blind("transmission_a").verdict == "combination"
     record = load(measured / "transmission_a.csv")

@@ -59,6 +59,7 @@ def test_a_car_on_a_bearing_has_no_friction_named():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_transmission_with_the_rod_on_parts_them_too(world, nominal):
     record = rod_record(world, play=110, friction=0.3, rng=np.random.default_rng(3), runs=2)
     (told,) = calibrate([record], replace(nominal, ratios=RATIOS, teeth=()))

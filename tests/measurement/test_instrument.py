@@ -23,6 +23,7 @@ def _profiles(car, shear, seed=60):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_turned_part_shows_whose_the_shear_is(synthetic_car, nominal):
     shear = 0.04 * syn.DEG
     straight, turned = _profiles(synthetic_car, shear)

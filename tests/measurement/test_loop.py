@@ -80,6 +80,7 @@ def built(synthetic_car, nominal):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_stylus_that_was_not_corrected_is_cut_into_no_part(built):
     """Its radius of 0.25 mm."""
     profile, places = built("w_prof_probe250.csv")
@@ -111,6 +112,7 @@ def joint(nominal):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_lift_that_shows_the_disc_makes_its_track_clear(joint):
     """Steering zero 0.4°, play 0.80°, bore off by (-20, 15) um; the old cam ends 2006 mm off, one for the bore 3002."""
     told, values = joint("C13/lift.csv", "C13/track.csv")
@@ -132,6 +134,7 @@ def test_a_lift_that_shows_the_disc_makes_its_track_clear(joint):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_train_that_runs_out_moves_the_cam_under_the_track(joint):
     """Steering zero 0.3°, play 0.84°, run-out of shaft 2 by 0.3°; the old cam ends 1304 mm off."""
     told, values = joint("C3/track.csv", "C3/trans.csv")

@@ -43,6 +43,7 @@ def test_blind_files(name, blind):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_few_logged_runs_name_nothing(measured):
     circles = load(measured / "circles.csv")
     for runs, words in ((1, "one run only"), (2, "2 runs only")):
@@ -53,6 +54,7 @@ def test_few_logged_runs_name_nothing(measured):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_tricycle_is_traced_on_runs_left_out(measured):
     some = [load(measured / f"{name}.csv").only(np.arange(4)) for name in ("circles", "squares")]
     told = calibrate_tricycle(some, 150.0)

@@ -38,6 +38,7 @@ def test_an_encoder_of_few_counts_may_read_the_same_in_every_run(nominal):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_missing_tooth_is_no_mistake_of_the_unit(nominal):
     """Of the wheel on the camshaft, 120 teeth: for the pitch of one the camshaft stays behind."""
     angle = MOTOR / 45

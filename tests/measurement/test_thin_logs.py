@@ -46,6 +46,7 @@ def test_a_log_without_any_error_is_traced_to_nothing():
 
 # Of runs on a circle with the wheel logged straight ahead, what a fit says of the wheel is little more than its error.
 @pytest.mark.slow
+@pytest.mark.long
 def test_constant_steering_claims_no_number_within_its_error(measured):
     circles = load(measured / "circles.csv").only(np.arange(LEAST_RUNS))
     some = {name: values[::10] for name, values in circles.columns.items()}

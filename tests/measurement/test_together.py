@@ -41,6 +41,7 @@ def lift_alone(records, nominal):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_what_two_records_show_is_one_effect_and_claimed_once(together, lift_alone):
     _, profile = together
     for told in together:
@@ -74,6 +75,7 @@ def test_play_is_one_thing_under_its_names():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_what_a_lift_shows_beside_a_known_profile_is_the_shafts(synthetic_car, nominal):
     """The disc's bore is off by (30, -15) um, and the shaft under the dial by (40, 20) more."""
     rng = np.random.default_rng(43)

@@ -27,6 +27,7 @@ def task(vehicle, limits) -> Task:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_post_on_the_way_is_passed_on_either_side(task):
     sides = {}
     for side in ("left", "right"):

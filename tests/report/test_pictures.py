@@ -65,6 +65,7 @@ def draw_all(simulation, folder):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_every_picture_has_both_formats_and_the_same_bytes_each_time(simulation, tmp_path):
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()

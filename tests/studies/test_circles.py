@@ -8,6 +8,7 @@ SEED, NUMBER = 11, 5
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_car_comes_home_on_the_cam_made_for_two_records():
     outcome = go_round(SEED, NUMBER)
     print(f"{outcome.before:.0f} mm before, {outcome.after:.1f} mm after, {outcome.expected:.1f} mm expected")

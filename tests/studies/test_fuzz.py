@@ -6,6 +6,7 @@ from tests.studies import fuzz, fuzz_data, fuzz_designs
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("command", "first", "cases"), [("check", 1010, 4), ("calibrate", 1005, 2)])
 def test_a_slice_keeps_the_contract(command, first, cases, forks, tmp_path):
     # In a process of its own, as the study runs: forks of a process with threads may wait for ever.

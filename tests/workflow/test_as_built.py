@@ -153,6 +153,7 @@ def test_a_shrinking_printer_is_precompensated(built, carbon_free_car):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_files_of_a_precompensated_cam_are_judged_on_the_finished_disc(built, tmp_path):
     design = built(
         effect("profile", "cutter compensation", "process", cutter_offset_um=120.0),

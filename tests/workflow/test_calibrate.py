@@ -37,6 +37,7 @@ def car():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_one_thing_is_at_work_once_and_by_the_data_that_show_it_best(car):
     places = [(one.claim.kind.code, one.claim.finding.effect, one.place) for one in car.built]
     assert places == [
@@ -75,6 +76,7 @@ def without_play(text, tmp_path_factory):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_car_without_play_is_not_assumed_to_have_the_tabled_one(without_play):
     told, design = without_play
     assert [(one.claim.finding.effect, one.place) for one in told.built] == [
@@ -98,6 +100,7 @@ def test_a_car_without_play_is_not_assumed_to_have_the_tabled_one(without_play):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_data_that_are_in_a_design_already_do_not_count_twice(without_play, tmp_path):
     _, design = without_play
     with pytest.raises(FileError, match=r"track_a\.csv is among the files that .* would count twice"):
@@ -108,6 +111,7 @@ def test_data_that_are_in_a_design_already_do_not_count_twice(without_play, tmp_
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_an_as_built_design_is_written_over_by_the_next(car, text):
     once = as_built_text(car, text)
     assert as_built_text(car, once) == once
@@ -121,6 +125,7 @@ def test_an_as_built_design_is_written_over_by_the_next(car, text):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_design_without_a_name_keeps_that_of_its_file(car, text, tmp_path):
     (tmp_path / "my car.toml").write_text(text.replace("name = ", "# name = "))
     design = load_design(tmp_path / "my car.toml", ["cam.blend_deg=12", "play.measured_deg=0.7"])

@@ -23,6 +23,7 @@ def only_what_the_circle_reads(monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_car_without_play_is_not_given_the_tabled_one(carbon_free_car, tmp_path):
     """Against the tabled return error the new cam would end some 1000 mm off."""
     rng = np.random.default_rng(8)
@@ -38,6 +39,7 @@ def test_a_car_without_play_is_not_given_the_tabled_one(carbon_free_car, tmp_pat
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_measured_car_gets_the_cam_that_it_needs(carbon_free_car, tmp_path):
     rng = np.random.default_rng(7)
     wheels = circle.draw(rng)

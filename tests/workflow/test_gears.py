@@ -15,8 +15,9 @@ from cadgen.errors import DesignError
 from cadgen.gears.search import search_trains
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import teeth_of
+from cadgen.meshes import train_made
 from cadgen.meshes.train_checks import PLAY_LIMIT_UM
-from cadgen.workflow.gears import files, made
+from cadgen.workflow.gears import files
 from cadgen.workflow.gears import plan as workflow
 from cadgen.workflow.gears.facts import plan_facts
 from cadgen.workflow.gears.plan import NotMadeError, plan_gears
@@ -375,7 +376,7 @@ def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
     def failing(layout):
         return [n for n, pair in enumerate(layout.train.stages) if pair.driven.form.teeth > 140]
 
-    monkeypatch.setattr(made, "gear_checks", judge)
+    monkeypatch.setattr(train_made, "gear_checks", judge)
     monkeypatch.setattr(workflow, "failing_stages", failing)
     plan = plan_gears(load_design(None, ["train.search.keep=3"]), "search")
     assert plan.passed

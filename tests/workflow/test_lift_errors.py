@@ -66,6 +66,7 @@ def stations(outline: Outline, follower: LeaningRod) -> Array:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["appendix_car"])
 def test_stated_lift_errors_are_those_of_a_dense_rolling(name, tmp_path):
     design = load_design(name)

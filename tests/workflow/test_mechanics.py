@@ -119,6 +119,7 @@ def test_with_a_measured_play_the_friction_is_not_known_either(rubbing):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_remedy_that_cannot_be_built_is_no_number():
     small = ["cam.base_radius_mm=17", "blank.lightening=", "blank.keyway=", "blank.bore_diameter_mm=2"]
     plan = plan_cam(load_design("carbon_free_car", [*FRICTION, *small]), "optimized", all_trains=True)

@@ -34,6 +34,7 @@ def small():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_course_with_gates_of_50_mm():
     """The first direct collocation reached 173 mm, and 130 with the train reordered; today's path ends 306 mm off."""
     today = Design.load()
@@ -55,6 +56,7 @@ def test_the_papers_course_with_gates_of_50_mm():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_path_improved_within_25_mm():
     """By a linear programme on the lateral shift it was 205 mm."""
     today = Design.load()
@@ -101,6 +103,7 @@ def test_a_course_without_a_path(small, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_course_that_cannot_be_driven_is_told_with_its_cure(tmp_path):
     short = Design.from_toml(SMALL, train_only=True).with_({"car.drive_wheel_radius_mm": 12.0})
     plan = short.plan()

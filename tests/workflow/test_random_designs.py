@@ -67,6 +67,7 @@ STEEP = [
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @example(STEEP)
 @settings(max_examples=25, deadline=None)
 @given(designs())

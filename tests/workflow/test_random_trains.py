@@ -6,6 +6,7 @@ from tests.studies.trains import run
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_random_trains_and_searches_are_as_the_study_has_them():
     found = run(seed=20, cases=8, workers=1)
     print(*found, sep="\n")
