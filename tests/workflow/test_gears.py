@@ -407,7 +407,7 @@ def test_meshes_of_too_many_corners_are_refused_by_their_key():
         plan_gears(load_design(None, [*settings, "export.mesh_chord_um=0.1"]))
     raised = float(str(refusal.value).rsplit(" ", 1)[1])
     layout = SimpleNamespace(parts=[SimpleNamespace(gears=[GearForm(teeth=1000, normal_module=0.5, width=5.0)] * 14)])
-    made._require_meshable(layout, [raised / 1e3])
+    train_made._require_meshable(layout, [raised / 1e3])
 
 
 def test_more_teeth_than_step_takes_are_refused_before_a_file_is_made(paper, tmp_path, monkeypatch):
