@@ -19,7 +19,7 @@ from cadgen.design.schema import Design
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
 from cadgen.errors import DesignError
 from cadgen.parts.blank import Blank
-from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
+from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew
 from cadgen.path.spline import PlannedPath
 from cadgen.path.track import Track, offset_track
 from cadgen.steering.car import Car, steering_jets
@@ -208,8 +208,13 @@ def blank(design: Design) -> Blank:
         key=_key(given, back),
         hub=_hub(given.hub, back) if given.hub else None,
         lightening=_lightening(given.lightening) if given.lightening else None,
+        mark=_mark(given.mark) if given.mark else None,
         edge_break=given.edge_break_mm or 0.0,
     )
+
+
+def _mark(given: keys.Mark) -> Mark:
+    return Mark(diameter=given.diameter_mm, radius=given.radius_mm, angle=radians(given.angle_deg))
 
 
 def has_key(design: Design) -> bool:

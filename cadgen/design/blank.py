@@ -3,7 +3,7 @@
 Walls against the profile need the profile, and are checked with it.
 """
 
-from math import hypot, pi, sin
+from math import hypot, pi, radians, sin
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -87,6 +87,14 @@ class Lightening(Section):
         return self
 
 
+class Mark(Section):
+    """A hole beside the key that shows which face is up: on a disc that is turned over it is on the other side."""
+
+    diameter_mm: Feature = Field(default=3.0, le=50, description="of the hole")
+    radius_mm: Feature = Field(le=500, description="of its centre, from the axis")
+    angle_deg: float = Field(default=45.0, ge=-360, le=360, description="polar angle of its centre")
+
+
 class Blank(Held):
     """Features of the disc besides its profile. Polar angles are those of the profile."""
 
@@ -101,6 +109,7 @@ class Blank(Held):
     d_flat: DFlat | None = None
     hub: Hub | None = None
     lightening: Lightening | None = None
+    mark: Mark | None = None
     bore_fit: str | None = Field(
         default=None,
         max_length=20,
@@ -110,6 +119,20 @@ class Blank(Held):
     material: DiscMaterial | None = Field(
         default=None, description="of the disc: its friction with the rod goes by it where [mechanics] gives none"
     )
+
+    @model_validator(mode="after")
+    def _mark_is_on_one_side(self) -> "Blank":
+        key = self.keyway or self.d_flat
+        if self.mark is None or key is None:
+            return self
+        aside = abs(self.mark.radius_mm * sin(radians(self.mark.angle_deg - key.angle_deg)))
+        if aside <= self.mark.diameter_mm / 2:
+            raise ValueError(
+                f"blank.mark.angle_deg is {self.mark.angle_deg:g}, in line with the key at {key.angle_deg:g}: a disc "
+                "that is turned over would look alike; give an angle to one side of it, such as "
+                f"{key.angle_deg + 45:g}"
+            )
+        return self
 
     @model_validator(mode="after")
     def _bore_fit_is_known(self) -> "Blank":

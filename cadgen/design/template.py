@@ -58,6 +58,11 @@ length_mm = 40.0                   # fork axis to the rod's end
 [blank]
 bore_diameter_mm = 8.0
 
+[blank.mark]                       # a hole on one side: a disc that is turned over shows it on the other
+diameter_mm = 3.0
+radius_mm = 12.0
+angle_deg = 45.0
+
 [mechanics]
 friction_least = 0.05              # steel on greased aluminium
 friction_greatest = 0.20

@@ -13,6 +13,7 @@ from cadgen.drawing.sheet import (
     DIAMETER,
     EDGE,
     LEFT,
+    SHOWN,
     SIZES,
     TITLE_SIZE,
     Closed,
@@ -146,6 +147,16 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
             start, end = _polar(-radius, angle, 0.0), _polar(radius - depth, angle, 0.0)
             at = _polar(0.0, angle, -radius - 0.7 * gap)
             dimensions.append(Linear(name="across the flat", start=start, end=end, at=at, angle=degrees(angle)))
+    if blank.mark:
+        dimensions.append(
+            Diameter(
+                name="mark",
+                centre=blank.mark.centre,
+                diameter=blank.mark.diameter,
+                angle=degrees(blank.mark.angle),
+                suffix=" mark",
+            )
+        )
     ring_of_holes = blank.lightening
     if ring_of_holes and ring_of_holes.circle_diameter:
         x, y = ring_of_holes.centers()[ring_of_holes.count // 3].tolist()
@@ -263,8 +274,8 @@ def _notes(cam: CamPart) -> tuple[str, ...]:
     notes = [
         f"R {most:.3f} at most, at θ = {degrees(at_most) % 360:.1f}°; {least:.3f} at least, at "
         f"{degrees(at_least) % 360:.1f}°.",
-        "θ counts counterclockwise from the arrow. The table is for inspection; cut from a file:",
-        *(f"   {name}  sha256 {digest[:16]}" for name, digest in cam.files),
+        "θ counts counterclockwise from the arrow. The table is for inspection; cut from a file (sha256):",
+        *(f"   {name}  {digest[:SHOWN]}" for name, digest in cam.files),
     ]
     if not cam.files:
         notes.append("   none lies in this folder: make one with cadgen cam.")
@@ -275,6 +286,14 @@ def _notes(cam: CamPart) -> tuple[str, ...]:
         notes.append(f"Both edges of the outline broken {cam.blank.edge_break:g} × 45°; the rod rides between them.")
     else:
         notes.append("Edges of the outline sharp, burrs off with a stone: a broken edge moves the rod.")
+    if cam.blank.mark:
+        mark, held = cam.blank.mark, cam.blank.key
+        side = "left" if sin(mark.angle - (held.angle if held else 0.0)) > 0 else "right"
+        of = "the key" if held else "the arrow"
+        notes.append(
+            f"Mark at R {mark.radius:g}, θ = {degrees(mark.angle):g}°: {side} of {of}, seen on this face. On the other "
+            "side the disc is turned over."
+        )
     if cam.blank.hub and cam.blank.hub.set_screw:
         screw = cam.blank.hub.set_screw
         notes.append(

@@ -14,6 +14,7 @@ from cadgen.drawing.sheet import (
     EDGE,
     LEFT,
     ROW,
+    SHOWN,
     SIZES,
     TITLE_SIZE,
     Closed,
@@ -278,7 +279,7 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float) -> Iterator[D
 
 
 def _notes(gear: GearPart) -> tuple[str, ...]:
-    notes = [f"Solid: {name}  sha256 {digest[:16]}" for name, digest in gear.files]
+    notes = [f"Solid: {name}  sha256 {digest[:SHOWN]}" for name, digest in gear.files]
     if not gear.files:
         notes.append("Solid: none lies in this folder: make it with cadgen gears.")
     hub = gear.part.blank.hub

@@ -16,6 +16,7 @@ LEFT, EDGE = 20.0, 10.0  # between paper and frame: where it is filed, and elsew
 TITLE_SIZE = (170.0, 40.0)
 ROW = 4.2  # height of a row of a table or of a note
 TEXT = 2.5  # height of letters
+SHOWN = 12  # letters of a file's hash
 DIAMETER = "Ø"  # as ezdxf writes it
 _LETTER = 0.72  # mean width of a letter of a sentence in heights, with its gap
 WIDEST = 0.86  # the same of names with digits and underscores

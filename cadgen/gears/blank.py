@@ -148,6 +148,7 @@ def _check_kinds(blank: Blank, form: Wheel) -> None:
     _require(not isinstance(blank.key, DFlat), f"{form} has a D-flat in its bore; give a keyway, or none")
     _require(blank.edge_break == 0, f"{form} has broken edges; give the teeth a tip chamfer instead")
     _require(not blank.hub or blank.hub.side == "outer", f"{form} has its hub on the inner face; give the outer one")
+    _require(blank.mark is None, f"{form} has a mark; leave it out, for its hub shows which face is up")
     screw = blank.hub.set_screw if blank.hub else None
     for name, feature in (("keyway", blank.key), ("set screw", screw)):
         angle = feature.angle if feature else 0.0

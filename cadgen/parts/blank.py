@@ -10,7 +10,7 @@ from cadgen.curves.closed import Outline, cross, polar_angle
 from cadgen.curves.contour import Contour, circle, d_bore, keyway_bore
 from cadgen.errors import DesignError
 from cadgen.parts.body import RadialHole
-from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Web
+from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, Web
 
 OVERSHOOT = 1.0  # mm by which a cutting tool sticks out of what it cuts
 PROFILE_STEP = 0.1  # mm between the profile's points when the walls are measured: 1e-4 mm of wall at 10 mm of radius
@@ -65,6 +65,7 @@ class Blank:
         hub: hub on one face; None for a flat part.
         web: thinner disc between hub and rim, for a gear only.
         lightening: ring of holes; None for a full part.
+        mark: hole that shows which face is up, for a disc only; None for a disc without.
         edge_break: leg of the 45 degree chamfer on both edges of a disc's rim, mm; 0 for sharp edges.
     """
 
@@ -73,6 +74,7 @@ class Blank:
     hub: Hub | None = None
     web: Web | None = None
     lightening: Lightening | None = None
+    mark: Mark | None = None
     edge_break: float = 0.0
 
     def carrying(self, inner_face: float, outer_face: float) -> tuple[float, float]:
@@ -103,18 +105,17 @@ class Blank:
                 return circle((0.0, 0.0), self.bore_diameter / 2)
 
     def holes(self) -> tuple[Contour, ...]:
-        """The lightening holes of a disc, each run counterclockwise.
+        """The lightening holes of a disc, and the mark after them, each run counterclockwise.
 
         Raises:
             DesignError: the blank has no circle for the centres of the holes.
         """
-        ring = self.lightening
-        if ring is None:
-            return ()
-        return tuple(circle(center, ring.hole_diameter / 2) for center in ring.centers())
+        ring, mark = self.lightening, self.mark
+        holes = [circle(center, ring.hole_diameter / 2) for center in ring.centers()] if ring else []
+        return *holes, *([circle(mark.centre, mark.diameter / 2)] if mark else [])
 
     def inner_contours(self) -> tuple[Contour, ...]:
-        """Everything cut out of the disc: the bore, then the lightening holes."""
+        """Everything cut out of the disc: the bore, then the holes of `holes`."""
         return self.bore(), *self.holes()
 
     def boss(self, thickness: float) -> Boss | None:
@@ -155,17 +156,23 @@ class Blank:
             walls.append(_enclosed(core, name, profile, "profile"))
             walls += _screw_walls(self.hub)
         holes, ring = self.holes(), self.lightening
-        if ring:
-            rim = [_enclosed(hole, f"lightening hole {n}", profile, "profile") for n, hole in enumerate(holes, 1)]
+        names = [f"lightening hole {n}" for n in range(1, ring.count + 1)] if ring else []
+        names += ["mark"] if self.mark else []
+        if holes:
+            rim = [_enclosed(hole, of_hole, profile, "profile") for hole, of_hole in zip(holes, names, strict=True)]
             walls.append(min(rim, key=lambda wall: wall.thickness))
-            centers = np.array([hole.centers[0] for hole in holes])
+            centers, radii = np.array([hole.centers[0] for hole in holes]), np.array([hole.radii[0] for hole in holes])
             aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))
-            inner = aside - ring.hole_diameter / 2
+            inner = aside - radii
             worst = int(np.argmin(inner))
-            walls.append(Wall(f"lightening hole {worst + 1} and {name}", float(inner[worst]), centers[worst]))
+            walls.append(Wall(f"{names[worst]} and {name}", float(inner[worst]), centers[worst]))
         if ring and ring.circle_diameter and ring.count > 1:
             apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
             walls.append(Wall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
+        if ring and self.mark:
+            between = np.linalg.norm(centers[:-1] - centers[-1], axis=1) - radii[:-1] - radii[-1]
+            near = int(np.argmin(between))
+            walls.append(Wall(f"{names[near]} and mark", float(between[near]), (centers[near] + centers[-1]) / 2))
         return tuple(
             replace(wall, thickness=wall.thickness - self.edge_break) if wall.between.endswith("and profile") else wall
             for wall in walls

@@ -151,5 +151,25 @@ class Lightening:
         return _on_circle(circle_diameter, TURN * (np.arange(self.count) + 0.5) / self.count)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mark:
+    """A hole through a disc on one side of its key, by which a disc that is turned over shows.
+
+    Attributes:
+        diameter: diameter of the hole, mm.
+        radius: distance of its centre from the axis, mm.
+        angle: polar angle of its centre, rad.
+    """
+
+    diameter: float
+    radius: float
+    angle: float
+
+    @property
+    def centre(self) -> tuple[float, float]:
+        """Centre of the hole, mm."""
+        return float(self.radius * np.cos(self.angle)), float(self.radius * np.sin(self.angle))
+
+
 def _on_circle(diameter: float, angles: NDArray[np.floating]) -> Array:
     return np.asarray(diameter / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=1), dtype=np.float64)

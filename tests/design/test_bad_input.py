@@ -55,6 +55,11 @@ VALUES = [
     ("blank.edge_break_mm", -1.0, ["blank.edge_break_mm is -1", "must be 0, or at least 0.01"]),
     ("blank.edge_break_mm", 21.0, ["blank.edge_break_mm is 21", "0, or at least 0.01 and at most 20"]),
     ("blank", {"keyway": {"width_mm": 1e-9, "depth_mm": 1.0}}, ["blank.keyway.width_mm is 1e-09", "at least 0.01"]),
+    (
+        "blank",
+        {"keyway": {"width_mm": 3.0, "depth_mm": 1.4}, "mark": {"radius_mm": 12.0, "angle_deg": 183.0}},
+        ["blank.mark.angle_deg is 183, in line with the key at 0", "turned over would look alike", "such as 45"],
+    ),
     ("blank.bore_fit", "H7", ['blank.bore_fit: the fit "H7" is not in the table', "remove it"]),
     ("blank.bore_fit", "H7/g99", ["blank.bore_fit", "grades 3 to 12"]),
     ("blank", {"bore_diameter_mm": 60.0, "bore_fit": "H7/g6"}, ["size of 60 mm", "ends at 50 mm"]),

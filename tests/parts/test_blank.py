@@ -1,7 +1,7 @@
 """Features of a part: one shape for disc and gear, where a hub stands, and what only one of the two may have."""
 
 from dataclasses import replace
-from math import asin, pi, radians, sqrt
+from math import asin, hypot, pi, radians, sqrt
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from cadgen.gears.blank import gear_body
 from cadgen.gears.tooth import GearForm
 from cadgen.meshes.prisms import body_mesh
 from cadgen.parts.blank import Blank
-from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew, Web
+from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew, Web
 from cadgen.parts.loop import Arc, loop_of
 
 GEAR = GearForm(teeth=60, normal_module=0.5, width=4.0)
@@ -103,6 +103,7 @@ def test_the_circle_of_a_gear_s_holes_is_midway_or_as_given():
     [
         (replace(KEYED, key=DFlat(depth=1.0)), "D-flat"),
         (replace(KEYED, edge_break=0.2), "tip chamfer"),
+        (replace(KEYED, mark=Mark(diameter=2.0, radius=10.0, angle=1.0)), "has a mark"),
         (replace(HUBBED, hub=replace(HUBBED.hub, side="inner")), "inner face"),
         (replace(KEYED, key=Keyway(width=3.0, depth=1.4, angle=radians(90))), "keyway at 90°"),
         (replace(HUBBED, hub=replace(HUBBED.hub, set_screw=SetScrew(diameter=2.0, height=3.0, angle=1.0))), "57.29"),
@@ -125,3 +126,20 @@ def test_a_gear_refuses_what_only_a_disc_may_have(blank, message):
 def test_a_disc_refuses_what_only_a_gear_may_have(blank, message):
     with pytest.raises(DesignError, match=message):
         blank.require_walls(circle((0.0, 0.0), 40.0).outline(0.1))
+
+
+def test_the_walls_of_a_mark():
+    """On the x axis of a plain disc of 80 mm every wall is a difference of radii; the hole stands at 90 degrees."""
+    blank = Blank(
+        bore_diameter=8.0,
+        mark=Mark(diameter=4.0, radius=20.0, angle=0.0),
+        lightening=Lightening(count=2, hole_diameter=10.0, circle_diameter=50.0, start_angle=radians(90)),
+    )
+    walls = {wall.between: wall.thickness for wall in blank.walls(circle((0.0, 0.0), 40.0).outline(0.1))}
+    assert walls["mark and bore"] == pytest.approx(20 - 2 - 4, abs=1e-4)
+    assert walls["lightening hole 1 and profile"] == pytest.approx(40 - 25 - 5, abs=1e-3)
+    assert walls["lightening hole 1 and mark"] == pytest.approx(hypot(20, 25) - 5 - 2, abs=1e-9)
+    alone = replace(blank, lightening=None)
+    walls = {wall.between: wall.thickness for wall in alone.walls(circle((0.0, 0.0), 40.0).outline(0.1))}
+    assert walls["mark and profile"] == pytest.approx(40 - 20 - 2, abs=1e-3)
+    assert alone.disc_volume(80.0**2, 3.0) == pytest.approx(3 * (80.0**2 - pi * (16 + 4)))
