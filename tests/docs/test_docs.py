@@ -251,6 +251,25 @@ def test_the_install_commands_stay() -> None:
     assert second == f"{INSTALL} .venv && .venv/bin/pip install -e '.[test]' && .venv/bin/pytest -n 2"
 
 
+def test_the_chinese_readme_has_the_same_commands_and_links_that_lead_somewhere() -> None:
+    english, chinese = (ROOT / name for name in ("README.md", "README.zh-CN.md"))
+    shell = [[block.text for block in blocks(page) if block.language == "sh"] for page in (english, chinese)]
+    assert shell[0] == shell[1]
+    named = [
+        set(
+            re.findall(
+                r"cadgen ([a-z]+) {2,}", "\n".join(block.text for block in blocks(page) if block.language == "text")
+            )
+        )
+        for page in (english, chinese)
+    ]
+    assert named[0] == named[1]
+    assert len(named[0]) > 10
+    links = re.findall(r"\]\(([^)#]+)", chinese.read_text(encoding="utf-8"))
+    assert len(links) > 10
+    assert not [link for link in links if not (ROOT / link).exists()]
+
+
 def test_the_reference_takes_up_the_face_of_the_package(tmp_path: Path, monkeypatch) -> None:
     pytest.importorskip("sphinx")
     monkeypatch.syspath_prepend(DOCS / "_ext")
