@@ -20,6 +20,7 @@ _MARGIN = 300.0  # mm around what is shown
 _PANEL = 4.0  # inches
 _COLUMNS = 4
 _SHOWN = slice(None, None, 6)  # of a run's 3601 positions; the curves are smooth, and the files smaller
+_ARROW = 0.09  # length of the arrow at the start, of what is shown
 DARK = "#4d4d4d"
 _WHEELS = (
     ("drive_wheel", "drive wheel", BLUE, "-"),
@@ -77,8 +78,7 @@ def draw_tracks(panels: Sequence[TrackPanel], planned: Run, field: Field, folder
                 axes.plot(
                     *(getattr(panel.run, wheel).T / 1000), color=color, linestyle=style, linewidth=1.1, label=label
                 )
-            axes.plot(*(planned.drive_wheel[0] / 1000), marker="o", markersize=4, color=WANTED)
-            axes.plot(*(planned.drive_wheel[-1] / 1000), marker="s", markersize=6, color=WANTED, fillstyle="none")
+            _ends(axes, planned.drive_wheel, float(np.max(high - low)))
             if panel.ends is not None:
                 axes.plot(*(panel.ends.T / 1000), "x-", color=BEFORE, markersize=5, label="ends over the band of play")
             axes.set(title=panel.title, aspect="equal")
@@ -89,8 +89,21 @@ def draw_tracks(panels: Sequence[TrackPanel], planned: Run, field: Field, folder
         for axes in grid[-1]:
             axes.set_xlabel("x (m)")
         handles, labels = grid.ravel()[len(panels) - 1].get_legend_handles_labels()
-        picture.legend(handles, labels, loc="outside lower center", ncols=5)
+        known = dict(zip(labels, handles, strict=True))  # of posts and of gates one stands for all
+        picture.legend([*known.values()], [*known], loc="outside lower center", ncols=5)
         return save(picture, folder, name)
+
+
+def _ends(axes: "Axes", track: Array, across: float) -> None:
+    """Mark where the drive wheel begins, with an arrow the way that it goes, and where it is planned to end."""
+    start, end = track[0] / 1000, track[-1] / 1000
+    way = track[min(len(track) - 1, _SHOWN.step or 1)] / 1000 - start
+    tip = start + _ARROW * across / 1000 * way / np.linalg.norm(way)
+    axes.annotate(
+        "", xy=tip, xytext=start, arrowprops={"arrowstyle": "-|>", "color": WANTED, "shrinkA": 0, "shrinkB": 0}
+    )
+    axes.plot(*start, marker="o", markersize=4, color=WANTED, linestyle="none", label="start")
+    axes.plot(*end, marker="s", markersize=6, color=WANTED, fillstyle="none", linestyle="none", label="planned end")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -155,11 +168,14 @@ def _shape(axes: "Axes", shape: Shape, *, filled: bool) -> None:
     from matplotlib.patches import Circle, Polygon
 
     points = np.array(shape.points) / 1000
+    label = "post, wall or zone" if filled else "gate"
     face, edge = (DARK, "none") if filled else ("none", DARK)
     if shape.filled:
-        axes.add_patch(Polygon(points, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=3))
+        axes.add_patch(Polygon(points, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=3, label=label))
     elif len(points) > 1:
-        axes.plot(*points.T, color=DARK, linewidth=2.0 if filled else 0.8, zorder=3)
+        axes.plot(*points.T, color=DARK, linewidth=2.0 if filled else 0.8, zorder=3, label=label)
     else:
         middle = float(points[0, 0]), float(points[0, 1])
-        axes.add_patch(Circle(middle, shape.reach / 1000, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=3))
+        round_about = Circle(middle, shape.reach / 1000, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=3)
+        round_about.set_label(label)
+        axes.add_patch(round_about)
