@@ -38,7 +38,7 @@ from cadgen.parts.body import Body
 from cadgen.parts.features import Keyway
 from cadgen.parts.loop import Loop
 
-_CHORD = 0.005  # mm, of outlines on the sheet
+_CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
 _GAP = 8.0  # mm on paper from the part to a dimension line, and from line to line
 _TABLE = (42.0, 42.0)  # widths of the columns, mm
 
@@ -103,7 +103,7 @@ def _reach(body: Body) -> float:
 
 
 def _points(loop: Loop) -> Array:
-    corners = loop.polygon(_CHORD)
+    corners = loop.polygon(_CHORD * loop.radii[1])
     return np.stack([corners.real, corners.imag], axis=1)
 
 
