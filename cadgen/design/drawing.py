@@ -2,9 +2,7 @@
 
 from pydantic import Field, field_validator
 
-from cadgen.design.section import HERE, Section
-
-_LONGEST = 60  # letters that a title block holds
+from cadgen.design.section import Section, one_line
 
 
 class DrawingText(Section):
@@ -17,6 +15,4 @@ class DrawingText(Section):
     @field_validator("title", "finish")
     @classmethod
     def _fits_its_cell(cls, text: str | None) -> str | None:
-        if text is not None and not (0 < len(text) <= _LONGEST and text.isprintable()):
-            raise ValueError(f"{HERE} must be one line of 1 to {_LONGEST} letters: shorten it")
-        return text
+        return None if text is None else one_line(text)

@@ -23,7 +23,7 @@ from cadgen.design.names import name_fault
 from cadgen.design.outline import Outline
 from cadgen.design.path import Path, path_by_kind
 from cadgen.design.play import Optimize, Play, Tolerances
-from cadgen.design.section import Point, Points, Section, Size, listed
+from cadgen.design.section import Point, Points, Section, Size, listed, one_line
 from cadgen.design.train import Train, train_by_stages
 
 THINNEST_DISC_MM = 0.1
@@ -155,6 +155,21 @@ class Machining(Section):
     )
     break_through_mm: float = Field(default=0.3, ge=0, le=20, description="how far below the disc the last pass goes")
     lead_radius_mm: float = Field(default=3.0, gt=0, le=100, description="of the arcs that lead the cutter in and out")
+    tool_number: int | None = Field(
+        default=None,
+        ge=1,
+        le=999,
+        description="of the cutter in the changer; left out, the tool in the spindle is used",
+    )
+    stock: str | None = Field(
+        default=None, description="material to cut from, such as `plate 160 x 160 x 3`; a comment"
+    )
+    fixture: str | None = Field(default=None, description="how it is held, such as `on an 8 mm arbor`; a comment")
+
+    @field_validator("stock", "fixture")
+    @classmethod
+    def _fits_a_comment(cls, text: str | None) -> str | None:
+        return None if text is None else one_line(text)
 
 
 class Checks(Section):

@@ -14,6 +14,7 @@ from cadgen.path import names
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
 LEAST_FEATURE_MM = 0.01  # no tool cuts a smaller one, and the CAD kernel takes points 1e-7 mm apart for one
+LONGEST_LINE = 60  # letters that a title block holds
 
 HERE = "{here}"  # in a message: the section that holds the keys, for one that several sections share
 
@@ -32,6 +33,17 @@ class Section(BaseModel):
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+
+def one_line(text: str) -> str:
+    """The text, which a title block or a comment must hold.
+
+    Raises:
+        ValueError: it is empty, too long, or has more than one line.
+    """
+    if not (0 < len(text) <= LONGEST_LINE and text.isprintable()):
+        raise ValueError(f"{HERE} must be one line of 1 to {LONGEST_LINE} letters: shorten it")
+    return text
 
 
 def listed(items: Sequence[str], conjunction: str) -> str:

@@ -81,6 +81,11 @@ def write_gcode(
     lines = [
         f"({_plain(name)}: outline of the cam, milled from outside)",
         *(f"({_plain(note)})" for note in notes),
+        *(
+            f"({word}: {_plain(said)})"
+            for word, said in (("stock", machining.stock), ("fixture", machining.fixture))
+            if said
+        ),
         f"(cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine)",
         "(climb milling: spindle clockwise, clockwise round the part)",
         "(zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up)",
@@ -88,6 +93,7 @@ def write_gcode(
         "(bore, keyway and holes are not in this program)",
         f"(the first move lifts the cutter where it stands, to {height:g} mm: be above every clamp at that height)",
         "G21 G90 G17 G40 G94 G91.1",
+        *([] if machining.tool_number is None else [f"T{machining.tool_number} M6"]),
         f"S{machining.spindle_rpm:g} M3",
         f"G0 {safe}",
     ]

@@ -74,6 +74,8 @@ class _Machine:
     at: Array = field(default_factory=lambda: np.full(3, nan))
     moves: list[Move] = field(default_factory=list)
     ended: bool = False
+    chosen: str = ""
+    tool: str = ""
 
     def run(self, number: int, words: list[tuple[str, str]]) -> None:
         """Run one line."""
@@ -98,6 +100,12 @@ class _Machine:
             if not self.at[2] > 0:
                 raise _RefusedError("stops with the cutter in the stock")
             self.spindle, self.ended = False, code == "M30"
+        elif code.startswith("T"):
+            self.chosen = code
+        elif code == "M6" and self.chosen:
+            if self.spindle or self.moves:
+                raise _RefusedError("changes the tool after the work has begun")
+            self.tool = self.chosen
         else:
             raise _RefusedError(f"has {code}, which is not understood here")
 
@@ -157,6 +165,9 @@ def read_gcode(path: Path, machining: Machining, thickness: float, step: float =
             raise FileError(f"{path.name}, line {number}, {refused}: do not run this program") from refused
     if not machine.ended:
         raise FileError(f"{path.name} has no M30 at its end: the file is cut short, write it again")
+    number_of_tool = machining.tool_number
+    if machine.tool != ("" if number_of_tool is None else f"T{number_of_tool}"):
+        raise FileError(f"{path.name} takes the tool {machine.tool or 'in the spindle'}: write it again")
     try:
         return _left_over(_checked_cuts(machine.moves, machining, thickness), machining.cutter_diameter_mm / 2, step)
     except _RefusedError as refused:

@@ -134,6 +134,26 @@ def test_leads_stay_outside_and_touch_along_the_tangent(disc):
     assert np.linalg.norm(begin - [4.0, 3.0]) > 30.0 + MACHINING.cutter_diameter_mm / 2
 
 
+def test_tool_stock_and_fixture_are_in_the_program_where_they_are_given(disc, tmp_path):
+    given = Machining(tool_number=3, stock="plate 80 x 80 x 3 (6082)", fixture="on an 8 mm arbor")
+    path = program(circle((4.0, 3.0), 30.0).curve(), tmp_path / "tool.nc", given)
+    plain, lines = disc.read_text().splitlines(), path.read_text().splitlines()
+    assert [line for line in lines if line not in plain] == [
+        "(stock: plate 80 x 80 x 3 _6082_)",
+        "(fixture: on an 8 mm arbor)",
+        "T3 M6",
+    ]
+    assert lines.index("T3 M6") + 1 == next(n for n, line in enumerate(lines) if line.endswith("M3"))
+    assert np.array_equal(read_gcode(path, given, THICKNESS).points, read_gcode(disc, MACHINING, THICKNESS).points)
+    for file, machining in ((path, MACHINING), (disc, given), (path, Machining(tool_number=4))):
+        with pytest.raises(FileError, match="takes the tool"):
+            read_gcode(file, machining, THICKNESS)
+    late = tmp_path / "late.nc"
+    late.write_text(path.read_text().replace("T3 M6\n", "").replace("(pass 2", "T3 M6\n(pass 2"))
+    with pytest.raises(FileError, match="changes the tool after the work has begun"):
+        read_gcode(late, given, THICKNESS)
+
+
 def test_a_cutter_too_large_is_refused_with_the_largest_that_works(tmp_path):
     b, a = 20.0, 13.0
     radius = (b - a) ** 2 / (2 * a - b)
