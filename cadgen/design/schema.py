@@ -146,9 +146,9 @@ class Machining(Section):
     """How the outline is milled (G-code)."""
 
     cutter_diameter_mm: float = Field(default=4.0, ge=0.2, le=100, description="of the end mill")
-    feed_mm_per_min: float = Field(default=240.0, gt=0, le=100_000, description="along the outline")
-    plunge_feed_mm_per_min: float = Field(default=60.0, gt=0, le=100_000, description="downwards")
-    spindle_rpm: float = Field(default=8000.0, gt=0, le=200_000, description="speed of the spindle")
+    feed_mm_per_min: float = Field(default=240.0, ge=0.1, le=100_000, description="along the outline")
+    plunge_feed_mm_per_min: float = Field(default=60.0, ge=0.1, le=100_000, description="downwards")
+    spindle_rpm: float = Field(default=8000.0, ge=1, le=200_000, description="speed of the spindle")
     step_down_mm: float = Field(default=1.0, ge=0.05, le=100, description="greatest depth of one pass")
     safe_height_mm: float = Field(
         default=5.0, gt=0, le=500, description="above the disc, where the cutter may travel freely"
