@@ -83,7 +83,7 @@ VALUES = [
     ("checks.pressure_angle_limit", "norton", ["norton_translating", "norton_oscillating", "chinese_texts"]),
     ("export.point_count", 3600.0, ["export.point_count is 3600.0", "a whole number"]),
     ("export.point_count", 10, ["export.point_count is 10", "at least 360"]),
-    ("machining.feed_mm_per_min", 0, ["machining.feed_mm_per_min is 0", "greater than 0", "mm/min"]),
+    ("machining.feed_mm_per_min", 0, ["machining.feed_mm_per_min is 0", "at least 0.1", "mm/min"]),
     ("name", "../cam", ['name is "../cam"', "letters", "digits"]),
     ("name", 3, ["name is 3", "text"]),
     ("cam", 3, ["cam is 3", "[cam]"]),
