@@ -37,6 +37,7 @@ The rooms, in walking order; each imports only those before it.
 | `solids`      | the only room that imports the CAD kernel                                 |
 | `export`      | one file per format, each with its read-back; manifest; publishing        |
 | `report`      | pictures, as PNG and SVG                                                  |
+| `page`        | the report page: one HTML file with model, curves and tables              |
 | `workflow`    | one job from design to verified files                                     |
 | `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
 | `cli`         | the commands                                                              |
@@ -65,6 +66,7 @@ _HOMES = {
     "Lightening": "parts.features",
     "Measured": "api.measured",
     "Plan": "api.planning",
+    "Report": "api.page",
     "SetScrew": "parts.features",
     "Simulation": "api.runs",
     "ToleranceRun": "api.runs",
@@ -86,6 +88,7 @@ if TYPE_CHECKING:
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
     from cadgen.api.measured import Measured
+    from cadgen.api.page import Report
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Simulation, ToleranceRun
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
@@ -109,6 +112,7 @@ __all__ = [
     "Lightening",
     "Measured",
     "Plan",
+    "Report",
     "SetScrew",
     "Simulation",
     "ToleranceRun",

@@ -1,7 +1,7 @@
 """Arrays as one compressed block inside the page, and what the page needs to find them again.
 
-Every array stands at a multiple of four bytes, little-endian. A curve is stored as 32-bit floats. The vertices of a mesh
-are stored as 16-bit steps across its box, so a place errs by at most half of a 65535th of the box: 1 µm on 130 mm.
+Every array stands at a multiple of four bytes, little-endian. A curve is stored as 32-bit floats. The vertices of a
+mesh are stored as 16-bit steps across its box, so a place errs by at most half of a 65535th of the box: 1 µm on 130 mm.
 """
 
 import base64

@@ -67,7 +67,7 @@ def _inline(words: Text) -> str:
 
 
 def _header(page: Page) -> str:
-    verdict = say("every check passes") if page.passed else say("What fails")
+    verdict = say("every check passes") if page.passed else say("a check fails")
     links = [("model", say("Model")), ("curves", say("Curves"))]
     links += [(item.code, item.title) for item in page.sections]  # type: ignore[misc]
     return tag(
@@ -113,7 +113,12 @@ def _top(page: Page) -> str:
         tag(
             "div",
             text(name, "dt"),
-            tag("dd", _inline(cell.text), *([" ", tag("small", cell.unit)] if cell.unit else []), class_=cell.state or None),
+            tag(
+                "dd",
+                _inline(cell.text),
+                *([" ", tag("small", cell.unit)] if cell.unit else []),
+                class_=cell.state or None,
+            ),
         )
         for name, cell in page.summary
     )
@@ -208,10 +213,12 @@ def _escaped(content: str) -> str:
 
 def _transport() -> str:
     """The slider with its button and read-outs; the script fills it."""
-    slider = tag("input", type="range", id="angle", min=0, max=360, step=0.1, value=0, **labels(say("cam angle at the slider")))
+    slider = tag(
+        "input", type="range", id="angle", min=0, max=360, step=0.1, value=0, **labels(say("cam angle at the slider"))
+    )
     return tag(
         "div",
-        _button("play", say("Playback"), _ICONS["play"], pressed=False),
+        _button("go", say("Play or pause"), _ICONS["play"], pressed=False),
         tag("div", slider, tag("div", id="marks", aria_hidden="true"), class_="track"),
         tag("output", "0.0°", id="angle-now", for_="angle"),
         tag("div", id="options"),

@@ -14,8 +14,8 @@ def tag(element: str, /, *content: str, **attributes: str | int | float | bool |
     Args:
         element: name of the element.
         content: its content, as HTML.
-        attributes: its attributes; `_` in a name stands for `-`, and one at its end for nothing. None and False leave an
-            attribute out, True gives it no value.
+        attributes: its attributes; `_` in a name stands for `-`, and one at its end for nothing. None and False leave
+            an attribute out, True gives it no value.
     """
     parts = [element]
     for key, value in attributes.items():
@@ -33,7 +33,9 @@ _EXACT: Final = frozenset({"viewBox"})
 def text(words: Text, name: str = "span", **attributes: str | None) -> str:
     """A text in an element; the page's script shows the other language."""
     if isinstance(words, str):
-        return escape(words, quote=False) if name == "span" and not attributes else tag(name, escape(words), **attributes)
+        return (
+            escape(words, quote=False) if name == "span" and not attributes else tag(name, escape(words), **attributes)
+        )
     if words.en == words.zh:
         return tag(name, escape(words.en, quote=False), **attributes)
     return tag(name, escape(words.en, quote=False), data_zh=words.zh, **attributes)
@@ -56,7 +58,9 @@ def cell(content: Cell, *, numeric: bool) -> str:
     names = " ".join(filter(None, ["n" if numeric else "", content.state]))
     inside = text(content.text)
     if content.unit and content.text:
-        inside += ("" if content.unit in ("°", "%") and content.unit == "°" else " ") + tag("small", escape(content.unit))
+        inside += ("" if content.unit in ("°", "%") and content.unit == "°" else " ") + tag(
+            "small", escape(content.unit)
+        )
     value = None if content.value is None else repr(float(content.value))
     return tag("td", inside, class_=names or None, data_value=value)
 
@@ -78,7 +82,9 @@ def table(content: Table) -> str:
         for row in content.rows
     )
     body = tag("table", text(content.caption, "caption"), tag("thead", tag("tr", head)), tag("tbody", rows))
-    return tag("div", body, class_="table", id=content.code, tabindex=0, role="region", **labels(content.caption))
+    return tag(
+        "div", body, class_="table", id=f"table-{content.code}", tabindex=0, role="region", **labels(content.caption)
+    )
 
 
 def section(content: Section) -> str:

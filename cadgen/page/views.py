@@ -1,12 +1,12 @@
 """The two plan views as SVG: the cam with its follower, and the car on its course. The page's script moves them."""
 
 from collections.abc import Iterable
-from math import atan, cos, degrees
+from math import atan, cos
 
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.page.document import CarShape, Figure, Going, Scene
+from cadgen.page.document import CarShape, Figure, Going, Scene, Words
 from cadgen.page.markup import labels, tag, text
 from cadgen.page.words import say
 
@@ -17,25 +17,43 @@ _WHEEL = (32.0, 10.0)  # mm, half length and half width of a wheel whose size is
 
 
 def cam_view(scene: Scene) -> str:
-    """Cam and follower, seen from the left of the car with its front to the left."""
-    disc = [tag("path", d=f"{_path(scene.outline)} {' '.join(_path(hole) for hole in scene.openings)}", class_="disc")]
+    """Cam and follower, seen from the left of the car with its front to the left.
+
+    What turns, what moves and what stands are drawings of their own, one above the other, so that a browser paints each
+    but once. All have the frame of the file, mirrored, with the camshaft at the place that the disc turns about.
+    """
     reach = float(np.hypot(*scene.outline.T).max())
-    ray = scene.outline[int(np.argmin(np.abs(np.arctan2(scene.outline[:, 1], scene.outline[:, 0]))))][0]
-    disc.append(tag("line", x1=_n(ray - 7), y1=0, x2=_n(ray - 1.5), y2=0, class_="zero"))
     radius = 0.0 if scene.follower is None else scene.follower.radius
     ahead = scene.base + float(np.abs(scene.lift.lift).max()) + radius + 6
-    inside = [
+    left, wide, high = -max(ahead, reach) - _MARGIN, max(ahead, reach) + reach + 2 * _MARGIN, 2 * (reach + _MARGIN)
+    box = f"{_n(left)} {_n(-high / 2)} {_n(wide)} {_n(high)}"
+    ray = scene.outline[int(np.argmin(np.abs(np.arctan2(scene.outline[:, 1], scene.outline[:, 0]))))][0]
+    disc = (
+        tag("path", d=f"{_path(scene.outline)} {' '.join(_path(hole) for hole in scene.openings)}", class_="disc"),
+        tag("line", x1=_n(ray - 7), y1=0, x2=_n(ray - 1.5), y2=0, class_="zero"),
+    )
+    still = (
         tag("circle", cx=0, cy=0, r=_n(scene.base - radius), class_="base"),
-        tag("g", *disc, id="disc"),
         tag("line", x1=_n(-reach), y1=0, x2=_n(ahead), y2=0, class_="axis"),
         tag("line", x1=0, y1=_n(-reach), x2=0, y2=_n(reach), class_="axis"),
         tag("line", x1=_n(scene.base), y1=-9, x2=_n(scene.base), y2=9, class_="axis"),
-        *_follower(scene),
-    ]
-    low, wide = -max(ahead, reach) - _MARGIN, max(ahead, reach) + reach + 2 * _MARGIN
-    box = f"{_n(low)} {_n(-reach - _MARGIN)} {_n(wide)} {_n(2 * (reach + _MARGIN))}"
-    title = say("Cam and follower")
-    return tag("svg", tag("g", *inside, transform="scale(-1 1)"), viewBox=box, role="img", id="cam-view", **labels(title))
+    )
+    layers = (
+        _layer(box, disc, "disc", origin=f"{_n(100 * -left / wide)}%"),
+        _layer(box, still, "cam-frame"),
+        _layer(box, _follower(scene), "rod"),
+    )
+    return _stage(layers, wide / high, say("Cam and follower"), "cam-view")
+
+
+def _stage(layers: Iterable[str], aspect: float, title: Words, code: str) -> str:
+    return tag("div", *layers, class_="stage", id=code, role="img", data_aspect=f"{aspect:.4f}", **labels(title))
+
+
+def _layer(box: str, content: Iterable[str], code: str, *, origin: str | None = None) -> str:
+    """A mirrored drawing that fills its stage."""
+    group = tag("g", *content, transform="scale(-1 1)")
+    return tag("svg", group, viewBox=box, class_="layer", id=f"{code}-layer", aria_hidden="true", data_origin=origin)
 
 
 def _follower(scene: Scene) -> list[str]:
@@ -59,32 +77,49 @@ def _follower(scene: Scene) -> list[str]:
 
 
 def course_view(scene: Scene) -> str:
-    """The floor from above with the tracks of the car's middle, and the car."""
+    """The floor from above with the tracks of the car's middle, and the car in a drawing of its own."""
     tracks = {going.code: _track(going, scene.car) for going in scene.goings}
-    corners = [np.array(figure.points) for figure in scene.floor if figure.kind != "edge"]
-    seen = np.concatenate([*tracks.values(), *([np.concatenate(corners)] if corners else [])])
     edges = [np.array(figure.points) for figure in scene.floor if figure.kind == "edge"]
-    low, high = seen.min(axis=0) - _ROOM, seen.max(axis=0) + _ROOM
-    if edges:
-        low, high = edges[0].min(axis=0) - _ROOM / 2, edges[0].max(axis=0) + _ROOM / 2
+    seen = edges or [*tracks.values(), *(np.array(figure.points) for figure in scene.floor)]
+    room = _ROOM / 2 if edges else _ROOM
+    low, high = np.concatenate(seen).min(axis=0) - room, np.concatenate(seen).max(axis=0) + room
     order = {"planned": 0, "before": 1, "free": 2, "played": 3}
-    lines = [
-        tag("polyline", points=_points(tracks[code]), class_=f"track {code}", id=f"track-{code}")
-        for code in sorted(tracks, key=lambda code: order.get(code, 9))
-    ]
     floor = [
         *(_figure(figure) for figure in scene.floor),
-        *lines,
-        tag("g", *_car(scene.car), id="car-planned", class_="car ghost"),
-        tag("g", *_car(scene.car), id="car", class_="car", transform=_standing(scene.goings[-1 if len(scene.goings) == 1 else 1])),
+        *(
+            tag("polyline", points=_points(tracks[code]), class_=f"track {code}", id=f"track-{code}")
+            for code in sorted(tracks, key=lambda code: order.get(code, 9))
+        ),
     ]
-    box = f"{_n(low[0])} {_n(-high[1])} {_n(high[0] - low[0])} {_n(high[1] - low[1])}"
-    title = say("The car on its course")
-    return tag("svg", tag("g", *floor, transform="scale(1 -1)"), viewBox=box, role="img", id="course-view", **labels(title))
-
-
-def _standing(going: Going) -> str:
-    return f"translate({_n(going.x[0])} {_n(going.y[0])}) rotate({_n(degrees(going.heading[0]))})"
+    wide, tall = float(high[0] - low[0]), float(high[1] - low[1])
+    box = f"{_n(low[0])} {_n(-high[1])} {_n(wide)} {_n(tall)}"
+    size = 2.2 * max(
+        abs(complex(*point)) for point in (scene.car.fork, scene.car.idle, *scene.car.corners, (60.0, 0.0))
+    )
+    frame = {"left": _n(low[0]), "top": _n(high[1]), "width": _n(wide), "height": _n(tall), "size": _n(size)}
+    cars = (
+        tag(
+            "svg",
+            tag("g", *_car(scene.car), transform="scale(1 -1)"),
+            viewBox=f"{_n(-size / 2)} {_n(-size / 2)} {_n(size)} {_n(size)}",
+            class_=f"layer {kind}",
+            id=code,
+            aria_hidden="true",
+        )
+        for code, kind in (("car-planned", "car ghost"), ("car", "car"))
+    )
+    ground = tag("svg", tag("g", *floor, transform="scale(1 -1)"), viewBox=box, class_="layer", aria_hidden="true")
+    return tag(
+        "div",
+        ground,
+        *cars,
+        class_="stage",
+        id="course-view",
+        role="img",
+        data_aspect=f"{wide / tall:.4f}",
+        **{f"data_{key}": value for key, value in frame.items()},
+        **labels(say("The car on its course")),
+    )
 
 
 def _track(going: Going, car: CarShape) -> Array:
@@ -101,7 +136,11 @@ def _car(car: CarShape) -> list[str]:
     return [
         tag("polygon", points=_points(np.array(body)), class_="body"),
         tag("g", _wheel((0.0, 0.0), half), _wheel(car.idle, half)),
-        tag("g", tag("g", _wheel((0.0, 0.0), (0.6 * half[0], half[1])), class_="front"), transform=f"translate({_n(car.fork[0])} {_n(car.fork[1])})"),
+        tag(
+            "g",
+            tag("g", _wheel((0.0, 0.0), (0.6 * half[0], half[1])), class_="front"),
+            transform=f"translate({_n(car.fork[0])} {_n(car.fork[1])})",
+        ),
     ]
 
 
@@ -136,7 +175,5 @@ def _n(value: float) -> str:
 
 def legend(scene: Scene) -> str:
     """What the lines on the course are."""
-    items = (
-        tag("li", tag("i", class_=f"key {going.code}"), text(going.label)) for going in scene.goings
-    )
+    items = (tag("li", tag("i", class_=f"key {going.code}"), text(going.label)) for going in scene.goings)
     return tag("ul", *items, class_="legend")

@@ -53,11 +53,11 @@ class Drawn {
         height: phone ? 132 : 150,
         cursor: { sync: { key: this.sync.key }, drag: { x: false, y: false }, points: { size: 6 } },
         legend: { show: false },
-        padding: [10, 8, 0, 0],
+        padding: [10, 18, 0, 0],
         scales: { x: { time: false, range: [0, TURN] }, y: { range: (_, low, high) => this.range(low, high) } },
         axes: [
           { ...axis, size: 26, incrs: phone ? [60, 90] : [30, 60, 90], values: (_, places) => places.map((v) => `${v}°`) },
-          { ...axis, size: 46, incrs: undefined, space: 26 },
+          { ...axis, size: 52, space: 26, values: (_, places) => places.map((v) => String(Number(v.toPrecision(3)))) },
         ],
         series: [
           {},
@@ -175,7 +175,7 @@ class Drawn {
     const angle = this.hovered ?? ((this.theta ?? 0) * 180) / Math.PI;
     this.texts.forEach((node, i) => {
       const value = this.motion.chart(this.chart, i, (angle * Math.PI) / 180);
-      const text = Number.isFinite(value) ? value.toFixed(Math.abs(value) >= 100 ? 1 : 2) : "–";
+      const text = Number.isFinite(value) ? value.toFixed(Math.abs(value) >= 100 ? 1 : 2).replace(/^-(0\.?0*)$/, "$1") : "–";
       if (node.textContent !== text) node.textContent = text;
     });
   }

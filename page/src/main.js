@@ -6,6 +6,7 @@ import { drawCharts } from "./charts.js";
 import { transport } from "./transport.js";
 import { pick, remembered, speak, translated, language } from "./words.js";
 
+const STILL = 300; // ms after the last move of the slider at which the picture is drawn in full
 const root = document.documentElement;
 const dark = matchMedia("(prefers-color-scheme: dark)");
 let themed = () => {};
@@ -61,12 +62,13 @@ async function model() {
   bar.listen(charts.show);
   bar.changed();
 
-  const loop = { assembly: null, running: false, last: 0 };
+  const loop = { assembly: null, running: false, last: 0, sliding: -Infinity };
   const turn = (time) => {
-    const moving = bar.step(Math.min(time - loop.last, 100));
+    const since = time - loop.last;
     loop.last = time;
-    loop.assembly?.draw(moving || loop.sliding > time - 250);
-    if (moving || loop.assembly?.dirty || loop.assembly?.ratio < 1) requestAnimationFrame(turn);
+    const moving = bar.step(Math.min(since, 100)) || time - loop.sliding < STILL;
+    loop.assembly?.draw(moving, since);
+    if (moving || loop.assembly?.dirty) requestAnimationFrame(turn);
     else loop.running = false;
   };
   const wake = () => {
@@ -76,7 +78,10 @@ async function model() {
     requestAnimationFrame(turn);
   };
   bar.wake = wake;
-  document.getElementById("angle").addEventListener("input", () => (loop.sliding = performance.now()));
+  document.getElementById("angle").addEventListener("input", () => {
+    loop.sliding = performance.now();
+    wake();
+  });
 
   themed = () => {
     charts.redraw();
@@ -125,6 +130,7 @@ function picture(assembly, on) {
   const image = new Image();
   image.alt = "";
   image.src = assembly.picture();
+  image.decode?.().catch(() => {});
   box.append(image);
 }
 

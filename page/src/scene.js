@@ -7,14 +7,17 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 const css = (name) => new Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim());
-const SLOW = 30; // ms for a frame beyond which the picture is drawn coarser while it moves
-const COARSEST = 0.5;
+const SLOW = 34; // ms from frame to frame beyond which the picture is drawn coarser while it moves
+// Shares of the full resolution, from fine to coarse; edges of parts are drawn in the first ones alone.
+const LEVELS = [1, 0.8, 0.66, 0.5];
+const WITH_EDGES = 2;
 
 export class Assembly {
   constructor(box, motion) {
     this.box = box;
     this.motion = motion;
-    this.renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
+    this.software = drawsInSoftware();
+    this.renderer = new WebGLRenderer({ antialias: !this.software, powerPreference: "high-performance" });
     this.canvas = this.renderer.domElement;
     box.append(this.canvas);
     this.scene = new Scene();
@@ -31,7 +34,8 @@ export class Assembly {
     this.materials = {};
     this.groups = new Map();
     this.cut = new Plane(new Vector3(0, 0, 1), 0);
-    this.ratio = 1;
+    this.level = 0; // of the picture now
+    this.moving = this.software ? WITH_EDGES : 0; // of the picture while it moves
     this.build();
     this.colour();
     this.frame();
@@ -128,10 +132,10 @@ export class Assembly {
     this.size = high.distanceTo(low) / 2;
   }
 
-  /** Looks from a side: `start`, `left`, `front`, `top`. */
+  /** Looks from a side; `start` is from the right, where the gears are. */
   view(name) {
-    const from = { start: [0.55, 0.5, -1], left: [0, 0, -1], front: [1, 0, 0], top: [0, 1, -0.0001] }[name];
-    const away = (this.size * 1.02) / Math.sin((this.camera.fov * Math.PI) / 360) / Math.min(1, this.camera.aspect * 1.05 || 1);
+    const from = { start: [0.62, 0.5, this.motion.scene.rod?.side ?? 1], left: [0, 0, -1], right: [0, 0, 1], front: [1, 0, 0], top: [0, 1, -0.0001] }[name];
+    const away = (this.size * 0.86) / Math.sin((this.camera.fov * Math.PI) / 360) / Math.min(1, this.camera.aspect * 1.05 || 1);
     this.camera.position.copy(this.middle).addScaledVector(new Vector3(...from).normalize(), away);
     this.camera.near = away / 50;
     this.camera.far = away * 4;
@@ -159,13 +163,14 @@ export class Assembly {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.sized = new Vector2(width, height);
-    this.resolve(1);
+    this.resolve(this.level);
   }
 
-  resolve(ratio) {
-    this.ratio = ratio;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * ratio);
-    this.renderer.setSize(this.sized.x, this.sized.y);
+  resolve(level) {
+    this.level = level;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * LEVELS[level]);
+    this.renderer.setSize(this.sized.x, this.sized.y, false);
+    if (this.edges) this.edges.visible = level < WITH_EDGES;
     this.ask();
   }
 
@@ -209,30 +214,39 @@ export class Assembly {
     this.wake?.();
   }
 
-  /** Draws if something has changed; `moving` lets the picture become coarser where the machine is slow. */
-  draw(moving) {
-    if (!this.dirty || !this.sized) return false;
-    if (!moving && this.ratio < 1) this.resolve(1);
-    const begin = performance.now();
+  /** Draws if something has changed. While it moves, the picture becomes coarser where frames come late. */
+  draw(moving, since) {
+    if (!this.sized) return;
+    if (moving && since !== undefined) {
+      this.took = this.took === undefined ? since : 0.8 * this.took + 0.2 * since;
+      if (this.took > SLOW && this.moving < LEVELS.length - 1) {
+        this.moving += 1;
+        this.took = undefined;
+      }
+    }
+    const level = moving ? this.moving : 0;
+    if (level !== this.level) this.resolve(level);
+    if (!this.dirty) return;
     this.dirty = false;
     this.before?.();
     this.renderer.render(this.scene, this.camera);
-    if (moving) {
-      // Software draws within this call, a graphics card behind it: there frames are counted by the clock.
-      const took = performance.now() - begin;
-      this.took = this.took === undefined ? took : 0.7 * this.took + 0.3 * took;
-      if (this.took > SLOW && this.ratio > COARSEST) {
-        this.took = undefined;
-        this.resolve(Math.max(this.ratio * 0.8, COARSEST));
-      }
-    }
-    return true;
   }
 
   picture() {
+    this.resolve(0);
     this.renderer.render(this.scene, this.camera);
     return this.canvas.toDataURL("image/png");
   }
+}
+
+/** Whether the browser has no graphics card and draws by the processor. */
+function drawsInSoftware() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  if (!context) throw new Error("no WebGL");
+  const known = context.getExtension("WEBGL_debug_renderer_info");
+  const name = known ? context.getParameter(known.UNMASKED_RENDERER_WEBGL) : "";
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 function rodGeometry(radius, low, high) {

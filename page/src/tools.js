@@ -17,7 +17,7 @@ export function tools(assembly) {
   canvas.addEventListener("keydown", (event) => key(event, assembly));
 
   const bar = element("div", { class: "bar3d" });
-  const views = [["start", "All", "全部"], ["left", "Left", "左视"], ["front", "Front", "前视"], ["top", "Top", "俯视"]];
+  const views = [["start", "All", "全部"], ["left", "Left", "左视"], ["right", "Right", "右视"], ["front", "Front", "前视"], ["top", "Top", "俯视"]];
   for (const [name, en, zh] of views) {
     const button = element("button", { type: "button", text: [en, zh] });
     button.addEventListener("click", () => assembly.view(name));
@@ -48,9 +48,9 @@ function section(assembly) {
   const select = element("select", { label: ["Section", "剖切"] });
   const choices = [
     ["", "No section", "不剖切"],
-    ["z", "Section across the shafts", "垂直于轴剖切"],
-    ["x", "Section across the car", "横向剖切"],
-    ["y", "Level section", "水平剖切"],
+    ["z", "Across shafts", "垂直于轴"],
+    ["x", "Across the car", "横向"],
+    ["y", "Level", "水平"],
   ];
   for (const [value, en, zh] of choices) select.append(element("option", { value, text: [en, zh] }));
   const slider = element("input", { type: "range", min: 0, max: 1, step: 0.002, value: 0.5, hidden: true, label: ["Place of the section", "剖切位置"] });

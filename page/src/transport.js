@@ -5,9 +5,11 @@ const TURN = 360;
 const SECONDS = 24; // of a turn at speed 1
 const QUIET = 700; // ms without a change until a screen reader is told
 
+const plain = (value, digits) => value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
+
 export function transport(motion, marks) {
   const bar = document.getElementById("transport");
-  const [slider, shown, now, live, button, options] = ["angle", "angle-now", "now", "live", "play", "options"].map((id) =>
+  const [slider, shown, now, live, button, options] = ["angle", "angle-now", "now", "live", "go", "options"].map((id) =>
     document.getElementById(id),
   );
   const state = { angle: 0, playing: false, play: Boolean(motion.withPlay), speed: 1 };
@@ -39,9 +41,9 @@ export function transport(motion, marks) {
   }
 
   const fields = [
-    ["lift", ["lift", "升程"], (s) => `${s.lift.toFixed(3)} mm`],
-    ["steer", ["steering", "转向角"], (s) => `${((Math.atan(s.tan) * 180) / Math.PI).toFixed(2)}°`],
-    ["pressure", ["pressure angle", "压力角"], (s) => `${s.pressure.toFixed(1)}°`],
+    ["lift", ["lift", "升程"], (s) => `${plain(s.lift, 3)} mm`],
+    ["steer", ["steering", "转向角"], (s) => `${plain((Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
+    ["pressure", ["pressure angle", "压力角"], (s) => `${plain(s.pressure, 1)}°`],
     ["run", ["distance run", "行驶距离"], (s) => `${(s.run / 1000).toFixed(2)} m`],
     ["off", ["off the plan", "偏离规划"], (s) => `${s.off.toFixed(1)} mm`],
   ].filter(([code]) => code !== "off" || motion.goings.planned);

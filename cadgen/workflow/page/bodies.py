@@ -13,8 +13,16 @@ from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.plan import GearsPlan
 from cadgen.workflow.page.train import GAP, TurningPart, TurningTrain, turning_train
 
-MOST_TRIANGLES = 120_000
-_CHORDS = (0.01, 0.02, 0.04, 0.08, 0.16)  # mm, of the meshes shown: the finest with which they are few enough
+MOST_TRIANGLES = 30_000  # a phone, or a computer without a graphics card, then turns it smoothly
+_CHORDS = (
+    0.01,
+    0.015,
+    0.02,
+    0.03,
+    0.04,
+    0.08,
+    0.16,
+)  # mm, of the meshes shown: the finest with which they are few enough
 _BEYOND = 6.0  # mm by which a shaft is drawn longer than what sits on it
 
 
@@ -131,7 +139,8 @@ def _shaft(turning: TurningPart, reach: float | None, *, drawn: bool) -> Shaft:
 
 def _notes(plan: CamPlan, train: TurningTrain, cam_radius: float) -> list[Text]:
     """Remarks on the place of the train in the car."""
-    notes, behind, drive = [], _behind(plan), train.parts[0]
+    notes: list[Text] = []
+    behind, drive = _behind(plan), train.parts[0]
     if train.reach < behind:
         notes.append(
             Words(
@@ -145,8 +154,8 @@ def _notes(plan: CamPlan, train: TurningTrain, cam_radius: float) -> list[Text]:
     if room < 0 and plan.wheel.radius:
         notes.append(
             Words(
-                f"As laid out, the shaft of the drive wheel runs through the circle that the cam sweeps, {-room:.1f} mm "
-                "deep: lay the stages out further apart, or lead the shaft past the cam.",
+                f"As laid out, the shaft of the drive wheel runs through the circle that the cam sweeps, {-room:.1f} "
+                "mm deep: lay the stages out further apart, or lead the shaft past the cam.",
                 f"按当前布置，驱动轮轴穿过凸轮扫过的圆，深入 {-room:.1f} mm：请加大各级布置距离，或让轴避开凸轮。",
             )
         )

@@ -1,6 +1,7 @@
 """Curves over the cam angle: lift, steering, pressure angle, curvature, torque; and the marked places of the turn."""
 
 from dataclasses import dataclass
+
 import numpy as np
 
 from cadgen.arrays import TURN, Array
@@ -71,7 +72,9 @@ def _curvature(plan: CamPlan, curve: ClosedCurve, theta: Array, contact: Contact
     ahead = plan.follower.ahead(contact.tan_beta, contact.face, contact.across)
     at = (contact.cam_angle + np.arctan2(contact.across, ahead)) % TURN
     values = np.interp(at, angle, curvature, period=TURN)
-    return Chart("curvature", say("Curvature of the profile"), "1/m", theta, (Curve(say("curvature"), _closed(1e3 * values)),))
+    return Chart(
+        "curvature", say("Curvature of the profile"), "1/m", theta, (Curve(say("curvature"), _closed(1e3 * values)),)
+    )
 
 
 def curvature_by_angle(curve: ClosedCurve) -> tuple[Array, Array]:
@@ -125,4 +128,3 @@ def _marks(plan: CamPlan) -> list[Mark]:
     marks = [Mark("peak", float(angle)) for angle in peaks] + [Mark("valley", float(angle)) for angle in valleys]
     marks.append(Mark("blend", plan.lift.blend_start))
     return sorted(marks, key=lambda mark: mark.angle)
-

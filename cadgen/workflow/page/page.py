@@ -2,8 +2,8 @@
 
 from math import degrees
 
-from cadgen.page.document import Cell, Failure, Page, Section, Text, number
 from cadgen.page.check_words import check_name
+from cadgen.page.document import Cell, Failure, Page, Section, Text, Words, number
 from cadgen.page.words import named, say
 from cadgen.version import __version__
 from cadgen.workflow.page.charts import charts_of
@@ -48,15 +48,18 @@ def page_of(plan: PagePlan) -> Page:
 
 
 def _failures(plan: PagePlan) -> tuple[Failure, ...]:
+    """What fails, each with advice, and the changes that are proved to bring lost lift within its limit."""
     refused = [Failure(refusal.reason) for refusal in plan.refusals if refusal.fails]
-    return (
-        *refused,
-        *(
-            Failure(check_name(check), check.advice)
-            for check in plan.checks
-            if not check.passed
-        ),
-    )
+    failing = [check for check in plan.checks if not check.passed]
+    cures = [
+        Failure(
+            Words(f"Proved cure: --set {cure.override}", f"已验证的修改：--set {cure.override}"),
+            Words(f"now {cure.now}", f"现为 {cure.now}"),
+        )
+        for cure in plan.cures.proved
+        if not cure.failing
+    ]
+    return (*refused, *(Failure(check_name(check), check.advice) for check in failing), *cures)
 
 
 def _summary(plan: PagePlan) -> tuple[tuple[Text, Cell], ...]:
@@ -67,7 +70,9 @@ def _summary(plan: PagePlan) -> tuple[tuple[Text, Cell], ...]:
         (say("checks that pass"), Cell(f"{passing} / {len(checks)}", state="good" if plan.passed else "bad")),
     ]
     if plan.simulation is not None:
-        rows.append((say("end of the run, with play"), number(plan.simulation.after_error.end_distance, "mm", digits=1)))
+        rows.append(
+            (say("end of the run, with play"), number(plan.simulation.after_error.end_distance, "mm", digits=1))
+        )
         rows.append((say("return error"), number(degrees(plan.simulation.play), "°")))
     if plan.tolerance is not None:
         rows.append((say("cars that pass"), number(100 * plan.tolerance.passed, "%", digits=2)))

@@ -104,14 +104,16 @@ def _gear_sizes(parts: list[dict[str, Any]]) -> Table | None:
         say("over pins, greatest"),
         say("measured"),
     )
-    return Table("gear-sizes", say("Gears: base tangent length and size over pins"), heads, tuple(rows)) if rows else None
+    return (
+        Table("gear-sizes", say("Gears: base tangent length and size over pins"), heads, tuple(rows)) if rows else None
+    )
 
 
 def parts_section(plan: PagePlan) -> Section:
     """Parts list."""
     design, cam = plan.design, plan.cam
     inner, outer = design.cam.faces_mm
-    rows = [
+    rows: list[tuple[Cell, ...]] = [
         (
             Cell(say("cam")),
             Cell(design.blank.material or "–"),
@@ -145,7 +147,7 @@ def parts_section(plan: PagePlan) -> Section:
 
 
 def _gear_rows(layout: TrainLayout) -> list[tuple[Cell, ...]]:
-    rows = []
+    rows: list[tuple[Cell, ...]] = []
     for part in parts_facts(layout):
         gears = part["gears"]
         teeth = [gear["teeth"] for gear in gears if "teeth" in gear]
@@ -208,9 +210,7 @@ def calibration_section(plan: PagePlan) -> Section | None:
         for value in effect.values
     ]
     heads = (say("effect"), say("stays with"), say("number"), say("value"), say("standard deviation"))
-    sources = [
-        (Cell(source.file), Cell(source.kind), Cell(source.verdict or "–")) for source in record.sources
-    ]
+    sources = [(Cell(source.file), Cell(source.kind), Cell(source.verdict or "–")) for source in record.sources]
     tables = [Table("as-built", say("Effects on the car as built"), heads, tuple(rows), words=3)]
     if sources:
         head = (say("file"), say("kind of data"), say("verdict"))
@@ -244,4 +244,3 @@ def _add(block: "Block", heading: Text, tables: list[Table]) -> Text:
     rows = tuple(tuple(Cell(str(cell)) for cell in row) for row in block.rows)
     tables.append(Table(f"calibration-{len(tables) + 1}", heading, tuple(block.head), rows, words=block.words))
     return heading
-

@@ -111,7 +111,8 @@ def plan_page(
             gears = plan_gears(design, "as-given", progress)
         except DesignError as error:
             refusals.append(Refusal("gears", str(error), fails=True))
-    simulation, run, further = None, None, ()
+    simulation, run = None, None
+    further: tuple[Remedy, ...] = ()
     if cam.against is not None:
         progress("running the car")
         simulation = simulated(cam)
@@ -127,9 +128,7 @@ def plan_page(
 
         known = default_profile(design).code if profile is None else profile
         calibration = calibrate(design, _measured_profile(design, known), sources, None, progress)
-    return PagePlan(
-        cam, find_cures(cam, progress), gears, simulation, further, run, calibration, tuple(refusals)
-    )
+    return PagePlan(cam, find_cures(cam, progress), gears, simulation, further, run, calibration, tuple(refusals))
 
 
 def _measured_profile(design: Design, known: str) -> str:

@@ -6,7 +6,7 @@ from math import degrees, isinf
 from cadgen.check import Check
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.page.check_words import check_name, place_words
-from cadgen.page.document import Cell, Section, Table, Text, Words, number
+from cadgen.page.document import Cell, Section, State, Table, Text, Words, number
 from cadgen.page.words import named, say
 from cadgen.workflow.cam.against import Against
 from cadgen.workflow.cam.plan import CamPlan
@@ -86,7 +86,7 @@ def _methods(against: Against) -> Table:
     rows = []
     for evaluation in against.evaluations:
         chosen = evaluation is against.chosen
-        state = "strong" if chosen else ""
+        state: State = "strong" if chosen else ""
         gain = None if evaluation is against.before else against.gain(evaluation)[1]
         name = profile_name(evaluation)
         cells = [Cell(name, state=state)]
@@ -119,7 +119,10 @@ def _methods(against: Against) -> Table:
 def _runs(simulation: Simulation) -> Table:
     chosen, before = simulation.against.chosen, simulation.against.before
     rows = [
-        (Cell(say("measured cam, with play" if before.measured else "plain profile, with play")), simulation.before_error),
+        (
+            Cell(say("measured cam, with play" if before.measured else "plain profile, with play")),
+            simulation.before_error,
+        ),
         (Cell(say("this cam, with play"), state="strong"), simulation.after_error),
         (Cell(say("this cam, without play")), chosen.deviation),
     ]

@@ -3,9 +3,9 @@
 The frame is that of the cam's files: the camshaft is the z axis, which points to the car's left; x points ahead, to the
 fork, and y down. Forwards the cam turns by -θ about z.
 
-Every driver pushes on the same flanks as long as the gears push the cam. If the cam runs ahead by a share u of the play,
-each stage's driven wheel goes through the same share of its play. With σ = ±1 the sense of a shaft and e its lead over
-the middle of the play, measured in that sense,
+Every driver pushes on the same flanks as long as the gears push the cam. If the cam runs ahead by a share u of the
+play, each stage's driven wheel goes through the same share of its play. With σ = ±1 the sense of a shaft and e its lead
+over the middle of the play, measured in that sense,
     e(driven) = e(driver) / i + (u - 1/2) j,  j the play of the stage as cut.
 The drive stands ahead by as much as makes the lead of the output 0 at u = 0.
 """
@@ -90,8 +90,8 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
 
     Args:
         layout: train as laid out.
-        behind: distance of the rear axle behind the camshaft, mm; the drive's axis is set there, below the height of the
-            camshaft, or straight behind it as far as the train reaches.
+        behind: distance of the rear axle behind the camshaft, mm; the drive's axis is set there, below the height of
+            the camshaft, or straight behind it as far as the train reaches.
         plane: height at which the stack of gears ends towards the cam, mm.
         side: 1 if the stack stands below that plane, -1 if above.
     """
@@ -135,4 +135,3 @@ def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -
 def _ends(part: TrainPart) -> tuple[float, float]:
     end = part.body.slabs[-1].end
     return part.height, part.height + (-end if part.flipped else end)
-
