@@ -193,10 +193,10 @@ export class Assembly {
     const on = axis !== null;
     if (on) {
       const place = this.low[axis] + share * (this.high[axis] - this.low[axis]);
-      const sign = axis === "z" ? 1 : -1;
+      // What is on the camera's side goes.
+      const sign = this.camera.position[axis] > this.middle[axis] ? -1 : 1;
       this.cut.normal.set(0, 0, 0)[axis] = sign;
       this.cut.constant = -sign * place;
-      this.place = place;
     }
     this.renderer.clippingPlanes = on ? [this.cut] : [];
     for (const material of Object.values(this.materials)) {
