@@ -37,8 +37,8 @@ The rooms, in walking order; each imports only those before it.
 | `solids`      | the only room that imports the CAD kernel                                 |
 | `export`      | one file per format, each with its read-back; manifest; publishing        |
 | `report`      | pictures, as PNG and SVG                                                  |
-| `page`        | the report page: one HTML file with model, curves and tables              |
 | `workflow`    | one job from design to verified files                                     |
+| `page`        | the report page: one HTML file with model, curves and tables              |
 | `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
 | `cli`         | the commands                                                              |
 

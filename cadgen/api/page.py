@@ -10,11 +10,11 @@ from cadgen.api.files import Written, folder_of
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.values import whole
 from cadgen.check import Check, failing
+from cadgen.page.content.plan import plan_page
 from cadgen.progress import Progress, silent
-from cadgen.workflow.page.plan import plan_page
 
 if TYPE_CHECKING:
-    from cadgen.workflow.page.plan import PagePlan
+    from cadgen.page.content.plan import PagePlan
 
 SAMPLES = 10_000
 
@@ -98,7 +98,7 @@ class Report:
 
     def facts(self) -> dict[str, Any]:
         """Every figure of the page as plain values, as in the manifest and with `--json`."""
-        from cadgen.workflow.page.files import page_facts
+        from cadgen.page.content.files import page_facts
 
         return page_facts(self.computed)
 
@@ -112,7 +112,7 @@ class Report:
         Raises:
             FileError: the file cannot be written.
         """
-        from cadgen.workflow.page.files import write_page
+        from cadgen.page.content.files import write_page
 
         place = folder_of(folder)
         written = write_page(self.computed, place, progress)

@@ -1,7 +1,8 @@
-"""The report page: from frozen values to one HTML file that works offline.
+"""The report page: one HTML file that works offline.
 
 | module        | what it does                                                      |
 |---------------|-------------------------------------------------------------------|
+| `content`     | what is on it, from the plans of a design                         |
 | `document`    | content of a page: tables, curves, meshes, motion                 |
 | `words`       | the page's texts in English and Chinese                           |
 | `check_words` | names and places of checks in Chinese                             |

@@ -225,7 +225,7 @@ class RodShape:
 
 @dataclass(frozen=True)
 class Lift:
-    """What a cam gives its follower, at even cam angles from 0 to a full turn; all arrays have shape (n,).
+    """Motion that a cam gives its follower, at even cam angles from 0 to a full turn; all arrays have shape (n,).
 
     Attributes:
         lift: lift of the follower, mm.

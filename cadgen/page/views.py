@@ -174,6 +174,6 @@ def _n(value: float) -> str:
 
 
 def legend(scene: Scene) -> str:
-    """What the lines on the course are."""
+    """Names of the lines on the course."""
     items = (tag("li", tag("i", class_=f"key {going.code}"), text(going.label)) for going in scene.goings)
     return tag("ul", *items, class_="legend")

@@ -223,8 +223,8 @@ _LONG = {
         "没有间隙数据，无法进行随机仿真：请在设计中添加 [train] 或 [play]。",
     ),
     "inspection-lead": Words(
-        "Sizes to measure the parts by; write what you measure into the empty cells. The lift holds on the finished cam "
-        "with its follower, cam angle 0 at the keyway's zero.",
+        "Sizes to measure the parts by; write what you measure into the empty cells. The lift holds on the finished "
+        "cam with its follower, cam angle 0 at the keyway's zero.",
         "用于测量零件的尺寸，请将实测值填入空格。升程对应装好从动件的成品凸轮，凸轮转角以键槽零位为 0。",
     ),
     "as-built-lead": Words(
@@ -236,8 +236,8 @@ _LONG = {
         "盘按加工形状、与轴同心绘制；运行仿真已计入 [as_built] 的实测偏差。",
     ),
     "even-stages": Words(
-        "With this number of stages the camshaft turns in the same sense as the drive wheel; the cam turns against it in "
-        "a car that drives forwards. Mount the train on the other side or add a stage.",
+        "With this number of stages the camshaft turns in the same sense as the drive wheel; the cam turns against it "
+        "in a car that drives forwards. Mount the train on the other side or add a stage.",
         "按此级数，凸轮轴与驱动轮同向转动；而前进时凸轮应反向转动。请将轮系装到另一侧，或增加一级。",
     ),
     "place-car": Words("the car", "小车"),

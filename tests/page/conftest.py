@@ -6,9 +6,9 @@ import shutil
 import pytest
 
 from cadgen.design.load import load_design
+from cadgen.page.content.page import page_of
+from cadgen.page.content.plan import plan_page
 from cadgen.page.html import html_of
-from cadgen.workflow.page.page import page_of
-from cadgen.workflow.page.plan import plan_page
 
 SAMPLES = 60
 

@@ -3,9 +3,9 @@
 import pytest
 
 from cadgen.design.load import load_design
+from cadgen.page.content.page import page_of
+from cadgen.page.content.plan import plan_page
 from cadgen.page.html import html_of
-from cadgen.workflow.page.page import page_of
-from cadgen.workflow.page.plan import plan_page
 
 ARGUMENTS = [
     "--no-sandbox",
@@ -69,8 +69,8 @@ def test_it_comes_up_without_an_error_or_a_request(shown):
 def test_the_slider_moves_cam_car_and_read_outs(shown):
     def state():
         return shown.evaluate(
-            "() => [document.getElementById('disc-layer').style.transform, document.getElementById('car').style.transform,"
-            " document.getElementById('now').textContent, document.getElementById('angle-now').value]"
+            "() => [document.getElementById('disc-layer').style.transform,"
+            " document.getElementById('car').style.transform, document.getElementById('now').textContent, document.getElementById('angle-now').value]"
         )
 
     before = state()

@@ -13,14 +13,14 @@ from cadgen.design.load import load_design
 from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.teeth import measured_pair
 from cadgen.page.check_words import check_name, place_words
+from cadgen.page.content.files import page_facts
+from cadgen.page.content.page import page_of
+from cadgen.page.content.plan import plan_page
+from cadgen.page.content.train import turning_train
+from cadgen.page.document import Cell, Words, number
 from cadgen.page.html import html_of
 from cadgen.page.markup import cell, tag
-from cadgen.page.document import Cell, Words, number
 from cadgen.page.shading import shaded
-from cadgen.workflow.page.files import page_facts
-from cadgen.workflow.page.page import page_of
-from cadgen.workflow.page.plan import plan_page
-from cadgen.workflow.page.train import turning_train
 from tests.page.reading import Tables, at, data, going
 
 POSITIONS = np.linspace(0.0, 2 * np.pi, 12, endpoint=False) + 0.05
@@ -152,16 +152,16 @@ def test_teeth_touch_on_the_flanks_that_carry(plan, html):
         for motor in POSITIONS:
             *_, share = at(document, going(document, code), motor)
             angles = [shaft["angle"] + shaft["rate"] * motor + shaft["lead"] * share for shaft in shafts]
-            for number, stage in enumerate(layout.train.stages):
-                pair, (x0, y0), (x1, y1) = measured_pair(stage), shafts[number]["axis"], shafts[number + 1]["axis"]
+            for place, stage in enumerate(layout.train.stages):
+                pair, (x0, y0), (x1, y1) = measured_pair(stage), shafts[place]["axis"], shafts[place + 1]["axis"]
                 towards = np.arctan2(y1 - y0, x1 - x0)
                 assert np.hypot(x1 - x0, y1 - y0) == pytest.approx(stage.centre_distance, abs=1e-9)
-                driver, driven = angles[number] - towards, angles[number + 1] - towards
+                driver, driven = angles[place] - towards, angles[place + 1] - towards
                 pitch = 2 * np.pi / pair.driven.teeth
                 middle = pair.middle(driver)
                 driven = middle + (driven - middle + pitch / 2) % pitch - pitch / 2
                 # The flank in the sense opposite to the driven wheel's carries as long as the gears push.
-                sense = -np.sign(shafts[number + 1]["rate"]) * (1 if share < 0.5 else -1)
+                sense = -np.sign(shafts[place + 1]["rate"]) * (1 if share < 0.5 else -1)
                 gap = abs(pair.limit(driver, int(sense)) - driven) * pair.driven_pitch_radius
                 if share in (0.0, 1.0) or share < 1e-6 or share > 1 - 1e-4:
                     worst, carried = max(worst, gap), carried + 1

@@ -7,11 +7,11 @@ from cadgen.build import cam_model
 from cadgen.errors import CadgenError
 from cadgen.meshes.disc import cam_mesh
 from cadgen.meshes.mesh import Mesh
+from cadgen.page.content.train import GAP, TurningPart, TurningTrain, turning_train
 from cadgen.page.document import Part, Shaft, Text, Words
 from cadgen.page.words import say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.plan import GearsPlan
-from cadgen.workflow.page.train import GAP, TurningPart, TurningTrain, turning_train
 
 MOST_TRIANGLES = 30_000  # a phone, or a computer without a graphics card, then turns it smoothly
 _CHORDS = (
@@ -28,7 +28,7 @@ _BEYOND = 6.0  # mm by which a shaft is drawn longer than what sits on it
 
 @dataclass(frozen=True)
 class Bodies:
-    """What is drawn in 3D.
+    """Bodies drawn in 3D.
 
     Attributes:
         shafts: shafts; the first is that of the cam.

@@ -3,14 +3,14 @@
 from math import degrees
 
 from cadgen.page.check_words import check_name
+from cadgen.page.content.charts import charts_of
+from cadgen.page.content.parts_sections import calibration_section, inspection_section, parts_section
+from cadgen.page.content.plan import PagePlan
+from cadgen.page.content.scene import scene_of
+from cadgen.page.content.sections import checks_section, play_section, tolerance_section
 from cadgen.page.document import Cell, Failure, Page, Section, Text, Words, number
 from cadgen.page.words import named, say
 from cadgen.version import __version__
-from cadgen.workflow.page.charts import charts_of
-from cadgen.workflow.page.parts_sections import calibration_section, inspection_section, parts_section
-from cadgen.workflow.page.plan import PagePlan
-from cadgen.workflow.page.scene import scene_of
-from cadgen.workflow.page.sections import checks_section, play_section, tolerance_section
 
 
 def page_of(plan: PagePlan) -> Page:
@@ -48,7 +48,7 @@ def page_of(plan: PagePlan) -> Page:
 
 
 def _failures(plan: PagePlan) -> tuple[Failure, ...]:
-    """What fails, each with advice, and the changes that are proved to bring lost lift within its limit."""
+    """Failures, each with advice, and the changes that are proved to bring lost lift within its limit."""
     refused = [Failure(refusal.reason) for refusal in plan.refusals if refusal.fails]
     failing = [check for check in plan.checks if not check.passed]
     cures = [

@@ -5,12 +5,12 @@ from typing import Any
 
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
+from cadgen.page.content.page import page_of
+from cadgen.page.content.plan import PagePlan
 from cadgen.page.html import html_of
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.manifest import cam_facts, design_facts, remedy_facts
 from cadgen.workflow.gears.facts import plan_facts
-from cadgen.workflow.page.page import page_of
-from cadgen.workflow.page.plan import PagePlan
 from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
 
 

@@ -6,12 +6,12 @@ from math import degrees, isinf
 from cadgen.check import Check
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.page.check_words import check_name, place_words
+from cadgen.page.content.plan import PagePlan
 from cadgen.page.document import Cell, Section, State, Table, Text, Words, number
 from cadgen.page.words import named, say
 from cadgen.workflow.cam.against import Against
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.cam.remedies import Remedy
-from cadgen.workflow.page.plan import PagePlan
 from cadgen.workflow.runs.budget import shown_value
 from cadgen.workflow.runs.simulation import Simulation
 from cadgen.workflow.runs.tolerance import Spread, ToleranceRun

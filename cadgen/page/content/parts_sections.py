@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cadgen.gears.layout import TrainLayout
+from cadgen.page.content.plan import PagePlan
 from cadgen.page.document import Cell, Section, Table, Text, number
 from cadgen.page.words import say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.facts import parts_facts
-from cadgen.workflow.page.plan import PagePlan
 
 if TYPE_CHECKING:
     from cadgen.report.text import Block
@@ -192,7 +192,7 @@ def _stages(layout: TrainLayout) -> Table:
 
 
 def calibration_section(plan: PagePlan) -> Section | None:
-    """What was measured: verdicts on files, or the effects of an as-built design; None without either."""
+    """Measurements: verdicts on files, or the effects of an as-built design; None without either."""
     if plan.calibration is not None:
         return _measured(plan.calibration)
     record = plan.design.as_built

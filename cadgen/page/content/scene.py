@@ -1,4 +1,4 @@
-"""What moves on the page: runs over the cam angle, course, car, shafts, and parts in 3D."""
+"""Everything that moves on the page: runs over the cam angle, course, car, shafts, and parts in 3D."""
 
 from collections.abc import Iterator
 
@@ -12,11 +12,11 @@ from cadgen.course.body import place_of
 from cadgen.course.course import Gate, Shape
 from cadgen.motion.drive import drive, start_pose
 from cadgen.motion.play import Following, follow
+from cadgen.page.content.bodies import Bodies, bodies_of
 from cadgen.page.document import CarShape, Figure, FigureKind, Going, Lift, RodShape, Scene, Text
 from cadgen.page.words import say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.plan import GearsPlan
-from cadgen.workflow.page.bodies import Bodies, bodies_of
 
 POSITIONS = 1440  # of the motor: one each quarter of a degree, and to either side of each jump
 LIFTS = 2880  # straight lines between them err by 0.1 um where the lift bends by 150 mm/rad^2
@@ -31,7 +31,7 @@ def rolled_lift_of(plan: CamPlan) -> LiftCurve:
 
 
 def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[Text, ...]]:
-    """What moves, and remarks on what is drawn otherwise than it will be built.
+    """Everything that moves, and remarks on what is drawn otherwise than it will be built.
 
     Args:
         plan: plan of the cam.
