@@ -61,10 +61,9 @@ def report(
         show.files(written, out)
         for text in result.refused:
             click.echo(f"cadgen: {text}", err=True)
-        names = ", ".join(check.name for check in result.failed)
-        click.echo(
-            f"FAIL: {names or result.refused[0]}; see the top of the page"
-            if not result.passed
-            else f"PASS: open {out / written.files[0].name} in a browser"
-        )
+        if result.passed:
+            click.echo(f"PASS: open {out / written.files[0].name} in a browser")
+        else:
+            names = ", ".join(check.name for check in result.failed)
+            click.echo(f"FAIL{f': {names}' if names else ''}; see the top of the page")
     sys.exit(0 if result.passed else 1)

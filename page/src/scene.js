@@ -222,7 +222,10 @@ export class Assembly {
       if (this.took > SLOW && this.moving < LEVELS.length - 1) {
         this.moving += 1;
         this.took = undefined;
-      }
+      } else if (this.took > SLOW) this.halved = true;
+      // At last the assembly moves in each second frame, and all else in every one.
+      this.even = !this.even;
+      if (this.halved && this.even && this.level === this.moving) return;
     }
     const level = moving ? this.moving : 0;
     if (level !== this.level) this.resolve(level);

@@ -70,7 +70,8 @@ def test_the_slider_moves_cam_car_and_read_outs(shown):
     def state():
         return shown.evaluate(
             "() => [document.getElementById('disc-layer').style.transform,"
-            " document.getElementById('car').style.transform, document.getElementById('now').textContent, document.getElementById('angle-now').value]"
+            " document.getElementById('car').style.transform,"
+            " document.getElementById('now').textContent, document.getElementById('angle-now').value]"
         )
 
     before = state()

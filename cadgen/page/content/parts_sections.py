@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from cadgen.workflow.calibration.plan import Calibration
 
 _STEP_DEG = 10
+_LEAD = 4  # paragraphs of a calibration above its tables: expectation, warnings and verdict come first
 
 
 def inspection_section(plan: PagePlan) -> Section:
@@ -230,7 +231,7 @@ def _measured(calibration: "Calibration") -> Section:
                 lead.append(block.strip())
         else:
             heading = _add(block, heading, tables)
-    return Section("calibration", say("Calibration"), (), tuple(tables), tuple(lead))
+    return Section("calibration", say("Calibration"), tuple(lead[:_LEAD]), tuple(tables), tuple(lead[_LEAD:]))
 
 
 def _add(block: "Block", heading: Text, tables: list[Table]) -> Text:
