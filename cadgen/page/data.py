@@ -70,6 +70,7 @@ def _scene(scene: Scene, block: Block) -> dict[str, Any]:
                 "shaft": part.shaft,
                 "colour": part.colour,
                 "mesh": block.mesh(shaded(part.mesh)),
+                "coarse": block.mesh(shaded(part.coarse)),
             }
             for part in scene.parts
         ],

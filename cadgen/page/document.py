@@ -164,13 +164,15 @@ class Part:
         code: name of the part for programs.
         label: name for people.
         mesh: its mesh in the frame of its shaft, mm; z is the height above the cam's face.
+        coarse: the same with few triangles, drawn while it moves on a slow machine.
         shaft: index of the shaft that it turns with.
-        wheels: labels of its wheels, such as `z 40`.
+        colour: what it is painted as.
     """
 
     code: str
     label: Text
     mesh: Mesh
+    coarse: Mesh
     shaft: int
     colour: Literal["cam", "gear", "pinion", "frame"] = "gear"
 

@@ -75,6 +75,8 @@ export class Assembly {
     for (const part of parts) {
       const geometry = partGeometry(part.mesh);
       this.add(part.code, this.shafts[part.shaft], geometry, part.colour);
+      const { userData } = this.groups.get(part.code)[0];
+      [userData.fine, userData.coarse] = [geometry, partGeometry(part.coarse)];
       const lines = new BufferGeometry();
       lines.setAttribute("position", geometry.getAttribute("position"));
       lines.setIndex(new BufferAttribute(part.mesh.edges, 1));
@@ -170,7 +172,11 @@ export class Assembly {
     this.level = level;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * LEVELS[level]);
     this.renderer.setSize(this.sized.x, this.sized.y, false);
-    if (this.edges) this.edges.visible = level < WITH_EDGES;
+    const fine = level < WITH_EDGES;
+    if (this.edges) this.edges.visible = fine;
+    for (const [mesh] of this.groups.values()) {
+      if (mesh.userData.coarse) mesh.geometry = fine ? mesh.userData.fine : mesh.userData.coarse;
+    }
     this.ask();
   }
 

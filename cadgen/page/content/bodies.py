@@ -13,7 +13,7 @@ from cadgen.page.words import say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.plan import GearsPlan
 
-MOST_TRIANGLES = 30_000  # a phone, or a computer without a graphics card, then turns it smoothly
+MOST_TRIANGLES = 60_000
 _CHORDS = (
     0.01,
     0.015,
@@ -23,6 +23,8 @@ _CHORDS = (
     0.08,
     0.16,
 )  # mm, of the meshes shown: the finest with which they are few enough
+# mm, of the meshes shown while they move on a machine without a graphics card: as few triangles as still are the part.
+_COARSE = 0.12
 _BEYOND = 6.0  # mm by which a shaft is drawn longer than what sits on it
 
 
@@ -88,22 +90,30 @@ def _behind(plan: CamPlan) -> float:
 
 
 def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[Text]) -> list[Part]:
-    """Meshes of all parts, by the finest chord with which they are few enough triangles."""
-    inner, outer = plan.design.cam.faces_mm
+    """Meshes of all parts, by the finest chord with which they are few enough triangles, and by a coarse one."""
     turning = () if train is None else tuple(reversed(train.parts))
+    meshes: list[Mesh | None] = []
     for chord in _CHORDS:
-        disc: Mesh | None
-        try:
-            disc = cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
-        except CadgenError as error:
-            disc, notes[:] = None, [Words(f"The cam has no solid: {error}.", f"凸轮无法生成实体：{error}。")]
-        meshes = [part.mesh(chord) for part in turning]
-        if sum(len(mesh.triangles) for mesh in (*meshes, *([] if disc is None else [disc]))) <= MOST_TRIANGLES:
+        meshes = [_disc(plan, chord, notes), *(part.mesh(chord) for part in turning)]
+        if sum(len(mesh.triangles) for mesh in meshes if mesh is not None) <= MOST_TRIANGLES:
             break
-    parts = [] if disc is None else [Part("cam", say("cam"), disc, 0, "cam")]
-    for number, (part, mesh) in enumerate(zip(turning, meshes, strict=True), 1):
-        parts.append(Part(part.part.name, _label(part), mesh, number, "gear"))
+    disc, *others = meshes
+    coarse = _disc(plan, _COARSE, notes)
+    parts = [] if disc is None or coarse is None else [Part("cam", say("cam"), disc, coarse, 0, "cam")]
+    for number, (part, mesh) in enumerate(zip(turning, others, strict=True), 1):
+        assert mesh is not None
+        parts.append(Part(part.part.name, _label(part), mesh, part.mesh(_COARSE), number, "gear"))
     return parts
+
+
+def _disc(plan: CamPlan, chord: float, notes: list[Text]) -> Mesh | None:
+    """Mesh of the disc; None, and the reason in the remarks, if its features cut into each other."""
+    inner, outer = plan.design.cam.faces_mm
+    try:
+        return cam_mesh(plan.curve, plan.made_blank, outer - inner, chord)
+    except CadgenError as error:
+        notes[:] = [Words(f"The cam has no solid: {error}.", f"凸轮无法生成实体：{error}。")]
+        return None
 
 
 def _label(turning: TurningPart) -> Text:
