@@ -42,7 +42,7 @@ export function transport(motion, marks) {
 
   const fields = [
     ["lift", ["lift", "升程"], (s) => `${plain(s.lift, 3)} mm`],
-    ["steer", ["steering", "转向角"], (s) => `${plain((Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
+    ["steer", ["steering", "转向角"], (s) => `${plain((motion.scene.car.steering * Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
     ["pressure", ["pressure angle", "压力角"], (s) => `${plain(s.pressure, 1)}°`],
     ["run", ["distance run", "行驶距离"], (s) => `${(s.run / 1000).toFixed(2)} m`],
     ["off", ["off the plan", "偏离规划"], (s) => `${s.off.toFixed(1)} mm`],

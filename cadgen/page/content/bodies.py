@@ -14,15 +14,8 @@ from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.plan import GearsPlan
 
 MOST_TRIANGLES = 60_000
-_CHORDS = (
-    0.01,
-    0.015,
-    0.02,
-    0.03,
-    0.04,
-    0.08,
-    0.16,
-)  # mm, of the meshes shown: the finest with which they are few enough
+# mm, of the meshes shown: the finest with which they are few enough.
+_CHORDS = (0.01, 0.015, 0.02, 0.03, 0.04, 0.08, 0.16)
 # mm, of the meshes shown while they move on a machine without a graphics card: as few triangles as still are the part.
 _COARSE = 0.12
 _BEYOND = 6.0  # mm by which a shaft is drawn longer than what sits on it
