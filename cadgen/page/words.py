@@ -227,6 +227,10 @@ _LONG = {
         "cam with its follower, cam angle 0 at the keyway's zero.",
         "用于测量零件的尺寸，请将实测值填入空格。升程对应装好从动件的成品凸轮，凸轮转角以键槽零位为 0。",
     ),
+    "no-calibration": Words(
+        "Nothing was measured on this car: name measured files after the design, and what they say stands here.",
+        "此车尚无实测数据：在命令中设计名之后给出测量文件，其结果将显示在此处。",
+    ),
     "as-built-lead": Words(
         "The design holds what was measured on the car; every figure of this page counts it in.",
         "设计中包含小车的实测数据，本页所有数值均已计入。",

@@ -16,21 +16,19 @@ class Tables(HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.rows, self.heads, self.name = {}, {}, None
+        self.rows, self.name = {}, None
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):
         given = dict(attrs)
         if tag == "div" and (given.get("id") or "").startswith("table-"):
             self.name = given["id"].removeprefix("table-")
-            self.rows[self.name], self.heads[self.name] = [], []
+            self.rows[self.name] = []
         elif tag == "tr" and self.name:
             self.rows[self.name].append([])
         elif tag == "td" and self.name:
             value = given.get("data-value")
             self.rows[self.name][-1].append(None if value is None else float(value))
-        elif tag in ("th", "caption") and self.name:
-            self.heads[self.name].append(given)
 
     def numbers(self, name):
         """Rows with a number in them, without their words."""

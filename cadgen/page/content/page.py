@@ -19,7 +19,7 @@ def page_of(plan: PagePlan) -> Page:
     charted = charts_of(plan.cam, plan.simulation)
     design = plan.design
     reasons = {refusal.part: refusal.reason for refusal in plan.refusals}
-    sections: list[Section | None] = [
+    sections: list[Section] = [
         checks_section(plan),
         play_section(plan),
         tolerance_section(plan.tolerance, reasons.get("tolerance", "")),
@@ -37,7 +37,7 @@ def page_of(plan: PagePlan) -> Page:
         scene=scene,
         charts=charted.charts,
         marks=charted.marks,
-        sections=tuple(section for section in sections if section is not None),
+        sections=tuple(sections),
         notes=(*missing, plan.cam.wheel.sentence(), *notes),
         origin=(
             (say("file of the design"), design.source),

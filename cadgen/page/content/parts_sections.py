@@ -192,13 +192,13 @@ def _stages(layout: TrainLayout) -> Table:
     return Table("stages", say("Stages"), heads, tuple(rows), words=2)
 
 
-def calibration_section(plan: PagePlan) -> Section | None:
-    """Measurements: verdicts on files, or the effects of an as-built design; None without either."""
+def calibration_section(plan: PagePlan) -> Section:
+    """Measurements: verdicts on files, or the effects of an as-built design; a sentence without either."""
     if plan.calibration is not None:
         return _measured(plan.calibration)
     record = plan.design.as_built
     if record is None:
-        return None
+        return Section("calibration", say("Calibration"), (say("no-calibration"),))
     rows = [
         (
             Cell(effect.effect.replace("_", " ")),
