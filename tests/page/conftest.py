@@ -28,6 +28,13 @@ def html(page):
     return html_of(page)
 
 
+@pytest.fixture
+def failing(minimal, written):
+    """Plan and page of a small design that fails a check."""
+    plan = plan_page(load_design(written(minimal), ["checks.min_convex_radius_mm=100"]))
+    return plan, html_of(page_of(plan))
+
+
 @pytest.fixture(scope="session")
 def chromium():
     """Path of a Chromium; the tests that need it are skipped where there is none."""

@@ -2,11 +2,6 @@
 
 import pytest
 
-from cadgen.design.load import load_design
-from cadgen.page.content.page import page_of
-from cadgen.page.content.plan import plan_page
-from cadgen.page.html import html_of
-
 ARGUMENTS = [
     "--no-sandbox",
     "--disable-gpu",
@@ -190,10 +185,9 @@ def test_without_scripts_the_tables_read(browser, address):
 
 
 @pytest.mark.slow
-def test_a_design_that_fails_says_so_first(browser, tmp_path):
-    plan = plan_page(load_design("carbon_free_car", ["checks.min_wall_mm=20"]), "actual", samples=10)
+def test_a_design_that_fails_says_so_first(browser, failing, tmp_path):
     file = tmp_path / "page.html"
-    file.write_text(html_of(page_of(plan)), encoding="utf-8")
+    file.write_text(failing[1], encoding="utf-8")
     page = browser.new_page(viewport={"width": 1280, "height": 720})
     page.goto(file.as_uri())
     page.wait_for_selector(READY, state="attached")
