@@ -39,6 +39,7 @@ The rooms, in walking order; each imports only those before it.
 | `report`      | pictures, as PNG and SVG                                                  |
 | `drawing`     | drawings for a workshop: sheets as data, as DXF and as PDF                |
 | `workflow`    | one job from design to verified files                                     |
+| `page`        | the report page: one HTML file with model, curves and tables              |
 | `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
 | `cli`         | the commands                                                              |
 
@@ -66,6 +67,7 @@ _HOMES = {
     "Lightening": "parts.features",
     "Measured": "api.measured",
     "Plan": "api.planning",
+    "Report": "api.page",
     "SetScrew": "parts.features",
     "Simulation": "api.runs",
     "ToleranceRun": "api.runs",
@@ -89,6 +91,7 @@ if TYPE_CHECKING:
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
     from cadgen.api.measured import Measured
+    from cadgen.api.page import Report
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Simulation, ToleranceRun
     from cadgen.errors import CadgenError, CheckError, DesignError, FileError
@@ -112,6 +115,7 @@ __all__ = [
     "Lightening",
     "Measured",
     "Plan",
+    "Report",
     "SetScrew",
     "Simulation",
     "ToleranceRun",

@@ -16,6 +16,7 @@
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |
 | `design`   | a design and what can be done with it                                      |
+| `page`     | the report page of a design                                                |
 
 Everything raises the errors of `cadgen.errors`: one sentence that says what is wrong, where, and what to change. The
 public names are those of `cadgen` itself; numbers are mm and rad unless the name ends in another unit.

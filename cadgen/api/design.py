@@ -164,7 +164,7 @@ class Design:
         from cadgen.api.cam import Cam
         from cadgen.workflow.cam.plan import plan_cam
 
-        return Cam(plan_cam(self._whole(), profile, progress))
+        return Cam(plan_cam(self.complete(), profile, progress))
 
     def gears(self, order: str = "as-given", *, progress: Progress = silent) -> "GearTrain":
         """Compute the gear train, lay it out, and measure its teeth in mesh; nothing is written.
@@ -202,7 +202,7 @@ class Design:
         from cadgen.workflow.runs import simulation
 
         play = optional("play_deg", play_deg, 0, 180, "degrees")
-        return runs.Simulation(simulation.simulate(self._whole(), profile, play, progress))
+        return runs.Simulation(simulation.simulate(self.complete(), profile, play, progress))
 
     def optimize(self, *, progress: Progress = silent) -> "Comparison":
         """Compare the methods against play, alone and combined, on every train, and choose the best.
@@ -218,7 +218,7 @@ class Design:
         from cadgen.workflow.cam.plan import against_of, plan_cam
         from cadgen.workflow.cam.remedies import remedies
 
-        design = self._whole()
+        design = self.complete()
         plan = plan_cam(design, "optimized", progress, all_trains=True)
         against = against_of(plan)
         return runs.Comparison(cam.Cam(plan), remedies(design, against, progress) if against.task.mechanics else ())
@@ -256,7 +256,7 @@ class Design:
 
         return runs.ToleranceRun(
             run_tolerance(
-                self._whole(),
+                self.complete(),
                 profile,
                 whole("samples", samples, 1, MOST_CARS),
                 whole("seed", seed, 0),
@@ -291,7 +291,7 @@ class Design:
         from cadgen.api.calibration import Calibration
         from cadgen.workflow.calibration.plan import calibrate
 
-        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self._whole()
+        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
         return Calibration(computed, Design(design, self.text, self.file))
 
@@ -306,7 +306,7 @@ class Design:
         from cadgen.workflow.calibration.advice import before
 
         error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
-        return Advice(before(self._whole(), profile, error, progress), measured=False)
+        return Advice(before(self.complete(), profile, error, progress), measured=False)
 
     def calibrate_each(
         self,
@@ -320,7 +320,7 @@ class Design:
         from cadgen.api.calibration import Calibration, Calibrations
         from cadgen.workflow.calibration.plan import calibrate_each
 
-        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self._whole()
+        error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         computed = calibrate_each(design, profile, sources_of(data, each=True, progress=progress), error, progress)
         same = Design(design, self.text, self.file)
         return Calibrations(tuple(Calibration(result, same) for result in computed))
@@ -354,7 +354,7 @@ class Design:
         """
         from cadgen.api.adjustment import adjusted
 
-        return adjusted(self._whole(), trials, profile, point, knobs, noise_mm, division_um, progress)
+        return adjusted(self.complete(), trials, profile, point, knobs, noise_mm, division_um, progress)
 
     def plan(
         self,
@@ -387,14 +387,14 @@ class Design:
         within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
         if within is not None and improve is None:
             raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
-        near = None if improve is None else cam_model.track(improve._whole())
-        calm = near if calm_as is None else cam_model.track(calm_as._whole())
+        near = None if improve is None else cam_model.track(improve.complete())
+        calm = near if calm_as is None else cam_model.track(calm_as.complete())
         known, drawn = load.course_of(self.text, self.file, self.values.overrides)
         wanted = Wanted(near, _WITHIN_MM if within is None else within, calm, whole("seeds", seeds, *SEEDS))
         own = cam_model.track(known) if drawn else None
         return Plan(plan_design(known, self.text, own, wanted, progress), self)
 
-    def _whole(self) -> DesignValues:
+    def complete(self) -> DesignValues:
         """The design, if it has all that a cam needs."""
         known = self.values
         return known if isinstance(known, DesignValues) else load.design_of(self.text, self.file, known.overrides)

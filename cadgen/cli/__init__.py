@@ -13,6 +13,7 @@
 | `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
 | `calibrate` | `cadgen calibrate`: measured files -> effects missing in the design |
 | `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
+| `report`    | `cadgen report`: a page with model, curves and tables            |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
@@ -47,6 +48,7 @@ from cadgen.cli.gears import gears
 from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
 from cadgen.cli.plan import plan
+from cadgen.cli.report import report
 from cadgen.cli.simulate import simulate
 from cadgen.cli.tolerance import tolerance
 from cadgen.cli.verify import verify
@@ -85,6 +87,7 @@ cli.add_command(optimize)
 cli.add_command(tolerance)
 cli.add_command(calibrate)
 cli.add_command(adjust)
+cli.add_command(report)
 cli.add_command(verify)
 
 

@@ -71,7 +71,20 @@ def simulate(
         DesignError: as `plan_cam`, or the play is negative.
         CheckError: no profile keeps the limits of [optimize].
     """
-    plan = plan_cam(design, profile, progress)
+    return simulated(plan_cam(design, profile, progress), play_deg, progress)
+
+
+def simulated(plan: CamPlan, play_deg: float | None = None, progress: Progress = silent) -> Simulation:
+    """Run the car on the actual profile and on that of a plan.
+
+    Args:
+        plan: plan of a profile that was compared under play.
+        play_deg: return error of the runs, degrees; the play that the profile is cut for if left out.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: the profile was not compared under play, or the play is negative.
+    """
     against = against_of(plan)
     play = against.chosen.play if play_deg is None else radians(play_deg)
     task = against.task

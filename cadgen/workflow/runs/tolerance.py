@@ -147,6 +147,30 @@ def run_tolerance(
         FileError: the memory does not suffice for so many cars.
     """
     plan = plan_cam(design, profile, progress, with_play=True)
+    return tolerance_of(plan, samples, seed, processes, progress, with_budget=with_budget, map_with=map_with)
+
+
+def tolerance_of(
+    plan: CamPlan,
+    samples: int,
+    seed: int,
+    processes: int,
+    progress: Progress = silent,
+    *,
+    with_budget: bool = False,
+    map_with: Map | None = None,
+) -> ToleranceRun:
+    """Run random cars with the cam of a plan.
+
+    Args:
+        plan: plan of a profile that was compared under play.
+        samples, seed, processes, progress, with_budget, map_with: as in `run_tolerance`.
+
+    Raises:
+        DesignError: the profile was not compared under play, or nothing varies.
+        FileError: the memory does not suffice for so many cars.
+    """
+    design = plan.design
     tolerances = variation.tolerances(design, against_of(plan).task.mechanics)
     fleet = _fleet(plan)
     progress("finding sensitivities")

@@ -1,0 +1,119 @@
+"""The report page of a design: one HTML file with its model, curves and tables."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+from cadgen.api.design import MOST_CARS, MOST_PROCESSES, Design
+from cadgen.api.files import Written, folder_of
+from cadgen.api.measured import Data, sources_of
+from cadgen.api.values import whole
+from cadgen.check import Check, failing
+from cadgen.page.content.plan import plan_page
+from cadgen.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from cadgen.page.content.plan import PagePlan
+
+SAMPLES = 10_000
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Report:
+    """A report of a design: cam, gears, runs and tolerance, each computed once.
+
+    Attributes:
+        computed: numeric results, with all other figures; mm and rad.
+
+    Example:
+        >>> from cadgen import Design, Report
+        >>> report = Report.of(Design.load("carbon_free_car"), samples=100)
+        >>> report.passed
+        True
+        >>> files = report.write("exports")  # doctest: +SKIP
+    """
+
+    computed: "PagePlan"
+
+    @classmethod
+    def of(
+        cls,
+        design: Design,
+        profile: str | None = None,
+        *,
+        data: Data | Iterable[Data] | None = None,
+        samples: int = SAMPLES,
+        processes: int = 1,
+        progress: Progress = silent,
+    ) -> "Report":
+        """Compute what the report of a design shows; nothing is written.
+
+        Args:
+            design: design of the report.
+            profile: profile of the cam; as of `Design.cam`.
+            data: measured data of one car, as of `Design.calibrate`; none if left out.
+            samples: number of random cars, 1 to 10 000 000.
+            processes: number of processes that run at once, 1 to 256.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            DesignError: as `Design.cam`.
+            FileError: data cannot be read, or cannot be judged together.
+        """
+        return cls(
+            plan_page(
+                design.complete(),
+                profile,
+                whole("samples", samples, 1, MOST_CARS),
+                whole("processes", processes, 1, MOST_PROCESSES),
+                () if data is None else sources_of(data, progress=progress),
+                progress,
+            )
+        )
+
+    def __repr__(self) -> str:
+        verdict = "passed" if self.passed else f"failed: {', '.join(check.name for check in self.failed)}"
+        return f"<Report on {self.computed.design.name}, {verdict}>"
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Checks of cam and gears."""
+        return self.computed.checks
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit, and a profile and a train could be made."""
+        return self.computed.passed
+
+    @property
+    def failed(self) -> tuple[Check, ...]:
+        """Checks that do not keep their limit."""
+        return failing(self.checks)
+
+    @property
+    def refused(self) -> tuple[str, ...]:
+        """Sentences on what could not be computed, such as a train that cannot be laid out."""
+        return tuple(refusal.reason for refusal in self.computed.refusals)
+
+    def facts(self) -> dict[str, Any]:
+        """Every figure of the page as plain values, as in the manifest and with `--json`."""
+        from cadgen.page.content.files import page_facts
+
+        return page_facts(self.computed)
+
+    def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
+        """Write the page, also if a check fails: then it says so first.
+
+        Args:
+            folder: folder for the file; it is made if need be.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            FileError: the file cannot be written.
+        """
+        from cadgen.page.content.files import write_page
+
+        place = folder_of(folder)
+        written = write_page(self.computed, place, progress)
+        return Written.of(place, written.part, written.entry)

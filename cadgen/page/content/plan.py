@@ -1,0 +1,136 @@
+"""Everything that a report page shows, computed once: cam, gears, runs, tolerance, calibration."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from cadgen.build import cam_model, variation
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.check import Check
+from cadgen.design.schema import Design
+from cadgen.errors import CheckError, DesignError
+from cadgen.progress import Progress, silent
+from cadgen.workflow.cam.cures import Cures, find_cures
+from cadgen.workflow.cam.plan import CamPlan, default_profile, plan_cam
+from cadgen.workflow.cam.remedies import Remedy, remedies
+from cadgen.workflow.gears.plan import GearsPlan, plan_gears
+from cadgen.workflow.runs.simulation import Simulation, simulated
+from cadgen.workflow.runs.tolerance import ToleranceRun, tolerance_of
+
+if TYPE_CHECKING:
+    from cadgen.workflow.calibration.plan import Calibration, Source
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """A part of the report that could not be computed.
+
+    Attributes:
+        part: name of the part: `profile`, `gears`, `tolerance`, `calibration`.
+        reason: sentence of the refusal.
+        fails: whether the design thereby fails.
+    """
+
+    part: str
+    reason: str
+    fails: bool = False
+
+
+@dataclass(frozen=True)
+class PagePlan:
+    """Results that a report shows.
+
+    Attributes:
+        cam: cam, compared under play on all trains if the design has play.
+        cures: cures of lost lift.
+        gears: gear train; None without one.
+        simulation: runs with play; None for a design without play.
+        remedies: further remedies against play; empty without [mechanics].
+        tolerance: many cars; None where nothing varies.
+        calibration: verdict on measured files; None without any.
+        refusals: reasons for what is missing.
+    """
+
+    cam: CamPlan
+    cures: Cures
+    gears: GearsPlan | None
+    simulation: Simulation | None
+    remedies: tuple[Remedy, ...]
+    tolerance: ToleranceRun | None
+    calibration: "Calibration | None"
+    refusals: tuple[Refusal, ...]
+
+    @property
+    def design(self) -> Design:
+        """Design of the report."""
+        return self.cam.design
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Checks of cam and gears."""
+        return (*self.cam.checks, *(self.gears.checks if self.gears else ()))
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit, and nothing was refused that fails the design."""
+        return all(check.passed for check in self.checks) and not any(refusal.fails for refusal in self.refusals)
+
+
+def plan_page(
+    design: Design,
+    profile: str | None = None,
+    samples: int = 10_000,
+    processes: int = 1,
+    sources: "tuple[Source, ...]" = (),
+    progress: Progress = silent,
+) -> PagePlan:
+    """Compute what a report shows; each plan is made once and serves every part.
+
+    Args:
+        design: loaded design.
+        profile: code of a profile; the default of `plan_cam` if left out. If no profile keeps the limits of [optimize],
+            the report is of the actual one, and says so first.
+        samples: number of random cars.
+        processes: number of processes that run at once; no number depends on it.
+        sources: measured data.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: no cam can be computed.
+        FileError: the measured data cannot be judged together.
+    """
+    refusals: list[Refusal] = []
+    with_play = bool(variation.play_bands(design)) and isinstance(cam_model.follower(design), LeaningRod)
+    try:
+        cam = plan_cam(design, profile, progress, all_trains=True, with_play=with_play)
+    except CheckError as error:
+        refusals.append(Refusal("profile", str(error), fails=True))
+        cam = plan_cam(design, "actual", progress)
+    gears = None
+    if design.train is not None:
+        try:
+            gears = plan_gears(design, "as-given", progress)
+        except DesignError as error:
+            refusals.append(Refusal("gears", str(error), fails=True))
+    simulation, run = None, None
+    further: tuple[Remedy, ...] = ()
+    if cam.against is not None:
+        progress("running the car")
+        simulation = simulated(cam)
+        if cam.against.task.mechanics is not None:
+            further = tuple(remedies(design, cam.against, progress))
+        try:
+            run = tolerance_of(cam, samples, 1, processes, progress)
+        except DesignError as error:
+            refusals.append(Refusal("tolerance", str(error)))
+    calibration = None
+    if sources:
+        from cadgen.workflow.calibration.plan import calibrate
+
+        known = default_profile(design).code if profile is None else profile
+        calibration = calibrate(design, _measured_profile(design, known), sources, None, progress)
+    return PagePlan(cam, find_cures(cam, progress), gears, simulation, further, run, calibration, tuple(refusals))
+
+
+def _measured_profile(design: Design, known: str) -> str:
+    """Profile of the cam that was measured: that of the design as built, else that of the report."""
+    return known if design.as_built is None else design.as_built.profile

@@ -1,0 +1,146 @@
+"""Everything that moves on the page: runs over the cam angle, course, car, shafts, and parts in 3D."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.build import cam_model, course_model
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.lift import LiftCurve
+from cadgen.course.body import place_of
+from cadgen.course.course import Gate, Shape
+from cadgen.motion.drive import drive, start_pose
+from cadgen.motion.play import Following, follow
+from cadgen.page.content.bodies import Bodies, bodies_of
+from cadgen.page.document import CarShape, Figure, FigureKind, Going, Lift, RodShape, Scene, Text
+from cadgen.page.words import say
+from cadgen.workflow.cam.plan import CamPlan
+from cadgen.workflow.gears.plan import GearsPlan
+
+POSITIONS = 1440  # of the motor: one each quarter of a degree, and to either side of each jump
+LIFTS = 2880  # straight lines between them err by 0.1 um where the lift bends by 150 mm/rad^2
+_OUTLINE = 0.5  # mm between points of the profile in the plan view
+_HOLE_CHORD = 0.02  # mm
+_BESIDE = 1e-7  # rad, before a jump
+
+
+def rolled_lift_of(plan: CamPlan) -> LiftCurve:
+    """Lift that the follower gets on the cam that is made."""
+    return plan.lift if plan.against is None else plan.against.chosen.rolled
+
+
+def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[Text, ...]]:
+    """Everything that moves, and remarks on what is drawn otherwise than it will be built.
+
+    Args:
+        plan: plan of the cam.
+        gears: plan of the train; None without one.
+    """
+    outline = plan.curve.outline(_OUTLINE).points
+    bodies = bodies_of(plan, gears, float(np.hypot(*outline.T).max()))
+    tan_beta = rolled_lift_of(plan).tan_beta(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
+    scene = Scene(
+        outline=outline,
+        openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),
+        follower=_rod(plan, bodies),
+        base=float(plan.rod.base_radius),
+        lift=Lift(lift=np.asarray(plan.rod.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
+        stop=plan.lift.blend_start if plan.against is None else plan.against.task.lift.blend_start,
+        goings=tuple(_goings(plan)),
+        floor=tuple(_floor(plan)),
+        car=_car(plan),
+        shafts=bodies.shafts,
+        parts=bodies.parts,
+        wheel=bodies.wheel,
+    )
+    noted = () if plan.design.as_built is None else (say("as-built-drawn"),)
+    return scene, (*bodies.notes, *noted)
+
+
+def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:
+    rod, (inner, outer) = plan.rod, plan.design.cam.faces_mm
+    if not isinstance(rod, LeaningRod):
+        return None
+    return RodShape(
+        base=rod.base_radius,
+        radius=rod.radius,
+        length=min(rod.length, 4 * outer),
+        faces=(inner, outer),
+        height=bodies.fork,
+        side=bodies.side,
+    )
+
+
+def _goings(plan: CamPlan) -> Iterator[Going]:
+    """Runs: planned, this cam without and with play, the plain profile with play."""
+    lift, against, design = rolled_lift_of(plan), plan.against, plan.design
+    if against is None:
+        yield _going(plan, "free", say("this cam, without play"), follow(lift, 0.0), 0.0)
+        return
+    chosen, before, task = against.chosen, against.before, against.task
+    yield _going(plan, "planned", say("planned"), task.following(task.lift, 0.0), 0.0)
+    yield _going(plan, "free", say("this cam, without play"), against.following(chosen, 0.0), 0.0)
+    yield _going(plan, "played", say("this cam, with play"), against.following(chosen, chosen.play), chosen.play)
+    if chosen is not before:
+        known = say("plain profile, with play" if design.as_built is None else "measured cam, with play")
+        yield _going(plan, "before", known, against.following(before, chosen.play), chosen.play)
+
+
+def _going(plan: CamPlan, code: str, label: Text, following: Following, play: float) -> Going:
+    """A run at even motor positions, and to either side of each place where the cam jumps, stops or goes on."""
+    design, track = plan.design, plan.track
+    stop = TURN if design.car.drive_wheel_radius_mm is None else plan.lift.blend_start
+    run = drive(
+        following.lift,
+        cam_model.car(design),
+        cam_model.travel(design, track),
+        start=start_pose(track),
+        stop=stop,
+        steps=POSITIONS,
+        following=following,
+        at_joints=True,
+    )
+    peaks = following.leads[:, 0] if len(following.leads) else np.empty(0)
+    motor = np.union1d(run.motor, np.clip(peaks - _BESIDE, 0.0, stop))
+    x, y, heading = (np.interp(motor, run.motor, values) for values in (*run.drive_wheel.T, run.heading))
+    cam_angle = following.cam_angle(motor)
+    return Going(code=code, label=label, motor=motor, cam_angle=cam_angle, x=x, y=y, heading=heading, play=play)
+
+
+def _car(plan: CamPlan) -> CarShape:
+    car, body = cam_model.car(plan.design), course_model.body(plan.design)
+    drive_wheel = place_of("drive_wheel", car)
+
+    def seen(point: tuple[float, float]) -> tuple[float, float]:
+        return point[0] - drive_wheel[0], point[1] - drive_wheel[1]
+
+    return CarShape(
+        fork=seen(place_of("fork", car)),
+        idle=seen(place_of("idle_wheel", car)),
+        middle=seen(place_of("middle", car)),
+        corners=tuple(seen(corner) for corner in body.corners),
+        wheel=plan.wheel.radius,
+        steering=1 if car.steering_gain > 0 else -1,
+    )
+
+
+def _floor(plan: CamPlan) -> Iterator[Figure]:
+    """Everything on the floor."""
+    course = course_model.course(plan.design)
+    if course is None:
+        return
+    if course.edge is not None:
+        yield _figure("edge", course.edge)
+    for obstacle in course.obstacles:
+        yield _figure(obstacle.kind, obstacle.shape)
+    stands: tuple[tuple[FigureKind, Gate | None], ...] = (("start", course.start), ("finish", course.finish))
+    for gate in course.gates:
+        yield _figure("gate", gate.place)
+    for kind, stand in stands:
+        if stand is not None:
+            yield _figure(kind, stand.place)
+
+
+def _figure(kind: FigureKind, shape: Shape) -> Figure:
+    return Figure(kind, shape.points, shape.filled, shape.reach)

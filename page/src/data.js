@@ -1,0 +1,28 @@
+// The page's data: one JSON document, and one compressed block of arrays that it points into.
+import { gunzipSync } from "fflate";
+
+const KINDS = { f4: Float32Array, u2: Uint16Array, u4: Uint32Array, i1: Int8Array };
+
+/** Unpacks the block and returns the document with its arrays in place. */
+export async function load() {
+  const document_ = JSON.parse(document.getElementById("data").textContent);
+  if (document_.format !== "cadgen-report" || document_.version !== 1) throw new Error("unknown data");
+  const packed = Uint8Array.from(atob(document.getElementById("block").textContent), (c) => c.charCodeAt(0));
+  const buffer = await unpacked(packed);
+  const filled = (value) => {
+    if (Array.isArray(value)) return value.map(filled);
+    if (value && typeof value === "object") {
+      if ("at" in value && "kind" in value) return new KINDS[value.kind](buffer, value.at, value.n);
+      return Object.fromEntries(Object.entries(value).map(([key, inside]) => [key, filled(inside)]));
+    }
+    return value;
+  };
+  return filled(document_);
+}
+
+async function unpacked(packed) {
+  if (typeof DecompressionStream === "function") {
+    return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+  }
+  return gunzipSync(packed).slice().buffer;
+}

@@ -1,0 +1,142 @@
+// Puts the page together: what can be read works at once, then the plan views and curves, then the assembly in 3D.
+import { load } from "./data.js";
+import { Motion } from "./motion.js";
+import { planViews } from "./views.js";
+import { drawCharts } from "./charts.js";
+import { transport } from "./transport.js";
+import { pick, remembered, speak, translated, language } from "./words.js";
+
+const STILL = 300; // ms after the last move of the slider at which the picture is drawn in full
+const root = document.documentElement;
+const dark = matchMedia("(prefers-color-scheme: dark)");
+let themed = () => {};
+let printed = () => {};
+
+function themes() {
+  const choice = remembered("theme");
+  if (choice) root.dataset.theme = choice;
+  document.getElementById("theme").addEventListener("click", () => {
+    const is = root.dataset.theme ?? (dark.matches ? "dark" : "light");
+    root.dataset.theme = is === "dark" ? "light" : "dark";
+    remembered("theme", root.dataset.theme);
+    themed();
+  });
+  dark.addEventListener("change", () => themed());
+}
+
+function languages() {
+  const button = document.getElementById("language");
+  const show = (to) => {
+    speak(to);
+    button.textContent = to === "zh" ? "English" : "中文";
+    button.lang = to === "zh" ? "en" : "zh";
+    button.setAttribute("aria-label", to === "zh" ? "English: switch to English" : "中文：切换到中文");
+    remembered("language", to);
+  };
+  button.addEventListener("click", () => show(language === "en" ? "zh" : "en"));
+  const wanted = new URLSearchParams(location.hash.slice(1)).get("lang") ?? remembered("language") ?? navigator.language;
+  if (wanted.startsWith("zh")) show("zh");
+}
+
+function trouble(words) {
+  const line = document.getElementById("trouble");
+  line.hidden = false;
+  translated(() => (line.textContent = pick(words)));
+}
+
+async function model() {
+  let data;
+  try {
+    data = await load();
+  } catch {
+    trouble([
+      "This browser cannot unpack the page's data: the model stands still, and the curves are left out. All tables are below.",
+      "浏览器无法解压本页数据：模型静止显示，曲线从略。全部表格见下。",
+    ]);
+    return;
+  }
+  const motion = new Motion(data.scene, data.charts);
+  const bar = transport(motion, data.marks);
+  const charts = drawCharts(data, motion, bar.set);
+  bar.listen(planViews(motion));
+  bar.listen(charts.show);
+  bar.changed();
+
+  const loop = { assembly: null, running: false, last: 0, sliding: -Infinity };
+  const turn = (time) => {
+    const since = time - loop.last;
+    loop.last = time;
+    const moving = bar.step(Math.min(since, 100)) || time - loop.sliding < STILL;
+    loop.assembly?.draw(moving, since);
+    if (moving || loop.assembly?.dirty) requestAnimationFrame(turn);
+    else loop.running = false;
+  };
+  const wake = () => {
+    if (loop.running) return;
+    loop.running = true;
+    loop.last = performance.now();
+    requestAnimationFrame(turn);
+  };
+  bar.wake = wake;
+  document.getElementById("angle").addEventListener("input", () => {
+    loop.sliding = performance.now();
+    wake();
+  });
+
+  themed = () => {
+    charts.redraw();
+    loop.assembly?.colour();
+    bar.changed();
+  };
+  printed = (on) => {
+    if (on) root.dataset.printing = "";
+    else delete root.dataset.printing;
+    charts.print(on);
+    loop.assembly?.colour();
+    picture(loop.assembly, on);
+    bar.changed();
+  };
+  root.dataset.ready = "plan";
+
+  // The page can be used by now; the assembly comes in a task of its own.
+  await new Promise((done) => setTimeout(done));
+  const box = document.getElementById("scene");
+  try {
+    const [{ Assembly }, { tools }] = [await import("./scene.js"), await import("./tools.js")];
+    const assembly = new Assembly(box, motion);
+    assembly.wake = wake;
+    tools(assembly);
+    bar.listen((state) => {
+      assembly.show(state);
+      assembly.moved?.();
+    });
+    loop.assembly = assembly;
+    bar.changed();
+  } catch (error) {
+    document.getElementById("assembly").classList.add("without");
+    trouble([
+      "This browser has no WebGL, so the assembly in 3D is left out; everything else works.",
+      "浏览器不支持 WebGL，三维装配从略；其余功能均可使用。",
+    ]);
+    root.dataset.without = String(error?.message ?? error).slice(0, 80);
+  }
+  root.dataset.ready = "all";
+}
+
+function picture(assembly, on) {
+  const box = document.getElementById("scene");
+  box.querySelector("img")?.remove();
+  if (!on || !assembly) return;
+  const image = new Image();
+  image.alt = "";
+  image.src = assembly.picture();
+  image.decode?.().catch(() => {});
+  box.append(image);
+}
+
+themes();
+languages();
+addEventListener("beforeprint", () => printed(true));
+addEventListener("afterprint", () => printed(false));
+document.getElementById("print").addEventListener("click", () => print());
+model();

@@ -1,0 +1,178 @@
+// What can be done with the assembly: views, parts, section, measuring between two points, and keys.
+import { BufferGeometry, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, Raycaster, SphereGeometry, Vector2, Vector3 } from "three";
+import { element, pick, translated } from "./words.js";
+
+const SNAP = 9; // px: a corner of the mesh so near to the place is meant
+const CLICK = 5; // px
+
+export function tools(assembly) {
+  const { box, canvas } = assembly;
+  canvas.tabIndex = 0;
+  canvas.setAttribute("role", "img");
+  const words = [
+    "The assembly in 3D. Arrow keys turn it, plus and minus bring it nearer, 0 shows all.",
+    "三维装配。方向键旋转，加减键缩放，0 键显示全部。",
+  ];
+  translated(() => canvas.setAttribute("aria-label", pick(words)));
+  canvas.addEventListener("keydown", (event) => key(event, assembly));
+
+  const bar = element("div", { class: "bar3d" });
+  const views = [["start", "All", "全部"], ["left", "Left", "左视"], ["right", "Right", "右视"], ["front", "Front", "前视"], ["top", "Top", "俯视"]];
+  for (const [name, en, zh] of views) {
+    const button = element("button", { type: "button", text: [en, zh] });
+    button.addEventListener("click", () => assembly.view(name));
+    bar.append(button);
+  }
+  bar.append(section(assembly), parts(assembly), measure(assembly));
+  box.after(bar);
+}
+
+function key(event, assembly) {
+  const step = 0.12;
+  const act = {
+    ArrowLeft: () => assembly.orbit(-step, 0),
+    ArrowRight: () => assembly.orbit(step, 0),
+    ArrowUp: () => assembly.orbit(0, -step),
+    ArrowDown: () => assembly.orbit(0, step),
+    "+": () => assembly.orbit(0, 0, 0.9),
+    "=": () => assembly.orbit(0, 0, 0.9),
+    "-": () => assembly.orbit(0, 0, 1.1),
+    0: () => assembly.view("start"),
+  }[event.key];
+  if (!act) return;
+  event.preventDefault();
+  act();
+}
+
+function section(assembly) {
+  const select = element("select", { label: ["Section", "剖切"] });
+  const choices = [
+    ["", "No section", "不剖切"],
+    ["z", "Across shafts", "垂直于轴"],
+    ["x", "Across the car", "横向"],
+    ["y", "Level", "水平"],
+  ];
+  for (const [value, en, zh] of choices) select.append(element("option", { value, text: [en, zh] }));
+  const slider = element("input", { type: "range", min: 0, max: 1, step: 0.002, value: 0.5, hidden: true, label: ["Place of the section", "剖切位置"] });
+  const update = () => {
+    slider.hidden = !select.value;
+    assembly.section(select.value || null, Number(slider.value));
+  };
+  select.addEventListener("change", update);
+  slider.addEventListener("input", update);
+  return element("span", { class: "group" }, select, slider);
+}
+
+function parts(assembly) {
+  const { parts: known } = assembly.motion.scene;
+  const list = known.map(({ code, label }) => [code, label]);
+  for (const [code, en, zh] of [["shafts", "shafts", "轴"], ["follower", "rod and fork", "从动杆与前叉"], ["wheel", "drive wheel", "驱动轮"]]) {
+    if (assembly.groups.has(code)) list.push([code, [en, zh]]);
+  }
+  const boxes = list.map(([code, label]) => {
+    const box = element("input", { type: "checkbox", checked: true });
+    box.addEventListener("change", () => assembly.visible(code, box.checked));
+    return element("label", {}, box, element("span", { text: label }));
+  });
+  return element("details", {}, element("summary", { text: ["Parts shown", "显示零件"] }), element("div", { class: "menu" }, ...boxes));
+}
+
+function measure(assembly) {
+  const { canvas, box } = assembly;
+  const button = element("button", { type: "button", "aria-pressed": "false", text: ["Measure", "测量"] });
+  const result = element("output", { class: "measured", "aria-live": "polite" });
+  box.append(result);
+  const colour = new MeshBasicMaterial({ color: 0xe4572e, depthTest: false });
+  const line = new Line(new BufferGeometry(), new LineBasicMaterial({ color: 0xe4572e, depthTest: false }));
+  const balls = [0, 1].map(() => new Mesh(new SphereGeometry(1, 16, 12), colour));
+  for (const drawn of [line, ...balls]) {
+    drawn.renderOrder = 9;
+    drawn.visible = false;
+    drawn.raycast = () => {};
+    assembly.scene.add(drawn);
+  }
+  let on = false;
+  let picks = [];
+
+  const say = () => {
+    if (!on) result.textContent = "";
+    else if (picks.length < 2) {
+      result.textContent = pick(picks.length ? ["Pick the second point", "请选取第二点"] : ["Pick a point on a part", "请在零件上选取一点"]);
+    } else {
+      const [a, b] = picks.map(({ mesh, point }) => mesh.localToWorld(point.clone()));
+      const off = b.clone().sub(a);
+      const [ahead, up, left] = [off.x, off.y, -off.z].map((v) => v.toFixed(2));
+      result.textContent = pick([
+        `${off.length().toFixed(2)} mm (ahead ${ahead}, up ${up}, left ${left})`,
+        `${off.length().toFixed(2)} mm（前 ${ahead}，上 ${up}，左 ${left}）`,
+      ]);
+    }
+  };
+
+  /** The marks move with the parts that they are on. */
+  const place = () => {
+    const points = picks.map(({ mesh, point }) => mesh.localToWorld(point.clone()));
+    balls.forEach((ball, i) => {
+      ball.visible = i < points.length;
+      if (ball.visible) {
+        ball.position.copy(points[i]);
+        ball.scale.setScalar(assembly.camera.position.distanceTo(points[i]) * 0.006);
+      }
+    });
+    line.visible = points.length === 2;
+    if (line.visible) line.geometry.setFromPoints(points);
+  };
+  assembly.before = () => {
+    if (picks.length) place();
+  };
+  assembly.moved = () => {
+    if (picks.length === 2) say();
+  };
+  translated(say);
+
+  button.addEventListener("click", () => {
+    on = !on;
+    button.setAttribute("aria-pressed", String(on));
+    canvas.classList.toggle("picking", on);
+    picks = [];
+    place();
+    say();
+    assembly.ask();
+  });
+  let down = null;
+  canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
+  canvas.addEventListener("pointerup", (event) => {
+    if (!on || !down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > CLICK) return;
+    const hit = struck(assembly, event);
+    if (!hit) return;
+    if (picks.length === 2) picks = [];
+    picks.push(hit);
+    place();
+    say();
+    assembly.ask();
+  });
+  return button;
+}
+
+/** The nearest corner of the mesh under the pointer, or the place on its face. */
+function struck(assembly, event) {
+  const { camera, canvas, root, renderer } = assembly;
+  const frame = canvas.getBoundingClientRect();
+  const at = new Vector2(((event.clientX - frame.left) / frame.width) * 2 - 1, 1 - ((event.clientY - frame.top) / frame.height) * 2);
+  const ray = new Raycaster();
+  ray.setFromCamera(at, camera);
+  const seen = ({ object, point }) => object.visible && renderer.clippingPlanes.every((plane) => plane.distanceToPoint(point) >= 0);
+  const hit = ray.intersectObject(root, true).find(seen);
+  if (!hit) return null;
+  const { object: mesh, face, point } = hit;
+  const places = mesh.geometry.getAttribute("position");
+  let best = mesh.worldToLocal(point.clone());
+  let near = SNAP;
+  for (const index of [face.a, face.b, face.c]) {
+    const corner = new Vector3().fromBufferAttribute(places, index);
+    const shown = mesh.localToWorld(corner.clone()).project(camera);
+    const off = Math.hypot(((shown.x - at.x) * frame.width) / 2, ((shown.y - at.y) * frame.height) / 2);
+    if (off < near) [near, best] = [off, corner];
+  }
+  return { mesh, point: best };
+}

@@ -1,0 +1,125 @@
+// Slider, button and keys that set the cam angle; one state for everything that moves.
+import { element, pick, translated } from "./words.js";
+
+const TURN = 360;
+const SECONDS = 24; // of a turn at speed 1
+const QUIET = 700; // ms without a change until a screen reader is told
+
+const plain = (value, digits) => value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
+
+export function transport(motion, marks) {
+  const bar = document.getElementById("transport");
+  const [slider, shown, now, live, button, options] = ["angle", "angle-now", "now", "live", "go", "options"].map((id) =>
+    document.getElementById(id),
+  );
+  const state = { angle: 0, playing: false, play: Boolean(motion.withPlay), speed: 1 };
+  const listeners = [];
+  bar.hidden = false;
+
+  const speed = element("select", { label: ["Speed", "速度"] });
+  for (const value of [0.1, 0.25, 0.5, 1, 2, 4]) speed.append(element("option", { value, selected: value === 1 }, `${value}×`));
+  speed.addEventListener("change", () => (state.speed = Number(speed.value)));
+  if (motion.withPlay) {
+    const box = element("input", { type: "checkbox", checked: true, id: "with-play" });
+    box.addEventListener("change", () => {
+      state.play = box.checked;
+      changed();
+    });
+    options.append(element("label", { class: "switch" }, box, element("span", { text: ["with play", "有间隙"] })));
+  }
+  options.append(speed);
+
+  const strip = document.getElementById("marks");
+  const names = { peak: ["peak", "峰"], valley: ["valley", "谷"], blend: ["blend", "过渡段"] };
+  for (const { kind, angle } of marks) {
+    const degrees = (angle * 180) / Math.PI;
+    const mark = element("i", { class: kind });
+    mark.style.left = `${(degrees / TURN) * 100}%`;
+    if (kind === "blend") mark.style.width = `${100 - (degrees / TURN) * 100}%`;
+    translated(() => (mark.title = `${pick(names[kind])} ${degrees.toFixed(1)}°`));
+    strip.append(mark);
+  }
+
+  const fields = [
+    ["lift", ["lift", "升程"], (s) => `${plain(s.lift, 3)} mm`],
+    ["steer", ["steering", "转向角"], (s) => `${plain((motion.scene.car.steering * Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
+    ["pressure", ["pressure angle", "压力角"], (s) => `${plain(s.pressure, 1)}°`],
+    ["run", ["distance run", "行驶距离"], (s) => `${(s.run / 1000).toFixed(2)} m`],
+    ["off", ["off the plan", "偏离规划"], (s) => `${s.off.toFixed(1)} mm`],
+  ].filter(([code]) => code !== "off" || motion.goings.planned);
+  const values = fields.map(([code, label]) => {
+    const value = element("b");
+    now.append(element("span", { class: code }, element("small", { text: label }), value));
+    return value;
+  });
+
+  let quiet = 0;
+  function changed() {
+    const current = motion.state((state.angle * Math.PI) / 180, state.play);
+    const text = `${state.angle.toFixed(1)}°`;
+    if (shown.value !== text) shown.value = text;
+    if (Number(slider.value) !== state.angle) slider.value = state.angle;
+    slider.setAttribute("aria-valuetext", text);
+    fields.forEach(([, , format], i) => {
+      const value = format(current);
+      if (values[i].textContent !== value) values[i].textContent = value;
+    });
+    for (const listener of listeners) listener(current);
+    clearTimeout(quiet);
+    if (!state.playing) quiet = setTimeout(() => tell(current), QUIET);
+  }
+
+  function tell(current) {
+    const words = [`${pick(["cam angle", "凸轮转角"])} ${shown.value}`];
+    for (const [i, [, label]] of fields.entries()) words.push(`${pick(label)} ${fields[i][2](current)}`);
+    live.textContent = words.join(pick([", ", "，"]));
+  }
+
+  function set(angle) {
+    state.angle = Math.min(Math.max(angle, 0), TURN);
+    changed();
+  }
+
+  function playing(on) {
+    state.playing = on;
+    button.setAttribute("aria-pressed", String(on));
+    button.querySelector("path").setAttribute("d", on ? "M6 4h4v16H6zM14 4h4v16h-4z" : "M7 4l13 8-13 8z");
+    if (on && state.angle >= TURN) state.angle = 0;
+    api.wake?.();
+    changed();
+  }
+
+  slider.addEventListener("input", () => {
+    if (state.playing) playing(false);
+    set(Number(slider.value));
+  });
+  button.addEventListener("click", () => playing(!state.playing));
+  document.addEventListener("keydown", (event) => {
+    const { target } = event;
+    const busy = target.closest?.("button, select, summary, a, [type=checkbox]");
+    if (event.key === " " && !busy && !event.ctrlKey && !event.metaKey) {
+      event.preventDefault();
+      playing(!state.playing);
+    }
+  });
+
+  const api = {
+    state,
+    set,
+    changed,
+    listen: (listener) => listeners.push(listener),
+    /** Moves on by so many milliseconds; true as long as it plays. */
+    step(milliseconds) {
+      if (!state.playing) return false;
+      const next = state.angle + (state.speed * TURN * milliseconds) / (SECONDS * 1000);
+      if (next >= TURN) {
+        state.angle = TURN;
+        playing(false);
+        return false;
+      }
+      set(next);
+      return true;
+    },
+  };
+  return api;
+}

@@ -1,0 +1,57 @@
+// The two plan views: drawings one above the other, each painted once and then moved as a whole.
+const degrees = (rad) => (rad * 180) / Math.PI;
+const short = (value) => Math.round(value * 1000) / 1000;
+
+export function planViews(motion) {
+  const find = (id) => document.getElementById(id);
+  const [disc, inner, outer, point] = ["disc-layer", "rod-inner", "rod-outer", "rod-point"].map(find);
+  const [car, ghost, floor] = [find("car"), find("car-planned"), find("course-view")];
+  const { rod, base, car: shape } = motion.scene;
+  let carrying = "inner";
+  let ran = null;
+
+  // Places in shares of a drawing hold only where the drawing fills its stage.
+  for (const stage of document.querySelectorAll(".stage")) stage.style.setProperty("--aspect", stage.dataset.aspect);
+  disc.style.transformOrigin = `${disc.dataset.origin} 50%`;
+  const { left, top, width, size } = Object.fromEntries(Object.entries(floor.dataset).map(([key, value]) => [key, Number(value)]));
+  for (const drawn of [car, ghost]) {
+    drawn.style.width = `${(100 * size) / width}%`;
+    drawn.style.height = "auto";
+    drawn.style.visibility = "visible";
+  }
+
+  function stand(drawn, pose, tan) {
+    const [x, y] = [(pose.x - left) / size - 0.5, (top - pose.y) / size - 0.5];
+    drawn.style.transform = `translate(${short(100 * x)}%, ${short(100 * y)}%) rotate(${short(-degrees(pose.heading))}deg)`;
+    const turned = `rotate(${Math.round(-shape.steering * degrees(Math.atan(tan)) * 2) / 2})`;
+    const front = drawn.querySelector(".front");
+    if (front.getAttribute("transform") !== turned) front.setAttribute("transform", turned);
+  }
+
+  return (state) => {
+    disc.style.transform = `rotate(${short(degrees(state.theta))}deg)`;
+    if (rod) {
+      const stretch = Math.hypot(1, state.tan);
+      for (const [ellipse, face] of [[inner, rod.faces[0]], [outer, rod.faces[1]]]) {
+        ellipse.setAttribute("cx", short(base + face * state.tan));
+        ellipse.setAttribute("rx", short(rod.radius * stretch));
+      }
+      const carries = state.tan >= 0 ? "inner" : "outer";
+      if (carries !== carrying) {
+        carrying = carries;
+        inner.classList.toggle("far", carries === "outer");
+        outer.classList.toggle("far", carries === "inner");
+      }
+    } else {
+      point.setAttribute("cx", short(base + state.lift));
+    }
+    stand(car, state, state.tan);
+    const apart = motion.planned !== state.going;
+    ghost.style.display = apart ? "" : "none";
+    if (apart) stand(ghost, state.planned, state.plannedTan);
+    if (ran !== state.going.code) {
+      ran = state.going.code;
+      for (const code of ["played", "free"]) find(`track-${code}`)?.classList.toggle("now", ran === code);
+    }
+  };
+}

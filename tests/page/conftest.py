@@ -1,0 +1,46 @@
+"""One plan and one page of the paper's car for all tests of the page; Chromium where there is one."""
+
+import os
+import shutil
+
+import pytest
+
+from cadgen.design.load import load_design
+from cadgen.page.content.page import page_of
+from cadgen.page.content.plan import plan_page
+from cadgen.page.html import html_of
+
+SAMPLES = 60
+
+
+@pytest.fixture(scope="session")
+def plan():
+    return plan_page(load_design("carbon_free_car"), samples=SAMPLES)
+
+
+@pytest.fixture(scope="session")
+def page(plan):
+    return page_of(plan)
+
+
+@pytest.fixture(scope="session")
+def html(page):
+    return html_of(page)
+
+
+@pytest.fixture
+def failing(minimal, written):
+    """Plan and page of a small design that fails a check."""
+    plan = plan_page(load_design(written(minimal), ["checks.min_convex_radius_mm=100"]))
+    return plan, html_of(page_of(plan))
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    """Path of a Chromium; the tests that need it are skipped where there is none."""
+    named = os.environ.get("CADGEN_CHROMIUM")
+    found = named or next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    if found is None:
+        pytest.skip("no Chromium: install your system's, or name one in CADGEN_CHROMIUM")
+    pytest.importorskip("playwright.sync_api", reason="no playwright: install cadgen[test]")
+    return found
