@@ -1,8 +1,11 @@
 """The section of a design on its drawings."""
 
-from pydantic import Field, field_validator
+from pydantic import Field, ValidationInfo, field_validator
 
-from cadgen.design.section import Section, one_line
+from cadgen.design.section import HERE, LONGEST_LINE, Section, one_line
+
+LONGEST_FINISH = 36  # letters that its cell holds
+_LAST_LETTER = 0x052F  # the last of the Cyrillic ones
 
 
 class DrawingText(Section):
@@ -14,5 +17,11 @@ class DrawingText(Section):
 
     @field_validator("title", "finish")
     @classmethod
-    def _fits_its_cell(cls, text: str | None) -> str | None:
-        return None if text is None else one_line(text)
+    def _fits_its_cell(cls, text: str | None, info: ValidationInfo) -> str | None:
+        if text is None:
+            return None
+        if max(map(ord, text), default=0) > _LAST_LETTER:
+            raise ValueError(
+                f"{HERE} has letters that the font of drawings lacks: write it in Latin, Greek or Cyrillic letters"
+            )
+        return one_line(text, LONGEST_FINISH if info.field_name == "finish" else LONGEST_LINE)

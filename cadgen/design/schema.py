@@ -341,8 +341,16 @@ class TrainDesign(TrainFile):
 
     @property
     def content_hash(self) -> str:
-        """SHA-256 of the canonical JSON of `values()`: it depends on the values, not on the way they are written."""
-        canonical = json.dumps(self.values(), sort_keys=True, separators=(",", ":"), allow_nan=False)
+        """SHA-256 of the canonical JSON of `values()`: it depends on the values, not on the way they are written.
+
+        The texts of title blocks are left out: with others the same part is cut.
+        """
+        canonical = json.dumps(
+            {key: value for key, value in self.values().items() if key != "drawing"},
+            sort_keys=True,
+            separators=(",", ":"),
+            allow_nan=False,
+        )
         return hashlib.sha256(canonical.encode()).hexdigest()
 
 

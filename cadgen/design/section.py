@@ -35,14 +35,14 @@ class Section(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
 
 
-def one_line(text: str) -> str:
-    """The text, which a title block or a comment must hold.
+def one_line(text: str, longest: int = LONGEST_LINE) -> str:
+    """The text, which a title block or a comment must hold, of so many letters at most.
 
     Raises:
         ValueError: it is empty, too long, or has more than one line.
     """
-    if not (0 < len(text) <= LONGEST_LINE and text.isprintable()):
-        raise ValueError(f"{HERE} must be one line of 1 to {LONGEST_LINE} letters: shorten it")
+    if not (0 < len(text) <= longest and text.isprintable()):
+        raise ValueError(f"{HERE} must be one line of 1 to {longest} letters: shorten it")
     return text
 
 

@@ -50,7 +50,6 @@ class CamPart:
         profile: outline as lines and arcs, mm.
         angles: polar angles of the table, rad, shape (n,).
         radii: distance of the exact outline from the axis there, mm.
-        lifts: lift of the follower at those cam angles, mm.
         greatest: greatest radius of the outline, and its polar angle: mm, rad.
         least: least radius, likewise.
         blank: bore, keyway, hub, holes, broken edges.
@@ -65,7 +64,6 @@ class CamPart:
     profile: Contour
     angles: Array
     radii: Array
-    lifts: Array
     greatest: tuple[float, float]
     least: tuple[float, float]
     blank: Blank
@@ -124,7 +122,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     ]
     curves += _arrow((zero + _ARROW / scale, 0.0), (zero + 0.8 / scale, 0.0), 2.5 / scale)
     if blank.hub:
-        seen = Line.VISIBLE if blank.hub.side == "outer" else Line.PHANTOM
+        seen = Line.VISIBLE if blank.hub.side == "outer" else Line.HIDDEN
         curves.append(ring(blank.hub.diameter, seen))
     return View(place=place, curves=tuple(curves), dimensions=tuple(_face_dimensions(cam, scale)), labels=tuple(labels))
 
@@ -180,7 +178,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
 
 
 def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
-    """Section through the axis along the key, which points upwards; the outer face is on the right."""
+    """Section through the axis along the key, which points upwards; the face that is seen is on the right."""
     blank, thickness, gap = cam.blank, cam.thickness, _GAP / scale
     angle = blank.key.angle if blank.key else 0.0
     boss, bore = blank.boss(thickness), blank.bore().polygon(_CHORD)
@@ -251,18 +249,18 @@ def _chamfered(area: shapely.Polygon, cam: CamPart) -> shapely.Polygon:
 
 
 def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[Table, ...]:
-    """Radius of the outline and lift by the angle, in three tables beside each other."""
-    head = ("θ, °", "R, mm", "lift, mm")
+    """Radius of the outline by the polar angle, in three tables beside each other."""
+    head = ("θ, °", "R, mm")
     cells = [
-        (shown(degrees(angle), 1), f"{radius:.3f}", f"{lift:.3f}")
-        for angle, radius, lift in zip(cam.angles.tolist(), cam.radii.tolist(), cam.lifts.tolist(), strict=True)
+        (shown(degrees(angle), 1), f"{radius:.3f}")
+        for angle, radius in zip(cam.angles.tolist(), cam.radii.tolist(), strict=True)
     ]
     third = ceil(len(cells) / 3)
     return tuple(
         Table(
             title="outline about the axis" if number == 0 else "",
             at=(at[0] + number * 34.0, at[1]),
-            widths=(8.0, 12.5, 12.5),
+            widths=(13.0, 20.0),
             rows=(head, *cells[number * third : (number + 1) * third]),
         )
         for number in range(3)
@@ -282,6 +280,17 @@ def _notes(cam: CamPart) -> tuple[str, ...]:
     if cam.profile_tolerance is not None:
         key = {Keyway: " and the keyway (datum B)", DFlat: " and the flat (datum B)"}.get(type(cam.blank.key), "")
         notes.append(f"Outline: profile of a line {2 * cam.profile_tolerance:g} mm to the bore (datum A){key}.")
+    at_angle = {Keyway: "Keyway", DFlat: "Flat"}.get(type(cam.blank.key), "")
+    if cam.blank.key and at_angle:
+        notes.append(f"{at_angle} at θ = {shown(degrees(cam.blank.key.angle), 3)}°.")
+    elif cam.blank.mark:
+        notes.append("Plain bore: the mark alone tells the angle on the part.")
+    else:
+        notes.append("Plain bore: scribe the arrow at θ = 0 before the part leaves the machine.")
+    if cam.blank.lightening:
+        notes.append(f"First hole at θ = {shown(degrees(cam.blank.lightening.start_angle), 3)}°.")
+    if not cam.bore_fit:
+        notes.append("Fit of the bore: not stated; choose it with the shaft.")
     if cam.blank.edge_break:
         notes.append(f"Both edges of the outline broken {cam.blank.edge_break:g} × 45°; the rod rides between them.")
     else:
@@ -289,16 +298,16 @@ def _notes(cam: CamPart) -> tuple[str, ...]:
     if cam.blank.mark:
         mark, held = cam.blank.mark, cam.blank.key
         side = "left" if sin(mark.angle - (held.angle if held else 0.0)) > 0 else "right"
-        of = "the key" if held else "the arrow"
+        of = {Keyway: "the keyway", DFlat: "the flat"}.get(type(held), "the arrow") + ", seen from the axis outwards"
         notes.append(
-            f"Mark at R {mark.radius:g}, θ = {degrees(mark.angle):g}°: {side} of {of}, seen on this face. On the other "
-            "side the disc is turned over."
+            f"Mark at R {mark.radius:g}, θ = {degrees(mark.angle):g}°: {side} of {of} on this face. On "
+            "the other side the disc is turned over."
         )
     if cam.blank.hub and cam.blank.hub.set_screw:
         screw = cam.blank.hub.set_screw
         notes.append(
-            f"Radial hole {DIAMETER}{screw.diameter:g} in the hub, {screw.height:g} mm from the disc, at "
-            f"{degrees(screw.angle):g}°."
+            f"Radial hole {DIAMETER}{screw.diameter:g} through the hub's wall, to be tapped, {screw.height:g} mm from "
+            f"the disc's face, at θ = {degrees(screw.angle):g}°."
         )
     return (*notes, *cam.notes)
 

@@ -40,7 +40,11 @@ _STYLE = "CADGEN"
 _MM = 4  # $INSUNITS
 # Width of each kind of line, hundredths of a mm (ISO 128), and its pattern on paper.
 _WIDTHS = {Line.VISIBLE: 50, Line.FRAME: 50}
-_PATTERNS = {Line.CENTRE: [13.0, 9.0, -1.5, 1.0, -1.5], Line.PHANTOM: [15.5, 9.0, -1.5, 1.0, -1.5, 1.0, -1.5]}
+_PATTERNS = {
+    Line.HIDDEN: [4.0, 3.0, -1.0],
+    Line.CENTRE: [13.0, 9.0, -1.5, 1.0, -1.5],
+    Line.PHANTOM: [15.5, 9.0, -1.5, 1.0, -1.5, 1.0, -1.5],
+}
 _THIN = 18
 _HATCH_STEP = 2.0  # mm on paper
 
@@ -160,7 +164,7 @@ class _Place:
                 angle=dimension.angle,
                 text=text,
                 dimstyle=_STYLE,
-                override={"dimtofl": 1},
+                override={"dimtad": 1, "dimtofl": 1, "dimtmove": 0},
                 location=self._outside(dimension),
                 dxfattribs=attributes,
             )
@@ -169,7 +173,7 @@ class _Place:
                 base=self._on_paper(dimension.at),
                 p1=self._on_paper(dimension.start),
                 p2=self._on_paper(dimension.end),
-                angle=dimension.angle,
+                angle=90.0 - (90.0 - dimension.angle) % 180.0,  # so that no number stands on its head
                 text=text,
                 dimstyle=_STYLE,
                 dxfattribs=attributes,
@@ -190,7 +194,8 @@ def _text(
     height: float,
     align: TextEntityAlignment = TextEntityAlignment.LEFT,
 ) -> None:
-    drawn = space.add_text(text, height=height, dxfattribs={"layer": Line.TEXT.value, "style": _STYLE})
+    plain = text.replace("^", "^ ").replace("%%", "% %")  # of a TEXT both begin codes
+    drawn = space.add_text(plain, height=height, dxfattribs={"layer": Line.TEXT.value, "style": _STYLE})
     drawn.set_placement(at, align=align)
 
 
@@ -222,18 +227,18 @@ def _frame(space: Modelspace, drawing: Drawing) -> None:
     space.add_lwpolyline([(x, y), (x, y + up), (x + across, y + up)], dxfattribs=frame)
     title = drawing.title
     cells = [  # column, row from below, width of the cell in columns, name, text
-        (0, 3, 2, "part", title.part),
-        (2, 3, 1, "quantity", str(title.quantity)),
-        (0, 2, 2, "title", title.title),
-        (2, 2, 1, "scale", f"{scale_text(drawing.scale)}  ({drawing.size})"),
-        (0, 1, 1, "material", title.material or "not stated"),
-        (1, 1, 1, "finish", title.finish or "not stated"),
-        (2, 1, 1, "general tolerances", "ISO 2768-m"),
-        (0, 0, 1, "drawing", title.number),
-        (1, 0, 1, "design", title.design),
-        (2, 0, 1, "date", title.date),
+        (0, 4, 2, "part", title.part),
+        (2, 4, 1, "quantity", str(title.quantity)),
+        (0, 3, 2, "title", title.title),
+        (2, 3, 1, "scale", f"{scale_text(drawing.scale)}  ({drawing.size})"),
+        (0, 2, 1, "material", title.material or "not stated"),
+        (1, 2, 1, "finish", title.finish or "not stated"),
+        (2, 2, 1, "general tolerances", "ISO 2768-m"),
+        (0, 1, 2, "design", title.design),
+        (2, 1, 1, "date", title.date),
+        (0, 0, 3, "drawing", title.number),
     ]
-    column, row = across / 3, up / 4
+    column, row = across / 3, up / 5
     thin = {"layer": Line.THIN.value}
     for at, level, span, name, text in cells:
         left, low = x + at * column, y + level * row
@@ -243,7 +248,7 @@ def _frame(space: Modelspace, drawing: Drawing) -> None:
             dxfattribs=thin,
         )
         _text(space, name, (left + 1.0, low + row - 2.6), 1.7)
-        fitting = min(3.0 if span == 2 else TEXT, (span * column - 2.0) / (WIDEST * max(len(text), 1)))
+        fitting = min(3.0 if span > 1 else TEXT, (span * column - 2.0) / (WIDEST * max(len(text), 1)))
         _text(space, text, (left + 1.0, low + 1.8), fitting)
 
 

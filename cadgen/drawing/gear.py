@@ -31,12 +31,13 @@ from cadgen.drawing.sheet import (
     centre_cross,
     chosen_sheet,
     ring,
+    shown,
     wrapped,
 )
 from cadgen.gears.layout import TrainPart
 from cadgen.parts.body import Body
 from cadgen.parts.features import Keyway
-from cadgen.parts.loop import Loop
+from cadgen.parts.loop import Arc, Loop
 
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
 _GAP = 8.0  # mm on paper from the part to a dimension line, and from line to line
@@ -50,14 +51,12 @@ class GearPart:
     Attributes:
         part: the part with its gears, blank and body.
         data: names and values of the table of each gear, from below.
-        bore_fit: tolerance class of the bore, such as `H7`; empty if none is given.
         files: name and hash of each file that holds the part.
         notes: further sentences.
     """
 
     part: TrainPart
     data: tuple[tuple[tuple[str, str], ...], ...]
-    bore_fit: str
     files: tuple[tuple[str, str], ...]
     notes: tuple[str, ...]
 
@@ -95,7 +94,7 @@ def gear_drawing(gear: GearPart, title: Title) -> Drawing:
 def _names(part: TrainPart) -> tuple[str, ...]:
     if len(part.gears) == 1:
         return ("gear",)
-    return "lower gear (the first in the section)", "upper gear"
+    return "lower gear", "upper gear"
 
 
 def _reach(body: Body) -> float:
@@ -118,37 +117,32 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     blank = part.blank
     reach = _reach(part.body)
     curves: list[Closed | Stroke] = [_outline(loop) for loop in dict.fromkeys(_rims(part.body))]
-    curves += [_outline(hole) for hole in dict.fromkeys(hole for slab in part.body.slabs for hole in slab.holes)]
+    holes = _holes(part.body)
+    curves += [_outline(hole) for hole in holes]
     if blank.bore_diameter:
         curves.append(Closed(blank.bore()))
     curves += [ring(diameter, Line.CENTRE) for diameter in _pitch_circles(gear)]
     curves += centre_cross(reach + 0.4 * gap)
     dimensions: list[Dimension] = []
-    fit = f" {gear.bore_fit}" if gear.bore_fit else ""
     if blank.bore_diameter:
-        dimensions.append(
-            Diameter(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=125.0, suffix=fit)
-        )
+        dimensions.append(Diameter(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=125.0))
     if isinstance(blank.key, Keyway):
         half, out = blank.key.width / 2, blank.bore_diameter / 2 + blank.key.depth
         dimensions.append(
             Linear(name="keyway width", start=(out, -half), end=(out, half), at=(out + 0.7 * gap, 0.0), angle=90.0)
         )
-    holes = next((slab.holes for slab in part.body.slabs if slab.holes), ())
     if holes:
         centres = [complex(_points(hole).mean(axis=0) @ np.array([1.0, 1.0j])) for hole in holes]
         first = centres[len(centres) // 3]
-        size = 2 * abs(holes[0].curves[0].point([0.0])[0] - centres[0])
+        size, circle = _hole_sizes(holes)
         many = f"{len(holes)} × " if len(holes) > 1 else ""
         angle = degrees(atan2(first.imag, first.real))
         at = (first.real, first.imag)
         dimensions += [
-            Diameter(name="hole", centre=at, diameter=float(size), angle=angle, prefix=many),
-            Diameter(
-                name="circle of holes", centre=(0.0, 0.0), diameter=2 * abs(first), angle=angle + 180 / len(holes)
-            ),
+            Diameter(name="hole", centre=at, diameter=size, angle=angle, prefix=many),
+            Diameter(name="circle of holes", centre=(0.0, 0.0), diameter=circle, angle=angle + 180 / len(holes)),
         ]
-        curves.append(ring(2 * abs(first), Line.CENTRE))
+        curves.append(ring(circle, Line.CENTRE))
     label = Label(text="from above", at=(0.0, -reach - gap), height=3.5)
     return View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=(label,))
 
@@ -160,6 +154,16 @@ def _rims(body: Body) -> Iterator[Loop]:
         rings = slab.rings[:-1] if len(slab.rings) % 2 == 0 else slab.rings
         yield from (loop for loop in rings if loop.radii[1] > reach)
         reach = max(reach, slab.rings[0].radii[0])
+
+
+def _holes(body: Body) -> tuple[Loop, ...]:
+    """Lightening holes that are seen from above: none under a wider gear."""
+    number = next((n for n, slab in enumerate(body.slabs) if slab.holes), None)
+    if number is None:
+        return ()
+    above = max((slab.rings[0].radii[1] for slab in body.slabs[number + 1 :] if not slab.holes), default=0.0)
+    covered = max(slab.rings[0].radii[1] for slab in body.slabs[number:]) > body.slabs[0].rings[0].radii[1]
+    return () if covered and above > body.slabs[number].holes[0].radii[0] else body.slabs[number].holes
 
 
 def _pitch_circles(gear: GearPart) -> list[float]:
@@ -186,8 +190,9 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         tip, root, end = wheel.tip_diameter / 2, wheel.root_diameter / 2, start + wheel.width
         for side in (1.0, -1.0):
             strokes.append(Stroke(side_of([(start, root), (start, tip), (end, tip), (end, root)], side)))
-        name = _names(part)[number].split(" (")[0]
-        out = start - (0.9 + number) * gap if number == 0 else end + 0.9 * gap
+        name = _names(part)[number]
+        keyed = isinstance(blank.key, Keyway)
+        out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
         edge = start if number == 0 else end
         dimensions += [
             Linear(
@@ -211,7 +216,11 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
                 name="bore and keyway", start=(high, -radius), end=(high, up), at=(high + 0.9 * gap, 0.0), angle=90.0
             )
         )
-    label = Label(text="section", at=((low + high) / 2, -_reach(part.body) - 2.6 * gap), height=3.5)
+    label = Label(
+        text="section along the key" if blank.key else "section",
+        at=((low + high) / 2, -_reach(part.body) - 2.6 * gap),
+        height=3.5,
+    )
     return View(
         place=place,
         curves=tuple(strokes),
@@ -251,7 +260,7 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float) -> Iterator[D
             name="hub diameter" if alone else "collar diameter",
             start=(end, -half),
             end=(end, half),
-            at=(high + 2.0 * gap, 0.0),
+            at=(high + (3.0 if isinstance(blank.key, Keyway) else 2.0) * gap, 0.0),
             angle=90.0,
             prefix=DIAMETER,
         )
@@ -259,7 +268,7 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float) -> Iterator[D
             start, at = (part.gears[0].width, -half), (high, -reach - 0.8 * gap)
             yield Linear(name="hub length", start=start, end=(high, -half), at=at)
     if blank.web:
-        web = next(slab for slab in body.slabs if len(slab.rings) < 4)
+        web = body.slabs[1]  # between the two recesses
         radius = (blank.hub.diameter / 2 if blank.hub else 0.0) + 0.3 * part.gears[0].root_diameter / 2
         recess = body.slabs[0].rings[1].radii[1]
         yield Linear(
@@ -282,10 +291,31 @@ def _notes(gear: GearPart) -> tuple[str, ...]:
     notes = [f"Solid: {name}  sha256 {digest[:SHOWN]}" for name, digest in gear.files]
     if not gear.files:
         notes.append("Solid: none lies in this folder: make it with cadgen gears.")
-    hub = gear.part.blank.hub
+    blank = gear.part.blank
+    hub = blank.hub
     if hub and hub.set_screw:
         screw = hub.set_screw
+        place = "over the keyway" if blank.key else "in line with a tooth"
         notes.append(
-            f"Radial hole {DIAMETER}{screw.diameter:g} in the hub, {screw.height:g} mm from its face, at the key."
+            f"Radial hole {DIAMETER}{screw.diameter:g} through the hub's wall, to be tapped, {screw.height:g} mm from "
+            f"the gear's face, {place}."
         )
+    if blank.key:
+        notes.append("A tooth of each gear stands on the axis of the keyway.")
+    if blank.web:
+        notes.append("The web is midway along the width; both recesses are alike.")
+    drilled = next((slab.holes for slab in gear.part.body.slabs if slab.holes), ())
+    if drilled and len(gear.part.gears) > 1:
+        size, circle = _hole_sizes(drilled)
+        notes.append(
+            f"The holes, {len(drilled)} × {DIAMETER}{shown(size)} on {DIAMETER}{shown(circle)}, are in the lower gear."
+        )
+    if blank.bore_diameter:
+        notes.append("Fit of the bore: not stated; choose it with the shaft.")
     return (*notes, *gear.notes)
+
+
+def _hole_sizes(holes: tuple[Loop, ...]) -> tuple[float, float]:
+    """Diameter of lightening holes and of the circle of their centres, mm."""
+    (arc, *_) = (curve for curve in holes[0].curves if isinstance(curve, Arc))
+    return 2 * arc.radius, 2 * abs(arc.centre)

@@ -82,6 +82,16 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
     dimensions: list[Dimension] = [
         Linear(name="plate width", start=(left, low), end=(right, low), at=(left, low - gap)),
         Linear(name="plate height", start=(left, low), end=(left, high), at=(left - gap, low), angle=90.0),
+        Linear(
+            name="axis 1 from the left", start=(left, high), end=(axes[0].x, axes[0].y), at=(left, high + 0.8 * gap)
+        ),
+        Linear(
+            name="axis 1 from below",
+            start=(right, low),
+            end=(axes[0].x, axes[0].y),
+            at=(right + 0.8 * gap, low),
+            angle=90.0,
+        ),
     ]
     for first, second in pairwise(axes):
         way = complex(second.x - first.x, second.y - first.y)

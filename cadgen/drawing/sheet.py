@@ -13,7 +13,7 @@ from cadgen.curves.contour import Contour, circle
 SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}  # landscape, ISO 5457
 SCALES = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1)  # ISO 5455
 LEFT, EDGE = 20.0, 10.0  # between paper and frame: where it is filed, and elsewhere
-TITLE_SIZE = (170.0, 40.0)
+TITLE_SIZE = (170.0, 48.0)
 ROW = 4.2  # height of a row of a table or of a note
 TEXT = 2.5  # height of letters
 SHOWN = 12  # letters of a file's hash
@@ -28,6 +28,7 @@ class Line(StrEnum):
     VISIBLE = "VISIBLE"
     THIN = "THIN"
     CENTRE = "CENTRE"
+    HIDDEN = "HIDDEN"
     PHANTOM = "PHANTOM"
     HATCH = "HATCH"
     DIMENSION = "DIMENSION"

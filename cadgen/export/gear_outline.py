@@ -16,6 +16,7 @@ from cadgen.parts.loop import Loop
 # Greatest distance of the splines from the exact teeth, mm, and of what is read back.
 OUTLINE_TOLERANCE, OUTLINE_LIMIT = 1e-5, 2e-5
 _STEP = 0.05  # mm between points of an outline that is read back
+_AREA_LIMIT = 1e-3  # of chords as long as the step, relative
 _NODES = np.linspace(0.0, 1.0, 4001)  # of each curve of a tooth, for comparison
 
 
@@ -28,6 +29,11 @@ def write_outline(path: Path, outline: Loop, bore: Contour | None) -> float:
     write_dxf(path, _splines(outline), bore, ())
     drawing = read_dxf(path, _STEP)
     error = _distance(drawing.profile.points, outline)
+    # Points on the teeth may leave out a tooth; the area does not.
+    x, y = drawing.profile.points.T
+    area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
+    if abs(area / outline.area - 1) > _AREA_LIMIT:
+        raise FileError(f"{path.name}, read back, does not enclose the teeth: report this design")
     if error > OUTLINE_LIMIT or len(drawing.bore) != (bore is not None):
         raise FileError(f"{path.name}, read back, is {error * 1e3:.2g} µm off the exact teeth: report this design")
     return error

@@ -133,6 +133,37 @@ def test_the_dimensions_of_gears_are_those_of_their_step_files(folder, train, tm
 
 
 @pytest.mark.slow
+def test_dimensions_are_those_that_the_design_names(folder, design, tmp_path):
+    """Also on a gear without a bore, which has a ring less in every section; and no number stands on its head."""
+    import ezdxf
+
+    expected = {"web thickness": 3.0, "hole": 10.0, "width, lower gear": 5.0, "collar diameter": 10.0}
+    plain = design.with_({"train.intermediate.bore_diameter_mm": 0.0}).gears()
+    draw(tmp_path, train=plain)
+    for place in (folder, tmp_path):
+        lengths = read_dimensions(place / "carbon_free_car_as-given_2_cluster_drawing.dxf")
+        assert {name: lengths[name] for name in expected} == pytest.approx(expected, abs=1e-9)
+    wheel = read_dimensions(folder / "carbon_free_car_as-given_4_wheel_drawing.dxf")
+    expected = {"bore": 8.0, "keyway width": 3.0, "bore and keyway": 9.4, "hub diameter": 16.0, "hub length": 6.0}
+    assert {name: wheel[name] for name in expected} == pytest.approx(expected, abs=1e-9)
+    for file in folder.glob("*_drawing.dxf"):
+        for dimension in ezdxf.readfile(file).modelspace().query("DIMENSION"):
+            for text in dimension.virtual_entities():
+                if text.dxftype() in ("TEXT", "MTEXT"):
+                    turned = text.dxf.rotation % 360 if text.dxf.hasattr("rotation") else 0.0
+                    assert turned <= 90.5 or turned >= 270 - 1e-6, (file.name, turned)
+
+
+@pytest.mark.slow
+def test_texts_of_the_title_block_change_no_part(design):
+    assert design.with_({"drawing.quantity": 3, "drawing.finish": "Ra 1.6"}).sha256 == design.sha256
+    with pytest.raises(DesignError, match="letters that the font of drawings lacks"):
+        design.with_({"drawing.title": "凸轮小车"})
+    with pytest.raises(DesignError, match="1 to 36 letters"):
+        design.with_({"drawing.finish": "x" * 37})
+
+
+@pytest.mark.slow
 def test_the_plate_has_the_axes_of_the_train(folder, train):
     lengths = read_dimensions(folder / f"{train.computed.stem}_plate_drawing.dxf")
     apart = [stage["centre_distance_mm"] for stage in train.facts()["stages"]]

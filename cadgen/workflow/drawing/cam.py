@@ -1,5 +1,7 @@
 """Sheet of a computed cam, and the sheet on which its lift is written down."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from cadgen.arrays import TURN
@@ -34,7 +36,6 @@ def sheet_of(plan: CamPlan, folder: Folder) -> Drawing:
         profile=arcs(plan.curve, _ARCS_WITHIN),
         angles=angles,
         radii=plan.curve.radius(angles),
-        lifts=np.asarray(plan.rod.lift(plan.lift.tan_beta(angles))),
         greatest=(float(radii[most]), float(dense[most])),
         least=(float(radii[least]), float(dense[least])),
         blank=plan.made_blank,
@@ -43,10 +44,21 @@ def sheet_of(plan: CamPlan, folder: Folder) -> Drawing:
         profile_tolerance=offset or None,
         face="inner face" if design.cam.side == "right" else "outer face",
         files=folder.files(stem, design.content_hash, _ENDINGS),
-        notes=(plan.profile.note,) if plan.profile.note else (),
+        notes=tuple(_notes(plan)),
     )
     name = f"steering cam, {plan.profile} profile"
     return cam_drawing(part, title_of(design, name, design.blank.material or "", stem, folder))
+
+
+def _notes(plan: CamPlan) -> Iterator[str]:
+    tolerances = plan.design.tolerances
+    if tolerances.inner_face_mm or tolerances.outer_face_mm:
+        yield (
+            f"Faces: inner ± {tolerances.inner_face_mm:g}, outer ± {tolerances.outer_face_mm:g} mm from the fork axis, "
+            "as the cars are reckoned."
+        )
+    if plan.profile.note:
+        yield plan.profile.note
 
 
 def inspection_csv(plan: CamPlan) -> str:

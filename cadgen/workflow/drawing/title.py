@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.design.drawing import DrawingText
-from cadgen.design.schema import DesignFile, TrainFile
+from cadgen.design.schema import TrainDesign
 from cadgen.drawing.sheet import Title
 from cadgen.errors import FileError
 from cadgen.export.manifest import NAME, sound_parts
@@ -67,7 +67,7 @@ class Folder:
         return tuple((name, listed[name]) for name in named if name in listed)
 
 
-def title_of(design: DesignFile | TrainFile, part: str, material: str, number: str, folder: Folder) -> Title:
+def title_of(design: TrainDesign, part: str, material: str, number: str, folder: Folder) -> Title:
     """Title block of a part's sheet."""
     text = design.drawing or DrawingText()
     return Title(
@@ -77,13 +77,9 @@ def title_of(design: DesignFile | TrainFile, part: str, material: str, number: s
         finish=text.finish or "",
         quantity=text.quantity,
         date=folder.date,
-        design=f"{design.name} {_hash_of(design)[:_HASH]}",
+        design=f"{design.name} {design.content_hash[:_HASH]}",
         number=number,
     )
-
-
-def _hash_of(design: Any) -> str:
-    return str(design.content_hash)
 
 
 def bore_class(fit: str | None) -> str:

@@ -1,6 +1,7 @@
 """Sheets of the parts of a computed train, and of the plate that holds the axes."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from cadgen.drawing.data import gear_rows
@@ -33,7 +34,6 @@ def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, Drawing]]:
         sheet = GearPart(
             part=part,
             data=data,
-            bore_fit="",
             files=folder.files(stem, design.content_hash, _ENDINGS),
             notes=(f"Shaft {part.shaft} of the train, counted from the drive.",),
         )
@@ -49,17 +49,22 @@ def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, Drawing]]:
         for part in layout.parts
     )
     stem = f"{plan.stem}_plate"
-    yield stem, plate_drawing(axes, tuple(_plate_notes(plan)), title_of(design, "plate for the axes", "", stem, folder))
+    title = title_of(design, "plate for the axes", "", stem, folder)
+    pair = replace(title, quantity=2 * title.quantity)
+    yield stem, plate_drawing(axes, tuple(_plate_notes(plan)), pair)
 
 
 def _plate_notes(plan: GearsPlan) -> Iterator[str]:
     yield "Seen along the axes from the output's end. Broken circles: tips of the gears, for room."
-    yield "Holes as large as the shafts: open them for the bearings that you use."
+    yield "Two to a machine, before and behind the gears. Thickness as the bearings need."
+    yield "Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole."
+    yield "Places of the axes: hold the distances below, not the general tolerance."
     for number, stage in enumerate(plan.layout.train.stages, 1):
         deviation = stage.facts().get("f_a_um")
         if deviation is not None:
             apart = f"{stage.centre_distance:g} ± {deviation / 1e3:.4g} mm"
-            yield f"Axes {number} and {number + 1}: {apart}, as the play is reckoned."
+            span = f"bearings {stage.bearing_span:g} mm apart"
+            yield f"Axes {number} and {number + 1}: {apart}, {span}, as the play is reckoned."
 
 
 def _mate(every: list[dict[str, Any]], stage: int, shaft: int) -> str:
