@@ -84,8 +84,8 @@ class Lift:
 
     @property
     def blend_start(self) -> float:
-        """Cam angle from which the closing blend, and not the path, steers, rad."""
-        return self.computed.lift.blend_start
+        """Cam angle from which the closing blend, and not the path, steers, rad; a whole turn on a closed path."""
+        return min(self.computed.lift.blend_start, TURN)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -242,6 +242,7 @@ class Cam:
             *field_notice(design),
             *assumed_play(design),
             *as_built_sentences(design, against.task.lift.blend_start),
+            *(self.computed.laps.sentences(against) if self.computed.laps else ()),
         )
 
     def facts(self) -> dict[str, Any]:

@@ -87,7 +87,7 @@ class Cam(Section):
         ge=0.5,
         le=180,
         description="last part of the turn, which leads the lift back to its start; in less no rod can follow it, "
-        "and more would leave less than half a turn to the path",
+        "and more would leave less than half a turn to the path. A closed path has none",
     )
 
     @property
@@ -276,6 +276,23 @@ class DesignFile(TrainFile):
         """Disc and place that the follower is built on."""
         (inner, outer), leg = self.cam.faces_mm, self.blank.edge_break_mm or 0.0
         return Seat(base_radius=self.cam.base_radius_mm, faces=(inner, outer), carrying=(inner + leg, outer - leg))
+
+    @model_validator(mode="after")
+    def _laps_need_no_blend(self) -> "DesignFile":
+        if not self.path.closed:
+            return self
+        if "blend_deg" in self.cam.model_fields_set:
+            raise ValueError(
+                f"cam.blend_deg is {self.cam.blend_deg:g}, but the path is closed, so the cam leads back to its start "
+                "by itself and nothing is blended: remove cam.blend_deg (on the command line with --set "
+                "cam.blend_deg=), or remove path.closed"
+            )
+        if self.as_built is not None:
+            raise ValueError(
+                "[as_built] describes a car on a path with an end; on a closed path a wheel or steering that is not as "
+                "designed takes the car off its lap, whatever the cam: remove [as_built], or remove path.closed"
+            )
+        return self
 
     @model_validator(mode="after")
     def _follower_fits_the_disc(self) -> "DesignFile":

@@ -203,6 +203,11 @@ def calibrate(
         DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
         FileError: files that cannot be judged together, whose units cannot be, or that the design has in it already.
     """
+    cam_model.refuse_laps(
+        design,
+        "a calibration",
+        "calibrate the car on a design with an open path, and give a measured return error as play.measured_deg",
+    )
     _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
     diagnoses: dict[Kind, Diagnosis] = {}

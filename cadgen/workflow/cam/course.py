@@ -15,6 +15,7 @@ from cadgen.course.body import Body
 from cadgen.course.course import Course
 from cadgen.course.gates import Passage, passages
 from cadgen.course.judge import Driven, Stand, judge
+from cadgen.course.laps import judge_laps
 from cadgen.course.poses import Poses
 from cadgen.course.refuse import refuse_course
 from cadgen.course.sweep import Approach
@@ -28,6 +29,8 @@ from cadgen.workflow.cam.against import Against
 
 _STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
 _MOST_STEPS = 40_000
+_LEAST_STEPS = 360  # of a lap
+_ROUNDING = 1e-9  # rad
 _OF_KIND = {"post": CheckCode.COURSE_POST, "wall": CheckCode.COURSE_WALL, "zone": CheckCode.COURSE_ZONE}
 
 
@@ -36,7 +39,8 @@ class OnCourse:
     """A design's course with the car that is to keep it.
 
     Without a wheel's radius a turn of the cam takes the whole path. Then runs are judged to where the closing blend
-    begins, as everywhere; they go on over the blend to the end of the turn, and what happens there is shown.
+    begins, as everywhere; they go on over the blend to the end of the turn, and what happens there is shown. On a
+    closed path every lap of the run is held against the course.
 
     Attributes:
         design: loaded design.
@@ -63,7 +67,12 @@ class OnCourse:
     @property
     def stop(self) -> float:
         """Motor position at which the runs end, rad."""
-        return TURN if self.design.car.drive_wheel_radius_mm is None else self.lift.blend_start
+        return self.lift.blend_start if self.all_driven else TURN
+
+    @property
+    def all_driven(self) -> bool:
+        """Whether the whole path is driven before a closing blend, or is closed and needs none."""
+        return self.track.closed or self.design.car.drive_wheel_radius_mm is not None
 
     def run(self, driving: Callable[[float, int], Run]) -> "CourseRun":
         """Hold a run against the course.
@@ -71,10 +80,12 @@ class OnCourse:
         Args:
             driving: run up to a motor position (rad) in a number of steps, with what happens between them.
         """
+        if self.track.closed:
+            return self._run_laps(driving)
         steps = min(max(STEPS, ceil(cam_model.travel(self.design, self.track) / _STEP)), _MOST_STEPS)
         run = driving(self.stop, steps)
         poses, end = poses_of(run, self.car), len(run.motor)
-        if self.design.car.drive_wheel_radius_mm is not None:
+        if self.all_driven:
             return CourseRun(self, run, poses, judge(poses, self.car, self.body, self.course))
         end = max(int(np.searchsorted(run.motor, self.lift.blend_start)) + 1, 2)
         late = _late(passages(poses, self.car, self.course.gates), end - 1)
@@ -90,6 +101,14 @@ class OnCourse:
         driven = judge(poses.part(0, end), self.car, self.body, before)
         blend = judge(poses.part(end - 1, len(poses)), self.car, self.body, behind)
         return CourseRun(self, run, poses, driven, blend)
+
+    def _run_laps(self, driving: Callable[[float, int], Run]) -> "CourseRun":
+        laps = self.design.path.run_laps
+        steps = min(max(_LEAST_STEPS, ceil(self.track.length / _STEP)), _MOST_STEPS // laps)
+        run = driving(self.stop, steps * laps)
+        poses, lap = poses_of(run, self.car), TURN / self.track.turn_laps
+        ends = np.searchsorted(run.motor, lap * (np.arange(laps) + 1.0) - _ROUNDING).tolist()
+        return CourseRun(self, run, poses, judge_laps(poses, self.car, self.body, self.course, ends))
 
     @cached_property
     def planned(self) -> "CourseRun":

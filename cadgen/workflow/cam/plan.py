@@ -29,6 +29,7 @@ from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
 from cadgen.workflow.cam.edges import edges_check
+from cadgen.workflow.cam.laps import Laps, laps_of
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
 from cadgen.workflow.cam.wheel import DriveWheel, drive_wheel
@@ -50,6 +51,7 @@ class CamPlan:
         checks: every figure with its verdict.
         against: comparison of the profile with the plain profile under play; None for a profile that is not for play.
         course: course of the design with the car that is to keep it; None without [course].
+        laps: laps of a closed path; None of an open one.
     """
 
     design: Design
@@ -63,6 +65,7 @@ class CamPlan:
     checks: tuple[Check, ...]
     against: Against | None = None
     course: OnCourse | None = None
+    laps: Laps | None = None
 
     @property
     def passed(self) -> bool:
@@ -98,7 +101,7 @@ class CamPlan:
 
     @property
     def path_end(self) -> float:
-        """Arc length of the track up to which the path steers, mm: there the closing blend begins."""
+        """Arc length of the track up to which the path steers, mm: there the closing blend begins, or the lap ends."""
         return cam_model.path_end(self.design, self.track)
 
     @property
@@ -174,14 +177,15 @@ def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
     progress("checking the profile")
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     limits = cam_model.check_limits(design)
-    course = on_course(design, track, lift)
+    course, laps = on_course(design, track, lift), laps_of(design, track, lift)
     checks = (
         *check_cam(lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
         *course_checks(course),
+        *(laps.checks(None) if laps else ()),
         *outlook_checks(design),
     )
-    return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks, course=course)
+    return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks, course=course, laps=laps)
 
 
 def _plan_against_play(
@@ -201,7 +205,7 @@ def _plan_against_play(
     against = against_play(profile, checks, all_trains=all_trains, measured=measured)
     chosen = against.chosen
     progress("checking the profile")
-    course = on_course(design, track, lift)
+    course, laps = on_course(design, track, lift), laps_of(design, track, lift)
     return CamPlan(
         design,
         profile,
@@ -211,9 +215,15 @@ def _plan_against_play(
         chosen.cut,
         chosen.wanted.trims,
         blank,
-        (*checks.of(chosen), *course_checks(course, against), *outlook_checks(design)),
+        (
+            *checks.of(chosen),
+            *course_checks(course, against),
+            *(laps.checks(against) if laps else ()),
+            *outlook_checks(design),
+        ),
         against,
         course,
+        laps,
     )
 
 
