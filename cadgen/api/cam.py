@@ -235,14 +235,14 @@ class Cam:
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
-        design, against = self.computed.design, self.computed.against
+        design, against, laps = self.computed.design, self.computed.against, self.computed.laps
         if against is None:
             return (*field_notice(design), *as_built_sentences(design, self.computed.lift.blend_start))
         return (
             *field_notice(design),
             *assumed_play(design),
             *as_built_sentences(design, against.task.lift.blend_start),
-            *(self.computed.laps.sentences(against) if self.computed.laps else ()),
+            *(laps.sentences(against.run, against.before, against.chosen) if laps else ()),
         )
 
     def facts(self) -> dict[str, Any]:

@@ -13,7 +13,6 @@
 | `edges`     | cost at the finish of edges broken more than designed                     |
 | `as_built`  | deviations of the car as built, in words                                  |
 | `wheel`     | the drive wheel that a cam is for, and the closing blend on the path      |
-| `laps`      | drift of the car on a closed path, without play and with it               |
 | `course`    | the planned run and those with play, held against the course              |
 | `manifest`  | plan, cures and remedies as plain values                                  |
 | `files`     | a checked cam -> every file, read back, rolled, published, on record      |

@@ -53,9 +53,12 @@ def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
 
 
 def _turn_facts(plan: CamPlan) -> dict[str, Any]:
-    """What a turn of the cam is: a path and a closing blend, or laps."""
+    """Content of a turn of the cam: a path and a closing blend, or laps."""
     if plan.laps is not None:
-        return {"laps": plan.laps.facts(plan.against)}
+        against = plan.against
+        if against is None:
+            return {"laps": plan.laps.facts(None)}
+        return {"laps": plan.laps.facts(against.run, before=against.before, after=against.chosen)}
     return {
         "blend": {
             "from_cam_angle_deg": degrees(plan.lift.blend_start),

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from cadgen.arrays import TURN
 from cadgen.build import cam_model, variation
 from cadgen.cam.checks import LOST_LIFT, check_cam
 from cadgen.cam.envelope import Trim
@@ -15,7 +16,9 @@ from cadgen.curves.turned import turned
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import DesignError
+from cadgen.motion.drive import drive, start_pose
 from cadgen.optimize.evaluate import evaluate
+from cadgen.optimize.laps import Laps
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.profiles.optimized import OPTIMIZED
 from cadgen.optimize.profiles.profile import Profile
@@ -29,7 +32,6 @@ from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
 from cadgen.workflow.cam.edges import edges_check
-from cadgen.workflow.cam.laps import Laps, laps_of
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
 from cadgen.workflow.cam.wheel import DriveWheel, drive_wheel
@@ -177,7 +179,7 @@ def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
     progress("checking the profile")
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     limits = cam_model.check_limits(design)
-    course, laps = on_course(design, track, lift), laps_of(design, track, lift)
+    course, laps = on_course(design, track, lift), _laps(design, track, lift)
     checks = (
         *check_cam(lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
@@ -205,7 +207,7 @@ def _plan_against_play(
     against = against_play(profile, checks, all_trains=all_trains, measured=measured)
     chosen = against.chosen
     progress("checking the profile")
-    course, laps = on_course(design, track, lift), laps_of(design, track, lift)
+    course, laps = on_course(design, track, lift), _laps(design, track, lift)
     return CamPlan(
         design,
         profile,
@@ -218,7 +220,7 @@ def _plan_against_play(
         (
             *checks.of(chosen),
             *course_checks(course, against),
-            *(laps.checks(against) if laps else ()),
+            *(laps.checks(chosen) if laps else ()),
             *outlook_checks(design),
         ),
         against,
@@ -261,6 +263,20 @@ def against_of(plan: CamPlan) -> Against:
         choices = listed(codes(for_play=True), "or")
         raise DesignError(f'the profile "{plan.profile}" does nothing about play: choose {choices}')
     return plan.against
+
+
+def _laps(design: Design, track: Track, lift: LiftCurve) -> Laps | None:
+    """The laps of a closed path; None of an open one."""
+    if not track.closed:
+        return None
+    start, stop = track.heading(track.arc)[[0, -1]].tolist()
+    return Laps(
+        in_turn=track.turn_laps,
+        in_run=design.path.run_laps,
+        length=track.length,
+        turned=TURN * round((stop - start) / TURN),
+        planned=drive(lift, cam_model.car(design), cam_model.travel(design, track), start=start_pose(track)),
+    )
 
 
 def _rolling(profile: Profile, rod: Follower) -> Follower:

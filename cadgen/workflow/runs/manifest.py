@@ -3,8 +3,6 @@
 from math import degrees
 from typing import Any
 
-import numpy as np
-
 from cadgen.monte_carlo.budget import Budget
 from cadgen.motion.errors import RunError, deflection_sum
 from cadgen.version import __version__
@@ -17,7 +15,8 @@ from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
 
 def simulation_facts(simulation: Simulation) -> dict[str, Any]:
     """Facts on the runs with play."""
-    plan, against = simulation.plan, simulation.against
+    plan, against, laps = simulation.plan, simulation.against, simulation.plan.laps
+    runs = {"before": simulation.before, "after": simulation.after}
     return {
         **design_facts(plan.design),
         "drive_wheel": plan.wheel.facts(),
@@ -43,29 +42,12 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
         "before": _end_facts(simulation.before_error),
         "after": _end_facts(simulation.after_error),
         "after_without_play": _end_facts(against.chosen.deviation),
-        **_drift_facts(simulation),
+        **({} if laps is None else {"laps": laps.track_facts(planned=simulation.planned, **runs)}),
         "course": simulation.on_course
         and {
             name: {key: {"room_mm": room, "where": where} for key, (where, room) in run.figures().items()}
             for name, run in zip(("planned", "after"), simulation.on_course, strict=True)
         },
-    }
-
-
-def _drift_facts(simulation: Simulation) -> dict[str, Any]:
-    """Drift of the runs on a closed path, after each lap; nothing of an open one."""
-    laps = simulation.plan.laps
-    if laps is None:
-        return {}
-    found = {"planned": simulation.planned, "before": simulation.before, "after": simulation.after}
-    return {
-        "laps": {
-            "per_turn": laps.in_turn,
-            **{
-                name: {"position_mm": drift.position.tolist(), "heading_deg": np.degrees(drift.heading).tolist()}
-                for name, drift in ((name, laps.of(run)) for name, run in found.items())
-            },
-        }
     }
 
 
