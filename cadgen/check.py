@@ -36,6 +36,7 @@ class CheckCode(StrEnum):
     LAP_TURN_PLAY = "lap-drift-heading-play"
     LAPS_DRIFT_PLAY = "laps-drift-play"
     LAPS_TURN_PLAY = "laps-drift-heading-play"
+    LAP_FURTHEST_PLAY = "last-lap-off-play"
     CHANCE_WORSE = "chance-worse"
     RUNS_EXPLAINED = "runs-explained"
     EDGES_BROKEN_MORE = "edges-broken-more"

@@ -110,8 +110,7 @@ def _refuse_wheel_of_laps(design: Design, driven: Track) -> None:
     laps = "lap takes" if driven.turn_laps == 1 else f"{driven.turn_laps} laps take"
     raise DesignError(
         f"car.drive_wheel_radius_mm is {radius:g}, but the path is closed and its {laps} one turn of the cam, so the "
-        f"drive wheel's radius must be {fits:.4f} mm: set that or leave it out, or scale the path by "
-        f"{radius / fits:.6g}"
+        f"drive wheel's radius must be {fits:.4f} mm: set that, or leave it out"
     )
 
 

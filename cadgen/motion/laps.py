@@ -20,10 +20,13 @@ class Drift:
     Attributes:
         position: distance of the drive wheel from where it started, shape (n,), mm.
         heading: heading less that of the start, shape (n,), rad, positive to the left.
+        furthest: greatest distance of the drive wheel on the last lap from where it is planned, mm: a lap that turns
+            about its start is far off elsewhere.
     """
 
     position: Array
     heading: Array
+    furthest: float
 
     @property
     def lap(self) -> tuple[float, float]:
@@ -36,11 +39,12 @@ class Drift:
         return float(self.position[-1]), float(self.heading[-1])
 
 
-def drift(run: Run, laps_per_turn: int, round_: float) -> Drift:
+def drift(run: Run, planned: Run, laps_per_turn: int, round_: float) -> Drift:
     """Drift at the end of each lap of a run.
 
     Args:
         run: run over whole laps, with motor positions at or close to the end of each.
+        planned: the planned run, at the same motor positions.
         laps_per_turn: laps in one turn of the cam.
         round_: angle by which the car turns on its lap, rad: a whole number of turns.
     """
@@ -51,6 +55,9 @@ def drift(run: Run, laps_per_turn: int, round_: float) -> Drift:
         return np.interp(number * lap, run.motor, values)
 
     x, y = run.drive_wheel.T
+    last = run.motor >= run.motor[-1] - lap
     return Drift(
-        position=np.hypot(at(x) - x[0], at(y) - y[0]), heading=at(run.heading) - run.heading[0] - number * round_
+        position=np.hypot(at(x) - x[0], at(y) - y[0]),
+        heading=at(run.heading) - run.heading[0] - number * round_,
+        furthest=float(np.linalg.norm(run.drive_wheel[last] - planned.drive_wheel[last], axis=1).max()),
     )

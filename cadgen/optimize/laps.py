@@ -37,7 +37,7 @@ class Laps:
 
     def of(self, run: Run) -> Drift:
         """Drift of a run, after each of its laps."""
-        return drift(run, self.in_turn, self.turned)
+        return drift(run, self.planned, self.in_turn, self.turned)
 
     def checks(self, chosen: Evaluation | None) -> tuple[Check, ...]:
         """Drift of a lap without play with its limits; with play as figures, for no path is free of it.
@@ -63,6 +63,10 @@ class Laps:
                 Check(code, f"{name}, with play", off, "mm", inf, "max", place),
                 Check(turning, f"{name}, heading, with play", degrees(abs(turned)), "°", inf, "max", place),
             ]
+        furthest = with_play.furthest
+        checks.append(
+            Check(CheckCode.LAP_FURTHEST_PLAY, "off on the last lap, with play", furthest, "mm", inf, "max", place)
+        )
         return tuple(checks)
 
     def sentences(self, running: Running, before: Evaluation, chosen: Evaluation) -> list[str]:
@@ -78,8 +82,9 @@ class Laps:
             run, band = self.of(running(evaluation, play)), self._over_band(running, evaluation)
             lines.append(
                 f"Laps, {evaluation.title}: at a return error of {degrees(play):.3f}° the car drifts {_words(run.lap)} "
-                f"in a lap and {_words(run.end)} in {self.in_run}; over the band at most {_words(band[0])} in a lap "
-                f"and {_words(band[1])} in {self.in_run}."
+                f"in a lap and {_words(run.end)} in {self.in_run}, and on the last of them is at most "
+                f"{run.furthest:.1f} mm off; over the band {_words(_worst([each.lap for each in band]))}, "
+                f"{_words(_worst([each.end for each in band]))} and {max(each.furthest for each in band):.1f} mm."
             )
         return lines
 
@@ -94,7 +99,7 @@ class Laps:
             "per_turn": self.in_turn,
             "in_run": self.in_run,
             "lap_length_mm": self.length,
-            "drift_without_play": _plain(*_lap_and_end(self.of(self.planned))),
+            "drift_without_play": _plain([self.of(self.planned)]),
         }
         if running is None:
             return found
@@ -102,8 +107,8 @@ class Laps:
         for name, evaluation in evaluations.items():
             found[f"drift_{name}"] = {
                 "return_error_deg": degrees(chosen.play),
-                **_plain(*_lap_and_end(self.of(running(evaluation, chosen.play)))),
-                "worst_over_band": _plain(*self._over_band(running, evaluation)),
+                **_plain([self.of(running(evaluation, chosen.play))]),
+                "worst_over_band": _plain(self._over_band(running, evaluation)),
             }
         return found
 
@@ -115,14 +120,9 @@ class Laps:
             for name, each in drifts.items()
         }
 
-    def _over_band(self, running: Running, evaluation: Evaluation) -> list[tuple[float, float]]:
-        """Worst drift over a profile's band, of a lap and at the end."""
-        drifts = [self.of(running(evaluation, play)) for play in evaluation.band.plays.tolist()]
-        return [_worst([each.lap for each in drifts]), _worst([each.end for each in drifts])]
-
-
-def _lap_and_end(found: Drift) -> tuple[tuple[float, float], tuple[float, float]]:
-    return found.lap, found.end
+    def _over_band(self, running: Running, evaluation: Evaluation) -> list[Drift]:
+        """Drift at the return errors of a profile's band."""
+        return [self.of(running(evaluation, play)) for play in evaluation.band.plays.tolist()]
 
 
 def _worst(drifts: Sequence[tuple[float, float]]) -> tuple[float, float]:
@@ -135,10 +135,13 @@ def _words(off_and_turned: tuple[float, float]) -> str:
     return f"{off:.2f} mm and {degrees(abs(turned)):.3f}°"
 
 
-def _plain(lap: tuple[float, float], end: tuple[float, float]) -> dict[str, float]:
+def _plain(drifts: Sequence[Drift]) -> dict[str, float]:
+    """The greatest of several drifts; headings by size."""
+    lap, end = _worst([each.lap for each in drifts]), _worst([each.end for each in drifts])
     return {
         "lap_mm": lap[0],
         "lap_heading_deg": degrees(lap[1]),
         "end_mm": end[0],
         "end_heading_deg": degrees(end[1]),
+        "last_lap_off_mm": max(each.furthest for each in drifts),
     }

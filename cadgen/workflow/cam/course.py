@@ -31,6 +31,7 @@ _STEP = 2.5  # mm of travel between poses: straight lines between them then err 
 _MOST_STEPS = 40_000
 _LEAST_STEPS = 360  # of a lap
 _ROUNDING = 1e-9  # rad
+_NAMED = 6  # missed gates in a sentence; of ten laps there may be a hundred
 _OF_KIND = {"post": CheckCode.COURSE_POST, "wall": CheckCode.COURSE_WALL, "zone": CheckCode.COURSE_ZONE}
 
 
@@ -259,7 +260,9 @@ class CourseRun:
         if worst is None:
             return
         missed = [passage for passage in passages if passage.margin < 0 or passage.fault]
-        place = ", ".join(_missed(passage) for passage in missed) or f"all, {len(passages)} in order"
+        place = ", ".join(_missed(passage) for passage in missed[:_NAMED]) or f"all, {len(passages)} in order"
+        if len(missed) > _NAMED:
+            place += f", and {len(missed) - _NAMED} more"
         advice = "lead the path through the gates in their order and direction, or make them wider"
         yield self._check(
             CheckCode.COURSE_GATES, "gates passed", len(passages) - len(missed), "", len(passages), "min", place, advice
