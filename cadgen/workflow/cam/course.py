@@ -184,9 +184,9 @@ class CourseRun:
 
     def figures(self) -> dict[str, tuple[str, float]]:
         """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
-        found = _figures(self.driven)
+        found = self.driven.figures()
         if self.blend is not None:
-            for key, (where, room) in _figures(self.blend).items():
+            for key, (where, room) in self.blend.figures().items():
                 if key not in found or room < found[key][1]:
                     found[key] = (f"{where}, on the blend", room)
         return found
@@ -200,7 +200,7 @@ class CourseRun:
         if self.blend is None:
             return
         room = min(
-            ((room, f"{key}, {where}") for key, (where, room) in _figures(self.blend).items()),
+            ((room, f"{key}, {where}") for key, (where, room) in self.blend.figures().items()),
             default=None,
         )
         if room is not None:
@@ -260,7 +260,7 @@ class CourseRun:
         if worst is None:
             return
         missed = [passage for passage in passages if passage.margin < 0 or passage.fault]
-        place = ", ".join(_missed(passage) for passage in missed[:_NAMED]) or f"all, {len(passages)} in order"
+        place = ", ".join(passage.missed for passage in missed[:_NAMED]) or f"all, {len(passages)} in order"
         if len(missed) > _NAMED:
             place += f", and {len(missed) - _NAMED} more"
         advice = "lead the path through the gates in their order and direction, or make them wider"
@@ -340,30 +340,6 @@ def _late(passed: Sequence[Passage], end: float) -> list[bool]:
         last = last and (behind or passage.gate.free)
         late.append(behind)
     return late[::-1]
-
-
-def _figures(driven: Driven) -> dict[str, tuple[str, float]]:
-    """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
-    found = {
-        obstacle.key: (f"{there.part}, passing {side} of it", there.clearance)
-        for (obstacle, there), side in zip(driven.approaches, driven.sides, strict=True)
-    }
-    if driven.edge is not None:
-        found["course.field"] = (driven.edge.part, driven.edge.clearance)
-    for passage in driven.passages:
-        wrong = f", wrong {passage.fault}" if passage.fault else ""
-        found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
-    for stand in (driven.start, driven.finish):
-        if stand is not None:
-            off = "" if stand.turned is None else f", {degrees(stand.turned):.2f}° off"
-            found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
-    return found
-
-
-def _missed(passage: Passage) -> str:
-    if passage.fault:
-        return f"{passage.gate.key} in the wrong {passage.fault}"
-    return f"{passage.gate.key} missed by {-passage.margin:.1f} mm"
 
 
 def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:
