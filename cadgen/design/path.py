@@ -91,6 +91,9 @@ class Path(Section):
         return keys_in(self, self.registered.keys)
 
 
+OF_ANY_PATH = tuple(Path.model_fields)  # keys that do not depend on the kind
+
+
 @cache
 def path_section(kind: PathKind) -> type[Path]:
     """The section with the keys of a kind."""

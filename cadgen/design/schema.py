@@ -336,8 +336,9 @@ class TrainDesign(TrainFile):
     overrides: tuple[str, ...] = ()
 
     def values(self) -> dict[str, object]:
-        """Values of all keys, defaults included, as plain TOML or JSON values."""
-        return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude_none=True)
+        """Values of all keys, defaults included, as plain TOML or JSON values; no blend where the path is closed."""
+        unused = {"cam": {"blend_deg"}} if self.path and self.path.closed else None
+        return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude=unused, exclude_none=True)
 
     @property
     def content_hash(self) -> str:

@@ -145,7 +145,7 @@ def _refuse_course(design: Design) -> None:
 
 
 def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
-    if task.vehicle.path_turn == 1.0:
+    if task.vehicle.closed or task.vehicle.path_turn == 1.0:
         return None
     turn = result.path.cost.line.length / task.vehicle.path_turn
     least = turn / (2 * pi * float(gear_model.train(design).ratio))

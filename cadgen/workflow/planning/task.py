@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.build import cam_model, course_model, gear_model, variation
-from cadgen.cam.followers.rod import rod_of
+from cadgen.cam.followers.rod import LeaningRod, rod_of
 from cadgen.course.course import Course, Gate, Shape
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
@@ -55,6 +55,8 @@ def _free_wheel(design: Design, drawn: bool) -> bool:
         design: loaded design.
         drawn: whether the design has a path.
     """
+    if design.path.closed:
+        return False
     finish = design.course is not None and design.course.finish is not None
     return design.car.drive_wheel_radius_mm is None and design.train is not None and (finish or not drawn)
 
@@ -106,6 +108,10 @@ def _course(design: Design, drawn: Track | None) -> Course:
             "the design has no course to plan a path for: add [course] with [course.start], [[course.gates]] and "
             "[course.finish]"
         )
+    if design.path.closed and course.finish is not None:
+        raise DesignError(
+            "course.finish is given, but path.closed is true and each lap ends where it starts: remove course.finish"
+        )
     if course.start is None and drawn is None:
         raise DesignError("course.start is missing: add [course.start] with at_mm and heading_deg")
     start, finish = course.start, course.finish
@@ -113,6 +119,8 @@ def _course(design: Design, drawn: Track | None) -> Course:
         start = _stand("path", drawn, 0.0)
     if finish is None and drawn is not None:
         finish = _stand("path", drawn, drawn.length)
+    if design.path.closed:
+        return in_order(replace(course, start=start, finish=start))
     course = in_order(replace(course, start=start, finish=finish))
     if finish is None and course.gates:
         *gates, last = course.gates
@@ -135,6 +143,8 @@ def _vehicle(design: Design, free: bool) -> Vehicle:
     rod = rod_of(cam_model.follower(design), "planning a path", "plan with the rod")
     share = 1.0 - design.cam.blend_deg / 360
     travel, most_length = None, inf
+    if design.path.closed:
+        return _vehicle_of_laps(design, rod, spread)
     if (radius := design.car.drive_wheel_radius_mm) is not None:
         if design.train is None:
             raise DesignError(
@@ -154,6 +164,25 @@ def _vehicle(design: Design, free: bool) -> Vehicle:
         most_length=most_length,
         path_turn=share if free else 1.0,
         end=1.0 if free or travel is not None else share,
+    )
+
+
+def _vehicle_of_laps(design: Design, rod: LeaningRod, spread: float) -> Vehicle:
+    """The car on a closed path, whose length decides the drive wheel."""
+    if (radius := design.car.drive_wheel_radius_mm) is not None:
+        raise DesignError(
+            f"car.drive_wheel_radius_mm is {radius:g}, but the length of a planned lap decides the drive wheel: remove "
+            "the key, and the plan names the radius"
+        )
+    return Vehicle(
+        car=cam_model.car(design),
+        body=course_model.body(design),
+        path_offset=design.path.offset_mm,
+        base_radius=rod.base_radius,
+        faces=(rod.inner, rod.outer),
+        spread=spread * design.path.run_laps,
+        path_turn=1 / design.path.turn_laps,
+        closed=True,
     )
 
 
