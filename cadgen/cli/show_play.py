@@ -32,6 +32,7 @@ def methods(cam: "Cam") -> None:
     errors = plain_table(
         f"\nreturn error {degrees(low):.3f} to {degrees(high):.3f}°{measured}; errors at the end of the run with the "
         "play that each is cut for, against the first profile with that play, and the worst over the band"
+        + ("" if cam.computed.laps is None else "; positions are the greatest on the last turn of the cam")
     )
     costs = plain_table(
         "\nwhat it is cut for; run without play, at its end and where it is furthest off; greatest error of the lift "

@@ -155,8 +155,13 @@ class RunError:
 
     @property
     def end_distance(self) -> float:
-        """Position error at the end, mm."""
-        return float(self.distance[-1])
+        """Position error at the end, mm; of laps the greatest on the last turn of the cam.
+
+        Laps may turn about their start, where the car then seems to keep to its path.
+        """
+        if self.motor[-1] < TURN:
+            return float(self.distance[-1])
+        return float(self.distance[self.motor >= self.motor[-1] - TURN].max())
 
 
 def run_error(run: Run, planned: Run) -> RunError:

@@ -30,9 +30,10 @@ def sentences(planned: PlannedPath) -> list[str]:
             f"the plan is for a drive wheel of {radius:.2f} mm radius: the whole path before the closing blend"
         )
     if cam.laps is not None:
-        lines.append(cam.wheel.sentence())
+        said = [cam.wheel.sentence()]
         if cam.against is not None:
-            lines += cam.laps.sentences(cam.against.run, cam.against.before, cam.against.chosen)
+            said += cam.laps.sentences(cam.against.run, cam.against.before, cam.against.chosen)
+        lines += [sentence.removesuffix(".") for sentence in said]
     if not cam.passed:
         lines.append("a check still fails, so nothing is written: see the table")
     return lines
