@@ -272,7 +272,8 @@ def _closure(lift: LiftCurve) -> list[Check]:
         for order in range(3):
             ends = np.polyder(coefficients[:, left], order), np.polyder(coefficients[:, right], order)
             jump = abs(float(np.polyval(ends[0], width)) - float(np.polyval(ends[1], 0.0)))
-            scale = float(np.max(np.abs(lift.tan_beta(dense, nu=order))))
+            # On a circle the derivatives are rounding: what is small beside the lift itself is no jump.
+            scale = max(float(np.max(np.abs(lift.tan_beta(dense, nu=some)))) for some in {0, order})
             worst = max(worst, jump / scale if scale > 0 else jump)
         checks.append(
             Check(

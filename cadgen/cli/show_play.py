@@ -177,7 +177,13 @@ def course(simulation: "Simulation") -> None:
     table = plain_table("\nroom on the course: clearance of the car, and margin inside each gate")
     for head in ("on the course", "planned", "with play", "with play, by"):
         table.add_column(head, justify="right" if head in ("planned", "with play") else "left")
-    for key, (where, room) in played.items():
+    worst: dict[str, str] = {}  # of a gate that is passed on every lap, the lap with the least margin
+    for key, (_, room) in played.items():
+        gate = key.partition(", lap ")[0]
+        if gate not in worst or room < played[worst[gate]][1]:
+            worst[gate] = key
+    for key in worst.values():
+        where, room = played[key]
         table.add_row(key, f"{planned[key][1]:.1f} mm", f"{room:.1f} mm", where)
     Output().print(table)
 

@@ -289,7 +289,7 @@ class CourseRun:
             f"{name} off",
             stand.off,
             "mm",
-            wanted.place.reach,
+            wanted.place.reach or course_model.STAND_RADIUS,  # a line has none, and rounding must not fail it
             "max",
             what,
             f"let the path {name} there, or change {wanted.key}",

@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.build import cam_model, course_model, gear_model, variation
-from cadgen.cam.followers.rod import LeaningRod, rod_of
+from cadgen.cam.followers.rod import rod_of
 from cadgen.course.course import Course, Gate, Shape
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
@@ -142,48 +142,42 @@ def _vehicle(design: Design, free: bool) -> Vehicle:
         spread = max((high - low) / 2, radians(0.01))
     rod = rod_of(cam_model.follower(design), "planning a path", "plan with the rod")
     share = 1.0 - design.cam.blend_deg / 360
-    travel, most_length = None, inf
-    if design.path.closed:
-        return _vehicle_of_laps(design, rod, spread)
-    if (radius := design.car.drive_wheel_radius_mm) is not None:
-        if design.train is None:
-            raise DesignError(
-                f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the "
-                "ratio of [train] too: add [train], or remove car.drive_wheel_radius_mm"
-            )
-        travel = TURN * radius * float(gear_model.train(design).ratio)
-        most_length = travel * share
+    laps, travel = bool(design.path.closed), _given_travel(design)
     return Vehicle(
         car=cam_model.car(design),
         body=course_model.body(design),
         path_offset=design.path.offset_mm,
         base_radius=rod.base_radius,
         faces=(rod.inner, rod.outer),
-        spread=spread,
+        spread=spread * (design.path.run_laps if laps else 1),
         travel=travel,
-        most_length=most_length,
-        path_turn=share if free else 1.0,
-        end=1.0 if free or travel is not None else share,
+        most_length=inf if travel is None else travel * share,
+        path_turn=1 / design.path.turn_laps if laps else share if free else 1.0,
+        end=1.0 if laps or free or travel is not None else share,
+        closed=laps,
     )
 
 
-def _vehicle_of_laps(design: Design, rod: LeaningRod, spread: float) -> Vehicle:
-    """The car on a closed path, whose length decides the drive wheel."""
-    if (radius := design.car.drive_wheel_radius_mm) is not None:
+def _given_travel(design: Design) -> float | None:
+    """Travel for one turn of the cam, mm, where the design gives the drive wheel's radius; None where it does not.
+
+    Raises:
+        DesignError: the radius is given without a train, or for a closed path, whose length decides it.
+    """
+    radius = design.car.drive_wheel_radius_mm
+    if radius is None:
+        return None
+    if design.path.closed:
         raise DesignError(
             f"car.drive_wheel_radius_mm is {radius:g}, but the length of a planned lap decides the drive wheel: remove "
             "the key, and the plan names the radius"
         )
-    return Vehicle(
-        car=cam_model.car(design),
-        body=course_model.body(design),
-        path_offset=design.path.offset_mm,
-        base_radius=rod.base_radius,
-        faces=(rod.inner, rod.outer),
-        spread=spread * design.path.run_laps,
-        path_turn=1 / design.path.turn_laps,
-        closed=True,
-    )
+    if design.train is None:
+        raise DesignError(
+            f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the ratio of "
+            "[train] too: add [train], or remove car.drive_wheel_radius_mm"
+        )
+    return TURN * radius * float(gear_model.train(design).ratio)
 
 
 def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reserve) -> Limits:
