@@ -174,8 +174,8 @@ def _given_travel(design: Design) -> float | None:
         )
     if design.train is None:
         raise DesignError(
-            f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the ratio of "
-            "[train] too: add [train], or remove car.drive_wheel_radius_mm"
+            f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the ratio "
+            "of [train] too: add [train], or remove car.drive_wheel_radius_mm"
         )
     return TURN * radius * float(gear_model.train(design).ratio)
 
