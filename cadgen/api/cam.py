@@ -15,6 +15,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.check import Check
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError
+from cadgen.optimize.laps import Laps
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.workflow.cam.against import Against
@@ -221,6 +222,18 @@ class Cam:
         if "cures" not in self.__dict__:
             self.__dict__["cures"] = find_cures(self.computed, progress)
         return self.cures
+
+    @property
+    def laps(self) -> Laps | None:
+        """Laps of a closed path: how many a turn and a run have, and the drift of any run; None of an open path.
+
+        Example:
+            >>> from cadgen import Design
+            >>> cam = Design.load("figure_eight").cam(profile="actual")
+            >>> cam.laps.in_run, round(cam.laps.length)
+            (10, 3863)
+        """
+        return self.computed.laps
 
     @property
     def wheel(self) -> str:

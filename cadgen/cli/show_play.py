@@ -203,6 +203,11 @@ def fleet(run: "ToleranceRun") -> None:
         f"{design.tolerances.law} law",
         style="bold",
     )
+    if result.plan.laps is not None:
+        console.print(
+            "Position and heading are those where the last lap ends; a lap that turns about its start is right there "
+            "and off elsewhere, so go by the heading, and by the course."
+        )
     position, heading = result.end_position, result.end_heading_deg
     for label, values, unit in (
         ("position", {"mean": position.mean, **_parts(position), "greatest": position.greatest}, " mm"),

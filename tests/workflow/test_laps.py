@@ -13,12 +13,17 @@ import tomli_w
 from cadgen.arrays import TURN
 from cadgen.build import cam_model
 from cadgen.check import CheckCode
-from cadgen.design.load import design_of
+from cadgen.design.load import design_of, with_overrides
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
+from cadgen.monte_carlo.fleet import PARAMETERS, run_fleet
 from cadgen.motion.drive import drive
 from cadgen.motion.laps import Drift, drift
+from cadgen.workflow.adjustment.plan import Wanted, adjust
+from cadgen.workflow.calibration.plan import calibrate
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
+from cadgen.workflow.planning.task import Reserve, task_of
+from cadgen.workflow.runs.fleet import fleet_of
 from tests.conftest import DESIGNS
 from tests.motion.laps_truth import laps_with_play
 
@@ -183,7 +188,7 @@ def test_a_course_is_checked_on_every_lap(plan):
         f"gates=[{{at_mm=[{A * sin(pi / 4)}, {B}], radius_mm=100}}, {{at_mm=[0, 0], radius_mm=100}}]}}"
     )
     outline = "car.outline={length_mm=300, width_mm=260, front_overhang_mm=60}"
-    on_course = plan_cam(design(eight(), [course, outline]))
+    on_course = plan_cam(design(eight(), [course, outline]), "compensated")
     (gates,) = (check for check in on_course.checks if check.code == CheckCode.COURSE_GATES)
     assert gates.passed
     assert gates.limit == 20
@@ -199,6 +204,21 @@ def test_a_course_is_checked_on_every_lap(plan):
     middle = (run.drive_wheel[lap] + run.idle_wheel[lap]) / 2
     near = np.linalg.norm(middle - [A * sin(pi / 4), B], axis=1).min()
     assert margins[2] == pytest.approx(100.0 - near, abs=0.05)
+
+
+@pytest.mark.slow
+def test_many_cars_drive_all_laps(plan):
+    """The nominal car of a fleet and one with more play, against runs of their own."""
+    more = radians(0.1)
+    fleet = fleet_of(plan, [36_000], None, plan.against.chosen.play)
+    deviations = np.zeros((2, len(PARAMETERS)))
+    deviations[1, list(PARAMETERS).index("play")] = more
+    ends = run_fleet(fleet, deviations)
+    for car, play in enumerate((0.0, more)):
+        found = plan.laps.of(plan.against.run(plan.against.chosen, plan.against.chosen.play + play))
+        print(f"{degrees(ends.heading[car, -1]):.4f} deg, {abs(ends.position[car, -1]):.3f} mm")
+        assert degrees(ends.heading[car, -1] - found.end[1]) == pytest.approx(0.0, abs=0.02)
+        assert abs(ends.position[car, -1]) == pytest.approx(found.end[0], abs=0.5)
 
 
 def test_a_mirrored_car_closes_its_laps_and_drifts_the_other_way():
@@ -224,6 +244,32 @@ def test_a_mirrored_car_closes_its_laps_and_drifts_the_other_way():
 def test_what_is_no_lap_is_refused(path, overrides, sentence):
     with pytest.raises(DesignError, match=sentence):
         cam_model.track(design(eight(), overrides, **path))
+
+
+def test_jobs_for_runs_with_an_end_refuse_laps():
+    values = design(eight())
+    with pytest.raises(DesignError, match="a calibration is worked out for a run with an end"):
+        calibrate(values, "actual", [])
+    with pytest.raises(DesignError, match="an adjustment by trial runs is worked out for a run with an end"):
+        adjust(values, [], "actual", Wanted())
+    course = ["course.start={at_mm=[0, 0], heading_deg=0}", "course.gates=[{at_mm=[500, 0]}]"]
+    with pytest.raises(DesignError, match="each lap ends where it starts: remove"):
+        task_of(
+            design(eight(), [*course, "course.finish={at_mm=[0, 0]}"]),
+            drawn=None,
+            near=None,
+            within=0.0,
+            calm=None,
+            reserve=Reserve(),
+        )
+
+
+def test_the_values_of_a_closed_design_make_it_again():
+    """No blend stands among them, which would be refused."""
+    values = design(eight(), laps_per_turn=2)
+    assert "blend_deg" not in values.values()["cam"]
+    again = with_overrides(values, ["path.laps=12"])
+    assert (again.path.run_laps, again.path.turn_laps) == (12, 2)
 
 
 def test_a_wheel_must_fit_its_laps():
