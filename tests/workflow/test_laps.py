@@ -13,7 +13,7 @@ import tomli_w
 from cadgen.arrays import TURN
 from cadgen.build import cam_model
 from cadgen.check import CheckCode
-from cadgen.design.load import design_of, with_overrides
+from cadgen.design.load import design_of, load_design, with_overrides
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 from cadgen.monte_carlo.fleet import PARAMETERS, run_fleet
@@ -259,6 +259,15 @@ def test_jobs_for_runs_with_an_end_refuse_laps():
             drawn=None,
             near=None,
             within=0.0,
+            calm=None,
+            reserve=Reserve(),
+        )
+    with pytest.raises(DesignError, match=r"set path\.closed alike in both"):
+        task_of(
+            design(eight(), course),
+            drawn=None,
+            near=cam_model.track(load_design()),
+            within=10.0,
             calm=None,
             reserve=Reserve(),
         )

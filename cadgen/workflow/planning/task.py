@@ -83,6 +83,11 @@ def task_of(
     Raises:
         DesignError: the design has no course, no start, or another follower than the rod.
     """
+    if near is not None and near.closed != bool(design.path.closed):
+        raise DesignError(
+            "the path to stay near to is closed and the one to be planned is not, or the other way round: set "
+            "path.closed alike in both"
+        )
     vehicle = _vehicle(design, near is None and _free_wheel(design, drawn is not None))
     course = _course(design, drawn) if near is None else in_order(course_model.course(design) or Course())
     return Task(
