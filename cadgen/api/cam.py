@@ -15,6 +15,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.check import Check
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError
+from cadgen.optimize.laps import Laps
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import PAPER_PERCENT as PAPER_PERCENT
 from cadgen.workflow.cam.against import Against
@@ -84,8 +85,8 @@ class Lift:
 
     @property
     def blend_start(self) -> float:
-        """Cam angle from which the closing blend, and not the path, steers, rad."""
-        return self.computed.lift.blend_start
+        """Cam angle from which the closing blend, and not the path, steers, rad; a whole turn on a closed path."""
+        return min(self.computed.lift.blend_start, TURN)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -223,6 +224,18 @@ class Cam:
         return self.cures
 
     @property
+    def laps(self) -> Laps | None:
+        """Laps of a closed path: how many a turn and a run have, and the drift of any run; None of an open path.
+
+        Example:
+            >>> from cadgen import Design
+            >>> cam = Design.load("figure_eight").cam(profile="actual")
+            >>> cam.laps.in_run, round(cam.laps.length)
+            (10, 3863)
+        """
+        return self.computed.laps
+
+    @property
     def wheel(self) -> str:
         """Radius of the drive wheel that the cam is for, and what the closing blend does to the path, in words."""
         return self.computed.wheel.sentence()
@@ -235,13 +248,14 @@ class Cam:
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
-        design, against = self.computed.design, self.computed.against
+        design, against, laps = self.computed.design, self.computed.against, self.computed.laps
         if against is None:
             return (*field_notice(design), *as_built_sentences(design, self.computed.lift.blend_start))
         return (
             *field_notice(design),
             *assumed_play(design),
             *as_built_sentences(design, against.task.lift.blend_start),
+            *(laps.sentences(against.run, against.before, against.chosen) if laps else ()),
         )
 
     def facts(self) -> dict[str, Any]:

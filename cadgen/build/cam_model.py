@@ -12,7 +12,7 @@ from cadgen.build import gear_model
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import LeaningRod, rod_of
 from cadgen.cam.followers.rod_kind import RodKeys
-from cadgen.cam.lift import LiftCurve, lift_curve
+from cadgen.cam.lift import LiftCurve, lap_lift_curve, lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.design import blank as keys
 from cadgen.design.schema import Design
@@ -28,6 +28,8 @@ from cadgen.steering.slip import by_rim, rim_travel
 # A closing blend shorter than the schema's shortest is none.
 LEAST_BLEND = radians(0.5)
 _ROUNDING = 1e-9  # of the track's length
+# mm; a wheel as far off turns the car by less than 0.001 degrees a lap, as far as a path of one loop turns it.
+_WHEEL_FITS = 5.1e-5
 
 
 def planned_path(design: Design) -> PlannedPath:
@@ -36,7 +38,10 @@ def planned_path(design: Design) -> PlannedPath:
     Raises:
         DesignError: its points make no path, such as two equal neighbours among the waypoints.
     """
-    return design.path.registered.build(design.path.keys)
+    kind = design.path.registered
+    if design.path.closed and kind.build_closed is not None:
+        return kind.build_closed(design.path.keys)
+    return kind.build(design.path.keys)
 
 
 def track(design: Design) -> Track:
@@ -45,9 +50,25 @@ def track(design: Design) -> Track:
     Raises:
         DesignError: as `planned_path`, or the track has a cusp.
     """
-    driven = offset_track(planned_path(design), design.path.offset_mm, _turn_of_wheel(design))
-    _refuse_wheel(design, driven)
+    turn, laps = _turn_of_wheel(design), design.path.turn_laps if design.path.closed else None
+    driven = offset_track(planned_path(design), design.path.offset_mm, turn, laps=laps)
+    (_refuse_wheel if turn is None or laps is None else _refuse_wheel_of_laps)(design, driven)
     return driven
+
+
+def refuse_laps(design: Design, job: str, instead: str) -> None:
+    """Refuse a closed path for a job that is worked out for runs with an end.
+
+    Args:
+        design: loaded design.
+        job: name of the job, as it begins a sentence.
+        instead: what to do.
+
+    Raises:
+        DesignError: the path is closed.
+    """
+    if design.path.closed:
+        raise DesignError(f"{job} is worked out for a run with an end, but path.closed is true: {instead}")
 
 
 def _turn_of_wheel(design: Design) -> float | None:
@@ -80,8 +101,23 @@ def _refuse_wheel(design: Design, driven: Track) -> None:
     )
 
 
+def _refuse_wheel_of_laps(design: Design, driven: Track) -> None:
+    """Refuse a wheel that does not drive a whole number of laps in a turn of the cam."""
+    radius = design.car.drive_wheel_radius_mm or 0.0
+    fits = driven.turn / (TURN * float(gear_model.train(design).ratio))
+    if abs(radius - fits) <= _WHEEL_FITS:
+        return
+    laps = "lap takes" if driven.turn_laps == 1 else f"{driven.turn_laps} laps take"
+    raise DesignError(
+        f"car.drive_wheel_radius_mm is {radius:g}, but the path is closed and its {laps} one turn of the cam, so the "
+        f"drive wheel's radius must be {fits:.4f} mm: set that, or leave it out"
+    )
+
+
 def turn_to_finish(design: Design, driven: Track) -> float:
-    """Cam angle at which the path of the car as designed ends and the closing blend begins, rad."""
+    """Motor position at which a run of the car as designed ends, rad: at the closing blend, or after the last lap."""
+    if driven.closed:
+        return TURN * design.path.run_laps / driven.turn_laps
     if design.car.drive_wheel_radius_mm is None:
         return TURN - radians(design.cam.blend_deg)
     return TURN * driven.length / driven.turn
@@ -161,14 +197,14 @@ def cam_angle(design: Design, driven: Track, arc: Array) -> Array:
 
 
 def path_end(design: Design, driven: Track) -> float:
-    """Arc length of the track at which the closing blend begins, mm: all of it if the wheel's radius is known."""
-    if design.car.drive_wheel_radius_mm is not None:
+    """Arc length of the track at which the closing blend begins, mm: all of it for laps or a known wheel."""
+    if driven.closed or design.car.drive_wheel_radius_mm is not None:
         return driven.length
     return driven.length * (TURN - radians(design.cam.blend_deg)) / TURN
 
 
 def lift(design: Design, driven: Track | None = None) -> LiftCurve:
-    """The steering that one turn of the cam must give, closed by the blend.
+    """The steering that one turn of the cam must give, closed by the blend where the path is not.
 
     The blend begins at the same place of the path whether the car is built as designed or not.
 
@@ -181,6 +217,9 @@ def lift(design: Design, driven: Track | None = None) -> LiftCurve:
             the cam's turn ends before the blend can begin.
     """
     road, its_car = driven or track(design), car(design)
+    if road.closed:
+        jets = steering_jets(road, its_car)
+        return lap_lift_curve(road.arc, jets, road.turn_laps, stop=turn_to_finish(design, road))
     blend = TURN - turn_to_finish(design, road)
     jets = steering_jets(road, its_car)
     if design.as_built is not None:

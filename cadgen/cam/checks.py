@@ -220,6 +220,8 @@ def _blend(
     lift: LiftCurve, follower: Follower, contact: Contact, error: Array, losses: list[Loss], limits: CheckLimits
 ) -> list[Check]:
     """Checks of the closing blend, where the car does not drive: refused only where the follower would lock."""
+    if not lift.blended:
+        return []
     within = lift.in_blend(contact.cam_angle)
     place, value = cam_place(lift.blend_start), 0.0
     # Corners lie between the stations.
@@ -259,22 +261,19 @@ def _closure(lift: LiftCurve) -> list[Check]:
     dense = np.linspace(0.0, TURN, STATIONS, endpoint=False)
     breaks, coefficients = lift.tan_beta.x, lift.tan_beta.c
     checks = []
-    for code, name, at, left in (
-        (CheckCode.CLOSURE, "closure ", 0.0, len(breaks) - 2),
-        (
-            CheckCode.BLEND_START,
-            "start of the blend",
-            lift.blend_start,
-            int(np.searchsorted(breaks, lift.blend_start)) - 1,
-        ),
-    ):
+    seams = [(CheckCode.CLOSURE, "closure ", 0.0, len(breaks) - 2)]
+    if lift.blended:
+        left = int(np.searchsorted(breaks, lift.blend_start)) - 1
+        seams.append((CheckCode.BLEND_START, "start of the blend", lift.blend_start, left))
+    for code, name, at, left in seams:
         right = (left + 1) % (len(breaks) - 1)
         width = breaks[left + 1] - breaks[left]
         worst = 0.0
         for order in range(3):
             ends = np.polyder(coefficients[:, left], order), np.polyder(coefficients[:, right], order)
             jump = abs(float(np.polyval(ends[0], width)) - float(np.polyval(ends[1], 0.0)))
-            scale = float(np.max(np.abs(lift.tan_beta(dense, nu=order))))
+            # On a circle the derivatives are rounding: what is small beside the lift itself is no jump.
+            scale = max(float(np.max(np.abs(lift.tan_beta(dense, nu=some)))) for some in {0, order})
             worst = max(worst, jump / scale if scale > 0 else jump)
         checks.append(
             Check(

@@ -30,7 +30,8 @@ class LiftCurve:
     Attributes:
         tan_beta: periodic piecewise quintic, cam angle (rad) -> tan(beta).
         kinks: cam angles at which the slope jumps, shape (k,), rad.
-        blend_start: cam angle from which the closing blend, and not the path, steers, rad.
+        blend_start: cam angle from which the closing blend, and not the path, steers, rad; runs end there. Of a closed
+            path, which has no blend, the motor position at which the last lap of a run ends: a turn or more.
         known_level: level stretches, shape (m, 2), rad, of a lift whose samples are too rough to show them; None
             where the lift itself shows them.
     """
@@ -39,6 +40,11 @@ class LiftCurve:
     kinks: Array
     blend_start: float
     known_level: Array | None = None
+
+    @property
+    def blended(self) -> bool:
+        """Whether a closing blend steers at the end of the turn."""
+        return self.blend_start < TURN
 
     def in_blend(self, cam_angle: Array) -> NDArray[np.bool_]:
         """Whether the closing blend, where the car does not drive, steers at cam angles, rad."""
@@ -160,3 +166,22 @@ def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftC
     doubled = np.flatnonzero((np.diff(theta) == 0) & (np.abs(np.diff(jets[:, 1])) > _KINK))
     kinks = theta[doubled]
     return LiftCurve(tan_beta=closed, kinks=kinks[kinks < start], blend_start=start)
+
+
+def lap_lift_curve(arc: Array, jets: Array, laps: int, *, stop: float) -> LiftCurve:
+    """Turn steering along a closed path into steering by cam angle: some laps to the turn, and nothing blended.
+
+    Args:
+        arc: arc length at the nodes, from 0 to the end of the lap, shape (n,), mm.
+        jets: tan(beta) and two derivatives by arc length, shape (n, 3); at the end of the lap those of its start.
+        laps: laps in one turn of the cam.
+        stop: motor position at which a run ends, rad, a turn or more.
+    """
+    rate = laps * arc[-1] / TURN
+    jets = jets * rate ** np.arange(3)
+    jets[-1] = jets[0]
+    starts = TURN / laps * np.arange(laps + 1.0)
+    theta = starts[:-1, None] + arc / rate
+    theta[:, -1] = starts[1:]  # to the last bit, so that no piece is as short as rounding
+    closed = quintic_hermite(theta.ravel(), np.tile(jets, (laps, 1)), periodic=True)
+    return LiftCurve(tan_beta=closed, kinks=np.array([]), blend_start=stop)

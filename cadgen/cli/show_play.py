@@ -32,6 +32,7 @@ def methods(cam: "Cam") -> None:
     errors = plain_table(
         f"\nreturn error {degrees(low):.3f} to {degrees(high):.3f}°{measured}; errors at the end of the run with the "
         "play that each is cut for, against the first profile with that play, and the worst over the band"
+        + ("" if cam.computed.laps is None else "; positions are the greatest on the last turn of the cam")
     )
     costs = plain_table(
         "\nwhat it is cut for; run without play, at its end and where it is furthest off; greatest error of the lift "
@@ -176,7 +177,13 @@ def course(simulation: "Simulation") -> None:
     table = plain_table("\nroom on the course: clearance of the car, and margin inside each gate")
     for head in ("on the course", "planned", "with play", "with play, by"):
         table.add_column(head, justify="right" if head in ("planned", "with play") else "left")
-    for key, (where, room) in played.items():
+    worst: dict[str, str] = {}  # of a gate that is passed on every lap, the lap with the least margin
+    for key, (_, room) in played.items():
+        gate = key.partition(", lap ")[0]
+        if gate not in worst or room < played[worst[gate]][1]:
+            worst[gate] = key
+    for key in worst.values():
+        where, room = played[key]
         table.add_row(key, f"{planned[key][1]:.1f} mm", f"{room:.1f} mm", where)
     Output().print(table)
 
@@ -196,6 +203,11 @@ def fleet(run: "ToleranceRun") -> None:
         f"{design.tolerances.law} law",
         style="bold",
     )
+    if result.plan.laps is not None:
+        console.print(
+            "Position and heading are those where the last lap ends; a lap that turns about its start is right there "
+            "and off elsewhere, so go by the heading, and by the course."
+        )
     position, heading = result.end_position, result.end_heading_deg
     for label, values, unit in (
         ("position", {"mean": position.mean, **_parts(position), "greatest": position.greatest}, " mm"),

@@ -10,5 +10,6 @@
 | `sweep`  | nearest approach of the car, swept along its run                                    |
 | `gates`  | whether a run passes the gates, where, and by what margin                           |
 | `judge`  | a run held against a whole course                                                   |
+| `laps`   | a run of several laps, each held against it                                         |
 | `refuse` | courses that no car can drive                                                       |
 """

@@ -34,6 +34,13 @@ class Passage:
     travel: float
     fault: str = ""
 
+    @property
+    def missed(self) -> str:
+        """How a gate that is not passed is missed, in words."""
+        if self.fault:
+            return f"{self.gate.key} in the wrong {self.fault}"
+        return f"{self.gate.key} missed by {-self.margin:.1f} mm"
+
 
 def passages(poses: Poses, car: Car, gates: Sequence[Gate]) -> tuple[Passage, ...]:
     """Passage of each gate. Gates that are not free are passed one after the other, each as early as it can be.

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import degrees
 
 import numpy as np
 
@@ -64,6 +65,23 @@ class Driven:
     def worst_gate(self) -> Passage | None:
         """Gate that is passed with the least margin; None if there are no gates."""
         return min(self.passages, key=lambda passage: passage.margin, default=None)
+
+    def figures(self) -> dict[str, tuple[str, float]]:
+        """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
+        found = {
+            obstacle.key: (f"{there.part}, passing {side} of it", there.clearance)
+            for (obstacle, there), side in zip(self.approaches, self.sides, strict=True)
+        }
+        if self.edge is not None:
+            found["course.field"] = (self.edge.part, self.edge.clearance)
+        for passage in self.passages:
+            wrong = f", wrong {passage.fault}" if passage.fault else ""
+            found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
+        for stand in (self.start, self.finish):
+            if stand is not None:
+                off = "" if stand.turned is None else f", {degrees(stand.turned):.2f}° off"
+                found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
+        return found
 
 
 def judge(poses: Poses, car: Car, body: Body, course: Course) -> Driven:

@@ -13,6 +13,7 @@ from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.names import usable_name
 from cadgen.design.override import override, quoted
 from cadgen.design.parse import DeepError, parse
+from cadgen.design.path import OF_ANY_PATH
 from cadgen.design.schema import Design, DesignFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
@@ -52,7 +53,7 @@ def load_design(source: str | Path | None = None, overrides: Sequence[str] = ())
 
 
 def load_train(source: str | Path | None = None, overrides: Sequence[str] = ()) -> TrainDesign:
-    """The same for a gear train, for which [train] alone is enough."""
+    """The same for a gear train, for which [train] alone is enough; a path without points is given some."""
     return train_of(*read_design(source), overrides)
 
 
@@ -86,15 +87,21 @@ def course_of(text: str, file: Path, overrides: Sequence[str] = ()) -> tuple[Des
     values = _parsed(text, file)
     for change in overrides:
         override(values, change)
-    path = values.setdefault("path", {})
-    drawn = not isinstance(path, dict) or any(key not in ("spline", "offset_mm") for key in path)
-    if not drawn:
-        car = values.get("car")
-        offsets = [car.get(key) if isinstance(car, dict) else None for key in _WHEEL_OFFSETS]
-        numbers = [offset for offset in offsets if isinstance(offset, int | float)]
-        path.setdefault("offset_mm", sum(numbers) / 2)
-        path.update(spline=B_SPLINE.code, control_points_mm=_STRAIGHT)
+    values.setdefault("path", {})
+    drawn = not _draw(values)
     return Design(**_checked(DesignFile, values, file.name, ()), overrides=tuple(overrides)), drawn
+
+
+def _draw(values: dict[str, Any]) -> bool:
+    """Give raw values whose path has no points a straight one; whether it had none."""
+    path, car = values.get("path"), values.get("car")
+    if not isinstance(path, dict) or any(key not in OF_ANY_PATH for key in path):
+        return False
+    offsets = [car.get(key) if isinstance(car, dict) else None for key in _WHEEL_OFFSETS]
+    numbers = [offset for offset in offsets if isinstance(offset, int | float)]
+    path.setdefault("offset_mm", sum(numbers) / 2)
+    path.update(spline=B_SPLINE.code, control_points_mm=_STRAIGHT)
+    return True
 
 
 def train_of(text: str, file: Path, overrides: Sequence[str] = ()) -> TrainDesign:
@@ -116,6 +123,8 @@ def _checked(schema: type[TrainFile], values: dict[str, Any], source: str, overr
     """The values after the overrides, checked, with their source."""
     applied = [(override(values, text), text) for text in overrides]
     values.setdefault("name", usable_name(Path(source).stem))
+    if schema is TrainFile:
+        _draw(values)
     try:
         checked = schema.model_validate(values)
     except ValidationError as error:

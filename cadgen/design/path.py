@@ -4,12 +4,15 @@ from collections.abc import Callable
 from functools import cache
 from typing import Annotated, Any
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from cadgen.design.section import OneOf, Section, keys_in, section_with
+from cadgen.design.section import OneOf, Section, keys_in, listed, section_with
 from cadgen.path.kinds.kind import PathKind
 from cadgen.path.kinds.quintic import QUINTIC
 from cadgen.path.kinds.table import codes, kind_of
+
+MOST_LAPS = 100
+_LAPS = 10  # of a run, where the design does not say
 
 
 class Path(Section):
@@ -27,6 +30,56 @@ class Path(Section):
         description="how far to the right of the drive wheel the path runs",
     )
 
+    closed: bool | None = Field(
+        default=None,
+        description="whether the path is a lap that ends as it starts and is driven again and again. Its first point "
+        "need not stand at the end as well. One turn of the cam is one lap or `laps_per_turn` of them, and nothing is "
+        "blended",
+    )
+    laps_per_turn: int | None = Field(
+        default=None, ge=1, le=MOST_LAPS, description="laps of a closed path in one turn of the cam; left out, 1"
+    )
+    laps: int | None = Field(
+        default=None,
+        ge=1,
+        le=MOST_LAPS,
+        description="laps of a closed path that make a run: at the end of the last one all end errors are taken; left "
+        "out, 10, or `laps_per_turn` if that is more",
+    )
+
+    @property
+    def turn_laps(self) -> int:
+        """Laps of a closed path in one turn of the cam."""
+        return self.laps_per_turn or 1
+
+    @property
+    def run_laps(self) -> int:
+        """Laps of a closed path in a run."""
+        return self.laps or max(_LAPS, self.turn_laps)
+
+    @model_validator(mode="after")
+    def _laps_are_of_a_closed_path(self) -> "Path":
+        if not self.closed:
+            for name in ("laps", "laps_per_turn"):
+                if getattr(self, name) is not None:
+                    raise ValueError(
+                        f"path.{name} is {getattr(self, name)}, but the path is not closed: set path.closed = true, or "
+                        f"remove path.{name}"
+                    )
+            return self
+        if self.registered.build_closed is None:
+            closing = listed([f'"{code}"' for code in codes() if kind_of(code).build_closed is not None], "or")
+            raise ValueError(
+                f'path.closed is true, but a path with spline = "{self.spline}" does not go on smoothly where it '
+                f"closes: set path.spline = {closing}, or remove path.closed"
+            )
+        if self.run_laps < self.turn_laps:
+            raise ValueError(
+                f"path.laps is {self.run_laps}, but one turn of the cam is {self.turn_laps} laps "
+                "(path.laps_per_turn): a run takes at least one turn, so raise path.laps or lower path.laps_per_turn"
+            )
+        return self
+
     @property
     def registered(self) -> PathKind:
         """The kind that it names."""
@@ -36,6 +89,9 @@ class Path(Section):
     def keys(self) -> Any:
         """Keys of the file, as the dataclass of the path's kind."""
         return keys_in(self, self.registered.keys)
+
+
+OF_ANY_PATH = tuple(Path.model_fields)  # keys that do not depend on the kind
 
 
 @cache

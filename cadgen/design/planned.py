@@ -4,6 +4,7 @@ from typing import Any
 
 from cadgen.arrays import Array
 from cadgen.design.override import override
+from cadgen.design.path import OF_ANY_PATH
 from cadgen.design.schema import Design
 
 DIGITS = 4  # of a control point, in mm: a tenth of a micrometre
@@ -27,7 +28,7 @@ def planned_text(design: Design, text: str, points: Array, radius_mm: float | No
     if "path" not in values:
         values.add("path", tomlkit.table())
     path = values["path"]
-    for key in [key for key in path if key not in ("spline", "offset_mm")]:
+    for key in [key for key in path if key not in OF_ANY_PATH]:
         path.remove(key)
     path["spline"] = "b_spline"
     path["spline"].comment("by cadgen plan: a curve of degree 5 by its control points")

@@ -75,7 +75,7 @@ outwards; on the return the spring drives it back.
 
 def page() -> str:
     """The reference page in Markdown, written from the schema."""
-    names = " and ".join(f"`{name}`" for name in packaged_designs())
+    names = listed([f"`{name}`" for name in packaged_designs()], "and")
     sections = "".join(_section(table) + _other_paths(table) for table in tables().values())
     limits = "".join(
         f"| `{name}` | {degrees(limit.rise):.0f}° | {degrees(limit.fall):.0f}° | {limit.source} |\n"

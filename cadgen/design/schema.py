@@ -88,7 +88,7 @@ class Cam(Section):
         ge=0.5,
         le=180,
         description="last part of the turn, which leads the lift back to its start; in less no rod can follow it, "
-        "and more would leave less than half a turn to the path",
+        "and more would leave less than half a turn to the path. A closed path has none",
     )
 
     @property
@@ -295,6 +295,23 @@ class DesignFile(TrainFile):
         return Seat(base_radius=self.cam.base_radius_mm, faces=(inner, outer), carrying=(inner + leg, outer - leg))
 
     @model_validator(mode="after")
+    def _laps_need_no_blend(self) -> "DesignFile":
+        if not self.path.closed:
+            return self
+        if "blend_deg" in self.cam.model_fields_set:
+            raise ValueError(
+                f"cam.blend_deg is {self.cam.blend_deg:g}, but the path is closed, so the cam leads back to its start "
+                "by itself and nothing is blended: remove cam.blend_deg (on the command line with --set "
+                "cam.blend_deg=), or remove path.closed"
+            )
+        if self.as_built is not None:
+            raise ValueError(
+                "[as_built] describes a car on a path with an end; on a closed path a wheel or steering that is not as "
+                "designed takes the car off its lap, whatever the cam: remove [as_built], or remove path.closed"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _follower_fits_the_disc(self) -> "DesignFile":
         self.follower.registered.refuse(self.follower.keys, self.seat)
         return self
@@ -336,8 +353,9 @@ class TrainDesign(TrainFile):
     overrides: tuple[str, ...] = ()
 
     def values(self) -> dict[str, object]:
-        """Values of all keys, defaults included, as plain TOML or JSON values."""
-        return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude_none=True)
+        """Values of all keys, defaults included, as plain TOML or JSON values; no blend where the path is closed."""
+        unused = {"cam": {"blend_deg"}} if self.path and self.path.closed else None
+        return self.model_dump(mode="json", include=set(DesignFile.model_fields), exclude=unused, exclude_none=True)
 
     @property
     def content_hash(self) -> str:

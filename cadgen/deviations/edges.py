@@ -12,13 +12,13 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.as_built import AsBuilt
-from cadgen.motion.drive import drive
+from cadgen.motion.drive import drive, turns_of
 from cadgen.motion.sampled import rolled_lift
 from cadgen.steering.car import Car
 
 MORE = 0.1  # mm: a hand with a file or a deburring tool takes that much without being asked
 _STATIONS = 1200  # the difference of two runs then errs by 1e-3 mm
-_STEPS = 1200  # of a run; what is wanted is the difference of two
+_STEPS = 1200  # of a turn; what is wanted is the difference of two
 _TRIM_STEP = 1e-4  # rad, of the steering, by which the end of a run is differentiated
 _TRIM_ROUNDS = 4  # of Gauss and Newton, from an end that is off by centimetres
 
@@ -70,5 +70,5 @@ def edges_check(
 
 def _end(lift: LiftCurve, car: Car, travel: float) -> complex:
     """End of a run without play as x + iy, mm."""
-    x, y = drive(lift, car, travel, steps=_STEPS).drive_wheel[-1].tolist()
+    x, y = drive(lift, car, travel, steps=_STEPS * turns_of(lift.blend_start)).drive_wheel[-1].tolist()
     return complex(x, y)

@@ -14,6 +14,7 @@ them: the fork axis L ahead and A1 to the right of the drive wheel, the idle whe
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +26,7 @@ from cadgen.motion.play import LEAST_SWING, Following, follow
 from cadgen.path.track import Track
 from cadgen.steering.car import Car, wheel_curvature, wheel_pace, wheel_tangent
 
-STEPS = 3600  # of a run: the position errs by less than 1e-5 mm on the paper's path
+STEPS = 3600  # of a turn: the position errs by less than 1e-5 mm on the paper's path
 
 Complex = NDArray[np.complex128]
 
@@ -105,6 +106,11 @@ class Running:
     wear: float = 0.0
 
 
+def turns_of(stop: float) -> int:
+    """Turns of the motor's shaft in cam units that are begun up to a motor position, rad."""
+    return max(ceil(stop / TURN - 1e-9), 1)
+
+
 def start_pose(track: Track) -> Pose:
     """Pose of the car at the start of the drive wheel's track."""
     x, y = track.position(0.0)
@@ -165,7 +171,7 @@ def drive(
     *,
     play: float = 0.0,
     start: Pose | None = None,
-    steps: int = STEPS,
+    steps: int | None = None,
     stop: float | None = None,
     least_swing: float = LEAST_SWING,
     following: Following | None = None,
@@ -181,8 +187,8 @@ def drive(
         length: travel of the drive wheel's rim in one turn of the motor's shaft in cam units, mm.
         play: return error B, rad.
         start: pose at motor position 0; the origin along x if left out.
-        steps: number of even steps of the result.
-        stop: last motor position, rad; the start of the lift's closing blend if left out.
+        steps: number of even steps of the result; `STEPS` for each turn that is begun if left out.
+        stop: last motor position, rad; the end of the lift's run if left out, at the closing blend or after its laps.
         least_swing: rises and falls of tan(beta) smaller than this are noise, not events.
         following: how the cam follows the motor, with friction and drag; if given, it stands for lift and play.
         at_joints: whether the result has, besides the even steps, the motor positions at which the cam jumps, stops,
@@ -191,10 +197,12 @@ def drive(
     Raises:
         DesignError: the play is negative or no number, or there are no steps.
     """
-    if steps < 1:
-        raise DesignError(f"a run of {steps} steps goes nowhere: ask for at least 1")
     start = start or Pose()
     stop = lift.blend_start if stop is None else stop
+    if steps is None:
+        steps = STEPS * turns_of(stop)
+    if steps < 1:
+        raise DesignError(f"a run of {steps} steps goes nowhere: ask for at least 1")
     following = following or follow(lift, play, least_swing=least_swing)
     motor = np.linspace(0.0, stop, steps + 1)
     nodes = np.union1d(motor, following.joints(0.0, stop))

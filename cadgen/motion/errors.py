@@ -63,7 +63,7 @@ def deflections(
     least_swing: float = LEAST_SWING,
     leads: Array | None = None,
 ) -> tuple[Event, ...]:
-    """Events up to the start of the closing blend, in order, each with its deflection error.
+    """Events of a turn up to the start of its closing blend, in order, each with its deflection error.
 
     A jump skips the cam from the peak p to p + B (eq. 28); a reverse repeats it from v - B to the valley v (eq.
     29-30). Both integrals run over the whole of B, or over the whole fall if that is shorter. The wait in the valley
@@ -109,13 +109,15 @@ def deflected(run: Run, events: Iterable[Event]) -> Run:
     """Run that results if events turn the car, each where it happens, and nothing else is off (fig. 10, 18, 19).
 
     This shows what jumps alone, or reverses alone, do to the path. Neither happens without the other, so `drive` with
-    play gives no such run. An event turns the car at the next of the run's motor positions.
+    play gives no such run. An event turns the car at the next of the run's motor positions, once in each turn.
 
     Args:
         run: run without play.
         events: events with their deflections, rad.
     """
-    turned = sum((event.deflection * (run.motor >= event.cam_angle) for event in events), np.zeros_like(run.motor))
+    turned = np.zeros_like(run.motor)
+    for event in events:
+        turned += event.deflection * np.maximum(np.floor((run.motor - event.cam_angle) / TURN) + 1, 0.0)
     drive_wheel, front, idle = (wheel @ [1, 1j] for wheel in (run.drive_wheel, run.front_wheel, run.idle_wheel))
     ahead = np.exp(1j * turned)
     moved = drive_wheel[0] + np.append(0.0, np.cumsum(np.diff(drive_wheel) * ahead[:-1]))
@@ -153,8 +155,13 @@ class RunError:
 
     @property
     def end_distance(self) -> float:
-        """Position error at the end, mm."""
-        return float(self.distance[-1])
+        """Position error at the end, mm; of laps the greatest on the last turn of the cam.
+
+        Laps may turn about their start, where the car then seems to keep to its path.
+        """
+        if self.motor[-1] < TURN:
+            return float(self.distance[-1])
+        return float(self.distance[self.motor >= self.motor[-1] - TURN].max())
 
 
 def run_error(run: Run, planned: Run) -> RunError:

@@ -10,6 +10,7 @@
 | `task`         | the lift and run wanted, and on a train the best window for a lift             |
 | `profiles`     | every profile that a cam can have, by its code                                 |
 | `evaluate`     | a profile evaluated as it is cut: rolled and run with play                     |
+| `laps`         | drift on a closed path, per lap and after the last one                         |
 | `choice`       | the best of several profiles under limits, with the reasons                    |
 | `remedies`     | error that is left with a brake, a trim or a bearing, where the rod rubs       |
 """

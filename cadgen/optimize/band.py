@@ -16,7 +16,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
-from cadgen.motion.drive import drive
+from cadgen.motion.drive import drive, turns_of
 from cadgen.motion.errors import run_error
 from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.play import LEAST_SWING, falls, follow
@@ -25,7 +25,7 @@ from cadgen.optimize.dilation import lost_dips
 from cadgen.steering.car import Car, pace, track_curvature
 
 BAND_PLAYS = 5  # of the band at which errors are reported; the worst lies at an end unless the band is very wide
-_STEPS = 720  # of a run while searching: the end errs by 1e-5 mm
+_STEPS = 720  # of a turn while searching: the end errs by 1e-5 mm
 _FINE = 1e-4  # rad of play, with friction; it moves the worst end of the paper's car by 8 mm at most
 _TOLERANCE = 1e-6  # rad of play; it moves the worst error by less than a millimetre's hundredth
 _NO_BETTER = 0.1  # mm; where the ends meet they do so within this
@@ -210,13 +210,14 @@ def over_band(
             slides freely.
         cut: lift that the cam was cut for, which decides where it leads with friction; `cam` if left out.
     """
-    planned = drive(wanted, car, length, steps=_STEPS)
+    steps = _STEPS * turns_of(wanted.blend_start)
+    planned = drive(wanted, car, length, steps=steps)
     cases = tuple(case.leads(cut or cam) for case in mechanics) or (None,)
     heading, distance = np.empty((2, len(cases), len(plays)))
     for row, leads in enumerate(cases):
         for column, play in enumerate(np.asarray(plays).tolist()):
             following = follow(cam, play, least_swing=least_swing) if leads is None else leads.follow(cam, play)
-            run = drive(cam, car, length, steps=_STEPS, stop=wanted.blend_start, following=following)
+            run = drive(cam, car, length, steps=steps, stop=wanted.blend_start, following=following)
             error = run_error(run, planned)
             heading[row, column], distance[row, column] = error.end_heading, error.end_distance
     columns = np.arange(len(plays))
@@ -257,7 +258,7 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     events = _events(lift, high)
     rate = length / TURN
     rises, places = [], []
-    for peak, valley in np.concatenate([events - TURN, events]):
+    for peak, valley in np.concatenate([events + TURN * turn for turn in range(-1, turns_of(stop))]):
         start, end = max(peak, 0.0), min(valley, stop)
         if start < end:
             tan_beta = lift.tan_beta(np.array([start, end]))

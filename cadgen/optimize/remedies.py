@@ -20,13 +20,13 @@ from scipy.interpolate import PPoly
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
-from cadgen.motion.drive import Run, drive
+from cadgen.motion.drive import Run, drive, turns_of
 from cadgen.motion.errors import RunError, run_error
 from cadgen.motion.mechanics import Leads, Mechanics, MechanicsBand
 from cadgen.optimize.task import Task
 
 MARGIN = 1.25  # of a drag that is to hold, over the torque that it must hold
-_STEPS = 720  # of a run; its end errs by 1e-5 mm
+_STEPS = 720  # of a turn; its end errs by 1e-5 mm
 _STATIONS = 7200  # of the turn at which torques are looked at
 _TRIM_STEPS = 4  # of Newton's method: the end moves nearly in proportion to the trim
 _TRIM_PROBE = radians(0.01)
@@ -215,7 +215,7 @@ def _run(task: Task, lift: LiftCurve, leads: Leads, play: float, turn: float) ->
         task.car,
         task.length,
         start=task.start,
-        steps=_STEPS,
+        steps=_STEPS * turns_of(task.lift.blend_start),
         stop=task.lift.blend_start,
         following=leads.follow(moved, play),
     )

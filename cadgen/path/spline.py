@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import BSpline, make_interp_spline
 
 from cadgen.arrays import Array
@@ -10,7 +11,10 @@ from cadgen.errors import DesignError
 from cadgen.path.names import SplineKind
 
 MIN_WAYPOINTS = 4  # the cubic's end slope is that of the cubic through the first four
+MIN_LAP_WAYPOINTS = 5  # fewer leave a periodic spline of degree 5 nothing to interpolate
 MIN_CHORD_MM = 1e-6  # below this two waypoints are one, and the centripetal parameter stalls
+_WAYPOINTS = "path.waypoints_mm", "waypoint"
+_CONTROL_POINTS = "path.control_points_mm", "point"
 DEGREE = 5  # of a path by control points: its rate of curvature is smooth, as that of the sixth-order spline
 
 
@@ -50,24 +54,8 @@ def plan_path(waypoints: Array, kind: SplineKind) -> PlannedPath:
     Raises:
         DesignError: too few waypoints, a value that is not finite, or two equal neighbours.
     """
-    waypoints = np.asarray(waypoints, dtype=float)
-    if waypoints.ndim != 2 or waypoints.shape[1] != 2:
-        raise DesignError("path.waypoints_mm must be a list of [x, y] pairs")
-    if len(waypoints) < MIN_WAYPOINTS:
-        raise DesignError(
-            f"path.waypoints_mm has {len(waypoints)} waypoints; a path needs at least {MIN_WAYPOINTS}: add more"
-        )
-    bad = np.flatnonzero(~np.isfinite(waypoints).all(axis=1))
-    if bad.size:
-        raise DesignError(f"path.waypoints_mm: waypoint {bad[0] + 1} is not a finite number: correct it")
+    waypoints = _checked(waypoints, _WAYPOINTS, MIN_WAYPOINTS)
     chords = np.linalg.norm(np.diff(waypoints, axis=0), axis=1)
-    equal = np.flatnonzero(chords < MIN_CHORD_MM)
-    if equal.size:
-        i = equal[0]
-        raise DesignError(
-            f"path.waypoints_mm: waypoints {i + 1} and {i + 2} are both "
-            f"({waypoints[i, 0]:g}, {waypoints[i, 1]:g}): remove one of them"
-        )
     # The stubs of scipy know only scalar end conditions; its documentation has lists of (order, value).
     zero = np.zeros(2)
     if kind == "quintic":
@@ -80,6 +68,25 @@ def plan_path(waypoints: Array, kind: SplineKind) -> PlannedPath:
         slope = np.array([-11.0, 18.0, -9.0, 2.0]) @ waypoints[:4] / 6.0
         spline = make_interp_spline(knots, waypoints, k=3, bc_type=([(1, slope)], [(2, zero)]))  # type: ignore[arg-type]
     return PlannedPath(knots=knots, spline=spline, smooth=kind == "quintic")
+
+
+def plan_lap(waypoints: Array) -> PlannedPath:
+    """Interpolate the waypoints of a closed path by the periodic spline of degree 5 with the centripetal parameter.
+
+    It goes on past the last waypoint to the first, where its fourth derivative is continuous as at the others.
+
+    Args:
+        waypoints: points in driving order, shape (n, 2), mm, n >= 5; the first may stand at the end again.
+
+    Raises:
+        DesignError: too few waypoints, a value that is not finite, or two equal neighbours.
+    """
+    waypoints = _once(_checked(waypoints, _WAYPOINTS, MIN_LAP_WAYPOINTS), _WAYPOINTS, MIN_LAP_WAYPOINTS)
+    points = np.vstack([waypoints, waypoints[:1]])
+    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    knots = np.concatenate([[0.0], np.cumsum(np.sqrt(chords))])
+    spline = make_interp_spline(knots, points, k=DEGREE, bc_type="periodic")
+    return PlannedPath(knots=knots, spline=spline, smooth=True)
 
 
 def path_knots(count: int) -> Array:
@@ -101,23 +108,67 @@ def control_path(points: Array) -> PlannedPath:
     Raises:
         DesignError: too few points, a value that is not finite, or two equal neighbours.
     """
+    points = _checked(points, _CONTROL_POINTS, DEGREE + 1)
+    knots = path_knots(len(points))
+    spline = BSpline(knots, points, DEGREE)
+    return PlannedPath(knots=knots[DEGREE:-DEGREE], spline=spline, smooth=True, knot_name="knot")
+
+
+def closed_control_path(points: Array) -> PlannedPath:
+    """Return the closed B-spline of degree 5 by its control points, over the knots 0, 1, 2, ..., n.
+
+    Its fourth derivative is continuous everywhere. It starts at the mean of the first point (weight 66 of 120), of its
+    two neighbours (26 each) and of theirs (1 each).
+
+    Args:
+        points: control points in driving order, shape (n, 2), mm, n >= 6; the first may stand at the end again.
+
+    Raises:
+        DesignError: too few points, a value that is not finite, or two equal neighbours.
+    """
+    points = _once(_checked(points, _CONTROL_POINTS, DEGREE + 1), _CONTROL_POINTS, DEGREE + 1)
+    count = len(points)
+    spline = BSpline(lap_knots(count), points[lap_columns(np.arange(count + DEGREE), count)], DEGREE)
+    return PlannedPath(knots=np.arange(count + 1.0), spline=spline, smooth=True, knot_name="knot")
+
+
+def lap_knots(count: int) -> Array:
+    """Knots of a closed path by control points: -5, -4, ..., count + 5; shape (count + 11,)."""
+    return np.arange(-DEGREE, count + DEGREE + 1.0)
+
+
+def lap_columns(number: NDArray[np.intp], count: int) -> NDArray[np.intp]:
+    """Control points of a closed path that the B-splines over its knots belong to, by the B-splines' numbers."""
+    return np.asarray((number - DEGREE // 2) % count)
+
+
+def _checked(points: Array, name: tuple[str, str], least: int) -> Array:
+    """Refuse points that make no path, by the key and the word of `name`."""
+    key, word = name
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2:
-        raise DesignError("path.control_points_mm must be a list of [x, y] pairs")
-    if len(points) <= DEGREE:
-        raise DesignError(
-            f"path.control_points_mm has {len(points)} points; a path needs at least {DEGREE + 1}: add more"
-        )
+        raise DesignError(f"{key} must be a list of [x, y] pairs")
+    if len(points) < least:
+        raise DesignError(f"{key} has {len(points)} {word}s; a path needs at least {least}: add more")
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if bad.size:
-        raise DesignError(f"path.control_points_mm: point {bad[0] + 1} is not a finite number: correct it")
+        raise DesignError(f"{key}: {word} {bad[0] + 1} is not a finite number: correct it")
     equal = np.flatnonzero(np.linalg.norm(np.diff(points, axis=0), axis=1) < MIN_CHORD_MM)
     if equal.size:
         i = equal[0]
         raise DesignError(
-            f"path.control_points_mm: points {i + 1} and {i + 2} are both "
-            f"({points[i, 0]:g}, {points[i, 1]:g}): remove one of them"
+            f"{key}: {word}s {i + 1} and {i + 2} are both ({points[i, 0]:g}, {points[i, 1]:g}): remove one of them"
         )
-    knots = path_knots(len(points))
-    spline = BSpline(knots, points, DEGREE)
-    return PlannedPath(knots=knots[DEGREE:-DEGREE], spline=spline, smooth=True, knot_name="knot")
+    return points
+
+
+def _once(points: Array, name: tuple[str, str], least: int) -> Array:
+    """The points of a closed path without the first at the end."""
+    if np.linalg.norm(points[-1] - points[0]) >= MIN_CHORD_MM:
+        return points
+    key, word = name
+    if len(points) <= least:
+        raise DesignError(
+            f"{key} has {len(points) - 1} {word}s and the first again; a closed path needs at least {least}: add more"
+        )
+    return points[:-1]

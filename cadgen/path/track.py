@@ -38,6 +38,7 @@ class Track:
         waypoint_arc: arc length of this track at each waypoint, or knot of a path without any, shape (m,), mm.
         turn: travel of the drive wheel in one turn of the cam, mm.
         knot_name: name of the waypoints or knots in messages.
+        closed: whether the track ends as it starts: a lap, of which a turn of the cam has a whole number.
     """
 
     length: float
@@ -49,6 +50,12 @@ class Track:
     waypoint_arc: Array
     turn: float
     knot_name: str = "waypoint"
+    closed: bool = False
+
+    @property
+    def turn_laps(self) -> int:
+        """Laps in one turn of the cam; 1 of an open track."""
+        return round(self.turn / self.length) if self.closed else 1
 
     def heading(self, arc: Array) -> Array:
         """Direction of travel at arc lengths (mm), rad, unwrapped along the array."""
@@ -59,10 +66,11 @@ class Track:
         """Place on the path at an arc length (mm), in words."""
         x, y = self.planned(arc)
         span = int(np.clip(np.searchsorted(self.waypoint_arc, arc, side="right"), 1, len(self.waypoint_arc) - 1))
-        return f"at ({x:.0f}, {y:.0f}) mm, between {self.knot_name}s {span} and {span + 1}"
+        after = 1 if self.closed and span + 1 == len(self.waypoint_arc) else span + 1
+        return f"at ({x:.0f}, {y:.0f}) mm, between {self.knot_name}s {span} and {after}"
 
 
-def offset_track(path: PlannedPath, offset: float, turn: float | None = None) -> Track:
+def offset_track(path: PlannedPath, offset: float, turn: float | None = None, *, laps: int | None = None) -> Track:
     """Offset the planned path to the left and return the track by arc length.
 
     With the planned path's curvature k and left offset m: ds_track = (1 - m k) ds, k_track = k / (1 - m k).
@@ -71,6 +79,7 @@ def offset_track(path: PlannedPath, offset: float, turn: float | None = None) ->
         path: the planned path.
         offset: distance of the drive wheel to the left of the planned path, mm.
         turn: travel of the drive wheel in one turn of the cam, mm; left out, the whole track.
+        laps: laps of a closed path in one turn of the cam, which decide the travel; None of an open path.
 
     Raises:
         DesignError: the offset track has a cusp (1 - m k <= 0), with the place.
@@ -104,16 +113,18 @@ def offset_track(path: PlannedPath, offset: float, turn: float | None = None) ->
         ],
         axis=1,
     )
+    length = float(span_start[-1])
     return Track(
-        length=float(span_start[-1]),
+        length=length,
         arc=arc,
         curvature_jets=curvature,
         position=quintic_hermite(arc, wheel),
         planned=quintic_hermite(arc, planned),
         kinks=np.array([]) if path.smooth else span_start[1:-1],
         waypoint_arc=span_start,
-        turn=float(span_start[-1]) if turn is None else turn,
+        turn=length * laps if laps else length if turn is None else turn,
         knot_name=path.knot_name,
+        closed=laps is not None,
     )
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
 from cadgen.arrays import Array
-from cadgen.path.spline import DEGREE, path_knots
+from cadgen.path.spline import DEGREE, lap_columns, lap_knots, path_knots
 
 ORDERS = 5  # a value and four derivatives
 LOCAL = DEGREE + 1  # B-splines that do not vanish at a parameter
@@ -46,27 +46,40 @@ class Places:
 
 @dataclass(frozen=True, eq=False)
 class Basis:
-    """All B-splines of a path with `count` control points."""
+    """All B-splines of a path with `count` control points; a closed one goes on from the last to the first."""
 
     count: int
+    closed: bool = False
+
+    @property
+    def spans(self) -> int:
+        """Number of spans between knots."""
+        return self.count if self.closed else self.count - DEGREE
 
     @property
     def stop(self) -> float:
         """Last parameter."""
-        return float(self.count - DEGREE)
+        return float(self.spans)
 
     @cached_property
     def _orders(self) -> tuple[BSpline, ...]:
-        spline = BSpline(path_knots(self.count), np.eye(self.count), DEGREE)
+        knots = lap_knots(self.count) if self.closed else path_knots(self.count)
+        spline = BSpline(knots, np.eye(self.spans + DEGREE), DEGREE)
         return tuple(spline.derivative(order) if order else spline for order in range(ORDERS))
 
     def at(self, u: Array) -> Places:
         """B-splines at parameters, shape (m,)."""
-        first = np.clip(np.floor(u).astype(np.intp), 0, self.count - DEGREE - 1)
-        columns = first[:, None] + np.arange(LOCAL)
-        values = np.stack([np.take_along_axis(order(u), columns, axis=1) for order in self._orders])
+        first = np.clip(np.floor(u).astype(np.intp), 0, self.spans - 1)
+        number = first[:, None] + np.arange(LOCAL)
+        values = np.stack([np.take_along_axis(order(u), number, axis=1) for order in self._orders])
+        columns = lap_columns(number, self.count) if self.closed else number
         return Places(u, columns, values, self.count)
+
+    @cached_property
+    def first(self) -> Places:
+        """The start of the path."""
+        return self.at(np.zeros(1))
 
     def even(self, each: int) -> Places:
         """Places at even parameters, `each` of them to a span and the last one."""
-        return self.at(np.linspace(0.0, self.stop, each * int(self.stop) + 1))
+        return self.at(np.linspace(0.0, self.stop, each * self.spans + 1))

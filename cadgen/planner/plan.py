@@ -14,7 +14,7 @@ from cadgen.planner.near import Near
 from cadgen.planner.programme import Fixed
 from cadgen.planner.route import planned_end, route_of
 from cadgen.planner.rows import Rows
-from cadgen.planner.search import Path, Search, fixed_ends
+from cadgen.planner.search import Path, Search, fixed_ends, fixed_start
 from cadgen.planner.start import End, fitted_to, smooth_path
 from cadgen.planner.task import Task, Vehicle
 
@@ -76,16 +76,16 @@ def _searched(task: Task, seed: int, begin: Array | None, report: Callable[[str]
     vehicle, course = task.vehicle, task.course
     start, finish = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
     if begin is not None:
-        points, basis = begin, Basis(len(begin))
+        points, basis = begin, Basis(len(begin), vehicle.closed)
     elif task.near is None:
         route = route_of(course, vehicle, seed)
         spans = max(route.length / _SPAN, _SPANS_A_STOP * (route.stops - 1))
-        basis = Basis(int(np.clip(spans, _LEAST_SPANS, _MOST_SPANS)) + DEGREE)
+        basis = _basis(spans, vehicle)
         points = smooth_path(basis, route.places, route.is_stop, start, finish)
     else:
         points, basis = _from_track(task.near, vehicle)
     if task.near is not None:
-        start, finish = _ends_of(points)
+        start, finish = _ends_of(basis, points)
     search = _search(task, basis, start, finish)
     words = None if report is None else (lambda cost: report(f"end of the run {cost:.0f} mm"))
     return Plan(search.best(points, words), task, points)
@@ -101,11 +101,16 @@ def search_of(task: Task, count: int, loose: str = "") -> Search:
     """
     vehicle, course = task.vehicle, task.course
     ends = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
-    return replace(_search(task, Basis(count), *ends), loose=loose)
+    return replace(_search(task, Basis(count, vehicle.closed), *ends), loose=loose)
 
 
 def _search(task: Task, basis: Basis, start: End, finish: End) -> Search:
     return Search(task, basis, _fixed(basis, start, finish), _course_rows(task, basis, finish))
+
+
+def _basis(spans: float, vehicle: Vehicle) -> Basis:
+    count = int(np.clip(spans, _LEAST_SPANS, _MOST_SPANS))
+    return Basis(count if vehicle.closed else count + DEGREE, vehicle.closed)
 
 
 def _from_track(track: Array, vehicle: Vehicle) -> tuple[Array, Basis]:
@@ -114,23 +119,25 @@ def _from_track(track: Array, vehicle: Vehicle) -> tuple[Array, Basis]:
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     planned = track + vehicle.path_offset * np.stack([along[:, 1], -along[:, 0]], axis=1)
     length = float(np.linalg.norm(np.diff(planned, axis=0), axis=1).sum())
-    basis = Basis(int(np.clip(length / _SPAN, _LEAST_SPANS, _MOST_SPANS)) + DEGREE)
+    basis = _basis(length / _SPAN, vehicle)
     return fitted_to(basis, planned), basis
 
 
-def _ends_of(points: Array) -> tuple[End, End]:
+def _ends_of(basis: Basis, points: Array) -> tuple[End, End]:
     """Start and finish of a path as they are."""
-    heading = [float(np.arctan2(leg[1], leg[0])) for leg in (points[1] - points[0], points[-1] - points[-2])]
-    return End(points[0], heading[0]), End(points[-1], heading[1])
+    place, ahead = basis.at(np.array([0.0, basis.stop])).jets(points)[:2]
+    start, finish = (End(place[k], float(np.arctan2(ahead[k, 1], ahead[k, 0]))) for k in (0, 1))
+    return start, finish
 
 
 def _fixed(basis: Basis, start: End, finish: End) -> Fixed:
-    return fixed_ends(basis.count, (start.place is not None, start.heading), (finish.place is not None, finish.heading))
+    ends = [(end.place is not None, end.heading) for end in (start, finish)]
+    return fixed_start(basis, ends[0]) if basis.closed else fixed_ends(basis.count, *ends)
 
 
 def _course_rows(task: Task, basis: Basis, finish: End) -> Callable[[Array], list[Rows]]:
     course, vehicle = task.course, task.vehicle
-    last = course.finish if course.finish is not None and finish.place is None else None
+    last = course.finish if finish.place is None and not basis.closed else None
     passing = Passing(basis, course.gates, last, vehicle, task.gate_margin)
     clearances = Clearances(basis, vehicle, barriers_of(course, vehicle.body))
     near = None if task.near is None else Near(basis, vehicle.path_offset, task.near, task.within)

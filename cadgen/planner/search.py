@@ -129,6 +129,23 @@ class Search:
         return path
 
 
+def fixed_start(basis: Basis, start: tuple[bool, float | None]) -> Fixed:
+    """Equations that hold the start of a closed path; arguments as in `fixed_ends`."""
+    held, heading = start
+    columns, values = basis.first.columns[0], basis.first.values[:, 0]
+    rows = []
+    for axis in (0, basis.count) if held else ():
+        row = np.zeros(2 * basis.count)
+        row[axis + columns] = values[0]
+        rows.append(row)
+    if heading is not None:
+        row = np.zeros(2 * basis.count)
+        row[columns] = -np.sin(heading) * values[1]
+        row[basis.count + columns] = np.cos(heading) * values[1]
+        rows.append(row)
+    return Fixed(np.array(rows).reshape(-1, 2 * basis.count))
+
+
 def fixed_ends(count: int, start: tuple[bool, float | None], finish: tuple[bool, float | None]) -> Fixed:
     """Equations that hold the ends of a path.
 

@@ -23,6 +23,8 @@ from cadgen.planner.task import Vehicle
 # What a fall costs besides what it does at the end of the run, as a share of the path's length taken as its lever. It
 # keeps the heading of the end small and the last stretch calm, where the lever is short.
 _CALM = 0.01
+# On a closed path all of it turns, and goes on turning: there the lever is the radius of a circle of that length.
+_CALM_LAP = 1 / TURN
 _DIRECTIONS = 9  # in which the length of the error is bounded from below, about the present one
 _WIDEST = 0.7  # rad to either side
 
@@ -166,7 +168,7 @@ class Sensitivity:
     @property
     def calm(self) -> float:
         """Cost of a unit of curvature that the path gains, mm."""
-        return self.factor * _CALM * self.line.length
+        return self.factor * (_CALM_LAP if self.line.vehicle.closed else _CALM) * self.line.length
 
     def by_rises(self) -> tuple[NDArray[np.intp], Array]:
         """Derivatives of `rises`: columns and values, shape (m - 1, 24)."""

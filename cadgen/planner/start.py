@@ -64,7 +64,9 @@ def _fitted(
     weight = np.where(is_stop, 1 / _STOP, 1 / _PLACE)[:, None]
     rows = [weight * near, calm / _BEND]
     right = [weight * route, np.zeros((len(calm), 2))]
-    for number, end in ((0, ends[0]), (n - 1, ends[1])):
+    if basis.closed:
+        rows, right = [*rows, *_held(basis, ends[0], step)[0]], [*right, *_held(basis, ends[0], step)[1]]
+    for number, end in () if basis.closed else ((0, ends[0]), (n - 1, ends[1])):
         inner = 1 if number == 0 else n - 2
         if end.place is not None:
             row = np.zeros((1, n))
@@ -82,6 +84,18 @@ def _fitted(
     return np.asarray(solution)
 
 
+def _held(basis: Basis, start: End, step: float) -> tuple[list[Array], list[Array]]:
+    """Equations that hold the start of a closed path, and their right sides."""
+    rows, right = [], []
+    if start.place is not None:
+        rows.append(_SURE * _dense(basis, basis.first.columns, basis.first.values[0]))
+        right.append(_SURE * start.place[None])
+    if start.heading is not None:
+        rows.append(_SURE * _dense(basis, basis.first.columns, basis.first.values[1]))
+        right.append(_SURE * step * np.array([[np.cos(start.heading), np.sin(start.heading)]]))
+    return rows, right
+
+
 def fitted_to(basis: Basis, curve: Array) -> Array:
     """Control points of the path nearest to a curve, shape (n, 2), mm.
 
@@ -91,8 +105,7 @@ def fitted_to(basis: Basis, curve: Array) -> Array:
     """
     at = basis.at(np.linspace(0.0, basis.stop, len(curve)))
     matrix = _dense(basis, at.columns, at.values[0])
-    ends = np.zeros((2, basis.count))
-    ends[0, 0] = ends[1, -1] = _SURE
+    ends = _SURE * matrix[[0, -1]]
     solution, *_ = np.linalg.lstsq(np.vstack([matrix, ends]), np.vstack([curve, _SURE * curve[[0, -1]]]), rcond=None)
     return np.asarray(solution)
 

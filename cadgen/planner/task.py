@@ -24,6 +24,7 @@ class Vehicle:
         most_length: greatest length of the drive wheel's track, mm.
         path_turn: share of a turn of the cam that the whole path takes, where the travel follows from its length.
         end: share of the path at which the run ends.
+        closed: whether the path is a lap that ends as it starts; then its course has the start as its finish, too.
     """
 
     car: Car
@@ -36,6 +37,7 @@ class Vehicle:
     most_length: float = inf
     path_turn: float = 1.0
     end: float = 1.0
+    closed: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

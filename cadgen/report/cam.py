@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from cadgen.arrays import Array
+from cadgen.arrays import TURN, Array
 from cadgen.report.style import AFTER, BEFORE, BLACK, GREY, figure
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ class CamPicture:
         cam_angle: cam angles, shape (k,), rad.
         lift: at these cam angles, shape (k,), mm.
         extrema: cam angles of peaks and valleys, shape (p,), rad, and the lift there, shape (p,), mm.
-        blend_start: cam angle at which the closing blend begins, rad.
+        blend_start: cam angle at which the closing blend begins, rad; a turn or more if there is none.
     """
 
     title: str
@@ -50,7 +50,8 @@ def cam_figure(content: CamPicture) -> "Figure":
         lift.plot(np.degrees(content.cam_angle), content.lift, color=AFTER)
         angle, height = content.extrema
         lift.plot(np.degrees(angle), height, "o", color=BEFORE, markersize=4, label="peaks and valleys")
-        lift.axvspan(np.degrees(content.blend_start), 360, color="#eeeeee", zorder=0, label="closing blend")
+        if content.blend_start < TURN:
+            lift.axvspan(np.degrees(content.blend_start), 360, color="#eeeeee", zorder=0, label="closing blend")
         lift.set(title="Lift", xlabel="cam angle (°)", ylabel="lift (mm)", xlim=(0, 360))
         lift.set_xticks(range(0, 361, 60))
         lift.legend(loc="best")

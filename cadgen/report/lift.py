@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cadgen.arrays import Array
+from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.motion.play import Following
@@ -48,7 +48,7 @@ class LiftPicture:
 
 def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
     """Draw the lift over the turn, close by a peak and a valley, and its error; return the files' names."""
-    motor = np.linspace(0.0, content.wanted.blend_start, _POINTS)
+    motor = np.linspace(0.0, min(content.wanted.blend_start, TURN), _POINTS)
     events = (("The cam jumps", content.peak), ("The cam waits", content.valley))
     close = [(title, angle) for title, angle in events if angle is not None]
     with figure(8.0, 9.0) as picture:
@@ -65,10 +65,11 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
         )
         after = _lift(content, content.after.lift.tan_beta(turn))
         axes.plot(np.degrees(turn), after, color=AFTER, linestyle=(0, (5, 2)), label=f"{content.after_name} profile")
-        axes.axvspan(degrees(content.wanted.blend_start), 360, color="#eeeeee", zorder=0)
-        axes.text(
-            354, 0.97, "blend", rotation=90, ha="center", va="top", color=GREY, transform=axes.get_xaxis_transform()
-        )
+        if content.wanted.blended:
+            axes.axvspan(degrees(content.wanted.blend_start), 360, color="#eeeeee", zorder=0)
+            axes.text(
+                354, 0.97, "blend", rotation=90, ha="center", va="top", color=GREY, transform=axes.get_xaxis_transform()
+            )
         axes.set(title="What the profiles are cut for", xlabel="cam angle (°)", ylabel="lift (mm)", xlim=(0, 360))
         axes.set_xticks(range(0, 361, 30))
         axes.legend(loc="best")

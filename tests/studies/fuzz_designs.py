@@ -131,10 +131,14 @@ def _is_table(node: Any, defs: dict[str, Any]) -> bool:
     return "properties" in node
 
 
+_BASES = ("appendix_car", "carbon_free_car", "workshop_car")
+
+
 @cache
 def bases() -> dict[str, dict[str, Any]]:
-    """The packaged designs as parsed TOML."""
-    return {name: tomllib.loads(file.read_text()) for name, file in packaged_designs().items()}
+    """The packaged designs of the paper's mechanism as parsed TOML."""
+    packaged = packaged_designs()
+    return {name: tomllib.loads(packaged[name].read_text()) for name in _BASES}
 
 
 @cache

@@ -21,9 +21,12 @@ class PathKind:
             for the reference; its `__post_init__` may refuse what contradicts itself by a `ValueError`, one sentence
             for the user.
         build: function of the keys that returns the curve, mm; it raises `DesignError` where there is none.
+        build_closed: the same for a path that is closed, with a curve that ends as it starts and goes on as smoothly
+            there as elsewhere; None for a kind that has none.
     """
 
     code: str
     meaning: str
     keys: type[Any]
     build: Callable[[Any], PlannedPath]
+    build_closed: Callable[[Any], PlannedPath] | None = None

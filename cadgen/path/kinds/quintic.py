@@ -45,9 +45,18 @@ def _build(keys: QuinticKeys) -> PlannedPath:
     return plan_path(np.array(keys.waypoints_mm), "quintic")
 
 
+def _build_closed(keys: QuinticKeys) -> PlannedPath:
+    import numpy as np
+
+    from cadgen.path.spline import plan_lap
+
+    return plan_lap(np.array(keys.waypoints_mm))
+
+
 QUINTIC = PathKind(
     code="quintic",
     meaning="the sixth-order natural spline of the paper's text through waypoints",
     keys=QuinticKeys,
     build=_build,
+    build_closed=_build_closed,
 )

@@ -12,7 +12,7 @@ from cadgen.adjustment.choice import LIMITS, Forecast, best_settings, forecast
 from cadgen.adjustment.posterior import Posterior, Prior, explain
 from cadgen.adjustment.trial import Noise, Settings, Trial
 from cadgen.arrays import Array
-from cadgen.build import variation
+from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet
 from cadgen.motion.drive import STEPS, start_pose
@@ -216,6 +216,7 @@ def adjust(
         DesignError: as `plan_cam`.
         FileError: as `read_trials` and `trials_of`.
     """
+    cam_model.refuse_laps(design, "an adjustment by trial runs", "adjust the car on a design with an open path")
     records = read_trials(files)
     plan = plan_cam(design, profile, progress, with_play=True)
     trials = trials_of(records, start_pose(plan.track), plan.lift.blend_start)

@@ -35,6 +35,11 @@ from cadgen.workflow.calibration.new_cam import expected_of
 from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
 from cadgen.workflow.cam.plan import plan_cam
 
+# A closed path is refused with these.
+_LAPS = (
+    "a calibration",
+    "calibrate the car on a design with an open path, and give a measured return error as play.measured_deg",
+)
 _STATIONS = 3600  # at which any other is rolled
 # Rows that are read for one command which judges every file alone: their records have some 200 MB.
 MOST_READ = 2_000_000
@@ -203,6 +208,7 @@ def calibrate(
         DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
         FileError: files that cannot be judged together, whose units cannot be, or that the design has in it already.
     """
+    cam_model.refuse_laps(design, *_LAPS)
     _refuse_known(design, sources)
     floor, stated = stated_form_error(sources, form_error_um)
     diagnoses: dict[Kind, Diagnosis] = {}
@@ -265,6 +271,7 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
     Raises:
         DesignError, CheckError: see `plan_cam`.
     """
+    cam_model.refuse_laps(design, *_LAPS)
     bare = design.as_designed()
     rod = cam_model.rod(bare, "a calibration")
     plan = plan_cam(design, profile, progress)

@@ -15,6 +15,7 @@ from cadgen.course.body import Body
 from cadgen.course.course import Course
 from cadgen.course.gates import Passage, passages
 from cadgen.course.judge import Driven, Stand, judge
+from cadgen.course.laps import judge_laps
 from cadgen.course.poses import Poses
 from cadgen.course.refuse import refuse_course
 from cadgen.course.sweep import Approach
@@ -28,6 +29,9 @@ from cadgen.workflow.cam.against import Against
 
 _STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
 _MOST_STEPS = 40_000
+_LEAST_STEPS = 360  # of a lap
+_ROUNDING = 1e-9  # rad
+_NAMED = 6  # missed gates in a sentence; of ten laps there may be a hundred
 _OF_KIND = {"post": CheckCode.COURSE_POST, "wall": CheckCode.COURSE_WALL, "zone": CheckCode.COURSE_ZONE}
 
 
@@ -36,7 +40,8 @@ class OnCourse:
     """A design's course with the car that is to keep it.
 
     Without a wheel's radius a turn of the cam takes the whole path. Then runs are judged to where the closing blend
-    begins, as everywhere; they go on over the blend to the end of the turn, and what happens there is shown.
+    begins, as everywhere; they go on over the blend to the end of the turn, and what happens there is shown. On a
+    closed path every lap of the run is held against the course.
 
     Attributes:
         design: loaded design.
@@ -63,7 +68,12 @@ class OnCourse:
     @property
     def stop(self) -> float:
         """Motor position at which the runs end, rad."""
-        return TURN if self.design.car.drive_wheel_radius_mm is None else self.lift.blend_start
+        return self.lift.blend_start if self.all_driven else TURN
+
+    @property
+    def all_driven(self) -> bool:
+        """Whether the whole path is driven before a closing blend, or is closed and needs none."""
+        return self.track.closed or self.design.car.drive_wheel_radius_mm is not None
 
     def run(self, driving: Callable[[float, int], Run]) -> "CourseRun":
         """Hold a run against the course.
@@ -71,10 +81,12 @@ class OnCourse:
         Args:
             driving: run up to a motor position (rad) in a number of steps, with what happens between them.
         """
+        if self.track.closed:
+            return self._run_laps(driving)
         steps = min(max(STEPS, ceil(cam_model.travel(self.design, self.track) / _STEP)), _MOST_STEPS)
         run = driving(self.stop, steps)
         poses, end = poses_of(run, self.car), len(run.motor)
-        if self.design.car.drive_wheel_radius_mm is not None:
+        if self.all_driven:
             return CourseRun(self, run, poses, judge(poses, self.car, self.body, self.course))
         end = max(int(np.searchsorted(run.motor, self.lift.blend_start)) + 1, 2)
         late = _late(passages(poses, self.car, self.course.gates), end - 1)
@@ -90,6 +102,14 @@ class OnCourse:
         driven = judge(poses.part(0, end), self.car, self.body, before)
         blend = judge(poses.part(end - 1, len(poses)), self.car, self.body, behind)
         return CourseRun(self, run, poses, driven, blend)
+
+    def _run_laps(self, driving: Callable[[float, int], Run]) -> "CourseRun":
+        laps = self.design.path.run_laps
+        steps = min(max(_LEAST_STEPS, ceil(self.track.length / _STEP)), _MOST_STEPS // laps)
+        run = driving(self.stop, steps * laps)
+        poses, lap = poses_of(run, self.car), TURN / self.track.turn_laps
+        ends = np.searchsorted(run.motor, lap * (np.arange(laps) + 1.0) - _ROUNDING).tolist()
+        return CourseRun(self, run, poses, judge_laps(poses, self.car, self.body, self.course, ends))
 
     @cached_property
     def planned(self) -> "CourseRun":
@@ -164,9 +184,9 @@ class CourseRun:
 
     def figures(self) -> dict[str, tuple[str, float]]:
         """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
-        found = _figures(self.driven)
+        found = self.driven.figures()
         if self.blend is not None:
-            for key, (where, room) in _figures(self.blend).items():
+            for key, (where, room) in self.blend.figures().items():
                 if key not in found or room < found[key][1]:
                     found[key] = (f"{where}, on the blend", room)
         return found
@@ -180,7 +200,7 @@ class CourseRun:
         if self.blend is None:
             return
         room = min(
-            ((room, f"{key}, {where}") for key, (where, room) in _figures(self.blend).items()),
+            ((room, f"{key}, {where}") for key, (where, room) in self.blend.figures().items()),
             default=None,
         )
         if room is not None:
@@ -240,7 +260,9 @@ class CourseRun:
         if worst is None:
             return
         missed = [passage for passage in passages if passage.margin < 0 or passage.fault]
-        place = ", ".join(_missed(passage) for passage in missed) or f"all, {len(passages)} in order"
+        place = ", ".join(passage.missed for passage in missed[:_NAMED]) or f"all, {len(passages)} in order"
+        if len(missed) > _NAMED:
+            place += f", and {len(missed) - _NAMED} more"
         advice = "lead the path through the gates in their order and direction, or make them wider"
         yield self._check(
             CheckCode.COURSE_GATES, "gates passed", len(passages) - len(missed), "", len(passages), "min", place, advice
@@ -267,7 +289,7 @@ class CourseRun:
             f"{name} off",
             stand.off,
             "mm",
-            wanted.place.reach,
+            wanted.place.reach or course_model.STAND_RADIUS,  # a line has none, and rounding must not fail it
             "max",
             what,
             f"let the path {name} there, or change {wanted.key}",
@@ -318,30 +340,6 @@ def _late(passed: Sequence[Passage], end: float) -> list[bool]:
         last = last and (behind or passage.gate.free)
         late.append(behind)
     return late[::-1]
-
-
-def _figures(driven: Driven) -> dict[str, tuple[str, float]]:
-    """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
-    found = {
-        obstacle.key: (f"{there.part}, passing {side} of it", there.clearance)
-        for (obstacle, there), side in zip(driven.approaches, driven.sides, strict=True)
-    }
-    if driven.edge is not None:
-        found["course.field"] = (driven.edge.part, driven.edge.clearance)
-    for passage in driven.passages:
-        wrong = f", wrong {passage.fault}" if passage.fault else ""
-        found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
-    for stand in (driven.start, driven.finish):
-        if stand is not None:
-            off = "" if stand.turned is None else f", {degrees(stand.turned):.2f}° off"
-            found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
-    return found
-
-
-def _missed(passage: Passage) -> str:
-    if passage.fault:
-        return f"{passage.gate.key} in the wrong {passage.fault}"
-    return f"{passage.gate.key} missed by {-passage.margin:.1f} mm"
 
 
 def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:

@@ -45,14 +45,26 @@ def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
         "carrying_planes_mm": list(plan.rod.planes),
         "lift_extrema": _extrema_facts(plan),
         "track_length_mm": plan.track.length,
-        "blend": {
-            "from_cam_angle_deg": degrees(start),
-            "from_track_mm": plan.path_end,
-            "where": plan.track.where(plan.path_end),
-        },
+        **_turn_facts(plan),
         "profile_area_mm2": plan.area,
         "play": None if plan.against is None else against_facts(plan.against),
         "as_built": as_built_facts(plan.design, start),
+    }
+
+
+def _turn_facts(plan: CamPlan) -> dict[str, Any]:
+    """Content of a turn of the cam: a path and a closing blend, or laps."""
+    if plan.laps is not None:
+        against = plan.against
+        if against is None:
+            return {"laps": plan.laps.facts(None)}
+        return {"laps": plan.laps.facts(against.run, before=against.before, after=against.chosen)}
+    return {
+        "blend": {
+            "from_cam_angle_deg": degrees(plan.lift.blend_start),
+            "from_track_mm": plan.path_end,
+            "where": plan.track.where(plan.path_end),
+        }
     }
 
 

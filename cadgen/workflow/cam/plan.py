@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from cadgen.arrays import TURN
 from cadgen.build import cam_model, variation
 from cadgen.cam.checks import LOST_LIFT, check_cam
 from cadgen.cam.envelope import Trim
@@ -16,7 +17,9 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.deviations.edges import edges_check
 from cadgen.errors import DesignError
+from cadgen.motion.drive import drive, start_pose
 from cadgen.optimize.evaluate import evaluate
+from cadgen.optimize.laps import Laps
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.profiles.optimized import OPTIMIZED
 from cadgen.optimize.profiles.profile import Profile
@@ -50,6 +53,7 @@ class CamPlan:
         checks: every figure with its verdict.
         against: comparison of the profile with the plain profile under play; None for a profile that is not for play.
         course: course of the design with the car that is to keep it; None without [course].
+        laps: laps of a closed path; None of an open one.
     """
 
     design: Design
@@ -63,6 +67,7 @@ class CamPlan:
     checks: tuple[Check, ...]
     against: Against | None = None
     course: OnCourse | None = None
+    laps: Laps | None = None
 
     @property
     def passed(self) -> bool:
@@ -98,7 +103,7 @@ class CamPlan:
 
     @property
     def path_end(self) -> float:
-        """Arc length of the track up to which the path steers, mm: there the closing blend begins."""
+        """Arc length of the track up to which the path steers, mm: there the closing blend begins, or the lap ends."""
         return cam_model.path_end(self.design, self.track)
 
     @property
@@ -174,14 +179,15 @@ def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
     progress("checking the profile")
     cut = cam_model.as_built(design).precompensated(wanted.curve)
     limits = cam_model.check_limits(design)
-    course = on_course(design, track, lift)
+    course, laps = on_course(design, track, lift), _laps(design, track, lift)
     checks = (
         *check_cam(lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
         *course_checks(course),
+        *(laps.checks(None) if laps else ()),
         *outlook_checks(design),
     )
-    return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks, course=course)
+    return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, checks, course=course, laps=laps)
 
 
 def _plan_against_play(
@@ -201,7 +207,7 @@ def _plan_against_play(
     against = against_play(profile, checks, all_trains=all_trains, measured=measured)
     chosen = against.chosen
     progress("checking the profile")
-    course = on_course(design, track, lift)
+    course, laps = on_course(design, track, lift), _laps(design, track, lift)
     return CamPlan(
         design,
         profile,
@@ -211,9 +217,15 @@ def _plan_against_play(
         chosen.cut,
         chosen.wanted.trims,
         blank,
-        (*checks.of(chosen), *course_checks(course, against), *outlook_checks(design)),
+        (
+            *checks.of(chosen),
+            *course_checks(course, against),
+            *(laps.checks(chosen) if laps else ()),
+            *outlook_checks(design),
+        ),
         against,
         course,
+        laps,
     )
 
 
@@ -251,6 +263,20 @@ def against_of(plan: CamPlan) -> Against:
         choices = listed(codes(for_play=True), "or")
         raise DesignError(f'the profile "{plan.profile}" does nothing about play: choose {choices}')
     return plan.against
+
+
+def _laps(design: Design, track: Track, lift: LiftCurve) -> Laps | None:
+    """The laps of a closed path; None of an open one."""
+    if not track.closed:
+        return None
+    start, stop = track.heading(track.arc)[[0, -1]].tolist()
+    return Laps(
+        in_turn=track.turn_laps,
+        in_run=design.path.run_laps,
+        length=track.length,
+        turned=TURN * round((stop - start) / TURN),
+        planned=drive(lift, cam_model.car(design), cam_model.travel(design, track), start=start_pose(track)),
+    )
 
 
 def _rolling(profile: Profile, rod: Follower) -> Follower:

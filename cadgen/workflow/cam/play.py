@@ -18,6 +18,8 @@ from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.choosing import best_of
 from cadgen.workflow.cam.mechanics import border_sentences, joint_sentences, rubbing_sentence
 
+_LEAST_MISSED = 1e-4  # mm of lift; less is below what can be cut
+
 
 def against_play(
     profile: Profile, checks: ProfileChecks, *, all_trains: bool = False, measured: MeasuredCam | None = None
@@ -85,10 +87,8 @@ def _evaluations(work: TrainTask, profile: Profile) -> tuple[tuple[Evaluation, .
         return (plain, *(evaluate(work, kind) for kind in (profile,) if kind is not ACTUAL)), ()
     blend = work.task.lift.blend_start
     if not (falls(work.task.lift) % TURN < blend).any():
-        reason = (
-            f"the lift has no peak and no valley before its closing blend at {degrees(blend):.1f}°, so play changes "
-            f"nothing: the actual profile is made"
-        )
+        where = f" before its closing blend at {degrees(blend):.1f}°" if work.task.lift.blended else ""
+        reason = f"the lift has no peak and no valley{where}, so play changes nothing: the actual profile is made"
         return (plain,), (reason,)
     evaluations, refusals = [plain], dict[str, str]()
     for kind in compared()[1:]:
@@ -105,6 +105,8 @@ def _lost_sentences(task: Task, chosen: Evaluation) -> list[str]:
         return []
     worst = max(chosen.lost, key=lambda dip: dip.tan_beta)
     missed = worst.tan_beta * task.follower.outer
+    if missed < _LEAST_MISSED:
+        return []
     verb = "is" if len(chosen.lost) == 1 else "are"
     return [
         f"{len(chosen.lost)} of the lift's dips {verb} narrower than the return error of "

@@ -47,7 +47,8 @@ class DriveWheel:
         radius: radius R_h, mm; None where neither it nor a train is known.
         known: whether the design gives the radius; else a turn of the cam takes the whole path.
         turn: travel in one turn of the cam, mm.
-        finish: cam angle up to which runs are judged, rad: there the closing blend begins.
+        finish: motor position up to which runs are judged, rad: there the closing blend begins, or the laps end.
+        laps: laps of a closed path in one turn of the cam, and in a run; None of an open path.
         blend: end of the turn, if the blend steers the last of the path; None if all of it is driven before.
     """
 
@@ -56,6 +57,7 @@ class DriveWheel:
     turn: float
     finish: float
     blend: BlendEnd | None
+    laps: tuple[int, int] | None = None
 
     def sentence(self) -> str:
         """Radius of the wheel and end of the run, in words."""
@@ -63,7 +65,16 @@ class DriveWheel:
         if self.radius is None:
             first = f"Drive wheel: {going}; its radius follows from the ratio of [train], which the design lacks."
         else:
-            first = f"Drive wheel: radius {self.radius:.3f} mm, {going}; the cam is right for this wheel alone."
+            digits = 3 if self.laps is None else 4  # of a closed path all four are needed to give it in the design
+            radius = f"{self.radius:.{digits}f} mm"
+            first = f"Drive wheel: radius {radius}, {going}; the cam is right for this wheel alone."
+        if self.laps is not None:
+            in_turn, in_run = self.laps
+            turn = "a lap" if in_turn == 1 else f"{in_turn} laps of {self.turn / in_turn:.0f} mm"
+            return (
+                f"{first} The path is closed and a turn of the cam is {turn}; nothing is blended, and runs are judged "
+                f"after {'a lap' if in_run == 1 else f'{in_run} laps'}."
+            )
         if self.blend is None:
             return (
                 f"{first} The whole path is driven by cam angle {degrees(self.finish):.2f}°, before the closing blend."
@@ -102,10 +113,11 @@ def drive_wheel(design: Design, track: Track, lift: LiftCurve) -> DriveWheel:
     turn, known = cam_model.travel(design, track), design.car.drive_wheel_radius_mm is not None
     radius = variation.wheel_radius(design, turn)
     blend = None
-    if not known:
+    laps = (track.turn_laps, design.path.run_laps) if track.closed else None
+    if not known and laps is None:
         run = drive(lift, cam_model.car(design), turn, start=start_pose(track), stop=TURN)
         off = float(np.hypot(*(run.drive_wheel[-1] - track.position(track.length))))
         turned = float(run.heading[-1] - track.heading(np.array([0.0, track.length]))[-1])
         turned = (turned + TURN / 2) % TURN - TURN / 2
         blend = BlendEnd(track.length - cam_model.path_end(design, track), off, turned)
-    return DriveWheel(radius if isfinite(radius) else None, known, turn, lift.blend_start, blend)
+    return DriveWheel(radius if isfinite(radius) else None, known, turn, lift.blend_start, blend, laps)

@@ -24,7 +24,7 @@ from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
 from cadgen.workflow.planning.task import Reserve, task_of
 
-_ROUNDS = 3  # of plan and exact chain
+_ROUNDS = 5  # of plan and exact chain; most plans need one
 _MORE_PRESSURE, _MORE_RADIUS, _MORE_MARGIN = radians(0.5), 0.5, 0.1  # beyond what a check asks for; rad, mm, mm
 _FLATTER = radians(2.0)  # rad
 _WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is chosen
@@ -145,7 +145,7 @@ def _refuse_course(design: Design) -> None:
 
 
 def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
-    if task.vehicle.path_turn == 1.0:
+    if task.vehicle.closed or task.vehicle.path_turn == 1.0:
         return None
     turn = result.path.cost.line.length / task.vehicle.path_turn
     least = turn / (2 * pi * float(gear_model.train(design).ratio))

@@ -55,6 +55,8 @@ def _free_wheel(design: Design, drawn: bool) -> bool:
         design: loaded design.
         drawn: whether the design has a path.
     """
+    if design.path.closed:
+        return False
     finish = design.course is not None and design.course.finish is not None
     return design.car.drive_wheel_radius_mm is None and design.train is not None and (finish or not drawn)
 
@@ -81,6 +83,11 @@ def task_of(
     Raises:
         DesignError: the design has no course, no start, or another follower than the rod.
     """
+    if near is not None and near.closed != bool(design.path.closed):
+        raise DesignError(
+            "the path to stay near to is closed and the one to be planned is not, or the other way round: set "
+            "path.closed alike in both"
+        )
     vehicle = _vehicle(design, near is None and _free_wheel(design, drawn is not None))
     course = _course(design, drawn) if near is None else in_order(course_model.course(design) or Course())
     return Task(
@@ -106,6 +113,10 @@ def _course(design: Design, drawn: Track | None) -> Course:
             "the design has no course to plan a path for: add [course] with [course.start], [[course.gates]] and "
             "[course.finish]"
         )
+    if design.path.closed and course.finish is not None:
+        raise DesignError(
+            "course.finish is given, but path.closed is true and each lap ends where it starts: remove course.finish"
+        )
     if course.start is None and drawn is None:
         raise DesignError("course.start is missing: add [course.start] with at_mm and heading_deg")
     start, finish = course.start, course.finish
@@ -113,6 +124,8 @@ def _course(design: Design, drawn: Track | None) -> Course:
         start = _stand("path", drawn, 0.0)
     if finish is None and drawn is not None:
         finish = _stand("path", drawn, drawn.length)
+    if design.path.closed:
+        return in_order(replace(course, start=start, finish=start))
     course = in_order(replace(course, start=start, finish=finish))
     if finish is None and course.gates:
         *gates, last = course.gates
@@ -134,27 +147,42 @@ def _vehicle(design: Design, free: bool) -> Vehicle:
         spread = max((high - low) / 2, radians(0.01))
     rod = rod_of(cam_model.follower(design), "planning a path", "plan with the rod")
     share = 1.0 - design.cam.blend_deg / 360
-    travel, most_length = None, inf
-    if (radius := design.car.drive_wheel_radius_mm) is not None:
-        if design.train is None:
-            raise DesignError(
-                f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the "
-                "ratio of [train] too: add [train], or remove car.drive_wheel_radius_mm"
-            )
-        travel = TURN * radius * float(gear_model.train(design).ratio)
-        most_length = travel * share
+    laps, travel = bool(design.path.closed), _given_travel(design)
     return Vehicle(
         car=cam_model.car(design),
         body=course_model.body(design),
         path_offset=design.path.offset_mm,
         base_radius=rod.base_radius,
         faces=(rod.inner, rod.outer),
-        spread=spread,
+        spread=spread * (design.path.run_laps if laps else 1),
         travel=travel,
-        most_length=most_length,
-        path_turn=share if free else 1.0,
-        end=1.0 if free or travel is not None else share,
+        most_length=inf if travel is None else travel * share,
+        path_turn=1 / design.path.turn_laps if laps else share if free else 1.0,
+        end=1.0 if laps or free or travel is not None else share,
+        closed=laps,
     )
+
+
+def _given_travel(design: Design) -> float | None:
+    """Travel for one turn of the cam, mm, where the design gives the drive wheel's radius; None where it does not.
+
+    Raises:
+        DesignError: the radius is given without a train, or for a closed path, whose length decides it.
+    """
+    radius = design.car.drive_wheel_radius_mm
+    if radius is None:
+        return None
+    if design.path.closed:
+        raise DesignError(
+            f"car.drive_wheel_radius_mm is {radius:g}, but the length of a planned lap decides the drive wheel: remove "
+            "the key, and the plan names the radius"
+        )
+    if design.train is None:
+        raise DesignError(
+            f"car.drive_wheel_radius_mm is {radius:g}, but how far the car goes in a turn of the cam needs the ratio "
+            "of [train] too: add [train], or remove car.drive_wheel_radius_mm"
+        )
+    return TURN * radius * float(gear_model.train(design).ratio)
 
 
 def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reserve) -> Limits:

@@ -29,6 +29,11 @@ def sentences(planned: PlannedPath) -> list[str]:
         lines.append(
             f"the plan is for a drive wheel of {radius:.2f} mm radius: the whole path before the closing blend"
         )
+    if cam.laps is not None:
+        said = [cam.wheel.sentence()]
+        if cam.against is not None:
+            said += cam.laps.sentences(cam.against.run, cam.against.before, cam.against.chosen)
+        lines += [sentence.removesuffix(".") for sentence in said]
     if not cam.passed:
         lines.append("a check still fails, so nothing is written: see the table")
     return lines

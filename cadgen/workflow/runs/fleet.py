@@ -21,7 +21,8 @@ def fleet_of(
 
     Args:
         plan: of the cam that all cars have, planned with play.
-        stations: steps of the run, of `STEPS`, at which poses are wanted, in order; the last is the end of the run.
+        stations: steps of the run, `STEPS` to a turn that is begun, at which poses are wanted, in order; the last is
+            the end of the run.
         mechanics: friction and drag of the nominal car; None if the rod slides freely.
         play: return error of the nominal car, rad.
         grid: cam angles of a turn on which the cars are integrated.

@@ -15,7 +15,8 @@ from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
 
 def simulation_facts(simulation: Simulation) -> dict[str, Any]:
     """Facts on the runs with play."""
-    plan, against = simulation.plan, simulation.against
+    plan, against, laps = simulation.plan, simulation.against, simulation.plan.laps
+    runs = {"before": simulation.before, "after": simulation.after}
     return {
         **design_facts(plan.design),
         "drive_wheel": plan.wheel.facts(),
@@ -41,6 +42,7 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
         "before": _end_facts(simulation.before_error),
         "after": _end_facts(simulation.after_error),
         "after_without_play": _end_facts(against.chosen.deviation),
+        **({} if laps is None else {"laps": laps.track_facts(planned=simulation.planned, **runs)}),
         "course": simulation.on_course
         and {
             name: {key: {"room_mm": room, "where": where} for key, (where, room) in run.figures().items()}

@@ -6,14 +6,14 @@ from functools import cached_property
 
 import numpy as np
 
-from cadgen.arrays import Array
+from cadgen.arrays import TURN, Array
 from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, FileError
 from cadgen.monte_carlo.fleet import Fleet
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
-from cadgen.motion.drive import STEPS
+from cadgen.motion.drive import STEPS, turns_of
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet
@@ -208,10 +208,17 @@ def _count(plan: CamPlan) -> int:
 
 
 def _gates(plan: CamPlan) -> list[int]:
-    """Steps of the run at which the car passes the waypoints after the first, and its end; with a course its end."""
-    if plan.course is not None and plan.course.course.gates:
-        return [STEPS]
+    """Steps of the run at which the car passes the waypoints after the first, and its end; with a course its end.
+
+    On a closed path the car passes its waypoints, and its start, on every lap.
+    """
     stop = plan.lift.blend_start
+    last = STEPS * turns_of(stop)
+    if plan.course is not None and plan.course.course.gates:
+        return [last]
     motor = cam_model.cam_angle(plan.design, plan.track, plan.track.waypoint_arc[1:])
-    steps = np.unique(np.rint(motor[motor < stop] / stop * STEPS).astype(int))
-    return [*steps[(steps > 0) & (steps < STEPS)].tolist(), STEPS]
+    if plan.track.closed:
+        laps = np.arange(plan.design.path.run_laps) * TURN / plan.track.turn_laps
+        motor = (laps[:, None] + motor).ravel()
+    steps = np.unique(np.rint(motor[motor < stop] / stop * last).astype(int))
+    return [*steps[(steps > 0) & (steps < last)].tolist(), last]
