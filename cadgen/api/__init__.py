@@ -14,6 +14,7 @@
 | `advice`   | what to measure next; runs predicted with what was found                   |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |
+| `card`     | settings for every spacing that can be drawn                               |
 | `design`   | a design and what can be done with it                                      |
 
 Everything raises the errors of `cadgen.errors`: one sentence that says what is wrong, where, and what to change. The

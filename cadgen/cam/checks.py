@@ -92,6 +92,24 @@ def check_cam(
     return tuple(sorted(rows, key=lambda check: _ORDER.get(check.code, len(_ORDER))))
 
 
+def riding_checks(
+    lift: LiftCurve, follower: Follower, contact: Contact, blank: Blank, limits: CheckLimits
+) -> tuple[Check, ...]:
+    """Checks of a follower on a disc that stands elsewhere than it was made for: pressure angle and room.
+
+    Args:
+        lift: lift that the disc gives there.
+        follower: follower as it stands to the disc.
+        contact: contact of the two.
+        blank: features of the disc besides its profile.
+        limits: limits of the checks, mm and rad.
+    """
+    steering = np.stack([contact.tan_beta, contact.tan_beta])
+    idle = lift.in_blend(contact.cam_angle)
+    cam = RolledCam(lift=lift, contact=contact, trimmed=idle, steering=steering, blank=blank, limits=limits)
+    return (*_pressure(lift, contact, limits), *follower.checks(cam))
+
+
 def _trimmed(lift: LiftCurve, theta: Array, trims: tuple[Trim, ...]) -> NDArray[np.bool_]:
     """Where the envelope is trimmed lift is lost, and the blend does not drive: both have checks of their own."""
     trimmed = lift.in_blend(theta)

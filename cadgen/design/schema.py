@@ -23,6 +23,7 @@ from cadgen.design.outline import Outline
 from cadgen.design.path import Path, path_by_kind
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed
+from cadgen.design.settings import Settings
 from cadgen.design.train import Train, train_by_stages
 
 THINNEST_DISC_MM = 0.1
@@ -221,6 +222,7 @@ class TrainFile(Section):
     mechanics: Mechanics | None = None
     tolerances: Tolerances = Tolerances()
     optimize: Optimize = Optimize()
+    settings: Settings | None = None
     as_built: AsBuilt | None = None
 
     @field_validator("path", mode="wrap")
