@@ -82,7 +82,8 @@ class Plan(Generic[D]):
         if self.computed.cam is None:
             raise CheckError(self.sentences[0])
         if not self.passed:
-            raise CheckError(refusal(self.computed.cam.checks))
+            drawn = (check for each in self.computed.drawn for check in each.checks)
+            raise CheckError(refusal((*self.computed.cam.checks, *drawn)))
         place: Path = folder_of(folder)
         written = write_plan(self.computed, place, progress)
         return Written.of(place, written.part, written.entry)

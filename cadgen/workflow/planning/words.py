@@ -3,6 +3,7 @@
 from math import degrees
 from typing import Any
 
+from cadgen.report import settings
 from cadgen.report.reasons import cure, fault
 from cadgen.version import __version__
 from cadgen.workflow.planning.plan import PlannedPath
@@ -29,7 +30,9 @@ def sentences(planned: PlannedPath) -> list[str]:
         lines.append(
             f"the plan is for a drive wheel of {radius:.2f} mm radius: the whole path before the closing blend"
         )
-    if not cam.passed:
+    if planned.drawn:
+        lines += [*settings.sentences(planned.drawn, None), "cadgen card has the settings for every spacing"]
+    if not planned.passed:
         lines.append("a check still fails, so nothing is written: see the table")
     return lines
 
@@ -68,6 +71,7 @@ def facts(planned: PlannedPath) -> dict[str, Any]:
         "worst_end_heading_deg": None if against is None else degrees(against.chosen.band.worst_heading),
         "return_error_deg": None if against is None else [degrees(end) for end in against.band.ends],
         "failed": [] if cam is None else [check.code for check in cam.failed],
+        "settings": settings.rows(design, planned.drawn),
         "said": sentences(planned),
         "reasons": [
             {"limit": each.limit, "amount": each.amount, "near_mm": list(each.place), "enough": each.enough}
