@@ -23,12 +23,14 @@ class PlannedPath:
         spline: vector-valued B-spline on [knots[0], knots[-1]].
         smooth: True when curvature has a continuous slope at the knots.
         knot_name: name of the curve's points at its knots, in messages.
+        points_key: key of the points that shape the curve, for messages.
     """
 
     knots: Array
     spline: BSpline
     smooth: bool
     knot_name: str = "waypoint"
+    points_key: str = "path.waypoints_mm"
 
     def derivatives(self, u: Array) -> Array:
         """Position and first four derivatives by u, shape (5, n, 2); beyond the spline's degree they vanish."""
@@ -120,4 +122,5 @@ def control_path(points: Array) -> PlannedPath:
         )
     knots = path_knots(len(points))
     spline = BSpline(knots, points, DEGREE)
-    return PlannedPath(knots=knots[DEGREE:-DEGREE], spline=spline, smooth=True, knot_name="knot")
+    knots = knots[DEGREE:-DEGREE]
+    return PlannedPath(knots=knots, spline=spline, smooth=True, knot_name="knot", points_key="path.control_points_mm")

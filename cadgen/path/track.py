@@ -38,6 +38,7 @@ class Track:
         waypoint_arc: arc length of this track at each waypoint, or knot of a path without any, shape (m,), mm.
         turn: travel of the drive wheel in one turn of the cam, mm.
         knot_name: name of the waypoints or knots in messages.
+        points_key: key of the points that shape the path, for messages.
     """
 
     length: float
@@ -49,6 +50,7 @@ class Track:
     waypoint_arc: Array
     turn: float
     knot_name: str = "waypoint"
+    points_key: str = "path.waypoints_mm"
 
     def heading(self, arc: Array) -> Array:
         """Direction of travel at arc lengths (mm), rad, unwrapped along the array."""
@@ -114,6 +116,7 @@ def offset_track(path: PlannedPath, offset: float, turn: float | None = None) ->
         waypoint_arc=span_start,
         turn=float(span_start[-1]) if turn is None else turn,
         knot_name=path.knot_name,
+        points_key=path.points_key,
     )
 
 
@@ -195,5 +198,6 @@ def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k:
     raise DesignError(
         f"the path turns {side} with a radius of {1 / abs(k[worst]):.1f} mm at ({position[worst, 0]:.0f}, "
         f"{position[worst, 1]:.0f}) mm, between {path.knot_name}s {span} and {span + 1}, but the drive wheel runs "
-        f"{abs(offset):.1f} mm inside it, so its track has a cusp there: move the waypoints to a wider turn"
+        f"{abs(offset):.1f} mm inside it, so its track has a cusp there: widen "
+        f"the turn there ({path.points_key})"
     )

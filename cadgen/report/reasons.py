@@ -1,10 +1,33 @@
 """Reasons why a course cannot be driven, in words, each with the least change that would do."""
 
-from math import atan, degrees, tan
+from math import atan, degrees, radians, tan
 
+from cadgen.course.turning import largest_circle, least_steering, turning_circle
 from cadgen.design.schema import Design
 from cadgen.planner.reasons import Reason
 from cadgen.planner.task import Task
+
+_STEEPEST = radians(75)
+# Limits that a field brings about in which the car cannot turn round.
+_OF_TURNS = ("turn", "pressure angle", "convex radius", "course.field")
+
+
+def narrow_field(reason: Reason, task: Task) -> str:
+    """Sentence on a field in which the car cannot turn round, where that may be why; empty if it can."""
+    field, vehicle = task.course.edge, task.vehicle
+    if field is None or reason.limit not in _OF_TURNS or (reason.enough and reason.limit != "course.field"):
+        return ""
+    car, body = vehicle.car, vehicle.body
+    taken, room = turning_circle(body, car, car.max_steering_angle) + task.course.margin, largest_circle(field)
+    if taken <= room:
+        return ""
+    steering = least_steering(body, car, room - task.course.margin, _STEEPEST)
+    more = "" if steering is None else f", or raise car.max_steering_angle_deg to {degrees(steering) + 0.5:.0f}"
+    return (
+        f"course.field is too small for the car to turn round in: with {degrees(car.max_steering_angle):.0f} degrees "
+        f"of steering that takes a circle of {taken:.0f} mm radius, and the field holds one of {room:.0f} mm: make the "
+        f"field {2 * (taken - room) + 1:.0f} mm wider{more}"
+    )
 
 
 def fault(reason: Reason, task: Task) -> str:

@@ -26,7 +26,8 @@ from cadgen.workflow.cam.plan import CamPlan, plan_cam
 from cadgen.workflow.card.plan import card_of
 from cadgen.workflow.planning.task import task_of
 
-_ROUNDS, _ROUNDS_OF_A_DRAW = 3, 7  # of plan and exact chain
+# Of plan and exact chain; more where other runs than the planned one must keep the course.
+_ROUNDS, _MORE_ROUNDS = 3, 7
 _SPACINGS = 5  # of a draw, at which a plan is driven
 _WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is chosen
 
@@ -99,10 +100,10 @@ def plan_design(
         DesignError: the design has no course or no start, or its values cannot be.
     """
     _refuse_course(design)
-    rounds = _ROUNDS
+    rounds = _MORE_ROUNDS if design.course is not None and design.course.judged == "play" else _ROUNDS
     if course_model.draw(design) is not None:
         draw_model.settings(design)
-        rounds = _ROUNDS_OF_A_DRAW
+        rounds = _MORE_ROUNDS
     reserve, begin = Reserve(), None
     for number in range(rounds):
         progress("planning the path" if number == 0 else "planning on with what the checks ask for")

@@ -4,7 +4,7 @@ from math import degrees
 from typing import Any
 
 from cadgen.report import settings
-from cadgen.report.reasons import cure, fault
+from cadgen.report.reasons import cure, fault, narrow_field
 from cadgen.version import __version__
 from cadgen.workflow.planning.plan import PlannedPath
 
@@ -44,6 +44,8 @@ def _refusal(planned: PlannedPath) -> list[str]:
         names = ", ".join(planned.plan.missed)
         return [f"no path was found that keeps all limits; the best one violates {names}: try --seeds 5"]
     first, *rest = planned.reasons
+    if narrow := narrow_field(first, planned.task):
+        return [f"the course cannot be driven: {narrow}"]
     lines = [f"the course cannot be driven: {fault(first, planned.task)}"]
     if first.enough:
         lines[0] += f"; least change that does: {cure(first, planned.task, planned.design)}"
