@@ -163,17 +163,6 @@ def test_a_post_on_the_start_is_refused():
 
 
 @pytest.mark.slow
-def test_runs_with_play_keep_a_course_that_they_are_judged_by():
-    plan = Design.from_toml(SMALL, train_only=True).with_({"course.judged": "play"}).plan()
-    assert plan.passed, plan.sentences
-    played = {
-        check.code: check for check in plan.cam.checks if check.code.startswith("course") and "play" in check.code
-    }
-    assert {"course-post-play", "course-gates-play", "course-finish-play"} <= set(played)
-    assert all(np.isfinite(check.limit) for check in played.values())
-
-
-@pytest.mark.slow
 def test_a_field_in_which_the_car_cannot_turn_round_is_named():
     text = SMALL.replace("corner_mm = [-600.0, -1500.0], size_mm = [5600.0, 3500.0]", NARROW).partition("gates = [")[0]
     back = "at_mm = [300.0, 0.0], radius_mm = 50.0, heading_deg = 180.0"
@@ -186,10 +175,15 @@ def test_a_field_in_which_the_car_cannot_turn_round_is_named():
 
 
 @pytest.mark.slow
-def test_a_course_whose_spacing_is_drawn():
-    plan = Design.from_toml(SMALL + DRAWN, train_only=True).plan()
+def test_a_course_whose_spacing_is_drawn_and_runs_with_play_judged():
+    plan = Design.from_toml(SMALL + DRAWN, train_only=True).with_({"course.judged": "play"}).plan()
     print(*plan.sentences, sep="\n")
     assert plan.passed
+    for checks in (plan.cam.checks, plan.computed.drawn[0].checks):
+        of_course = [check for check in checks if check.code.startswith("course")]
+        played = {check.code: check for check in of_course if check.code.endswith("play")}
+        assert {"course-post-play", "course-gates-play", "course-finish-play"} <= set(played)
+        assert all(np.isfinite(check.limit) and check.passed for check in played.values())
     assert [each.spacing for each in plan.computed.drawn] == [900, 950, 1000, 1050, 1100]
     assert plan.sentences[-1] == "cadgen card has the settings for every spacing"
     assert plan.facts()["settings"][0]["spacing_mm"] == 900
