@@ -198,6 +198,6 @@ def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k:
     raise DesignError(
         f"the path turns {side} with a radius of {1 / abs(k[worst]):.1f} mm at ({position[worst, 0]:.0f}, "
         f"{position[worst, 1]:.0f}) mm, between {path.knot_name}s {span} and {span + 1}, but the drive wheel runs "
-        f"{abs(offset):.1f} mm inside it, so its track has a cusp there: widen "
-        f"the turn there ({path.points_key})"
+        f"{abs(offset):.1f} mm inside it, so its track has a cusp there: lead "
+        f"the path through a wider turn ({path.points_key})"
     )
