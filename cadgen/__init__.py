@@ -24,6 +24,7 @@ The rooms, in walking order; each imports only those before it.
 | `cam`         | lift, theoretical and actual profile, contact, checks                     |
 | `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |
 | `motion`      | how the car runs when the gears have play                                 |
+| `draws`       | one cam for every draw: what to set on the car for each spacing           |
 | `deviations`  | deviations of a real car from its design, and their effects               |
 | `measurement` | measured data -> the effects that explain them; one object a kind of data |
 | `expectation` | what a new cam, a measurement not made and a run not used will show       |
@@ -55,6 +56,7 @@ _HOMES = {
     "Calibration": "api.calibration",
     "Cam": "api.cam",
     "CheckError": "errors",
+    "Card": "api.card",
     "Comparison": "api.runs",
     "Design": "api.design",
     "DesignError": "errors",
@@ -85,6 +87,7 @@ if TYPE_CHECKING:
     from cadgen.api.adjustment import Adjustment
     from cadgen.api.calibration import Calibration
     from cadgen.api.cam import Cam
+    from cadgen.api.card import Card
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
     from cadgen.api.files import Written, WrittenFile, verify
@@ -102,6 +105,7 @@ __all__ = [
     "CadgenError",
     "Calibration",
     "Cam",
+    "Card",
     "CheckError",
     "Comparison",
     "Design",

@@ -77,6 +77,7 @@ class CheckCode(StrEnum):
     COURSE_GATE_MARGIN_PLAY = "course-gate-margin-play"
     COURSE_FINISH_PLAY = "course-finish-play"
     COURSE_FINISH_HEADING_PLAY = "course-finish-heading-play"
+    STEERING_ANGLE = "steering-angle"
     BODIES_OVERLAP = "bodies-overlap"
 
 

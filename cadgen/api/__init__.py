@@ -15,6 +15,7 @@
 | `advice`   | what to measure next; runs predicted with what was found                   |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |
+| `card`     | settings for every spacing that can be drawn                               |
 | `design`   | a design and what can be done with it                                      |
 | `page`     | the report page of a design                                                |
 

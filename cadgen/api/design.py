@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from cadgen.api.advice import Advice
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam
+    from cadgen.api.card import Card
     from cadgen.api.gears import GearTrain
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
 ORDERS = ("as-given", "reordered", "search")
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
-_WITHIN_MM = 25.0
 
 
 @dataclass(frozen=True, repr=False)
@@ -322,8 +322,7 @@ class Design:
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         computed = calibrate_each(design, profile, sources_of(data, each=True, progress=progress), error, progress)
-        same = Design(design, self.text, self.file)
-        return Calibrations(tuple(Calibration(result, same) for result in computed))
+        return Calibrations(tuple(Calibration(result, Design(design, self.text, self.file)) for result in computed))
 
     def adjust(
         self,
@@ -380,19 +379,18 @@ class Design:
         Raises:
             DesignError: the design has no course or no start, or a number is out of its range.
         """
-        from cadgen.api.planning import SEEDS, WITHIN_MM, Plan
-        from cadgen.build import cam_model
-        from cadgen.workflow.planning.plan import Wanted, plan_design
+        from cadgen.api.planning import planned
 
-        within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
-        if within is not None and improve is None:
-            raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
-        near = None if improve is None else cam_model.track(improve.complete())
-        calm = near if calm_as is None else cam_model.track(calm_as.complete())
-        known, drawn = load.course_of(self.text, self.file, self.values.overrides)
-        wanted = Wanted(near, _WITHIN_MM if within is None else within, calm, whole("seeds", seeds, *SEEDS))
-        own = cam_model.track(known) if drawn else None
-        return Plan(plan_design(known, self.text, own, wanted, progress), self)
+        others = None if improve is None else improve.complete(), None if calm_as is None else calm_as.complete()
+        course = load.course_of(self.text, self.file, self.values.overrides)
+        return planned(self, self.text, course, others, within_mm, seeds, progress)
+
+    def card(self, profile: str | None = None, *, progress: Progress = silent) -> "Card":
+        """Find what to set, by [settings], for each spacing of [course.spacing]; arguments and errors as in `cam`."""
+        from cadgen.api.card import Card
+        from cadgen.workflow.card.plan import plan_card
+
+        return Card(plan_card(self.complete(), profile, progress))
 
     def complete(self) -> DesignValues:
         """The design, if it has all that a cam needs."""

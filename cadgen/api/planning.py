@@ -9,13 +9,17 @@ from typing import Any, Generic
 from cadgen.api.calibration import D
 from cadgen.api.cam import Cam
 from cadgen.api.files import Written, folder_of, refusal
-from cadgen.errors import CheckError
+from cadgen.api.values import optional, whole
+from cadgen.build import cam_model
+from cadgen.design.schema import Design as DesignValues
+from cadgen.errors import CheckError, DesignError
 from cadgen.progress import Progress, silent
-from cadgen.workflow.planning.plan import PlannedPath
+from cadgen.workflow.planning.plan import PlannedPath, Wanted, plan_design
 from cadgen.workflow.planning.words import facts, sentences
 from cadgen.workflow.planning.write import write_plan
 
 WITHIN_MM, SEEDS = (0.1, 1000.0), (1, 100)
+_WITHIN_MM = 25.0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -78,7 +82,40 @@ class Plan(Generic[D]):
         if self.computed.cam is None:
             raise CheckError(self.sentences[0])
         if not self.passed:
-            raise CheckError(refusal(self.computed.cam.checks))
+            drawn = (check for each in self.computed.drawn for check in each.checks)
+            raise CheckError(refusal((*self.computed.cam.checks, *drawn)))
         place: Path = folder_of(folder)
         written = write_plan(self.computed, place, progress)
         return Written.of(place, written.part, written.entry)
+
+
+def planned(
+    source: D,
+    text: str,
+    course: tuple[DesignValues, bool],
+    others: tuple[DesignValues | None, DesignValues | None],
+    within_mm: float | None,
+    seeds: int,
+    progress: Progress,
+) -> Plan[D]:
+    """Plan a path; see `Design.plan`.
+
+    Args:
+        source: design that a path is planned for.
+        text: text of its file.
+        course: the same as it is planned, and whether it has a path of its own.
+        others: design whose path is improved, and one whose curvature's slopes are not exceeded; None without.
+        within_mm: how far the first may be left, mm.
+        seeds: number of searches.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: as `Design.plan`.
+    """
+    (known, drawn), (near, calm) = course, (None if other is None else cam_model.track(other) for other in others)
+    within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
+    if within is not None and near is None:
+        raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
+    wanted = Wanted(near, _WITHIN_MM if within is None else within, calm or near, whole("seeds", seeds, *SEEDS))
+    own = cam_model.track(known) if drawn else None
+    return Plan(plan_design(known, text, own, wanted, progress), source)

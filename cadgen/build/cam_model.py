@@ -3,6 +3,7 @@
 Car, rod, lift and key are those of the car as it was built, if the design has [as_built].
 """
 
+from dataclasses import fields
 from math import ceil, degrees, radians
 
 import numpy as np
@@ -269,6 +270,7 @@ def check_limits(design: Design) -> CheckLimits:
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
         wall=design.checks.min_wall_mm,
+        points_key=f"path.{fields(design.path.keys)[0].name}",
     )
 
 

@@ -1,10 +1,11 @@
 """From a design to the course and the car's outline."""
 
-from math import inf, radians
+from math import floor, inf, radians
 
 from cadgen.build import cam_model
 from cadgen.course.body import Body, Wheel
 from cadgen.course.course import Course, Gate, Obstacle, Point, Shape
+from cadgen.course.scaled import Draw
 from cadgen.design import course as keys
 from cadgen.design.outline import Outline
 from cadgen.design.schema import Design
@@ -30,6 +31,18 @@ def course(design: Design) -> Course | None:
         finish=_gate(given.finish, "course.finish", STAND_RADIUS) if given.finish else None,
         margin=given.margin_mm,
         judged=given.judged,
+    )
+
+
+def draw(design: Design) -> Draw | None:
+    """The spacings of the course; None where it has one spacing alone."""
+    given = None if design.course is None else design.course.spacing
+    if given is None:
+        return None
+    steps = floor((given.to_mm - given.from_mm) / given.step_mm + 1e-9)
+    spacings = {given.from_mm + step * given.step_mm for step in range(steps + 1)} | {given.to_mm}
+    return Draw(
+        spacings=tuple(sorted(spacings)), stated=given.stated_mm, about=given.about_mm, kinds=frozenset(given.scaled)
     )
 
 

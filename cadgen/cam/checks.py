@@ -92,6 +92,24 @@ def check_cam(
     return tuple(sorted(rows, key=lambda check: _ORDER.get(check.code, len(_ORDER))))
 
 
+def riding_checks(
+    lift: LiftCurve, follower: Follower, contact: Contact, blank: Blank, limits: CheckLimits
+) -> tuple[Check, ...]:
+    """Checks of a follower on a disc that stands elsewhere than it was made for: pressure angle and room.
+
+    Args:
+        lift: lift that the disc gives there.
+        follower: follower as it stands to the disc.
+        contact: contact of the two.
+        blank: features of the disc besides its profile.
+        limits: limits of the checks, mm and rad.
+    """
+    steering = np.stack([contact.tan_beta, contact.tan_beta])
+    idle = lift.in_blend(contact.cam_angle)
+    cam = RolledCam(lift=lift, contact=contact, trimmed=idle, steering=steering, blank=blank, limits=limits)
+    return (*_pressure(lift, contact, limits), *follower.checks(cam))
+
+
 def _trimmed(lift: LiftCurve, theta: Array, trims: tuple[Trim, ...]) -> NDArray[np.bool_]:
     """Where the envelope is trimmed lift is lost, and the blend does not drive: both have checks of their own."""
     trimmed = lift.in_blend(theta)
@@ -119,7 +137,7 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
                 float(np.degrees(limit)),
                 "max",
                 cam_place(contact.cam_angle[worst]),
-                f"{_soften(lift, contact.cam_angle[worst])}, raise cam.base_radius_mm, or choose another "
+                f"{_soften(lift, contact.cam_angle[worst], limits)}, raise cam.base_radius_mm, or choose another "
                 f"checks.pressure_angle_limit (now {limits.pressure_angle.source})",
             )
         )
@@ -168,7 +186,8 @@ def _pitch_radius(
         follower.radius if lost > limits.lost_lift else 0.0,
         "min",
         place,
-        f"a convex part sharper than the {follower.noun} is undercut: {_soften(lift, angle)}, {follower.milder}",
+        f"a convex part sharper than the {follower.noun} is undercut: {_soften(lift, angle, limits)}, "
+        f"{follower.milder}",
     )
 
 
@@ -188,7 +207,7 @@ def _undercut(lift: LiftCurve, follower: Follower, losses: list[Loss], limits: C
         worst = max(of_kind, key=lambda loss: loss.lift, default=None)
         place = "none" if worst is None else f"{cam_place(worst.cam_angle)} ({len(of_kind)} in all)"
         value = 0.0 if worst is None else worst.lift * 1e3
-        softer = "" if worst is None else _soften(lift, worst.cam_angle)
+        softer = "" if worst is None else _soften(lift, worst.cam_angle, limits)
         advice = f"{reason}: {softer}" if reason else f"make the disc thinner (cam.thickness_mm) or {softer}"
         checks.append(Check(code, name, value, "µm", limits.lost_lift * 1e3, "max", place, advice))
     return checks
@@ -250,7 +269,7 @@ def _blend(
                 "max",
                 cam_place(contact.cam_angle[worst]) if of_kind.any() else "none",
                 f"on so steep a flank the {follower.noun} locks when the cam is turned on to its start: "
-                f"{_soften(lift, lift.blend_start)} or raise cam.base_radius_mm",
+                f"{_soften(lift, lift.blend_start, limits)} or raise cam.base_radius_mm",
             )
         )
     return checks
@@ -305,8 +324,8 @@ def _near(point: Array, angles: Array) -> bool:
     return bool(np.any(np.abs(off) < 1e-6))
 
 
-def _soften(lift: LiftCurve, theta: float) -> str:
+def _soften(lift: LiftCurve, theta: float, limits: CheckLimits) -> str:
     """Advice that makes the lift milder at a cam angle, in words."""
     if theta >= lift.blend_start:
         return "raise cam.blend_deg (the closing blend steers there)"
-    return "widen the turn there (path.waypoints_mm)"
+    return f"widen the turn there ({limits.points_key})"

@@ -168,8 +168,8 @@ def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
     if folds > _MOST_FOLDS:
         raise DesignError(
             f"the path ripples so closely that the {follower.noun}'s contact turns back at {folds} places, "
-            f"{_MOST_FOLDS} at most are followed: keep one in {-(-folds // _MOST_FOLDS)} of path.waypoints_mm, or give "
-            "them with more digits"
+            f"{_MOST_FOLDS} at most are followed: keep one in {-(-folds // _MOST_FOLDS)} of the points of "
+            "[path], or give them with more digits"
         )
     return branches
 

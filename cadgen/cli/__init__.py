@@ -4,6 +4,7 @@
 |-------------|-------------------------------------------------------------------|
 | `new`       | `cadgen new`: a commented design to begin with                    |
 | `plan`      | `cadgen plan`: from a course to a path                            |
+| `card`      | `cadgen card`: settings for every spacing that can be drawn       |
 | `check`     | `cadgen check`: every figure of a cam, and nothing written         |
 | `cam`       | `cadgen cam`: a cam as verified files                              |
 | `gears`     | `cadgen gears`: a gear train as verified files                     |
@@ -18,7 +19,7 @@
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
 | `show_play` | tables of profiles, runs, remedies and budgets                     |
-| `show_plan` | a planned path                                                    |
+| `show_plan` | a planned path, a card of settings                                |
 | `show_adjustment` | what to set after trial runs                                |
 | `output`    | standard output and sentences on standard error                    |
 | `interrupt` | signals                                                            |
@@ -42,6 +43,7 @@ from cadgen.cli import interrupt, output
 from cadgen.cli.adjust import adjust
 from cadgen.cli.calibrate import calibrate
 from cadgen.cli.cam import cam
+from cadgen.cli.card import card
 from cadgen.cli.check import check
 from cadgen.cli.draw import draw
 from cadgen.cli.gears import gears
@@ -78,6 +80,7 @@ def cli(context: click.Context) -> None:
 
 cli.add_command(new)
 cli.add_command(plan)
+cli.add_command(card)
 cli.add_command(cam)
 cli.add_command(check)
 cli.add_command(gears)

@@ -4,6 +4,8 @@
 |----------|-------------------------------------------------------------------------------------|
 | `names`  | named points of the car, sides                                                      |
 | `course` | field, posts, walls, zones, gates, start and finish                                 |
+| `turning` | room to turn round in, of a car and of a field                                    |
+| `scaled` | the course at another spacing                                                       |
 | `body`   | outline and wheels of the car about its fork axis; places of its named points       |
 | `poses`  | a run as poses, and how far any point of the car moves between them                 |
 | `shapes` | distances between parts of the car and what is on the course                        |

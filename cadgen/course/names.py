@@ -9,3 +9,5 @@ Side = Literal["left", "right"]
 ObstacleKind = Literal["post", "wall", "zone"]
 # Runs that must keep the course: the planned one, or those over the band of play as well.
 Judged = Literal["planned", "play"]
+# Kinds of things on a course that move when its spacing is drawn.
+Scaled = Literal["field", "start", "finish", "posts", "walls", "zones", "gates"]

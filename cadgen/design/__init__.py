@@ -13,6 +13,7 @@
 | `drawing`   | section of the texts in title blocks                                     |
 | `play`      | sections of play, tolerances and what is asked of the profile            |
 | `mechanics` | section of what turns the cam ahead of its gears, and what holds it      |
+| `settings`  | section of what can be set on the car when a spacing is drawn             |
 | `as_built`  | sections of the car as it was built                                      |
 | `stage`     | sections of a stage of the train, with the keys of its kind              |
 | `train`     | sections of the gear train                                               |

@@ -4,12 +4,13 @@ from typing import Annotated
 
 from pydantic import Field, Strict, model_validator
 
-from cadgen.course.names import CarPoint, Judged, Side
+from cadgen.course.names import CarPoint, Judged, Scaled, Side
 from cadgen.design.polygon import crossing
 from cadgen.design.section import HERE, Point, Points, Section, Size, listed
 
 MOST_OF_A_KIND = 200  # posts, walls, zones, gates: more than any field has room for
 MOST_CORNERS = 200
+MOST_SPACINGS = 200  # on a settings card: four pages
 _LEAST_SEGMENT_MM = 1e-3
 
 
@@ -146,6 +147,57 @@ class Zone(Section):
         return self
 
 
+class Spacing(Section):
+    """The spacing of the posts where it is drawn on site. The cam is made for the course as it is stated.
+
+    At another spacing what `scaled` names stands so many times as far from `about_mm`. Sizes stay: those of posts and
+    gates, thicknesses and the margin.
+    """
+
+    from_mm: float = Field(gt=0, le=100_000, description="least spacing that is drawn")
+    to_mm: float = Field(gt=0, le=100_000, description="greatest spacing that is drawn")
+    nominal_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=100_000,
+        description="spacing of the course as it is stated here; left out, the middle of the two",
+    )
+    step_mm: float = Field(default=10.0, gt=0, le=10_000, description="between the spacings on the settings card")
+    about_mm: Point = Field(default=(0.0, 0.0), description="[x, y] of the point that stays where it is")
+    scaled: Annotated[tuple[Scaled, ...], Strict(False)] = Field(
+        default=("posts", "gates", "start", "finish"),
+        min_length=1,
+        max_length=7,
+        description="kinds that move with the spacing",
+    )
+
+    @property
+    def stated_mm(self) -> float:
+        """Spacing of the course as it is stated."""
+        return (self.from_mm + self.to_mm) / 2 if self.nominal_mm is None else self.nominal_mm
+
+    @model_validator(mode="after")
+    def _upwards(self) -> "Spacing":
+        low, high = self.from_mm, self.to_mm
+        if low > high:
+            raise ValueError(f"{HERE}.from_mm is {low:g}, more than {HERE}.to_mm, {high:g}: exchange them")
+        if low == high:
+            raise ValueError(
+                f"{HERE}.from_mm and to_mm are both {low:g}, so nothing is drawn: set them apart, or remove [{HERE}]"
+            )
+        if not low <= self.stated_mm <= high:
+            raise ValueError(
+                f"{HERE}.nominal_mm is {self.stated_mm:g}, outside of what is drawn, {low:g} to {high:g}: state the "
+                "course at a spacing between them"
+            )
+        if (high - low) / self.step_mm > MOST_SPACINGS:
+            raise ValueError(
+                f"{HERE}.step_mm is {self.step_mm:g}, which makes more than {MOST_SPACINGS} spacings: raise it to "
+                f"{(high - low) / MOST_SPACINGS:.3g} or more"
+            )
+        return self
+
+
 class Course(Section):
     """The course: what the car must pass and what it must not touch. The cam does not depend on it; its checks do."""
 
@@ -160,6 +212,7 @@ class Course(Section):
     field: Edge | None = None
     start: Stand | None = None
     finish: Finish | None = None
+    spacing: Spacing | None = None
     posts: Annotated[tuple[Post, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
     walls: Annotated[tuple[Wall, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)
     zones: Annotated[tuple[Zone, ...], Strict(False)] = Field(default=(), max_length=MOST_OF_A_KIND)

@@ -24,6 +24,7 @@ from cadgen.design.outline import Outline
 from cadgen.design.path import Path, path_by_kind
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed, one_line
+from cadgen.design.settings import Settings
 from cadgen.design.train import Train, train_by_stages
 
 THINNEST_DISC_MM = 0.1
@@ -238,6 +239,7 @@ class TrainFile(Section):
     tolerances: Tolerances = Tolerances()
     optimize: Optimize = Optimize()
     drawing: DrawingText | None = None
+    settings: Settings | None = None
     as_built: AsBuilt | None = None
 
     @field_validator("path", mode="wrap")

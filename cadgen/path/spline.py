@@ -27,12 +27,14 @@ class PlannedPath:
         spline: vector-valued B-spline on [knots[0], knots[-1]].
         smooth: True when curvature has a continuous slope at the knots.
         knot_name: name of the curve's points at its knots, in messages.
+        points_key: key of the points that shape the curve, for messages.
     """
 
     knots: Array
     spline: BSpline
     smooth: bool
     knot_name: str = "waypoint"
+    points_key: str = "path.waypoints_mm"
 
     def derivatives(self, u: Array) -> Array:
         """Position and first four derivatives by u, shape (5, n, 2); beyond the spline's degree they vanish."""
@@ -111,7 +113,8 @@ def control_path(points: Array) -> PlannedPath:
     points = _checked(points, _CONTROL_POINTS, DEGREE + 1)
     knots = path_knots(len(points))
     spline = BSpline(knots, points, DEGREE)
-    return PlannedPath(knots=knots[DEGREE:-DEGREE], spline=spline, smooth=True, knot_name="knot")
+    knots = knots[DEGREE:-DEGREE]
+    return PlannedPath(knots=knots, spline=spline, smooth=True, knot_name="knot", points_key=_CONTROL_POINTS[0])
 
 
 def closed_control_path(points: Array) -> PlannedPath:
@@ -129,7 +132,8 @@ def closed_control_path(points: Array) -> PlannedPath:
     points = _once(_checked(points, _CONTROL_POINTS, DEGREE + 1), _CONTROL_POINTS, DEGREE + 1)
     count = len(points)
     spline = BSpline(lap_knots(count), points[lap_columns(np.arange(count + DEGREE), count)], DEGREE)
-    return PlannedPath(knots=np.arange(count + 1.0), spline=spline, smooth=True, knot_name="knot")
+    knots = np.arange(count + 1.0)
+    return PlannedPath(knots=knots, spline=spline, smooth=True, knot_name="knot", points_key=_CONTROL_POINTS[0])
 
 
 def lap_knots(count: int) -> Array:

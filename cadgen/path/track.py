@@ -39,6 +39,7 @@ class Track:
         turn: travel of the drive wheel in one turn of the cam, mm.
         knot_name: name of the waypoints or knots in messages.
         closed: whether the track ends as it starts: a lap, of which a turn of the cam has a whole number.
+        points_key: key of the points that shape the path, for messages.
     """
 
     length: float
@@ -51,6 +52,7 @@ class Track:
     turn: float
     knot_name: str = "waypoint"
     closed: bool = False
+    points_key: str = "path.waypoints_mm"
 
     @property
     def turn_laps(self) -> int:
@@ -125,6 +127,7 @@ def offset_track(path: PlannedPath, offset: float, turn: float | None = None, *,
         turn=length * laps if laps else length if turn is None else turn,
         knot_name=path.knot_name,
         closed=laps is not None,
+        points_key=path.points_key,
     )
 
 
@@ -206,5 +209,6 @@ def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k:
     raise DesignError(
         f"the path turns {side} with a radius of {1 / abs(k[worst]):.1f} mm at ({position[worst, 0]:.0f}, "
         f"{position[worst, 1]:.0f}) mm, between {path.knot_name}s {span} and {span + 1}, but the drive wheel runs "
-        f"{abs(offset):.1f} mm inside it, so its track has a cusp there: move the waypoints to a wider turn"
+        f"{abs(offset):.1f} mm inside it, so its track has a cusp there: lead "
+        f"the path through a wider turn ({path.points_key})"
     )

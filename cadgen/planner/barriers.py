@@ -17,6 +17,7 @@ from cadgen.arrays import Array
 from cadgen.course.body import Body
 from cadgen.course.course import Course, Shape
 from cadgen.course.names import Side
+from cadgen.course.scaled import Draw
 from cadgen.planner.basis import Basis
 from cadgen.planner.motion import Motion
 from cadgen.planner.rows import Rows
@@ -42,6 +43,8 @@ class Barrier:
         margin: distance to keep, mm.
         side: side on which it must be passed; None if either will do.
         under: whether it passes under the body, and keeps only the wheels away.
+        grown: size of the car against the path. Where a spacing is drawn the path grows and the car does not: seen at
+            the stated spacing the car is so many times as large, as are `reach` and `margin`.
     """
 
     key: str
@@ -52,20 +55,34 @@ class Barrier:
     margin: float
     side: Side | None = None
     under: bool = False
+    grown: float = 1.0
 
 
-def barriers_of(course: Course, body: Body) -> tuple[Barrier, ...]:
-    """Barriers of a course for a car."""
+def barriers_of(course: Course, body: Body, draw: Draw | None = None) -> tuple[Barrier, ...]:
+    """Barriers of a course for a car, at the ends of its spacings as well if they are drawn."""
+    if draw is None:
+        return _barriers(course, body, 1.0)
+    least, greatest = (spacing / draw.stated for spacing in (draw.spacings[0], draw.spacings[-1]))
+    # What moves with the path is nearest to the car where the path is smallest.
+    standing = draw.without_moving(course)
+    return (
+        *_barriers(draw.seen(course, least), body, 1 / least),
+        *(each for factor in (1.0, greatest) for each in _barriers(draw.seen(standing, factor), body, 1 / factor)),
+    )
+
+
+def _barriers(course: Course, body: Body, grown: float) -> tuple[Barrier, ...]:
     barriers = [
         Barrier(
             obstacle.key,
             _points(obstacle.shape),
             _corners(obstacle.shape),
             inside=False,
-            reach=obstacle.shape.reach,
-            margin=course.margin,
+            reach=obstacle.shape.reach * grown,
+            margin=course.margin * grown,
             side=obstacle.side,
             under=obstacle.height < body.clearance,
+            grown=grown,
         )
         for obstacle in course.obstacles
     ]
@@ -73,7 +90,8 @@ def barriers_of(course: Course, body: Body) -> tuple[Barrier, ...]:
         corners = _corners(course.edge)
         # Inside a convex field the corners of the car are all that can be outside.
         points = np.zeros((0, 2)) if _convex(corners) else _points(course.edge)
-        barriers.append(Barrier("course.field", points, corners, inside=True, reach=0.0, margin=course.margin))
+        margin = course.margin * grown
+        barriers.append(Barrier("course.field", points, corners, inside=True, reach=0.0, margin=margin, grown=grown))
     return tuple(barriers)
 
 
@@ -151,7 +169,7 @@ class Clearances:
         return [rows for barrier in self.barriers if (rows := self._rows(barrier, motion, radius)) is not None]
 
     def _rows(self, barrier: Barrier, motion: Motion, radius: float) -> Rows | None:
-        place, far = motion.jets[0], radius + barrier.reach + barrier.margin + _FAR
+        place, far = motion.jets[0], radius * barrier.grown + barrier.reach + barrier.margin + _FAR
         if barrier.inside:
             near = _signed(place, barrier.corners)[0] > -far
         else:
@@ -159,7 +177,7 @@ class Clearances:
         if not near.any():
             return None
         close = Motion(motion.places[np.flatnonzero(near)], motion.points, motion.offset)
-        parts = [corners for corners, wheel in self._parts if wheel or not barrier.under]
+        parts = [corners * barrier.grown for corners, wheel in self._parts if wheel or not barrier.under]
         distance, by = _nearest(barrier, close, parts)
         if barrier.side is not None:
             distance, by = _on_side(barrier, close, parts, distance, by)

@@ -17,6 +17,7 @@ _WEIGHT = 3.0
 # A path whose points are spaced unevenly wastes them; within these shares of the mean speed they serve all of it.
 _SLOWEST, _FASTEST, _EVENNESS = 0.75, 1.3, 30.0
 _STEP = 1e-30
+_STEERING_SHARE = 0.98  # of the tangent of the greatest steering angle
 _SHORTER = 1 - 1e-6  # of the greatest length, for rounding
 
 
@@ -99,14 +100,14 @@ def _rows(name: str, share: Array, by: tuple[Array, ...], motion: Motion) -> Row
     return Rows(name, share - 1.0, _WEIGHT, motion.places.both, np.asarray(slopes), motion.places.u)
 
 
-def curvature_limits(vehicle: Vehicle, share: float = 0.98) -> tuple[float, float]:
+def curvature_limits(vehicle: Vehicle, smallest: float = 1.0) -> tuple[float, float]:
     """Greatest curvature of the drive wheel's track to the left and to the right that the steering holds, 1/mm.
 
     Args:
         vehicle: the car.
-        share: of the tangent of its greatest steering angle that is used.
+        smallest: size at which the path is driven, as a share of that which is planned.
     """
-    car = vehicle.car
+    car, share = vehicle.car, _STEERING_SHARE * smallest
     tangent = share * tan(car.max_steering_angle)
     reach = car.wheelbase - car.drive_wheel_offset * tangent
     left = tangent / reach if reach > 0 else inf

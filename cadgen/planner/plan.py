@@ -139,7 +139,7 @@ def _course_rows(task: Task, basis: Basis, finish: End) -> Callable[[Array], lis
     course, vehicle = task.course, task.vehicle
     last = course.finish if finish.place is None and not basis.closed else None
     passing = Passing(basis, course.gates, last, vehicle, task.gate_margin)
-    clearances = Clearances(basis, vehicle, barriers_of(course, vehicle.body))
+    clearances = Clearances(basis, vehicle, barriers_of(course, vehicle.body, task.draw))
     near = None if task.near is None else Near(basis, vehicle.path_offset, task.near, task.within)
 
     def rows(points: Array) -> list[Rows]:

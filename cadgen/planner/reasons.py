@@ -15,6 +15,7 @@ _QUIET = 1e-3  # of the spread of the play: here only limits count
 # Amounts of which each is about as much to ask as the other: shares of the limits of steering and cam, mm, rad.
 _SHARE, _LENGTH, _GATE, _CLEARANCE, _HEADING = 0.15, 500.0, 60.0, 30.0, 0.2
 _DRIVING = ("turn", "pressure angle", "convex radius", "valley", "slope", "bend")
+_TIGHT = 0.05  # of the greatest curvature, beyond it
 _MOST = 4  # limits that are tried
 _ROUNDS = 30  # of each penalty
 _NEARLY = 0.02  # as KEPT, of the other limits: how far one must give way is wanted to a percent or so
@@ -56,6 +57,8 @@ def _unit(limit: str) -> float:
 def reasons(plan: Plan) -> tuple[Reason, ...]:
     """Limits of which each must give way for a course to be drivable, the one with the least to ask first.
 
+    Where no single one is enough, a turn or else the most violated of them stands first.
+
     Args:
         plan: best path, which violates some limits.
     """
@@ -63,7 +66,13 @@ def reasons(plan: Plan) -> tuple[Reason, ...]:
     tried = list(dict.fromkeys([*missed[: _MOST - 1], "turn"]))
     candidates = [reason for name in tried if (reason := _loosened(plan, name)) is not None]
     enough = [reason for reason in candidates if reason.enough]
-    return tuple(sorted(enough or candidates, key=lambda reason: reason.effort))
+    if not enough:  # then the limit that is beyond reach by most; a turn that is too tight brings others with it
+        return tuple(sorted(candidates, key=lambda reason: (not _tight(reason), -reason.effort)))
+    return tuple(sorted(enough, key=lambda reason: reason.effort))
+
+
+def _tight(reason: Reason) -> bool:
+    return reason.limit == "turn" and reason.amount > _TIGHT
 
 
 def _loosened(plan: Plan, name: str) -> Reason | None:

@@ -105,21 +105,22 @@ def route_of(course: Course, vehicle: Vehicle, seed: int = 0) -> Route:
     Raises:
         DesignError: the course has nothing to drive to.
     """
-    stops = _stops(course, vehicle)
+    stops, ahead = _stops(course, vehicle)
     barriers = barriers_of(course, vehicle.body)
     if not barriers:
         return Route(stops, np.ones(len(stops), dtype=bool))
-    stops = _beside_posts(stops, barriers, _half_widths(vehicle))
+    stops, ahead = _beside_posts(stops, ahead, barriers, _half_widths(vehicle))
     chart = _chart(stops, barriers, vehicle, seed)
     route, is_stop = [stops[:1]], [True]
-    for a, b in itertools.pairwise(stops):
-        way = _way(chart, a, b)
+    for (a, leaving), (b, arriving) in itertools.pairwise(zip(stops, ahead, strict=True)):
+        way = _way(chart, a, b, _LEG * leaving, _LEG * arriving)
         route += [way, b[None]]
         is_stop += [*[False] * len(way), True]
     return Route(np.vstack(route), np.array(is_stop))
 
 
-def _stops(course: Course, vehicle: Vehicle) -> Array:
+def _stops(course: Course, vehicle: Vehicle) -> tuple[Array, Array]:
+    """Places of the planned point at the gates, and unit vectors along their directions, 0 for any, shapes (k, 2)."""
     gates = [gate for gate in (course.start, *course.gates, course.finish) if gate is not None]
     middles = np.array([np.mean(gate.place.points, axis=0) for gate in gates]).reshape(-1, 2)
     if len(middles) < 2:
@@ -128,7 +129,7 @@ def _stops(course: Course, vehicle: Vehicle) -> Array:
     for number, gate in enumerate(gates):
         heading = gate.heading if gate.heading is not None else float(np.arctan2(along[number, 1], along[number, 0]))
         middles[number] -= _turned(*planned_place(gate, vehicle), heading)
-    return middles
+    return middles, np.array([_along(gate) for gate in gates])
 
 
 def _half_widths(vehicle: Vehicle) -> tuple[float, float]:
@@ -137,7 +138,16 @@ def _half_widths(vehicle: Vehicle) -> tuple[float, float]:
     return float(every[:, 1].max()), float(-every[:, 1].min())
 
 
-def _beside_posts(stops: Array, barriers: tuple[Barrier, ...], widths: tuple[float, float]) -> Array:
+def _along(gate: Gate) -> tuple[float, float]:
+    """Unit vector along the direction of a gate; 0 where it may be passed in any."""
+    if gate.heading is None or gate.heading_tolerance > np.pi / 2:
+        return 0.0, 0.0
+    return float(np.cos(gate.heading)), float(np.sin(gate.heading))
+
+
+def _beside_posts(
+    stops: Array, ahead: Array, barriers: tuple[Barrier, ...], widths: tuple[float, float]
+) -> tuple[Array, Array]:
     """The stops with places beside the posts whose side is given, each on the leg that is nearest to it."""
     left, right = widths
     more: list[tuple[int, float, Array]] = []
@@ -159,8 +169,8 @@ def _beside_posts(stops: Array, barriers: tuple[Barrier, ...], widths: tuple[flo
         if (lateral - aside) * np.sign(aside) < 0:
             more.append((leg, float(share[leg]), post + aside * normal))
     for leg, _, place in sorted(more, key=lambda each: each[:2], reverse=True):
-        stops = np.insert(stops, leg + 1, place, axis=0)
-    return stops
+        stops, ahead = np.insert(stops, leg + 1, place, axis=0), np.insert(ahead, leg + 1, 0.0, axis=0)
+    return stops, ahead
 
 
 def _chart(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: int) -> _Map:
@@ -199,8 +209,15 @@ def _chart(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: 
     return _Map(low, cell, np.where(free, dear, _BLOCKED).reshape(tuple(shape)), half)
 
 
-def _way(chart: _Map, a: Array, b: Array) -> Array:
-    """Points of the way between two places, without them, shape (k, 2); none where the straight one is clear."""
+def _way(chart: _Map, a: Array, b: Array, leaving: Array, arriving: Array) -> Array:
+    """Points of the way between two places, without them, shape (k, 2); none where the straight one is clear.
+
+    Args:
+        chart: what ways cost.
+        a, b: the places, mm.
+        leaving: step ahead from the first, where its direction is known, by which a way round something begins, mm.
+        arriving: step ahead to the second, likewise.
+    """
     count = max(int(np.linalg.norm(b - a) / chart.cell * 2), 2)
     straight = a + np.linspace(0, 1, count)[:, None] * (b - a)
     numbers = np.array([chart.number(place) for place in straight])
@@ -209,15 +226,20 @@ def _way(chart: _Map, a: Array, b: Array) -> Array:
     if not (chart.cost.ravel()[numbers[ends > chart.half_width]] >= _BLOCKED).any():
         return np.zeros((0, 2))
     graph: Any = _graph(chart.cost)  # the stubs of scipy know no single start
-    start: Any = chart.number(a)
+    # A car that leaves a gate in its direction does not turn back round what it stands before.
+    first, last = (
+        place + step if chart.cost.ravel()[chart.number(place + step)] < _BLOCKED else place
+        for place, step in ((a, leaving), (b, -arriving))
+    )
+    start: Any = chart.number(first)
     _, before = dijkstra(graph, indices=start, return_predecessors=True)
-    way = [chart.number(b)]
+    way = [chart.number(last)]
     while before[way[-1]] >= 0:
         way.append(int(before[way[-1]]))
     places = chart.place(np.array(way[::-1]))
     arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(places, axis=0), axis=1)))
     number = int(arc[-1] / _LEG)
-    at = np.linspace(0, arc[-1], number + 2)[1:-1]
+    at = np.linspace(0, arc[-1], number + 2)[0 if leaving.any() else 1 : None if arriving.any() else -1]
     return np.stack([np.interp(at, arc, places[:, axis]) for axis in range(2)], axis=1)
 
 

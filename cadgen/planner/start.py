@@ -12,6 +12,8 @@ from cadgen.planner.motion import Motion
 # What counts alike: so many mm off a stop, off another place of the route, and so great a third derivative (mm for each
 # span to the third).
 _STOP, _PLACE, _BEND = 3.0, 60.0, 100.0
+# Stops that are close to each other make the path swing far out if it is to pass them so near; then it need not.
+_STOPS, _MOST_SWING = (_STOP, 20.0, _PLACE), 1.5  # mm; times the length of the route
 _SURE = 1e4  # weight of what must be kept
 _ROUNDS = 4  # in which the parameters of the points follow the length of the path
 _EACH = 8
@@ -40,28 +42,36 @@ def smooth_path(basis: Basis, route: Array, is_stop: NDArray[np.bool_], start: E
         start: start, whose place and heading the path keeps.
         finish: finish, likewise.
     """
+    points = np.zeros((basis.count, 2))
+    for stop in _STOPS:
+        points, swing = _settled(basis, route, np.where(is_stop, 1 / stop, 1 / _PLACE), (start, finish))
+        if swing <= _MOST_SWING:
+            break
+    return points
+
+
+def _settled(basis: Basis, route: Array, weight: Array, ends: tuple[End, End]) -> tuple[Array, float]:
+    """Control points of a path whose parameter follows its length, and its length by that of the route."""
     legs = np.linalg.norm(np.diff(route, axis=0), axis=1)
     u = np.append(0.0, np.cumsum(legs)) / legs.sum() * basis.stop
     length = float(legs.sum())
     points = np.zeros((basis.count, 2))
     fine = basis.even(_EACH)
     for _ in range(_ROUNDS):
-        points = _fitted(basis, route, is_stop, u, (start, finish), length)
+        points = _fitted(basis, route, weight, u, ends, length)
         motion = Motion(fine, points, 0.0)
         arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(motion.jets[0], axis=0), axis=1)))
         length = float(arc[-1])
         # Each point of the route at the same share of the length as before, and the parameter in step with the length.
         u = np.interp(u, fine.u, arc) / length * basis.stop
-    return points
+    return points, length / float(legs.sum())
 
 
-def _fitted(
-    basis: Basis, route: Array, is_stop: NDArray[np.bool_], u: Array, ends: tuple[End, End], length: float
-) -> Array:
+def _fitted(basis: Basis, route: Array, weights: Array, u: Array, ends: tuple[End, End], length: float) -> Array:
     n, step = basis.count, length / basis.stop
     even, at = basis.even(2), basis.at(u)
     calm, near = _dense(basis, even.columns, even.values[3]), _dense(basis, at.columns, at.values[0])
-    weight = np.where(is_stop, 1 / _STOP, 1 / _PLACE)[:, None]
+    weight = weights[:, None]
     rows = [weight * near, calm / _BEND]
     right = [weight * route, np.zeros((len(calm), 2))]
     if basis.closed:

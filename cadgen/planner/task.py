@@ -6,6 +6,7 @@ from math import inf
 from cadgen.arrays import Array
 from cadgen.course.body import Body
 from cadgen.course.course import Course
+from cadgen.course.scaled import Draw
 from cadgen.steering.car import Car
 
 
@@ -78,6 +79,7 @@ class Task:
             scratch.
         within: how far the drive wheel's track may be from `near`, mm.
         gate_margin: distance to keep from the edges of the gates, mm.
+        draw: spacings at which obstacles are kept clear of, too; None where the course has one spacing.
     """
 
     vehicle: Vehicle
@@ -86,3 +88,4 @@ class Task:
     near: Array | None = None
     within: float = inf
     gate_margin: float = 0.0
+    draw: Draw | None = None

@@ -4,6 +4,9 @@
 |----------|--------------------------------------------------------------------------------|
 | `style`  | colours, sizes, and files whose bytes depend on their content alone             |
 | `cam`    | a cam on one picture: outline and lift                                          |
+| `card`   | a card of settings, to print                                                   |
+| `settings` | settings for the spacings of a course, in words and as a table               |
+| `reasons` | reasons why a course cannot be driven                                         |
 | `lift`   | lift before and after, without and with play                                    |
 | `tracks` | the wheels on the field; heading and position error along the run               |
 | `text`   | reports in words                                                                |

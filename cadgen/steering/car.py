@@ -102,7 +102,7 @@ def steering_jets(track: Track, car: Car) -> Array:
         raise DesignError(
             f"the drive wheel turns {side} with a radius of {1 / abs(k[worst]):.0f} mm "
             f"{track.where(track.arc[worst])}; steering of {degrees(car.max_steering_angle):.0f} degrees holds "
-            f"no less than {tightest:.0f} mm there: move the waypoints to a wider turn, or raise "
+            f"no less than {tightest:.0f} mm there: lead the path through a wider turn ({track.points_key}), or raise "
             f"car.max_steering_angle_deg"
         )
     slope = -car.wheelbase / divisor**2

@@ -4,6 +4,7 @@
 |---------------|----------------------------------------------------------|
 | `planning`    | course and car -> a path that passes every check         |
 | `cam`         | design -> profile, checks -> files of a cam              |
+| `card`        | settings for every spacing of a course that can be drawn |
 | `gears`       | design -> train, checks -> files of a gear train         |
 | `runs`        | the car's runs with play, one by one and by the thousand |
 | `calibration` | measured files -> verdicts -> the design as built        |

@@ -66,7 +66,7 @@ def test_arc_length_of_the_reference_car(appendix_car):
 
 def test_cusp_is_refused_with_its_place():
     tight = np.array([[0, 0], [500, 0], [600, 60], [500, 120], [0, 120.0]])
-    with pytest.raises(DesignError, match=r"cusp.*waypoints to a wider turn") as caught:
+    with pytest.raises(DesignError, match=r"cusp.*through a wider turn \(path\.waypoints_mm\)") as caught:
         offset_track(plan_path(tight, "quintic"), 117.5)
     assert "between waypoints" in str(caught.value)
 

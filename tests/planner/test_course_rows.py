@@ -2,17 +2,23 @@
 
 from itertools import combinations_with_replacement, permutations
 from math import pi
+from pathlib import Path
 
 import numpy as np
 import pytest
 import shapely
 
 from cadgen.course.course import Course, Gate, Obstacle, Shape
+from cadgen.design.load import course_of
 from cadgen.planner.barriers import Clearances, barriers_of, parts_of
 from cadgen.planner.basis import Basis
 from cadgen.planner.gates import Passing, passing_places, planned_place
 from cadgen.planner.motion import Motion
 from cadgen.planner.order import _improved, _inserted, _way, in_order
+from cadgen.planner.reserve import Reserve
+from cadgen.planner.route import route_of
+from cadgen.workflow.planning.task import task_of
+from tests.studies import courses
 
 STEP = 1e-4  # mm
 FIELD = Shape(((-300, -200), (8200, -200), (8200, 8000), (4000, 7900), (-300, 8000)), filled=True)
@@ -183,3 +189,16 @@ def test_gates_with_an_order_keep_it():
     order = [gate.key for gate in in_order(Course(gates=gates, start=start)).gates]
     assert [key for key in order if key != "3"] == ["0", "1", "2"]
     assert set(order) == {"0", "1", "2", "3"}
+
+
+def test_a_way_round_something_begins_in_the_direction_of_its_gate():
+    """A course on which the short way from its second gate leads back, round a zone right before the car."""
+    case = courses.case(1, 20)
+    design, _ = course_of(case.text, Path("case.toml"))
+    task = task_of(design, drawn=None, near=None, within=25.0, calm=None, reserve=Reserve())
+    route = route_of(task.course, task.vehicle)
+    second = int(np.flatnonzero(route.is_stop)[2])
+    gate = task.course.gates[1]
+    ahead = np.array([np.cos(gate.heading), np.sin(gate.heading)])
+    assert not route.is_stop[second + 1]
+    assert (route.places[second + 1] - route.places[second]) @ ahead > 200

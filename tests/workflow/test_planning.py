@@ -27,6 +27,22 @@ at_mm = [2600.0, 50.0]
 radius_mm = 10.0
 """
 
+NARROW = "corner_mm = [-250.0, -300.0], size_mm = [900.0, 600.0]"
+DRAWN = """
+[course.spacing]
+from_mm = 900.0
+to_mm = 1100.0
+[settings]
+disc_from_mm = -5.0
+disc_to_mm = 5.0
+head_from_mm = -0.2
+head_to_mm = 0.2
+wheel_from_mm = 8.0
+wheel_to_mm = 25.0
+start_within_mm = 30.0
+start_heading_within_deg = 5.0
+"""
+
 
 @pytest.fixture(scope="module")
 def small():
@@ -147,3 +163,44 @@ def test_a_post_on_the_start_is_refused():
         DesignError, match=r"course\.posts\.1 stands on the car at its start, .*: move the post, or the start"
     ):
         Design.from_toml(text, train_only=True).plan()
+
+
+@pytest.mark.slow
+def test_a_field_in_which_the_car_cannot_turn_round_is_named():
+    text = SMALL.replace("corner_mm = [-600.0, -1500.0], size_mm = [5600.0, 3500.0]", NARROW).partition("gates = [")[0]
+    back = "at_mm = [300.0, 0.0], radius_mm = 50.0, heading_deg = 180.0"
+    plan = Design.from_toml(text.replace("at_mm = [4000.0, 600.0], radius_mm = 50.0", back), train_only=True).plan()
+    print(plan.sentences)
+    (sentence,) = plan.sentences
+    assert "course.field is too small for the car to turn round in: with 35 degrees of steering" in sentence
+    assert "the field holds one of 300 mm: make the field 1" in sentence
+    assert "or raise car.max_steering_angle_deg to " in sentence
+
+
+@pytest.mark.slow
+def test_a_course_whose_spacing_is_drawn_and_runs_with_play_judged():
+    plan = Design.from_toml(SMALL + DRAWN, train_only=True).with_({"course.judged": "play"}).plan()
+    print(*plan.sentences, sep="\n")
+    assert plan.passed
+    for checks in (plan.cam.checks, plan.computed.drawn[0].checks):
+        of_course = [check for check in checks if check.code.startswith("course")]
+        played = {check.code: check for check in of_course if check.code.endswith("play")}
+        assert {"course-post-play", "course-gates-play", "course-finish-play"} <= set(played)
+        assert all(np.isfinite(check.limit) and check.passed for check in played.values())
+    assert [each.spacing for each in plan.computed.drawn] == [900, 950, 1000, 1050, 1100]
+    assert plan.sentences[-1] == "cadgen card has the settings for every spacing"
+    assert plan.facts()["settings"][0]["spacing_mm"] == 900
+    text = SMALL + DRAWN.partition("[settings]")[0]
+    with pytest.raises(DesignError, match="settings is missing"):
+        Design.from_toml(text, train_only=True).plan()
+
+
+@pytest.mark.slow
+def test_advice_names_the_key_of_the_path():
+    sharp = ["checks.pressure_angle_limit=norton_translating"]
+    planned = Design.load(Path(__file__).parents[1] / "data" / "draws" / "s_course.toml", sharp)
+    paper = Design.load(None, ["cam.base_radius_mm=40"])
+    for design, key in ((planned, "path.control_points_mm"), (paper, "path.waypoints_mm")):
+        advice = " ".join(check.advice for check in design.cam("actual").failed)
+        assert f"widen the turn there ({key})" in advice
+        assert advice.count("_mm)") == advice.count(key)

@@ -25,7 +25,7 @@ def rod_checks(rod: RodGeometry, cam: RolledCam) -> tuple[Check, ...]:
     return (
         _carrying_face(rod, cam),
         _reach(rod, theta, cam.steering, cam.blank),
-        *_lean(theta, cam.steering, cam.blank),
+        *_lean(theta, cam.steering, cam.blank, cam.limits.points_key),
         *_hub(rod, theta, cam.steering, cam.blank),
     )
 
@@ -66,7 +66,7 @@ def _reach(rod: RodGeometry, theta: Array, steering: Array, blank: Blank) -> Che
     )
 
 
-def _lean(theta: Array, steering: Array, blank: Blank) -> list[Check]:
+def _lean(theta: Array, steering: Array, blank: Blank, points_key: str) -> list[Check]:
     """The rod rides on the land as long as it leans less than the chamfers do, at every steering, shape (2, n)."""
     if blank.edge_break == 0:
         return []
@@ -82,7 +82,7 @@ def _lean(theta: Array, steering: Array, blank: Blank) -> list[Check]:
             "max",
             cam_place(theta[worst]),
             "the rod leans so far that it rides on the broken edge: leave the edges sharp (blank.edge_break_mm) or "
-            "widen the turn there (path.waypoints_mm)",
+            f"widen the turn there ({points_key})",
         )
     ]
 

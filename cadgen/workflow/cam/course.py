@@ -362,16 +362,19 @@ def course_checks(on: OnCourse | None, against: Against | None = None) -> tuple[
     """
     if on is None:
         return ()
-    checks = list(on.planned.checks())
-    if against is not None:
-        worst: dict[str, Check] = {}
-        for run in on.with_play(against):
-            for check in run.checks():
-                known = worst.get(check.code)
-                if known is None or _worse(check, known):
-                    worst[check.code] = check
-        checks += worst.values()
-    return tuple(checks)
+    checks = on.planned.checks()
+    return checks if against is None else (*checks, *play_checks(on, against))
+
+
+def play_checks(on: OnCourse, against: Against) -> tuple[Check, ...]:
+    """Checks of the worst run over the band of play."""
+    worst: dict[str, Check] = {}
+    for run in on.with_play(against):
+        for check in run.checks():
+            known = worst.get(check.code)
+            if known is None or _worse(check, known):
+                worst[check.code] = check
+    return tuple(worst.values())
 
 
 def _worse(check: Check, other: Check) -> bool:

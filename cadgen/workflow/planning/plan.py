@@ -1,43 +1,35 @@
 """A path planned, run through the exact chain with all its checks, and planned again with what they ask for."""
 
 from dataclasses import dataclass, replace
-from math import ceil, pi, radians
+from math import ceil, pi
 from pathlib import Path
 
 import numpy as np
 
-from cadgen.build import cam_model, course_model, gear_model
-from cadgen.check import Check, CheckCode, failing
+from cadgen.build import cam_model, course_model, draw_model, gear_model
 from cadgen.course.body import place_of
 from cadgen.course.poses import Poses
 from cadgen.course.refuse import refuse_course
 from cadgen.design.load import design_of
 from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
+from cadgen.draws.drawn import Drawn
 from cadgen.errors import CheckError
 from cadgen.path.track import Track
 from cadgen.planner.plan import Plan
 from cadgen.planner.plan import plan as planned
 from cadgen.planner.reasons import Reason, reasons
+from cadgen.planner.reserve import Reserve
 from cadgen.planner.task import Task
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
-from cadgen.workflow.planning.task import Reserve, task_of
+from cadgen.workflow.card.plan import card_of
+from cadgen.workflow.planning.task import task_of
 
-_ROUNDS = 5  # of plan and exact chain; most plans need one
-_MORE_PRESSURE, _MORE_RADIUS, _MORE_MARGIN = radians(0.5), 0.5, 0.1  # beyond what a check asks for; rad, mm, mm
-_FLATTER = radians(2.0)  # rad
+# Of plan and exact chain; most plans need one. More where other runs than the planned one must keep the course.
+_ROUNDS, _MORE_ROUNDS = 5, 7
+_SPACINGS = 5  # of a draw, at which a plan is driven
 _WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is chosen
-_CLEARANCES = (
-    CheckCode.COURSE_POST,
-    CheckCode.COURSE_WALL,
-    CheckCode.COURSE_ZONE,
-    CheckCode.COURSE_EDGE,
-    CheckCode.COURSE_POST_PLAY,
-    CheckCode.COURSE_WALL_PLAY,
-    CheckCode.COURSE_ZONE_PLAY,
-    CheckCode.COURSE_EDGE_PLAY,
-)
 
 
 @dataclass(frozen=True)
@@ -69,6 +61,7 @@ class PlannedPath:
         cam: plan of the cam for the path with all checks; None if the course cannot be driven.
         reasons: why the course cannot be driven; empty if it can.
         failed: sentence on a limit of [optimize] that no profile keeps; empty if there is one.
+        drawn: settings with which the path was driven at some of the spacings that can be drawn; empty without them.
     """
 
     design: Design
@@ -78,11 +71,12 @@ class PlannedPath:
     cam: CamPlan | None
     reasons: tuple[Reason, ...] = ()
     failed: str = ""
+    drawn: tuple[Drawn, ...] = ()
 
     @property
     def passed(self) -> bool:
-        """Whether there is a path and all checks pass."""
-        return self.cam is not None and self.cam.passed
+        """Whether there is a path and all checks pass, at every spacing that was driven."""
+        return self.cam is not None and self.cam.passed and not any(each.failed for each in self.drawn)
 
     @property
     def wheel_radius(self) -> float | None:
@@ -106,8 +100,12 @@ def plan_design(
         DesignError: the design has no course or no start, or its values cannot be.
     """
     _refuse_course(design)
+    rounds = _MORE_ROUNDS if design.course is not None and design.course.judged == "play" else _ROUNDS
+    if course_model.draw(design) is not None:
+        draw_model.settings(design)
+        rounds = _MORE_ROUNDS
     reserve, begin = Reserve(), None
-    for number in range(_ROUNDS):
+    for number in range(rounds):
         progress("planning the path" if number == 0 else "planning on with what the checks ask for")
         task = task_of(design, drawn=drawn, near=wanted.near, within=wanted.within, calm=wanted.calm, reserve=reserve)
         result = planned(
@@ -123,12 +121,25 @@ def plan_design(
             cam = plan_cam(design_of(written, Path(f"{design.name}.toml")), None, progress)
         except CheckError as error:
             return PlannedPath(design, task, result, "", None, (), str(error))
-        path = PlannedPath(design, task, result, written, cam)
-        more = _reserve(reserve, failing(cam.checks))
+        settings = _settings(task, cam, progress)
+        path = PlannedPath(design, task, result, written, cam, drawn=settings)
+        more = reserve.after(cam.failed)
+        for each in settings:
+            more = more.larger(reserve.after(each.failed))
         if more == reserve:
             break
         reserve, begin = more, rounded(result.path.points)
     return path
+
+
+def _settings(task: Task, cam: CamPlan, progress: Progress) -> tuple[Drawn, ...]:
+    """Settings at the ends of what is drawn and between, if a spacing is drawn."""
+    if task.draw is None:
+        return ()
+    draw_model.refuse_range(cam.design, task.draw, cam.track, cam_model.rod(cam.design, "a card of settings"))
+    low, high = task.draw.spacings[0], task.draw.spacings[-1]
+    few = replace(task.draw, spacings=tuple(np.linspace(low, high, _SPACINGS).tolist()))
+    return card_of(cam, few, progress, tries=1).drawn
 
 
 def _refuse_course(design: Design) -> None:
@@ -150,24 +161,3 @@ def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
     turn = result.path.cost.line.length / task.vehicle.path_turn
     least = turn / (2 * pi * float(gear_model.train(design).ratio))
     return ceil(least * _WHEEL_STEP + 1e-3) / _WHEEL_STEP
-
-
-def _reserve(reserve: Reserve, failed: tuple[Check, ...]) -> Reserve:
-    """Distances to keep besides, so that checks pass on which the planner has influence."""
-    for check in failed:
-        beyond = abs(check.value - check.limit)
-        match check.code:
-            case CheckCode.PRESSURE_ANGLE_RISE | CheckCode.PRESSURE_ANGLE_RETURN:
-                pressure = reserve.pressure + radians(beyond) + _MORE_PRESSURE
-                reserve = replace(reserve, pressure=pressure)
-            case CheckCode.LOST_LIFT_FACE_CHANGE:  # it grows with the square of the slope
-                reserve = replace(reserve, pressure=reserve.pressure + _FLATTER)
-            case CheckCode.CONVEX_RADIUS_THEORY | CheckCode.CONVEX_RADIUS_PROFILE | CheckCode.LOST_LIFT_UNDERCUT:
-                reserve = replace(reserve, radius=reserve.radius + _MORE_RADIUS)
-            case CheckCode.LIFT_ERROR_WITH_PLAY:
-                reserve = replace(reserve, valley=reserve.valley * 0.8 * check.limit / check.value)
-            case code if code in _CLEARANCES:
-                reserve = replace(reserve, margin=reserve.margin + beyond + _MORE_MARGIN)
-            case CheckCode.COURSE_GATE_MARGIN | CheckCode.COURSE_GATE_MARGIN_PLAY | CheckCode.COURSE_FINISH_PLAY:
-                reserve = replace(reserve, gate=reserve.gate + beyond + _MORE_MARGIN)
-    return reserve

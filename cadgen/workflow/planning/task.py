@@ -1,6 +1,6 @@
 """From a design to what the planner is asked; degrees become radians here."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import inf, radians
 
 import numpy as np
@@ -14,6 +14,7 @@ from cadgen.errors import DesignError
 from cadgen.path.track import Track
 from cadgen.planner.limits import curvature_limits
 from cadgen.planner.order import in_order
+from cadgen.planner.reserve import Reserve
 from cadgen.planner.task import Limits, Task, Vehicle
 
 # Where nothing is known of the play, or it was measured, a car may still be off by this share of a degree.
@@ -25,25 +26,6 @@ _LIFT_RESERVE = 0.7  # of the greatest lift error with play
 # Between the places at which the planner holds a limit the path may be a little beyond it.
 _CALM_SHARE = 0.98
 _TRACK_STEP = 1.0  # mm between the points of a track to stay near to
-
-
-@dataclass(frozen=True)
-class Reserve:
-    """Distance kept from the limits besides the usual, after the exact chain has failed a check.
-
-    Attributes:
-        pressure: rad.
-        radius: mm.
-        valley: factor on the greatest lift error.
-        margin: from obstacles, mm.
-        gate: from the edges of the gates, mm.
-    """
-
-    pressure: float = 0.0
-    radius: float = 0.0
-    valley: float = 1.0
-    margin: float = 0.0
-    gate: float = 0.0
 
 
 def _free_wheel(design: Design, drawn: bool) -> bool:
@@ -90,13 +72,15 @@ def task_of(
         )
     vehicle = _vehicle(design, near is None and _free_wheel(design, drawn is not None))
     course = _course(design, drawn) if near is None else in_order(course_model.course(design) or Course())
+    draw = course_model.draw(design)
     return Task(
         vehicle=vehicle,
-        limits=_limits(design, vehicle, calm, reserve),
-        course=replace(course, margin=course.margin + reserve.margin),
+        limits=_limits(design, vehicle, calm, reserve, 1.0 if draw is None else draw.spacings[0] / draw.stated),
+        course=replace(draw.tightest(course) if draw else course, margin=course.margin + reserve.margin),
         near=None if near is None else track_points(near),
         within=within,
         gate_margin=reserve.gate,
+        draw=draw,
     )
 
 
@@ -185,9 +169,10 @@ def _given_travel(design: Design) -> float | None:
     return TURN * radius * float(gear_model.train(design).ratio)
 
 
-def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reserve) -> Limits:
+def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reserve, smallest: float) -> Limits:
+    """Limits of steering and cam; the path is driven at its `smallest` too, a share of what is planned."""
     checks = cam_model.check_limits(design)
-    left, right = curvature_limits(vehicle)
+    left, right = curvature_limits(vehicle, smallest)
     rod = rod_of(cam_model.follower(design), "planning a path")
     least_radius = max(checks.min_convex_radius, design.blank.edge_break_mm or 0.0)
     valley, band = inf, variation.play_bands(design).get(design.optimize.order)

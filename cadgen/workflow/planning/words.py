@@ -1,9 +1,10 @@
 """The result of a plan, or why there is none, as sentences and as plain values."""
 
-from math import atan, degrees, tan
+from math import degrees
 from typing import Any
 
-from cadgen.planner.reasons import Reason
+from cadgen.report import settings
+from cadgen.report.reasons import cure, fault, narrow_field
 from cadgen.version import __version__
 from cadgen.workflow.planning.plan import PlannedPath
 
@@ -34,7 +35,9 @@ def sentences(planned: PlannedPath) -> list[str]:
         if cam.against is not None:
             said += cam.laps.sentences(cam.against.run, cam.against.before, cam.against.chosen)
         lines += [sentence.removesuffix(".") for sentence in said]
-    if not cam.passed:
+    if planned.drawn:
+        lines += [*settings.sentences(planned.drawn, None), "cadgen card has the settings for every spacing"]
+    if not planned.passed:
         lines.append("a check still fails, so nothing is written: see the table")
     return lines
 
@@ -46,75 +49,15 @@ def _refusal(planned: PlannedPath) -> list[str]:
         names = ", ".join(planned.plan.missed)
         return [f"no path was found that keeps all limits; the best one violates {names}: try --seeds 5"]
     first, *rest = planned.reasons
-    lines = [f"the course cannot be driven: {_what(planned, first)}"]
+    if narrow := narrow_field(first, planned.task):
+        return [f"the course cannot be driven: {narrow}"]
+    lines = [f"the course cannot be driven: {fault(first, planned.task)}"]
     if first.enough:
-        lines[0] += f"; least change that does: {_cure(planned, first)}"
-        lines += [f"or {_cure(planned, reason)}" for reason in rest if reason.enough]
+        lines[0] += f"; least change that does: {cure(first, planned.task, planned.design)}"
+        lines += [f"or {cure(reason, planned.task, planned.design)}" for reason in rest if reason.enough]
     else:
         lines[0] += "; and no single limit that gives way is enough"
     return lines
-
-
-def _what(planned: PlannedPath, reason: Reason) -> str:
-    """The fault, and its amount."""
-    x, y = reason.place
-    where = f"near ({x:.0f}, {y:.0f}) mm"
-    limits, name, amount = planned.task.limits, reason.limit, reason.amount
-    if name == "turn":
-        held = 1 / min(limits.left, limits.right)
-        return (
-            f"it needs a turn {where} that is {100 * amount:.0f} % tighter than the {held:.0f} mm that the fork holds"
-        )
-    if name == "pressure angle":
-        steep = degrees(atan((1 + amount) * tan(limits.rise)))
-        most = degrees(limits.rise)
-        return f"it needs a pressure angle of {steep:.1f} degrees {where}, and {most:.1f} are planned for"
-    if name in ("convex radius", "valley"):
-        return f"the lift must turn {100 * amount:.0f} % more sharply {where} than the outline can follow"
-    if name in ("slope", "bend"):
-        return f"the curvature must change {100 * amount:.0f} % faster {where} than the path it is compared with"
-    if name == "length":
-        return f"the path is {amount:.0f} mm longer than wheel and train drive before the closing blend"
-    if name == "near":
-        return f"the path must leave the given one by {amount:.1f} mm more than it may, {where}"
-    if name.endswith(" heading"):
-        return f"{name.removesuffix(' heading')} cannot be passed in its direction, by {degrees(amount):.1f} degrees"
-    if name.startswith(("course.gates", "course.finish", "course.start", "path")):
-        return f"{name} is missed by {amount:.1f} mm"
-    return f"the car comes {amount:.1f} mm too near to {name} {where}"
-
-
-def _cure(planned: PlannedPath, reason: Reason) -> str:
-    """The change that would do."""
-    name, amount, design = reason.limit, reason.amount, planned.design
-    if name == "turn":
-        steering = degrees(atan((1 + amount) * tan(planned.task.vehicle.car.max_steering_angle)))
-        return f"raise car.max_steering_angle_deg to {steering + 0.5:.0f}"
-    if name == "pressure angle":
-        return f"raise cam.base_radius_mm to {(1 + amount) * design.cam.base_radius_mm + 0.5:.0f}"
-    if name == "convex radius":
-        return (
-            f"raise cam.base_radius_mm to {(1 + amount) * design.cam.base_radius_mm + 0.5:.0f}, or take a thinner rod"
-        )
-    if name == "valley":
-        most = (1 + amount) * (design.optimize.max_lift_error_um or 0.0)
-        return f"raise optimize.max_lift_error_um to {most + 1:.0f}"
-    if name in ("slope", "bend"):
-        return f"allow the curvature to change {100 * amount + 1:.0f} % faster"
-    if name == "length":
-        radius = design.car.drive_wheel_radius_mm or 0.0
-        wheel = radius * (1 + amount / planned.task.vehicle.most_length)
-        return f"raise car.drive_wheel_radius_mm to {wheel + 0.01:.2f}"
-    if name == "near":
-        return f"allow {planned.task.within + amount + 0.1:.1f} mm"
-    if name.endswith(" heading"):
-        key = name.removesuffix(" heading")
-        return f"raise {key}.heading_tolerance_deg by {degrees(amount) + 0.1:.1f}"
-    if name.startswith(("course.gates", "course.finish", "course.start")):
-        return f"make {name} {amount + 0.1:.1f} mm wider to either side, or move it by that"
-    if name == "course.field":
-        return f"make the field {amount + 0.1:.1f} mm larger there, or lower course.margin_mm by that"
-    return f"move {name} by {amount + 0.1:.1f} mm, or lower course.margin_mm by that"
 
 
 def facts(planned: PlannedPath) -> dict[str, Any]:
@@ -135,6 +78,7 @@ def facts(planned: PlannedPath) -> dict[str, Any]:
         "worst_end_heading_deg": None if against is None else degrees(against.chosen.band.worst_heading),
         "return_error_deg": None if against is None else [degrees(end) for end in against.band.ends],
         "failed": [] if cam is None else [check.code for check in cam.failed],
+        "settings": settings.rows(design, planned.drawn),
         "said": sentences(planned),
         "reasons": [
             {"limit": each.limit, "amount": each.amount, "near_mm": list(each.place), "enough": each.enough}

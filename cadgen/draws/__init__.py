@@ -1,0 +1,16 @@
+"""One cam for every draw: settings of the car for each spacing of a course that is drawn on site.
+
+A path scaled by a factor needs its steering divided by that and its distance multiplied. The disc moved along its shaft
+changes the lever, and with it the steering; the drive wheel or the ratio changes the distance. Both together are exact
+but for the offset of the drive wheel, the thickness of the disc and the lean of the rod; head and start take most of
+what is left.
+
+| module     | what it does                                                              |
+|------------|---------------------------------------------------------------------------|
+| `knobs`    | what can be set, within which range and to which division                 |
+| `steering` | steering of one disc at any place on its shaft and any setting of the head |
+| `error`    | how far the car leaves the scaled path with some setting                  |
+| `minimax`  | the least greatest error to first order, by cutting planes                |
+| `search`   | the best setting for a spacing                                            |
+| `drawn`    | a spacing with its setting, its errors and its checks                     |
+"""

@@ -1,0 +1,80 @@
+"""How far the car leaves the scaled path with some setting."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.draws.knobs import COUNT, DISC, HEAD, HEADING, TRAVEL, Knobs, X, Y
+from cadgen.draws.steering import Steering
+from cadgen.motion.drive import MIDPOINT, Pose, driven
+from cadgen.steering.car import Car, wheel_tangent
+
+Complex = NDArray[np.complex128]
+# Steps of the settings for derivatives: mm, mm, share of the travel, mm, mm, rad.
+_STEPS = np.array([1e-4, 1e-5, 1e-6, 1e-3, 1e-3, 1e-6])
+
+
+@dataclass(frozen=True, eq=False)
+class Target:
+    """The path of one spacing, and the car that is to drive it.
+
+    Attributes:
+        nodes: cam angles between which the car is driven, shape (n + 1,), rad; the stations of `steering` are these
+            and the middles between them in turn.
+        places: planned point of the scaled path at the nodes, x + iy, shape (n + 1,), mm.
+        heading: heading of the path at its start, rad.
+        offset: how far the planned point is to the right of the drive wheel, mm.
+        car: the car in plan view.
+        steering: what the disc gives.
+        rim: travel of the drive wheel as built, by that as designed.
+    """
+
+    nodes: Array
+    places: Complex
+    heading: float
+    offset: float
+    car: Car
+    steering: Steering
+    rim: float = 1.0
+
+    def start(self, values: Array) -> Pose:
+        """Pose of the drive wheel at the start, with some settings."""
+        heading = self.heading + float(values[HEADING])
+        place = complex(self.places[0]) + complex(values[X], values[Y]) + 1j * self.offset * np.exp(1j * heading)
+        return Pose(x=place.real, y=place.imag, heading=heading)
+
+    def errors(self, values: Array) -> Complex:
+        """Planned point of the car from that of the path at the same cam angle, x + iy, shape (n + 1,), mm."""
+        tangent = wheel_tangent(self.steering.tan_beta(float(values[DISC]), float(values[HEAD])), self.car)
+        middles = tangent[1 : 2 * len(self.nodes) - 2 : 2, None]
+        heading, place = driven(
+            self.nodes, lambda _: middles, self.car, self.rim * float(values[TRAVEL]), self.start(values), MIDPOINT
+        )
+        return np.asarray(planned_point(place, heading, self.offset) - self.places)
+
+    def derivatives(self, values: Array, errors: Complex, knobs: Knobs) -> Complex:
+        """Derivatives of the errors by the settings, shape (n + 1, 6); 0 for what cannot be set."""
+        bounds, by = knobs.bounds, np.zeros((len(errors), COUNT), dtype=complex)
+        for number in range(COUNT):
+            low, high = bounds[number]
+            if high <= low:
+                continue
+            step = _STEPS[number] * (values[TRAVEL] if number == TRAVEL else 1.0)
+            step = -step if values[number] + step > high else step
+            moved = values.copy()
+            moved[number] += step
+            by[:, number] = (self.errors(moved) - errors) / step
+        return by
+
+
+def planned_point(wheel: Complex, heading: Array, offset: float) -> Complex:
+    """Places of the planned point, x + iy, mm, by those of the drive wheel.
+
+    Args:
+        wheel: places of the drive wheel, x + iy, mm.
+        heading: headings, rad.
+        offset: how far the planned point is to the right of the drive wheel, mm.
+    """
+    return np.asarray(wheel - 1j * offset * np.exp(1j * heading))

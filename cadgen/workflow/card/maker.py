@@ -1,0 +1,185 @@
+"""The setting of a spacing: sought to first order on the rolled disc, then driven by the exact chain and checked."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.build import cam_model, course_model, draw_model
+from cadgen.cam.checks import riding_checks
+from cadgen.cam.followers.rod import LeaningRod, rod_of
+from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
+from cadgen.course.course import Course
+from cadgen.course.scaled import Draw
+from cadgen.curves.closed import ClosedCurve
+from cadgen.design.schema import Design
+from cadgen.draws.drawn import Drawn, steering_check
+from cadgen.draws.error import Target, planned_point
+from cadgen.draws.knobs import Setting
+from cadgen.draws.search import best_setting, first_guess
+from cadgen.draws.steering import Steering, moved_rod
+from cadgen.motion.drive import Pose, Run, drive
+from cadgen.motion.sampled import rolled_lift
+from cadgen.optimize.profiles.actual import ACTUAL
+from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.course import CourseRun, OnCourse, play_checks
+from cadgen.workflow.cam.plan import CamPlan
+
+_STATIONS = 3600  # at which the rod is rolled, an even number; the run then errs by 0.02 mm
+TRIES = 3  # settings that are sought for a spacing at which the course is not kept
+_HEAVIER = 2.0  # times which the error counts where the course is not kept, each time
+_ABOUT = 0.04  # of the run, to either side of such a place
+
+
+@dataclass(frozen=True)
+class Maker:
+    """Makes the settings of a cam.
+
+    Attributes:
+        cam: plan of the cam.
+        draw: spacings that can be drawn.
+        tries: settings that are sought for a spacing at which the course is not kept.
+    """
+
+    cam: CamPlan
+    draw: Draw
+    tries: int = TRIES
+
+    def drawn(self, spacing: float) -> Drawn:
+        """The setting with the least error that keeps the course; if none does, the one that comes nearest to that."""
+        design, track = self._design, self.cam.track
+        target = draw_model.target(design, track, self.draw, spacing, self._nodes, self._steering)
+        knobs = draw_model.knobs(design, track, self._start(spacing))
+        weights = np.ones(len(self._nodes))
+        middle = (self._rod.inner + self._rod.outer) / 2
+        begin = first_guess(knobs, middle, track.turn, spacing / self.draw.stated)
+        rows = []
+        for _ in range(self.tries):
+            found = best_setting(target, knobs, begin, weights)
+            row, places = self._driven(spacing, target, found.setting)
+            rows.append(row)
+            if not places:
+                break
+            for place in places:
+                weights[np.abs(self._nodes - place) < _ABOUT * self._nodes[-1]] *= _HEAVIER
+            begin = found.setting.values
+        return min(rows, key=lambda each: each.merit)
+
+    def _start(self, spacing: float) -> tuple[float, float, float]:
+        return draw_model.start_of(self.draw, self.cam.track, spacing / self.draw.stated)
+
+    @property
+    def _design(self) -> Design:
+        return self.cam.design
+
+    @cached_property
+    def _course(self) -> Course:
+        """The course as stated; where the car starts the setting says."""
+        course = course_model.course(self._design)
+        assert course is not None  # it has spacings
+        return replace(course, start=None)
+
+    @property
+    def _wanted(self) -> LiftCurve:
+        """Lift wanted, without play."""
+        return self.cam.lift if self.cam.against is None else self.cam.against.task.lift
+
+    @cached_property
+    def _rod(self) -> LeaningRod:
+        return rod_of(self.cam.follower, "a card of settings")
+
+    @cached_property
+    def _plain(self) -> ClosedCurve:
+        """Curve to be cut of the disc that gives the wanted lift without play."""
+        if self.cam.against is None:
+            return self.cam.curve
+        return cam_model.as_built(self._design).precompensated(ACTUAL.curve(self._wanted, self._rod).curve)
+
+    @cached_property
+    def _stations(self) -> Array:
+        return np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+
+    @cached_property
+    def _nodes(self) -> Array:
+        """Every other station up to where runs are judged."""
+        even = self._stations[::2]
+        return even[even <= self._wanted.blend_start]
+
+    @cached_property
+    def _steering(self) -> Steering:
+        knobs = draw_model.knobs(self._design, self.cam.track, self._start(self.draw.stated))
+        return Steering.of(self._rod, knobs.disc, knobs.head, lambda rod: self._contact(self._plain, rod).tan_beta)
+
+    def _contact(self, cut: ClosedCurve, rod: LeaningRod) -> Contact:
+        return draw_model.contact(self._design, cut, rod, self._stations)
+
+    def _driven(self, spacing: float, target: Target, setting: Setting) -> tuple[Drawn, list[float]]:
+        """The setting as it drives, and motor positions, rad, at which it does not keep the course."""
+        rod = moved_rod(self._rod, setting.disc, setting.head)
+        contact = self._contact(self._plain, rod)
+        lift = rolled_lift(contact, self._wanted, blend_start=self._wanted.blend_start)
+        start, length = target.start(setting.values), target.rim * setting.travel
+        on = OnCourse(self._design, self.cam.track, self._wanted, self.draw.course(self._course, spacing))
+
+        def driving(stop: float, steps: int) -> Run:
+            return drive(lift, target.car, length, start=start, stop=stop, steps=steps, at_joints=True)
+
+        held = on.run(driving)
+        off = self._off(held.run, spacing)
+        checks = [*held.checks(), steering_check(lift, self._nodes, target.car)]
+        with_play = None
+        if self.cam.against is not None:
+            contact = self._contact(self.cam.curve, rod)
+            lift = rolled_lift(contact, self.cam.lift, blend_start=self._wanted.blend_start)
+            against = _moved(self.cam.against, lift, start, length)
+            with_play = self._end_with_play(against, spacing)
+            if self._course.judged == "play":
+                checks += play_checks(on, against)
+        checks += riding_checks(lift, rod, contact, self.cam.blank, cam_model.check_limits(self._design))
+        worst = int(np.argmax(off))
+        place = planned_point(np.array([start.x + 1j * start.y]), np.array([start.heading]), target.offset)[0]
+        row = Drawn(
+            spacing=spacing,
+            setting=setting,
+            start=(float(place.real), float(place.imag), start.heading),
+            error=float(off[worst]),
+            error_at=float(held.run.motor[worst] / TURN * length),
+            end=float(off[-1]),
+            end_with_play=with_play,
+            checks=tuple(checks),
+        )
+        return row, _wrong_places(held)
+
+    def _off(self, run: Run, spacing: float) -> Array:
+        """Distance of the planned point of the car from the scaled path, as far as runs are judged, shape (n,), mm."""
+        judged = int(np.searchsorted(run.motor, self._wanted.blend_start, side="right"))
+        wheel = run.drive_wheel[:, 0] + 1j * run.drive_wheel[:, 1]
+        place = planned_point(wheel, run.heading, self._design.path.offset_mm)
+        wanted = draw_model.places(self._design, self.cam.track, self.draw, run.motor, spacing)
+        return np.asarray(np.abs(place - wanted)[:judged])
+
+    def _end_with_play(self, against: Against, spacing: float) -> float:
+        """Greatest distance of the end of the run from that of the path over the band of play, mm."""
+        measured, band = against.band.measured, against.chosen.band.plays
+        plays = band if measured is None else np.array([measured])
+        return max(float(self._off(against.run(against.chosen, play), spacing)[-1]) for play in plays.tolist())
+
+
+def _moved(against: Against, rolled: LiftCurve, start: Pose, length: float) -> Against:
+    """The comparison under play with the chosen profile on a disc that was moved, another wheel and another start."""
+    task = replace(against.task, start=start, length=length)
+    return replace(against, task=task, chosen=replace(against.chosen, rolled=rolled))
+
+
+def _wrong_places(run: CourseRun) -> list[float]:
+    """Motor positions, rad, where a run does not keep its course."""
+    margin, driven, motor = run.on.course.margin, run.driven, run.run.motor
+    places = [there.place for _, there in driven.approaches if there.clearance < margin]
+    if driven.edge is not None and driven.edge.clearance < margin:
+        places.append(driven.edge.place)
+    places += [passage.place for passage in driven.passages if passage.margin < 0]
+    if driven.finish is not None and driven.finish.off > driven.finish.wanted.place.reach:
+        places.append(len(motor) - 1.0)
+    return np.interp(places, np.arange(len(motor)), motor).tolist() if places else []
