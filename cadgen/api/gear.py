@@ -8,7 +8,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from cadgen.api.files import Written, folder_of
-from cadgen.api.values import Frozen, optional, real, whole, word
+from cadgen.api.values import Frozen, feature, optional, real, whole, word
 from cadgen.arrays import TURN
 from cadgen.design.names import name_fault
 from cadgen.errors import DesignError, brief
@@ -76,11 +76,11 @@ class Gear:
         whole("teeth", self.teeth, 4, 1000)
         whole("grade", self.grade, 3, 12)
         real("module", self.module, 0, 10, "mm", above=True)
-        real("width", self.width, 0, 500, "mm", above=True)
+        feature("width", self.width, 500)
         real("pressure_angle", self.pressure_angle, radians(10), radians(35), "rad")
         real("profile_shift", self.profile_shift, -2, 2, "modules")
-        real("bore", self.bore, 0, 500, "mm")
-        real("tip_chamfer", self.tip_chamfer, 0, 10, "mm")
+        feature("bore", self.bore, 500, or_none=True)
+        feature("tip_chamfer", self.tip_chamfer, 10, or_none=True)
         for name, most in (("addendum", 3), ("dedendum", 3), ("rack_tip_radius", 1)):
             real(name, getattr(self, name), 0, most, "modules", above=True)
         if self.thickness_deviation is not None:
@@ -209,23 +209,23 @@ class Gear:
 def _require_features(keyway: Keyway | None, hub: Hub | None, web: Web | None, lightening: Lightening | None) -> None:
     """Refuse sizes that the design file refuses."""
     if keyway:
-        real("keyway.width", keyway.width, 0, 100, "mm", above=True)
-        real("keyway.depth", keyway.depth, 0, 50, "mm", above=True)
+        feature("keyway.width", keyway.width, 100)
+        feature("keyway.depth", keyway.depth, 50)
         real("keyway.angle", keyway.angle, -TURN, TURN, "rad")
     if hub:
-        real("hub.diameter", hub.diameter, 0, 1000, "mm", above=True)
-        real("hub.length", hub.length, 0, 200, "mm")
+        feature("hub.diameter", hub.diameter, 1000)
+        feature("hub.length", hub.length, 200, or_none=True)
         word("hub.side", hub.side, ("outer", "inner"))
         if hub.set_screw:
-            real("hub.set_screw.diameter", hub.set_screw.diameter, 0, 50, "mm", above=True)
+            feature("hub.set_screw.diameter", hub.set_screw.diameter, 50)
             real("hub.set_screw.height", hub.set_screw.height, 0, 200, "mm")
             real("hub.set_screw.angle", hub.set_screw.angle, -TURN, TURN, "rad")
     if web:
-        real("web.thickness", web.thickness, 0, 500, "mm", above=True)
-        real("web.rim_thickness", web.rim_thickness, 0, 500, "mm", above=True)
+        feature("web.thickness", web.thickness, 500)
+        feature("web.rim_thickness", web.rim_thickness, 500)
     if lightening:
         whole("lightening.count", lightening.count, 1, 360)
-        real("lightening.hole_diameter", lightening.hole_diameter, 0, 500, "mm", above=True)
+        feature("lightening.hole_diameter", lightening.hole_diameter, 500)
         optional("lightening.circle_diameter", lightening.circle_diameter, 0, 1000, "mm", above=True)
         real("lightening.start_angle", lightening.start_angle, -TURN, TURN, "rad")
 

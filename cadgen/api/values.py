@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cadgen.arrays import Array
+from cadgen.design.section import LEAST_FEATURE_MM
 from cadgen.errors import DesignError, brief
 
 
@@ -37,6 +38,16 @@ def real(
         return number
     allowed = f", greater than {least:.10g} and at most {most:.10g}" if above else _range(least, most)
     raise DesignError(f"{name} is {_shown(value)}; it must be a number{allowed} {unit}".rstrip())
+
+
+def feature(name: str, value: object, most: float, *, or_none: bool = False) -> float:
+    """Require the length of a feature that can be made, mm, or 0 for none where that is allowed, and return it."""
+    if or_none and isinstance(value, Real) and not isinstance(value, bool) and value == 0:
+        return 0.0
+    try:
+        return real(name, value, LEAST_FEATURE_MM, most, "mm")
+    except DesignError as error:
+        raise DesignError(str(error).replace("a number,", "0, or a number,", 1)) if or_none else error from None
 
 
 def whole(name: str, value: object, least: int, most: float = inf) -> int:

@@ -67,6 +67,14 @@ _NAMES: dict[str, str] = {
     CheckCode.COURSE_FINISH_PLAY: "终点位置，有间隙",
     CheckCode.COURSE_FINISH_HEADING_PLAY: "终点航向，有间隙",
     CheckCode.BODIES_OVERLAP: "零件干涉",
+    CheckCode.LAP_DRIFT: "每圈偏移",
+    CheckCode.LAP_TURN: "每圈航向偏转",
+    CheckCode.LAP_DRIFT_PLAY: "每圈偏移，有间隙",
+    CheckCode.LAP_TURN_PLAY: "每圈航向偏转，有间隙",
+    CheckCode.LAPS_DRIFT_PLAY: "全部圈数后的偏移，有间隙",
+    CheckCode.LAPS_TURN_PLAY: "全部圈数后的航向偏转，有间隙",
+    CheckCode.LAP_FURTHEST_PLAY: "最后一圈的最大偏离，有间隙",
+    CheckCode.STEERING_ANGLE: "转向角",
 }
 # Words of places; longer ones first.
 _PLACES = (

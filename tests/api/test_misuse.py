@@ -200,9 +200,10 @@ BOUNDED = {
 def test_arguments_are_bounded_as_the_keys_of_the_design_file(argument):
     name, unit, made = BOUNDED[argument]
     allowed = next(key for table in tables().values() for key in table.keys if key.name == name).allowed
-    words = allowed.replace(" and ", ", ").split(", ")
+    words = allowed.removeprefix("0, or ").replace(" and ", ", ").split(", ")
     least, most = (float(part.split()[-1]) / unit for part in words)
     outside = [least if words[0].startswith("greater") else least - 1, most + 1]
+    outside += [1e-9] if allowed.startswith("0, or") else []
     for value in outside:
         with pytest.raises(DesignError, match=rf"^{argument} is .*; it must be"):
             made(value)

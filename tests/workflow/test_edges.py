@@ -50,7 +50,7 @@ def test_no_key_and_zero_make_the_same_part():
         (["blank.edge_break_mm=1.46"], r"leave no land of at least 0\.1 mm .* 3 mm thick: lower it to 1\.45 or less"),
         (["blank.edge_break_mm=4"], r"leave no land of at least 0\.1 mm"),
         (["blank.edge_break_mm=0.1", "cam.thickness_mm=0.1"], r"0\.1 mm thick: leave it out, or make the disc thicker"),
-        (["blank.edge_break_mm=-0.1"], r"it must be at least 0 and at most 20 \(mm\)"),
+        (["blank.edge_break_mm=-0.1"], r"it must be 0, or at least 0\.01"),
         (['blank.edge_break_mm="wide"'], "it must be a number in mm"),
         (["blank.edge_break=0.1"], "write blank.edge_break_mm, in mm"),
     ],
