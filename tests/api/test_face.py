@@ -106,7 +106,7 @@ REFUSED = {
     "a module": (lambda car: replace(PINION, module="1"), "module is '1'; it must be a number"),
     "a width": (
         lambda car: replace(PINION, width=-1.0),
-        "width is -1; it must be a number, greater than 0 and at most 500 mm",
+        "width is -1; it must be a number from 0.01 to 500 mm",
     ),
     "a bore": (lambda car: replace(PINION, bore=16.0), "has a bore that reaches to 16 mm"),
     "a hub": (lambda car: replace(PINION, hub=3), "hub is 3; it must be a Hub"),
