@@ -53,7 +53,7 @@ REFUSED = {
     ),
     "a keyway of no width": (
         lambda car: replace(GEAR, bore=5, keyway=Keyway(width=float("nan"), depth=1.0)),
-        "keyway.width is nan; it must be a number, greater than 0 and at most 100 mm",
+        "keyway.width is nan; it must be a number from 0.01 to 100 mm",
     ),
     "axes kilometres apart": (lambda car: replace(PAIR, centre_distance=1e6), "at most 2000 mm"),
     "eight stages": (lambda car: Train([PAIR] * 8), "stages has 8 pairs; it must have at most 7"),

@@ -41,6 +41,7 @@ def cams(draw):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @settings(max_examples=40, deadline=None)
 @given(cams())
 def test_envelope_and_contact_agree(cam):

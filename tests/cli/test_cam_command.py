@@ -77,6 +77,7 @@ def optimized(forks, tmp_path_factory):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_same_design_gives_the_same_bytes(optimized, cadgen, tmp_path):
     cadgen("cam", *HUB, "--out", "out", code=0, fresh=True)
     assert contents(tmp_path / "out") == contents(optimized)
@@ -85,6 +86,7 @@ def test_the_same_design_gives_the_same_bytes(optimized, cadgen, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     thick_walls = ("--set", "checks.min_wall_mm=50")
     result = cadgen("cam", "--profile", "actual", *thick_walls, "--out", "out", code=1)

@@ -69,6 +69,7 @@ def test_json_errors_are_json(cadgen):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_check_says_what_failed_and_how_to_cure_it(cadgen):
     result = cadgen("check", "appendix_car", "--profile", "actual", code=1)
     assert "FAIL" in result.stdout

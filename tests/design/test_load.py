@@ -122,6 +122,7 @@ def test_what_is_written_is_what_is_read(written: Write, tables: Tables) -> None
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @given(designs(), designs(), st.data())
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 def test_an_override_does_what_editing_the_file_does(

@@ -133,6 +133,7 @@ def test_the_dimensions_of_gears_are_those_of_their_step_files(folder, train, tm
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_dimensions_are_those_that_the_design_names(folder, design, tmp_path):
     """Also on a gear without a bore, which has a ring less in every section; and no number stands on its head."""
     import ezdxf

@@ -125,6 +125,7 @@ def test_a_distance_is_measured_between_two_points(shown):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("scheme", "width"), [("light", 1280), ("dark", 390)])
 def test_axe_finds_nothing_serious(browser, address, scheme, width):
     sync = pytest.importorskip("axe_playwright_python.sync_playwright", reason="no axe: install cadgen[test]")

@@ -66,6 +66,7 @@ def test_a_plan_is_reproducible_and_more_searches_are_no_worse(task):
     ],
 )
 @pytest.mark.slow
+@pytest.mark.long
 def test_what_cannot_be_driven_is_blamed_on_the_right_limit(task, course, limit, least, most):
     found = plan(replace(task, course=course))
     assert found.missed

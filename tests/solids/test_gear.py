@@ -132,6 +132,7 @@ def test_flank_root_and_volume_of_the_solid_are_exact(teeth: int) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_step_file_of_150_teeth_is_small_and_keeps_the_errors(tmp_path: Path) -> None:
     form = gear(150, 1.0)
     body = gear_body(form, Blank(bore_diameter=10.0))

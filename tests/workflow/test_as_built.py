@@ -179,6 +179,7 @@ def test_the_key_takes_the_phase_out(built):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_commands_say_what_is_built_and_where_to_stop(built, tmp_path):
     built(*TRACK, effect("track", "cam phase", "car", phase_deg=0.4))
     keyless = ["simulate", str(tmp_path / "mine.toml"), "--profile", "compensated", "--set", "blank.keyway="]

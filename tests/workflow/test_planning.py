@@ -178,6 +178,7 @@ def test_a_field_in_which_the_car_cannot_turn_round_is_named():
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_course_whose_spacing_is_drawn_and_runs_with_play_judged():
     plan = Design.from_toml(SMALL + DRAWN, train_only=True).with_({"course.judged": "play"}).plan()
     print(*plan.sentences, sep="\n")
