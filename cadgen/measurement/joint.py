@@ -213,7 +213,8 @@ class Joint:
 
 def _only(part: Part, runs: NDArray[np.intp], spectrum: Spectrum) -> Part:
     """Some runs of a part, by one spectrum of the form error."""
-    record = part.record.only(runs)
+    # Of runs with fewer points than others the harmonics would be others, and what repeats could not be compared.
+    record = replace(part.record.only(runs), resolved=getattr(part.model, "resolved", None))
     model, rows = part.build(record), np.isin(part.model.rows.run, runs)
     slip = part.noise.slip * (len(runs) > 1)
     noise = Noise(part.noise.sigma[rows], part.noise.correlation, slip, len(runs))

@@ -200,6 +200,8 @@ class Record:
         run: number of the run of each row, shape (n,), from 0 in order of appearance.
         remarks: the comment lines, without their mark.
         source: file name, for messages.
+        resolved: highest order that the spacing of the points resolves, where a part of a record must have the
+            orders of the whole; None to go by the points themselves.
     """
 
     kind: Kind
@@ -207,6 +209,7 @@ class Record:
     run: NDArray[np.intp]
     remarks: tuple[str, ...]
     source: str
+    resolved: int | None = None
 
     @property
     def runs(self) -> int:

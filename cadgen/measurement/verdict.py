@@ -328,6 +328,8 @@ def _runs_disagree(part: Part, best: Hypothesis) -> bool:
         squares.append(float(np.sum(((residual - columns @ fit) / noise.sigma) ** 2)))
         ranks.append(int(rank))
     extra, left = ranks[1] - ranks[0], len(residual) - ranks[1]
+    if extra < 1 or left < 1 or squares[1] == 0:
+        return False  # so few rows do not tell
     ratio = (squares[0] - squares[1]) / extra / (squares[1] / left)
     inflation = (1 + noise.correlation) / (1 - noise.correlation)
     return bool(f_distribution.sf(ratio / inflation, extra, left) < DISAGREE)

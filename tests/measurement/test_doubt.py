@@ -1,11 +1,13 @@
 """Nothing is claimed beyond the evidence of the data, and their limits are stated."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from cadgen.errors import FileError
+from cadgen.measurement import verdict
 from cadgen.measurement.calibrate import calibrate
 from cadgen.measurement.diagnose import diagnose
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved
@@ -168,3 +170,33 @@ def test_another_designs_lift_is_unexplained(lift, appendix_car):
     assert (told.verdict, told.judgement.claimed) == ("unexplained", ())
     assert "dwarfs every effect" in told.judgement.sentence
     assert told.residual.before > 400
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_run_left_out_has_the_harmonics_of_the_whole(measured, nominal):
+    """Every tenth point: runs of 60 and of 61 points resolve different orders, and what the others repeat is taken off."""
+    whole = load(measured / "profile_a.csv")
+    thin = whole.where(np.arange(len(whole.run)) % 10 == 0)
+    points = {int(np.sum(thin.run == run)) for run in range(thin.runs)}
+    assert len(points) > 1
+    (told,) = calibrate([thin], nominal)
+    assert told.residual.left_out.repeating > 0
+
+
+def test_so_few_rows_that_nothing_is_left_tell_of_no_difference():
+    rows = SimpleNamespace(runs=2, run=np.array([0, 0, 1, 1]), place=np.array([0.0, 1.0, 0.0, 1.0]))
+    none = np.empty((4, 0))
+    model = SimpleNamespace(
+        rows=rows,
+        offsets=np.eye(4),
+        slip=np.empty(0),
+        form=none,
+        discrepancy=SimpleNamespace(columns=none),
+    )
+    part = SimpleNamespace(
+        model=model,
+        noise=SimpleNamespace(sigma=np.ones(4), correlation=0.0),
+        residual=lambda active: np.array([1.0, -1.0, 2.0, 0.5]),
+    )
+    assert not verdict._runs_disagree(part, SimpleNamespace(active=[]))

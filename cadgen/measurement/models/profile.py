@@ -69,7 +69,7 @@ class ProfileModel:
         self.rows = Rows(
             run=record.run, place=place, elapsed=elapsed(record.run), cell=np.full(len(place), -1, dtype=np.intp)
         )
-        last = highest_order(place, record.run)
+        self.resolved = last = record.resolved or highest_order(place, record.run)
         self.catalogue = (
             *PROFILE.effects,
             *(worn_nose(k, width) for k in range(len(self._disc.noses)) for width in NOSE_WIDTHS_DEG),

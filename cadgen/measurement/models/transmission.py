@@ -68,7 +68,7 @@ class TransmissionModel:
             turned=self._all,
             torque=slope / np.abs(slope).max(),
         )
-        highest = highest_order(turned[~back], run[~back])
+        self.resolved = highest = record.resolved or highest_order(turned[~back], run[~back])
         self.catalogue = (*TRANSMISSION.effects, *train_orders(ratios, teeth, highest))
         motor = np.arange(1.0, MOTOR_HARMONICS + 1.0) * float(np.prod(ratios))
         motor = np.asarray(motor[(motor > FORM_ORDERS) & (motor <= highest)], dtype=float)
