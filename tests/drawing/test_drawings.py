@@ -86,10 +86,17 @@ def train(design):
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory, cam, train):
-    out = tmp_path_factory.mktemp("drawings")
+def folder(tmp_path_factory, cam):
+    out = tmp_path_factory.mktemp("cam_drawings")
     cam.write(out, ["dxf"])
-    draw(out, cam=cam, train=train)
+    draw(out, cam=cam)
+    return out
+
+
+@pytest.fixture(scope="module")
+def trains_folder(tmp_path_factory, train):
+    out = tmp_path_factory.mktemp("train_drawings")
+    draw(out, train=train)
     return out
 
 
@@ -119,7 +126,7 @@ def test_the_dimensions_of_a_cam_are_those_of_its_step_file(changes, design, tmp
 
 @pytest.mark.slow
 @pytest.mark.long
-def test_the_dimensions_of_gears_are_those_of_their_step_files(folder, train, tmp_path):
+def test_the_dimensions_of_gears_are_those_of_their_step_files(trains_folder, train, tmp_path):
     from build123d import import_step
 
     from cadgen.solids.step import step_bytes
@@ -129,25 +136,25 @@ def test_the_dimensions_of_gears_are_those_of_their_step_files(folder, train, tm
     for part in train_parts(plan.layout, plan.stem, plan.description)[1::2]:  # a cluster, and the keyed wheel
         step = tmp_path / f"{part.name}.step"
         step.write_bytes(step_bytes(part))
-        agree(read_dimensions(folder / f"{part.name}_drawing.dxf"), import_step(str(step)))
+        agree(read_dimensions(trains_folder / f"{part.name}_drawing.dxf"), import_step(str(step)))
 
 
 @pytest.mark.slow
 @pytest.mark.long
-def test_dimensions_are_those_that_the_design_names(folder, design, tmp_path):
+def test_dimensions_are_those_that_the_design_names(trains_folder, design, tmp_path):
     """Also on a gear without a bore, which has a ring less in every section; and no number stands on its head."""
     import ezdxf
 
     expected = {"web thickness": 3.0, "hole": 10.0, "width, lower gear": 5.0, "collar diameter": 10.0}
     plain = design.with_({"train.intermediate.bore_diameter_mm": 0.0}).gears()
     draw(tmp_path, train=plain)
-    for place in (folder, tmp_path):
+    for place in (trains_folder, tmp_path):
         lengths = read_dimensions(place / "carbon_free_car_as-given_2_cluster_drawing.dxf")
         assert {name: lengths[name] for name in expected} == pytest.approx(expected, abs=1e-9)
-    wheel = read_dimensions(folder / "carbon_free_car_as-given_4_wheel_drawing.dxf")
+    wheel = read_dimensions(trains_folder / "carbon_free_car_as-given_4_wheel_drawing.dxf")
     expected = {"bore": 8.0, "keyway width": 3.0, "bore and keyway": 9.4, "hub diameter": 16.0, "hub length": 6.0}
     assert {name: wheel[name] for name in expected} == pytest.approx(expected, abs=1e-9)
-    for file in folder.glob("*_drawing.dxf"):
+    for file in trains_folder.glob("*_drawing.dxf"):
         for dimension in ezdxf.readfile(file).modelspace().query("DIMENSION"):
             for text in dimension.virtual_entities():
                 if text.dxftype() in ("TEXT", "MTEXT"):
@@ -165,18 +172,20 @@ def test_texts_of_the_title_block_change_no_part(design):
 
 
 @pytest.mark.slow
-def test_the_plate_has_the_axes_of_the_train(folder, train):
-    lengths = read_dimensions(folder / f"{train.computed.stem}_plate_drawing.dxf")
+@pytest.mark.long
+def test_the_plate_has_the_axes_of_the_train(trains_folder, train):
+    lengths = read_dimensions(trains_folder / f"{train.computed.stem}_plate_drawing.dxf")
     apart = [stage["centre_distance_mm"] for stage in train.facts()["stages"]]
     assert [lengths[f"axes {n} and {n + 1}"] for n in (1, 2, 3)] == pytest.approx(apart, abs=1e-9)
 
 
 @pytest.mark.slow
-def test_another_reader_sees_the_sheet_and_the_outlines(folder):
+@pytest.mark.long
+def test_another_reader_sees_the_sheet_and_the_outlines(trains_folder):
     """trimesh reads lines, arcs and circles by code of its own: the gear's outline is closed and has the tips' size."""
-    for file in folder.glob("*_drawing.dxf"):
+    for file in trains_folder.glob("*_drawing.dxf"):
         assert len(trimesh.load_path(file).entities) > 40
-    outline = trimesh.load_path(folder / "carbon_free_car_as-given_1_pinion_outline.dxf")
+    outline = trimesh.load_path(trains_folder / "carbon_free_car_as-given_1_pinion_outline.dxf")
     reach = np.linalg.norm(np.concatenate([entity.discrete(outline.vertices) for entity in outline.entities]), axis=1)
     assert reach.max() == pytest.approx(8.0, abs=1e-3)
 
@@ -200,7 +209,7 @@ def test_the_sheet_names_the_files_by_their_hashes(folder, cam):
 def test_equal_designs_give_equal_bytes(folder, cam, tmp_path, monkeypatch):
     """But for the day: that of the first folder's manifest, here stated."""
     parts = json.loads((folder / "manifest.json").read_text())["parts"]
-    date = parts["carbon_free_car_drawings"]["date"]
+    date = parts["carbon_free_car_cam_drawings"]["date"]
     monkeypatch.setenv("SOURCE_DATE_EPOCH", str(int(np.datetime64(date, "s").astype(int))))
     cam.write(tmp_path, ["dxf"])
     written = draw(tmp_path, cam=cam)
