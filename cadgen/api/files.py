@@ -125,8 +125,13 @@ def folder_of(folder: str | PathLike[str]) -> Path:
     return Path(folder)
 
 
-def refusal(checks: "Sequence[Check]") -> str:
-    """Message on a failed export: each check that fails, with its limit and what to change."""
+def refusal(checks: "Sequence[Check]", *, forced: bool = True) -> str:
+    """Message on a failed export: each check that fails, with its limit and what to change.
+
+    Args:
+        checks: checks, of which those that fail are named.
+        forced: whether the caller can write all the same, by `force`.
+    """
     parts = []
     for check in checks:
         if not check.passed:
@@ -134,7 +139,8 @@ def refusal(checks: "Sequence[Check]") -> str:
             figures = f"{check.name} is {check.value:.4g} {check.unit}".rstrip()
             limit = f"{figures}; it must be {bound} {check.limit:.4g} {check.unit}".rstrip()
             parts.append(f"{limit}: {check.advice}" if check.advice else limit)
-    return f"a check failed, so nothing was written ({'; '.join(parts)}); force=True writes all the same"
+    anyway = "; force=True writes all the same" if forced else ""
+    return f"a check failed, so nothing was written ({'; '.join(parts)}){anyway}"
 
 
 def verify(folder: str | PathLike[str], *, restore: bool = False) -> "FolderState":

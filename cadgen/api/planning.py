@@ -83,7 +83,7 @@ class Plan(Generic[D]):
             raise CheckError(self.sentences[0])
         if not self.passed:
             drawn = (check for each in self.computed.drawn for check in each.checks)
-            raise CheckError(refusal((*self.computed.cam.checks, *drawn)))
+            raise CheckError(refusal((*self.computed.cam.checks, *drawn), forced=False))
         place: Path = folder_of(folder)
         written = write_plan(self.computed, place, progress)
         return Written.of(place, written.part, written.entry)
