@@ -3,8 +3,6 @@
 Run by `pytest benchmarks/test_page.py -s`; the page's own figures need a Chromium (on the path, or in CADGEN_CHROMIUM).
 """
 
-import os
-import shutil
 import statistics
 import subprocess
 import sys
@@ -12,18 +10,10 @@ import time
 
 import pytest
 
+from tests.page.chromium import ARGUMENTS, READY, chromium_path
+
 MAKING, OPENING, FRAMES = 1.5, 0.7, 30.0
 COMMANDS = ("check", "simulate", "optimize", "tolerance --profile optimized")
-ARGUMENTS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-]
-READY = "html[data-ready=all]"
 SLIDE = """async (count) => {
     const slider = document.getElementById("angle"), times = [];
     let last = performance.now();
@@ -67,12 +57,10 @@ def address(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def browser():
-    names = ("chromium", "chromium-browser", "google-chrome")
-    path = os.environ.get("CADGEN_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
-    if path is None:
-        pytest.skip("no Chromium: install your system's, or name one in CADGEN_CHROMIUM")
-    sync = pytest.importorskip("playwright.sync_api", reason="no playwright: install cadgen[test]")
-    with sync.sync_playwright() as playwright:
+    path = chromium_path()
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
         started = playwright.chromium.launch(executable_path=path, args=ARGUMENTS)
         yield started
         started.close()

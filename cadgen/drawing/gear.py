@@ -117,7 +117,8 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     blank = part.blank
     reach = _reach(part.body)
     curves: list[Closed | Stroke] = [_outline(loop) for loop in dict.fromkeys(_rims(part.body))]
-    holes = _holes(part.body)
+    # Under a wider gear they are not seen.
+    holes = () if part.gears[-1].tip_diameter > part.gears[0].tip_diameter else _drilled(part)
     curves += [_outline(hole) for hole in holes]
     if blank.bore_diameter:
         curves.append(Closed(blank.bore()))
@@ -156,14 +157,9 @@ def _rims(body: Body) -> Iterator[Loop]:
         reach = max(reach, slab.rings[0].radii[0])
 
 
-def _holes(body: Body) -> tuple[Loop, ...]:
-    """Lightening holes that are seen from above: none under a wider gear."""
-    number = next((n for n, slab in enumerate(body.slabs) if slab.holes), None)
-    if number is None:
-        return ()
-    above = max((slab.rings[0].radii[1] for slab in body.slabs[number + 1 :] if not slab.holes), default=0.0)
-    covered = max(slab.rings[0].radii[1] for slab in body.slabs[number:]) > body.slabs[0].rings[0].radii[1]
-    return () if covered and above > body.slabs[number].holes[0].radii[0] else body.slabs[number].holes
+def _drilled(part: TrainPart) -> tuple[Loop, ...]:
+    """Lightening holes of a part, which are in its lower gear."""
+    return next((slab.holes for slab in part.body.slabs if slab.holes), ())
 
 
 def _pitch_circles(gear: GearPart) -> list[float]:
@@ -304,7 +300,7 @@ def _notes(gear: GearPart) -> tuple[str, ...]:
         notes.append("A tooth of each gear stands on the axis of the keyway.")
     if blank.web:
         notes.append("The web is midway along the width; both recesses are alike.")
-    drilled = next((slab.holes for slab in gear.part.body.slabs if slab.holes), ())
+    drilled = _drilled(gear.part)
     if drilled and len(gear.part.gears) > 1:
         size, circle = _hole_sizes(drilled)
         notes.append(

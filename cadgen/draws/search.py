@@ -1,8 +1,8 @@
 """The best setting for a spacing: first as if everything could be set to any value, then to the divisions.
 
 The greatest error is nearly the same function of the settings to first order near its least value, so a few
-linearisations find it. Then the settings are put to their divisions one after the other, the one that its division
-moves the car most first, and what is left is set anew each time; the few best rows of choices are kept.
+linearisations find it. Then the settings are put to their divisions one after the other, first those whose division
+moves the car most, and the others are set anew each time; the few best rows of choices are kept.
 """
 
 from dataclasses import dataclass

@@ -57,7 +57,7 @@ def _layer(box: str, content: Iterable[str], code: str, *, origin: str | None = 
 
 
 def _follower(scene: Scene) -> list[str]:
-    """The rod's sections in both faces of the disc, the one that carries last; a point for another follower."""
+    """The rod's sections in both faces of the disc, that in the carrying face last; a point for another follower."""
     rod, tan_beta = scene.follower, float(scene.lift.tan_beta[0])
     if rod is None:
         return [tag("circle", cx=_n(scene.base + float(scene.lift.lift[0])), cy=0, r=2.5, class_="rod", id="rod-point")]

@@ -1,14 +1,12 @@
 """One plan and one page of the paper's car for all tests of the page; Chromium where there is one."""
 
-import os
-import shutil
-
 import pytest
 
 from cadgen.design.load import load_design
 from cadgen.page.content.page import page_of
 from cadgen.page.content.plan import plan_page
 from cadgen.page.html import html_of
+from tests.page.chromium import chromium_path
 
 SAMPLES = 60
 
@@ -38,9 +36,4 @@ def failing(minimal, written):
 @pytest.fixture(scope="session")
 def chromium():
     """Path of a Chromium; the tests that need it are skipped where there is none."""
-    named = os.environ.get("CADGEN_CHROMIUM")
-    found = named or next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if found is None:
-        pytest.skip("no Chromium: install your system's, or name one in CADGEN_CHROMIUM")
-    pytest.importorskip("playwright.sync_api", reason="no playwright: install cadgen[test]")
-    return found
+    return chromium_path()

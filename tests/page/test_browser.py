@@ -2,16 +2,7 @@
 
 import pytest
 
-ARGUMENTS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-]
-READY = "html[data-ready=all]"
+from tests.page.chromium import ARGUMENTS, READY
 
 
 @pytest.fixture(scope="module")

@@ -64,7 +64,7 @@ def _notes(plan: CamPlan) -> Iterator[str]:
 def inspection_csv(plan: CamPlan) -> str:
     """Form for a dial on the lever, in the columns that `cadgen calibrate` reads: the readings are left open.
 
-    Raises nothing; a form that is not filled in is refused by `calibrate`, which names the first open row.
+    A form that is not filled in is refused by `calibrate`, which names the first open row.
     """
     lines = [
         f"# design: {plan.design.name}",
