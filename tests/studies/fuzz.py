@@ -27,7 +27,9 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from importlib import import_module
 from pathlib import Path
+from pkgutil import walk_packages
 
+import cadgen
 from cadgen.optimize.profiles.table import codes
 from tests.studies import fuzz_data, fuzz_designs
 
@@ -36,16 +38,7 @@ CPU_SECONDS, MEMORY_KB, WALL_SECONDS = 60, 2_000_000, 3600
 ADDRESS_SPACE = 6 * 2**30  # beyond which a run is ended; libraries reserve more than they use
 LONGEST_LINE, MOST_LINES = 900, 7
 PROFILES = codes()
-# Loaded before the first fork.
-MODULES = {
-    "calibrate": ("cadgen.workflow.calibration.plan", "cadgen.workflow.calibration.files"),
-    "cam": ("cadgen.workflow.cam.files", "cadgen.solids.kernel"),
-    "check": (),
-    "gears": ("cadgen.workflow.gears.plan", "cadgen.workflow.gears.files", "cadgen.solids.kernel"),
-    "optimize": (),
-    "simulate": ("cadgen.workflow.runs.files", "cadgen.report.tracks"),
-    "tolerance": ("cadgen.workflow.runs.files",),
-}
+KERNEL_COMMANDS = ("cam", "gears")
 DOCS = Path(__file__).parents[2] / "docs" / "studies"
 
 
@@ -175,11 +168,13 @@ def _tail(file: Path) -> str:
 
 
 def load_modules(command: str) -> None:
-    """Load what a command will, before any fork."""
+    """Load the program's modules before any fork; the kernel only for the commands that use it."""
     os.environ.update(COLUMNS="200", TERM="dumb", PYTHONWARNINGS="default")
     os.environ.setdefault("MPLBACKEND", "agg")
-    for name in ("cadgen.cli", "cadgen.cli.show_play", "cadgen.workflow.cam.plan", *MODULES[command]):
-        import_module(name)
+    for module in walk_packages(cadgen.__path__, "cadgen."):
+        kernel = module.name.startswith("cadgen.solids.")
+        if not module.name.endswith("__main__") and (not kernel or command in KERNEL_COMMANDS):
+            import_module(module.name)
 
 
 def outcomes(command: str, seed: int, numbers: Sequence[int], processes: int = 1) -> Iterator[Outcome]:
