@@ -53,21 +53,41 @@ class Key:
         name: dotted name, from the top.
         unit: unit of its numbers; empty if it has none.
         kinds: kind of its value, of an item of that, and so on: `a pair [x, y]`, `a number`.
-        allowed: range or choices, as they read after "must be"; empty if anything of its kind will do.
-        allowed_inside: range or choices of the numbers in a list or pair.
-        required: whether a section must have the key.
-        default: default value; None if it has none.
-        meaning: a phrase.
+        info: the key in the schema.
     """
 
     name: str
     unit: str
     kinds: tuple[str, ...]
-    allowed: str
-    allowed_inside: str
-    required: bool
-    default: object
-    meaning: str
+    info: FieldInfo
+
+    @property
+    def required(self) -> bool:
+        """Whether a section must have the key."""
+        return self.info.is_required()
+
+    @property
+    def default(self) -> object:
+        """Default value; None if it has none."""
+        return None if self.required else self.info.default
+
+    @property
+    def meaning(self) -> str:
+        """A phrase."""
+        return self.info.description or ""
+
+    # Sentences are made when they are asked for: some choices are registered in rooms that take long to load.
+    @property
+    def allowed(self) -> str:
+        """Range or choices, as they read after "must be"; empty if anything of its kind will do."""
+        arms = (self.info.annotation, *get_args(self.info.annotation))
+        choices = next((get_args(arm) for arm in arms if get_origin(arm) is Literal), ())
+        return listed([shown(choice) for choice in choices], "or") or _phrases(self.info.metadata)
+
+    @property
+    def allowed_inside(self) -> str:
+        """Range or choices of the numbers in a list or pair."""
+        return _choices_inside(self.info.annotation) or _phrases(_kinds(self.info.annotation)[1])
 
 
 @dataclass(frozen=True)
@@ -186,21 +206,7 @@ def _section_in(annotation: Any) -> type[Section] | None:
 
 
 def _key(name: str, info: FieldInfo) -> Key:
-    kinds, inside = _kinds(info.annotation)
-    allowed = _phrases(info.metadata)
-    choices = [arm for arm in (info.annotation, *get_args(info.annotation)) if get_origin(arm) is Literal]
-    if choices:
-        allowed = listed([shown(choice) for choice in get_args(choices[0])], "or")
-    return Key(
-        name=name,
-        unit=_unit(name),
-        kinds=kinds,
-        allowed=allowed,
-        allowed_inside=_choices_inside(info.annotation) or _phrases(inside),
-        required=info.is_required(),
-        default=None if info.is_required() else info.default,
-        meaning=info.description or "",
-    )
+    return Key(name, _unit(name), _kinds(info.annotation)[0], info)
 
 
 def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:

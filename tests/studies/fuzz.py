@@ -30,10 +30,23 @@ from pathlib import Path
 from pkgutil import walk_packages
 
 import cadgen
+from cadgen.design.load import packaged_designs
 from cadgen.optimize.profiles.table import codes
 from tests.studies import fuzz_data, fuzz_designs
 
-COMMANDS = ("check", "cam", "gears", "optimize", "simulate", "tolerance", "calibrate")
+COMMANDS = (
+    "check",
+    "cam",
+    "gears",
+    "optimize",
+    "simulate",
+    "tolerance",
+    "calibrate",
+    "card",
+    "draw",
+    "report",
+    "adjust",
+)
 CPU_SECONDS, MEMORY_KB, WALL_SECONDS = 60, 2_000_000, 3600
 ADDRESS_SPACE = 6 * 2**30  # beyond which a run is ended; libraries reserve more than they use
 LONGEST_LINE, MOST_LINES = 900, 7
@@ -65,13 +78,13 @@ def arguments(command: str, seed: int, number: int, folder: Path) -> tuple[list[
         out = ["--out", str(folder / "out")] if rng.random() < 0.3 else []
         return [command, *(str(folder / name) for name in made.files), *made.options, *out], made.changes
     order = rng.choice(["as-given", "reordered", "search"]) if command == "gears" else ""
-    one = fuzz_designs.case(seed, number, searching=order == "search")
+    one = fuzz_designs.case(seed, number, searching=order == "search", deep=_deep(command))
     file = folder / "design.toml"
     file.write_bytes(one.content)
     args = [command, str(file), *(part for text in one.overrides for part in ("--set", text))]
     if rng.random() < 0.5:
         args.append("--json")
-    if command in ("cam", "gears", "simulate"):
+    if command in ("cam", "gears", "simulate", "card", "draw", "report", "adjust"):
         args += ["--out", str(folder / "out")]
     match command:
         case "check" | "cam":
@@ -80,9 +93,23 @@ def arguments(command: str, seed: int, number: int, folder: Path) -> tuple[list[
             args += ["--order", order]
         case "simulate":
             args += ["--play-deg", f"{rng.choice([0, 1e-9, 0.5, 30, 179.9])}"] if rng.random() < 0.2 else []
-        case "tolerance":
+        case "tolerance" | "report":
             args += ["--samples", f"{rng.choice([1, 2, 50])}", "--processes", "1"]
+        case "adjust":
+            what, content = fuzz_data.trial_runs(rng, fuzz_designs.bases()["carbon_free_car"]["path"]["waypoints_mm"])
+            (folder / "trial.csv").write_bytes(content)
+            return [*args, str(folder / "trial.csv")], (*one.changes, what)
     return args, one.changes
+
+
+def _deep(command: str) -> tuple[str, ...]:
+    """Designs whose cases are to get behind the reader, which `check` has tried."""
+    return {
+        "card": ("draws/s_course.toml", "draws/eight.toml"),
+        "draw": tuple(packaged_designs()),
+        "report": tuple(packaged_designs()),
+        "adjust": ("carbon_free_car", "workshop_car"),
+    }.get(command, ())
 
 
 def run(command: str, seed: int, number: int) -> Outcome:

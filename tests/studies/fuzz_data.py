@@ -4,7 +4,7 @@ import csv
 import io
 import math
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -56,6 +56,18 @@ def data(seed: int, number: int) -> Data:
     return Data(files, tuple(options), tuple(changes))
 
 
+def trial_runs(rng: random.Random, waypoints: Sequence[Sequence[float]]) -> tuple[str, bytes]:
+    """One or two trial runs near a path, for `cadgen adjust`, with one or two things wrong."""
+    rows = []
+    for run in range(rng.choice([1, 1, 2])):
+        turn = rng.gauss(0, 0.05)
+        rows += [
+            [str(run + 1), f"{x - turn * y + rng.gauss(0, 10):.1f}", f"{y + turn * x + rng.gauss(0, 10):.1f}"]
+            for x, y in waypoints[1:]
+        ]
+    return _spoilt(rng, "trial runs", (), ["run", "x_mm", "y_mm"], rows)
+
+
 def _changed(rng: random.Random, name: str) -> tuple[str, bytes]:
     remarks, table = _base(name)
     header, rows = list(table[0]), [list(row) for row in table[1:]]
@@ -64,6 +76,10 @@ def _changed(rng: random.Random, name: str) -> tuple[str, bytes]:
     if len(rows) > 3000:
         keep = set(rng.sample(runs, min(len(runs), rng.choice([1, 2, 4, 5]))))
         rows = [row for row in rows if row[0] in keep]
+    return _spoilt(rng, name, remarks, header, rows)
+
+
+def _spoilt(rng: random.Random, name: str, remarks: Sequence[str], header: list[str], rows: Rows) -> tuple[str, bytes]:
     what = [name]
     for _ in range(rng.choices([0, 1, 2], weights=[1, 6, 3])[0]):
         change = rng.choice(READABLE if rng.random() < STILL_READABLE else CHANGES)

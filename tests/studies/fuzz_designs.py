@@ -11,6 +11,7 @@ import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import tomli_w
@@ -131,14 +132,15 @@ def _is_table(node: Any, defs: dict[str, Any]) -> bool:
     return "properties" in node
 
 
+DATA = Path(__file__).parents[1] / "data"
 _BASES = ("appendix_car", "carbon_free_car", "workshop_car")
 
 
 @cache
-def bases() -> dict[str, dict[str, Any]]:
-    """The packaged designs of the paper's mechanism as parsed TOML."""
+def bases(names: tuple[str, ...] = _BASES) -> dict[str, dict[str, Any]]:
+    """Packaged designs, or designs of `tests/data` by their paths there, as parsed TOML."""
     packaged = packaged_designs()
-    return {name: tomllib.loads(packaged[name].read_text()) for name in _BASES}
+    return {name: tomllib.loads(packaged.get(name, DATA / name).read_text()) for name in names}
 
 
 @cache
@@ -147,15 +149,17 @@ def edges() -> tuple[tuple[Key, float], ...]:
     return tuple((key, end) for key in keys() for end in (key.low, key.high) if end is not None)
 
 
-def case(seed: int, number: int, *, searching: bool = False) -> Case:
+def case(seed: int, number: int, *, searching: bool = False, deep: tuple[str, ...] = ()) -> Case:
     """A case of its seed and number.
 
     Args:
         seed, number: that it is made from, and can be made again.
         searching: for `gears --order search`: more changes of [train.search].
+        deep: from these designs instead, without the systematic cases, and mostly with changes that the reader takes,
+            so that what is behind it is reached.
     """
     rng = random.Random(f"{seed}/{number}")
-    if number < len(edges()):
+    if number < len(edges()) and not deep:
         key, end = edges()[number]
         values = copy.deepcopy(bases()[DEFAULT_DESIGN])
         # An end that the range excludes is approached.
@@ -163,15 +167,18 @@ def case(seed: int, number: int, *, searching: bool = False) -> Case:
             end = rng.choice([0.0, 1e-9, 1e-6, 1e-3])
         _put(values, key.place, int(end) if key.kind == "integer" else float(end))
         return Case(tomli_w.dumps(values).encode(), (), (f"{_name(key.place)} = {end!r}",))
-    name = rng.choices(list(bases()), weights=[1 if name == "appendix_car" else 5 for name in bases()])[0]
-    values, changes, overrides = copy.deepcopy(bases()[name]), [name], []
+    designs = bases(deep or _BASES)
+    name = rng.choices(list(designs), weights=[1 if name == "appendix_car" else 5 for name in designs])[0]
+    values, changes, overrides = copy.deepcopy(designs[name]), [name], []
     for place, section in SECTIONS.items():
         if rng.random() < 0.06 or (searching and place == ("train", "search")):
             _put(values, place, copy.deepcopy(section))
             changes.append(f"with {_name(place)}")
     for _ in range(rng.choices([1, 2, 3], weights=[5, 3, 2])[0]):
+        number_change, path_change = (_mild, _points_moved) if deep and rng.random() < 0.85 else (_numeric, _waypoints)
         change = rng.choices(
-            [_numeric, _choice, _waypoints, _wrong, _without, _unknown, _items], [60, 6, 14, 8, 5, 3, 4]
+            [number_change, _choice, path_change, _wrong, _without, _unknown, _items],
+            [60, 6, 14, 8, 5, 3, 4] if number_change is _numeric else [80, 3, 14, 0, 2, 0, 1],
         )
         what, place, value = change[0](rng, values)
         changes.append(what)
@@ -214,6 +221,30 @@ def _numeric(rng: random.Random, values: dict[str, Any]) -> Change:
     return f"{_name(place)} = {value!r}", place, value
 
 
+def _mild(rng: random.Random, values: dict[str, Any]) -> Change:
+    """A number that the file has, changed a little or much within its range."""
+    there = [key for key in keys() if key.kind in ("number", "integer")]
+    places = [(key, _somewhere(rng, values, key.place)) for key in there]
+    key, place = rng.choice([each for each in places if isinstance(_get(values, each[1]), (int, float))])
+    now = float(_get(values, place))
+    value = now * rng.choice([rng.uniform(0.95, 1.05), rng.uniform(0.95, 1.05), rng.uniform(0.3, 3)]) or 0.01
+    value = min(max(value, key.low if key.low is not None else -1e9), key.high if key.high is not None else 1e9)
+    _put(values, place, round(value) if key.kind == "integer" else value)
+    return f"{_name(place)} = {value!r}", place, _get(values, place)
+
+
+def _points_moved(rng: random.Random, values: dict[str, Any]) -> Change:
+    """All points that the path goes by moved a little, or one of them more."""
+    path = values["path"]
+    name = "control_points_mm" if "control_points_mm" in path else "waypoints_mm"
+    size, one = 10 ** rng.uniform(-3, 2), rng.choice([None, rng.randrange(len(path[name]))])
+    path[name] = [
+        [x + rng.gauss(0, size), y + rng.gauss(0, size)] if one in (None, n) else [x, y]
+        for n, (x, y) in enumerate(path[name])
+    ]
+    return f"{name} moved by {size:.2g}", (), None
+
+
 def _within(rng: random.Random, low: float, high: float) -> float:
     """A number within a range, even or even in its logarithm."""
     if rng.random() < 0.5:
@@ -233,6 +264,7 @@ def _choice(rng: random.Random, values: dict[str, Any]) -> Change:
 def _waypoints(rng: random.Random, values: dict[str, Any]) -> Change:
     """Another path: moved, scaled, thinned, dense, straight, round, with equal or extreme points."""
     points = [(float(x), float(y)) for x, y in values["path"]["waypoints_mm"]] if _path_is_sound(values) else PATH
+    _take(values, ("path", "control_points_mm"))
     # A path of thousands of points takes long whatever it is; few of those are enough.
     many = rng.choice([50, 100, 300, 1000]) if rng.random() < 0.9 else rng.choice([3000, 10_000, 30_000])
     close = 10 ** rng.uniform(-9, -1)
