@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
-from cadgen.design.follower import named_kind
-from cadgen.design.path import named_path
+from cadgen.design.follower import FOLLOWER
+from cadgen.design.path import PATH
 from cadgen.design.stage import stage_kinds
 from cadgen.gears.kinds.kind import StageKind
 from cadgen.path.kinds.kind import PathKind
@@ -50,7 +50,8 @@ class NamedKinds:
     @classmethod
     def of(cls, values: object) -> "NamedKinds":
         """Kinds that raw values name; the usual ones where they name none that is known."""
-        return cls(named_kind(values), stage_kinds(values), named_path(values))
+        follower, path = (values.get(name) if isinstance(values, dict) else None for name in ("follower", "path"))
+        return cls(FOLLOWER.kind(follower), stage_kinds(values), PATH.kind(path))
 
     def at(self, place: Place) -> Kinds:
         """Kinds that decide at a place."""

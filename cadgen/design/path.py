@@ -1,12 +1,11 @@
 """The section [path]: its keys are those of the kind of path that `spline` names."""
 
-from collections.abc import Callable
 from functools import cache
 from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
-from cadgen.design.section import OneOf, Section, keys_in, listed, section_with
+from cadgen.design.section import ByKind, OneOf, Section, keys_in, listed, section_with
 from cadgen.path.kinds.kind import PathKind
 from cadgen.path.kinds.quintic import QUINTIC
 from cadgen.path.kinds.table import codes, kind_of
@@ -100,28 +99,4 @@ def path_section(kind: PathKind) -> type[Path]:
     return section_with(Path, Path.__doc__ or "", kind.keys)
 
 
-def named_path(values: object) -> PathKind:
-    """The kind of path that raw values of a design name; the spline of the paper's text where they name none."""
-    section = values.get("path") if isinstance(values, dict) else None
-    code = section.get("spline") if isinstance(section, dict) else None
-    return kind_of(code) if isinstance(code, str) and code in codes() else QUINTIC
-
-
-def path_by_kind(value: object, usual: Callable[[object], Path | None]) -> Path | None:
-    """Check a section by the keys of its kind.
-
-    Args:
-        value: as the file has it.
-        usual: the check of what is no table, or names no kind.
-
-    Raises:
-        ValueError: the keys contradict each other.
-    """
-    if not isinstance(value, dict):
-        return usual(value)
-    code = value.get("spline", QUINTIC.code)
-    if code not in codes():
-        return usual({"spline": code})
-    section = path_section(kind_of(code)).model_validate(value)
-    section.keys  # noqa: B018 - refuses what contradicts itself
-    return section
+PATH = ByKind("spline", QUINTIC.code, codes, kind_of, path_section)

@@ -17,11 +17,11 @@ from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
 from cadgen.design.course import Course
 from cadgen.design.drawing import DrawingText
-from cadgen.design.follower import Follower, by_kind
+from cadgen.design.follower import FOLLOWER, Follower
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
 from cadgen.design.outline import Outline
-from cadgen.design.path import Path, path_by_kind
+from cadgen.design.path import PATH, Path
 from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import Point, Points, Section, Size, listed, one_line
 from cadgen.design.settings import Settings
@@ -245,12 +245,12 @@ class TrainFile(Section):
     @field_validator("path", mode="wrap")
     @classmethod
     def _path_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Path | None:
-        return path_by_kind(value, usual)
+        return PATH.check(value, usual)
 
     @field_validator("follower", mode="wrap")
     @classmethod
     def _follower_by_its_kind(cls, value: object, usual: ValidatorFunctionWrapHandler) -> Follower | None:
-        return by_kind(value, usual)
+        return FOLLOWER.check(value, usual)
 
     @field_validator("train", mode="wrap")
     @classmethod

@@ -3,10 +3,10 @@
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import MISSING, dataclass, fields
-from typing import Annotated, Any, TypeVar, get_args, get_type_hints
+from typing import Annotated, Any, Generic, TypeVar, get_args, get_type_hints
 
 from annotated_types import Ge, Le
-from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, Strict, create_model
+from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, Strict, create_model, model_validator
 from pydantic_core import CoreSchema, core_schema
 
 from cadgen.path import names
@@ -90,6 +90,8 @@ class ZeroOrFeature:
 Feature = Annotated[float, Ge(LEAST_FEATURE_MM)]
 FeatureOrNone = Annotated[float, ZeroOrFeature()]
 
+K = TypeVar("K")
+R = TypeVar("R")
 S = TypeVar("S", bound=Section)
 
 
@@ -107,7 +109,13 @@ def section_with(base: type[S], meaning: str, keys: type[Any]) -> type[S]:
         phrase = next(text for text in hints[item.name].__metadata__ if isinstance(text, str))
         default = ... if item.default is MISSING else item.default
         more[item.name] = _as_read(hints[item.name]), Field(default, description=phrase)
-    made: type[S] = create_model(base.__name__, __base__=base, __doc__=meaning, **more)
+
+    def together(section: S) -> S:
+        keys_in(section, keys)  # which refuses what contradicts itself
+        return section
+
+    validators: dict[str, Any] = {"together": model_validator(mode="after")(together)}
+    made: type[S] = create_model(base.__name__, __base__=base, __doc__=meaning, __validators__=validators, **more)
     return made
 
 
@@ -120,3 +128,46 @@ def _as_read(hint: Any) -> Any:
 def keys_in(section: Section, keys: type[Any]) -> Any:
     """Values of a section as the dataclass of its kind's keys."""
     return keys(**{item.name: getattr(section, item.name) for item in fields(keys)})
+
+
+@dataclass(frozen=True)
+class ByKind(Generic[K, S]):
+    """A section whose keys are those of the kind that one of them names.
+
+    Attributes:
+        key: key that names the kind.
+        usual: code of the kind where none is named.
+        codes: codes that there are.
+        kind_of: kind of one of these codes.
+        section: section with the keys of a kind.
+    """
+
+    key: str
+    usual: str
+    codes: Callable[[], Sequence[str]]
+    kind_of: Callable[[str], K]
+    section: Callable[[K], type[S]]
+
+    def kind(self, table: object) -> K:
+        """Kind that raw values of the section name; the usual one where they name none that there is."""
+        code = table.get(self.key) if isinstance(table, dict) else getattr(table, self.key, None)
+        return self.kind_of(code if isinstance(code, str) and code in self.codes() else self.usual)
+
+    def check(self, table: object, otherwise: Callable[[object], R]) -> S | R:
+        """Check raw values by the keys of their kind.
+
+        Args:
+            table: as the file has it.
+            otherwise: check of what is no table, or names a kind that is not there.
+
+        Raises:
+            ValueError: a key is wrong, or the keys contradict each other.
+        """
+        if not isinstance(table, dict):
+            return otherwise(table)
+        code = table.get(self.key)
+        if code is not None and code not in self.codes():
+            return otherwise({self.key: code})
+        if code == self.usual:  # named or not, a design says the same
+            table = {name: value for name, value in table.items() if name != self.key}
+        return self.section(self.kind(table)).model_validate(table)

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, SerializeAsAny, WrapValidator
 
-from cadgen.design.section import OneOf, Section, keys_in, section_with
+from cadgen.design.section import ByKind, OneOf, Section, keys_in, section_with
 from cadgen.gears.kinds.kind import StageKind
 from cadgen.gears.kinds.table import SPUR, codes, kind_of
 
@@ -73,32 +73,23 @@ def stage_section(kind: StageKind | None) -> type[Stage]:
     return SpurStage if kind is None else section_with(Stage, kind.meaning, kind.keys)
 
 
-def stage_kind(value: object) -> StageKind | None:
-    """Kind that the raw values of a stage name; None for spur gears, and where no kind has that code."""
-    code = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
-    return kind_of(code) if isinstance(code, str) and code in codes() else None
+STAGE = ByKind[StageKind | None, Stage](
+    "kind", SPUR, lambda: (SPUR, *codes()), lambda code: None if code == SPUR else kind_of(code), stage_section
+)
 
 
 def stage_kinds(values: object) -> tuple[StageKind | None, ...]:
     """Kinds that the raw values of a design name for its stages, in their order."""
     train = values.get("train") if isinstance(values, dict) else None
     stages = train.get("stages") if isinstance(train, dict) else getattr(train, "stages", None)
-    return tuple(stage_kind(stage) for stage in stages) if isinstance(stages, list | tuple) else ()
+    return tuple(STAGE.kind(stage) for stage in stages) if isinstance(stages, list | tuple) else ()
 
 
-def _by_kind(value: object, usual: Callable[[object], Stage]) -> Stage:
-    """Check one stage by the keys of its kind; `usual` is the check of a stage that names a kind which is not known."""
-    if not isinstance(value, dict):
-        return SpurStage.model_validate(value) if not isinstance(value, Stage) else value
-    code = value.get("kind")
-    if code is not None and code not in (SPUR, *codes()):
-        return usual({"kind": code})
-    kind = stage_kind(value)
-    if kind is None:  # named or not, spur gears say the same
-        return SpurStage.model_validate({name: given for name, given in value.items() if name != "kind"})
-    stage = stage_section(kind).model_validate(value)
-    stage.keys  # noqa: B018 - refuses what contradicts itself
-    return stage
+def _checked(value: object, otherwise: Callable[[object], Stage]) -> Stage:
+    """Check one stage by the keys of its kind."""
+    if isinstance(value, dict):
+        return STAGE.check(value, otherwise)
+    return value if isinstance(value, Stage) else SpurStage.model_validate(value)
 
 
-StageItem = Annotated[SerializeAsAny[Stage], WrapValidator(_by_kind)]
+StageItem = Annotated[SerializeAsAny[Stage], WrapValidator(_checked)]
