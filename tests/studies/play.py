@@ -9,6 +9,9 @@ the play, some heights apart by less than a micrometre. Two things are judged on
 - the compensated profile: run with the play that it is cut for, it must give the morphological closing of the lift by
   that play, found by sliding maxima and minima on the grid. What it differs by counts as it turns the car: summed along
   the run, beside what the play alone does.
+
+The step-by-step cam stops on every stretch that is level, however short. `LiftCurve.level` counts from half a degree
+on: on a shorter one within a fall the two may differ, and the limits say by how much they do.
 """
 
 from collections.abc import Iterator
@@ -144,6 +147,9 @@ def main() -> None:
             f"- case {one.number}: {one.fault or f'motion {one.motion:.1e}, closing {one.closing:.1e}'}"
             for one in wrong
         ),
+        "",
+        "The step-by-step cam stops on a level stretch of any length within a fall, cadgen from half a degree on.",
+        "Case 266 of seed 9 has one of 0.30°; with the border at 0.25° its motion errs by 1.9e-6.",
     ]
     tell("\n".join(lines), REPORT if args.record else None)
 
