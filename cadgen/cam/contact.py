@@ -96,7 +96,8 @@ def roll(outline: Outline, follower: Follower, cam_angle: Array) -> Contact:
         cam_angle: shape (n,), rad.
 
     Raises:
-        DesignError: the outline does not enclose the camshaft or is not star-shaped about it.
+        DesignError: the outline does not enclose the camshaft or is not star-shaped about it, or its points are so far
+            apart that the follower falls between them.
     """
     return Ring.of(outline, follower).contact(cam_angle)
 
@@ -221,10 +222,14 @@ class Ring:
         follower = self.follower
         begin = np.clip(begin, 0, len(self.angle) - width)
         x, y = _turned_back(self.points, theta, begin, width)
-        best, *others = (
-            self._refine(asked, y, begin, face)
-            for face, asked in zip(follower.planes, follower.least(x, y), strict=True)
-        )
+        asked = follower.least(x, y)
+        if (lost := np.isneginf(np.max(asked, axis=(0, 2)))).any():
+            place = np.degrees(theta[int(np.argmax(lost))]) % 360
+            raise DesignError(
+                f"a {follower.noun} of {follower.radius:.4g} mm radius falls between the points of the outline at cam "
+                f"angle {place:.1f} degrees: give a larger radius"
+            )
+        best, *others = (self._refine(one, y, begin, face) for face, one in zip(follower.planes, asked, strict=True))
         apart = np.full(len(theta), np.inf)
         for other in others:
             apart = np.minimum(apart, np.abs(best[0] - other[0]))

@@ -152,6 +152,11 @@ def causes(effects: Iterable[Effect]) -> int:
     return sum(not effect.beside for effect in effects)
 
 
+def key_of(active: Active) -> bytes:
+    """Identity of active effects with their values, for what is remembered of them."""
+    return b"".join(effect.key.encode() + np.asarray(values, dtype=float).tobytes() for effect, values in active)
+
+
 def through(stage: Stage[State], state: State, active: Iterable[tuple[Effect, Array]], at: Any) -> State:
     """Let every active effect of a stage act in turn on what passes there."""
     for effect, values in active:

@@ -10,6 +10,7 @@
 | `admission`  | records that no instrument reads are refused                                                    |
 | `units`      | records in another unit than their header says, by what the design lets expect                  |
 | `shapes`     | forms without a name that compete with the catalogue                                            |
+| `recent`     | results that are asked for again and again                                                      |
 | `noise`      | what does not repeat between runs                                                               |
 | `joint`      | records of one car as one: shared effects, one evidence                                         |
 | `merged`     | the catalogues of several records as one                                                        |

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from cadgen.measurement.diagnose import SOUND, Step, diagnose
+from cadgen.measurement.diagnose import SOUND, Step, weigh
 from cadgen.measurement.findings import EvidenceDiagnosis, PathDiagnosis
 from cadgen.measurement.nominal import LoggedCar, Nominal
 from cadgen.measurement.record import Record, join, refuse_many_together
@@ -31,14 +31,14 @@ def calibrate(
     refuse_many_together(joined)
     for record in joined:
         refuse_wrong_units(record, nominal)
-    told = diagnose(joined, nominal.model, step, nominal.play)
-    if len(joined) == 1 or told[0].verdict in SOUND:
-        return told
+    together = weigh(joined, nominal.model, step, nominal.play)
+    if len(joined) == 1 or together.judgement.verdict in SOUND:
+        return together.told(step)
     # What no car of one kind shows may be of two cars, or of one in two states: then the records are likelier apart.
-    apart = tuple(diagnosis for record in joined for diagnosis in diagnose([record], nominal.model, step, nominal.play))
-    if told[0].score < sum(diagnosis.score for diagnosis in apart) + CONTRADICTED:
-        return told
-    return tuple(_contradicted(diagnosis) for diagnosis in apart)
+    apart = [weigh([record], nominal.model, step, nominal.play) for record in joined]
+    if together.best.score < sum(alone.best.score for alone in apart) + CONTRADICTED:
+        return together.told(step)
+    return tuple(_contradicted(diagnosis) for alone in apart for diagnosis in alone.told(step))
 
 
 def _contradicted(diagnosis: EvidenceDiagnosis) -> EvidenceDiagnosis:

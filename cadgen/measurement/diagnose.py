@@ -37,16 +37,39 @@ SOUND = ("none", "traced", "combination")
 def diagnose(
     records: Sequence[Record], build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
 ) -> tuple[EvidenceDiagnosis, ...]:
-    """Trace what records of one car show to effects, or say why not.
+    """Trace what records of one car show to effects, or say why not; arguments and errors as of `weigh`.
+
+    Returns:
+        What each record shows by the joint verdict.
+    """
+    return weigh(records, build, step, play).told(step)
+
+
+@dataclass(frozen=True)
+class Weighed:
+    """The joint verdict, the subset that it is on, all that were fitted, and whether a known play is in it."""
+
+    joint: Joint
+    judgement: Judgement
+    best: Hypothesis
+    found: list[Hypothesis]
+    play_known: bool
+
+    def told(self, step: Step = lambda text: None) -> tuple[EvidenceDiagnosis, ...]:
+        """Diagnosis of each record by the joint verdict, with the residual of runs left out."""
+        return tuple(_told(self, part, step) for part in self.joint.parts)
+
+
+def weigh(
+    records: Sequence[Record], build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
+) -> Weighed:
+    """Search the effects that explain records of one car, and judge them.
 
     Args:
         records: measured data, one record of each kind.
         build: makes the forward model of a record; called again for records with some runs left out.
         step: told what is being done.
         play: return error that was measured apart, and its standard deviation, rad.
-
-    Returns:
-        What each record shows by the joint verdict.
 
     Raises:
         FileError: one run only, with too few rows to tell its noise.
@@ -76,19 +99,7 @@ def diagnose(
     judgement = with_friction_judged(judgement, best, play_known=best is not found_alone)
     if another:
         judgement = replace(judgement, limits=(*judgement.limits, another))
-    result = _Result(joint, judgement, best, found, best is not found_alone)
-    return tuple(_told(result, part, step) for part in joint.parts)
-
-
-@dataclass(frozen=True)
-class _Result:
-    """The joint verdict, the subset that it is on, all that were fitted, and whether a known play is in it."""
-
-    joint: Joint
-    judgement: Judgement
-    best: Hypothesis
-    found: list[Hypothesis]
-    play_known: bool
+    return Weighed(joint, judgement, best, found, best is not found_alone)
 
 
 def _less_noise(part: Part, best: Hypothesis) -> Part:
@@ -99,7 +110,7 @@ def _less_noise(part: Part, best: Hypothesis) -> Part:
     return replace(part, noise=noise, evidence=Evidence(part.model, noise, part.evidence.grid))
 
 
-def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:
+def _told(result: Weighed, part: Part, step: Step) -> EvidenceDiagnosis:
     """Diagnosis of one record by the joint verdict."""
     joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
     none = next(h for h in result.found if not h.effects)
@@ -159,7 +170,7 @@ def _told(result: _Result, part: Part, step: Step) -> EvidenceDiagnosis:
     )
 
 
-def _likely(result: _Result) -> tuple[Likely, ...]:
+def _likely(result: Weighed) -> tuple[Likely, ...]:
     """The subsets that may be true, the reported one with the values reported, with their weights."""
     joint, best = result.joint, result.best
     fitted = [best, *(h for h in result.found if h.key != best.key)]
@@ -177,7 +188,7 @@ def _likely(result: _Result) -> tuple[Likely, ...]:
     return tuple(replace(likely, weight=likely.weight / total) for likely in out)
 
 
-def _beside(part: Part, result: _Result) -> tuple[complex, float]:
+def _beside(part: Part, result: Weighed) -> tuple[complex, float]:
     """Repeating error beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
     if part.model.measured is None:
         return 0j, 0.0
@@ -203,7 +214,7 @@ def _figures(
     )
 
 
-def _unnamed(part: Part, result: _Result) -> dict[Quantity, Finding]:
+def _unnamed(part: Part, result: Weighed) -> dict[Quantity, Finding]:
     """How much of some quantities there could be where several runs and a sound verdict name none."""
     joint, best, judgement = result.joint, result.best, result.judgement
     # Beside a form that has a place and a size, what is not there would have been seen too.

@@ -69,12 +69,13 @@ def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis, resi
     """
     if not noise.freedom:
         return 1.0
-    white = evidence.standardise(residual, evidence.grid.index(best.spectrum))
+    white = evidence.whiten(residual)[:, None]
+    square = float(evidence.products(white, white, [evidence.grid.index(best.spectrum)])[0, 0, 0])
     fitted = model.offsets.shape[1] + sum(len(e.parameters) for e in (*model.datum, *best.effects))
-    extra = len(white) - fitted - noise.freedom
+    extra = len(residual) - fitted - noise.freedom
     if extra < 1:
         return 1.0
-    ratio = (float(white @ white) - noise.freedom) / extra
+    ratio = (square - noise.freedom) / extra
     return float(f_distribution.sf(ratio, extra, noise.freedom))
 
 

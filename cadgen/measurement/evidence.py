@@ -16,7 +16,8 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve, solve_triangular
+from numpy.typing import NDArray
+from scipy.linalg import solve_triangular
 
 from cadgen.arrays import Array
 from cadgen.measurement.models.base import Model, per_run, repeating
@@ -27,7 +28,6 @@ STEEPNESS = (1.0, 3.0)
 # A disc made to the stated floor may be a little worse, and one draw of few orders strays from its mean.
 WITHIN_FLOOR = (0.8, 1.2)
 BEYOND_FLOOR = (2.5, 6.0, 15.0, 40.0)
-FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to what the data say of it
 
 
 @dataclass(frozen=True)
@@ -83,18 +83,17 @@ class Evidence:
         free = 1 / model.spread**2
         self.basis = self.whiten(np.hstack(parts))
         gram = self.basis.T @ self.basis
-        self._gram = gram
-        self._flat_precision = FLAT * np.diag(gram)
-        self._roots: dict[int, Array] = {}
-        self.prior, self._factors, constants = [], [], []
+        self.prior, inverse, constants = [], [], []
         for spectrum in grid:
             variance = np.maximum(spectrum.variance(model.order, model.floor), 1e-300)
             beside = (spectrum.beside * model.discrepancy.sigma) ** 2
             precision = np.concatenate([1 / variance, 1 / beside, 1 / known, free])
-            factor = cho_factor(gram + np.diag(precision), lower=True)
-            constants.append(2 * np.sum(np.log(np.diag(factor[0]))) + np.sum(np.log(variance)) + np.sum(np.log(beside)))
-            self._factors.append(factor)
+            factor = np.linalg.cholesky(gram + np.diag(precision))
+            constants.append(2 * np.sum(np.log(np.diag(factor))) + np.sum(np.log(variance)) + np.sum(np.log(beside)))
+            # Every residual is weighed by every spectrum: the factors are inverted once.
+            inverse.append(solve_triangular(factor, np.eye(len(factor)), lower=True, check_finite=False))
             self.prior.append(precision)
+        self._inverse = np.array(inverse)
         self.constant = np.array(constants)
         self._flat = flat
 
@@ -114,41 +113,34 @@ class Evidence:
 
         One for each spectrum that keeps the floor, shape (g, q, m).
         """
-        mixed = self.basis.T @ columns
-        return np.stack(
-            [
-                solve_triangular(self._factors[number][0], mixed, lower=True, check_finite=False)
-                for number in np.flatnonzero(self.within)
-            ]
-        )
+        return np.asarray(self._inverse[self.within] @ (self.basis.T @ columns))
 
     def misfit(self, residual: Array) -> Array:
         """-2 log L of a whitened residual for every spectrum."""
-        mixed = self.basis.T @ residual
-        taken = np.array([mixed @ cho_solve(f, mixed, check_finite=False) for f in self._factors])
-        return np.asarray(residual @ residual - taken + self.constant)
+        half = self._inverse @ (self.basis.T @ residual)
+        return np.asarray(residual @ residual - np.einsum("gq,gq->g", half, half) + self.constant)
 
-    def standardise(self, columns: Array, spectrum: int) -> Array:
-        """Multiply by C^-1/2, so that a sum of squares is r' C^-1 r: what least squares needs.
+    def products(self, one: Array, two: Array, among: Sequence[int] | NDArray[np.intp]) -> Array:
+        """W'C^-1 V of whitened columns for some spectra: what least squares needs.
 
-        With A = F sqrt(S) whitened and A'A = V s^2 V', C^-1/2 = 1 + A V ((1 + s^2)^-1/2 - 1) / s^2 V'A'.
+        Args:
+            one, two: columns, shape (n, k) and (n, m).
+            among: numbers of the spectra, shape (g,).
+
+        Returns:
+            Products, shape (g, k, m).
         """
-        z = self.whiten(columns)
-        if spectrum not in self._roots:
-            scale = 1 / np.sqrt(np.maximum(self.prior[spectrum], self._flat_precision))
-            values, vectors = np.linalg.eigh(self._gram * scale * scale[:, None])
-            square = np.maximum(values, 1e-9)
-            bend = (1 / np.sqrt(1 + square) - 1) / square
-            turned = vectors * scale[:, None]
-            self._roots[spectrum] = (turned * bend) @ turned.T
-        return np.asarray(z + self.basis @ (self._roots[spectrum] @ (self.basis.T @ z)))
+        inverse = self._inverse[among]
+        left = inverse @ (self.basis.T @ one)
+        right = left if two is one else inverse @ (self.basis.T @ two)
+        return np.asarray(one.T @ two - np.swapaxes(left, 1, 2) @ right)
 
     def unsure(self, spectrum: int) -> Array:
         """Covariance of what `repeating` gives, shape (q + k, q + k)."""
-        factor = self._factors[spectrum]
-        return np.asarray(cho_solve(factor, np.eye(len(factor[0]))))[: self._flat, : self._flat]
+        inverse = self._inverse[spectrum][:, : self._flat]
+        return np.asarray(inverse.T @ inverse)
 
     def repeating(self, residual: Array, spectrum: int) -> Array:
         """Most likely coefficients of form error and discrepancy given a whitened residual, shape (q + k,)."""
-        mixed = self.basis.T @ residual
-        return np.asarray(cho_solve(self._factors[spectrum], mixed, check_finite=False))[: self._flat]
+        inverse = self._inverse[spectrum]
+        return np.asarray(inverse[:, : self._flat].T @ (inverse @ (self.basis.T @ residual)))

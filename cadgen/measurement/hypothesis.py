@@ -209,22 +209,28 @@ class _Problem:
 
     def misfit(self, values: Array) -> Array:
         """-2 log L for every spectrum."""
-        return self._joint.misfit(self._joint.whiten(self._joint.residual(self.active(values))))
+        return self._joint.misfit(self.active(values))
 
     def settled(self, x: Array, spectrum: int) -> tuple[Array, Array, bool]:
         """Values of least squares for one spectrum, their covariance, and whether they settled."""
 
-        def white(values: Array) -> Array:
-            rows = self._joint.standardise(self._joint.residual(self.active(values)), spectrum)
-            return np.append(rows, self._prior.residual(values))
+        def half(values: Array) -> float:
+            left = self._prior.residual(values)
+            return (self._joint.square(self.active(values), spectrum) + float(left @ left)) / 2
 
-        def tangents(values: Array) -> Array:
-            columns = self._joint.slopes(self.chosen, self.active(values)) * ~self.stepwise
-            return np.vstack([-self._joint.standardise(columns, spectrum), self._prior.rows])
+        def normal(values: Array) -> tuple[Array, Array]:
+            # What answers in steps has no slopes; it is found by trial.
+            known, smooth = self._prior.rows, np.flatnonzero(~self.stepwise)
+            even = tuple(e for e in self.chosen if not e.parameters[0].stepwise)
+            H, g = known.T @ known, known.T @ self._prior.residual(values)
+            (information,), (gradient,) = self._joint.normal(even, self.active(values), [spectrum])
+            H[np.ix_(smooth, smooth)] += information
+            g[smooth] += gradient
+            return H, g
 
         inside = self.bounds + np.outer([1, -1], _AT_BOUND * (self.bounds[1] - self.bounds[0]))
-        x, J, done = settled(white, tangents, np.clip(x, *inside), inside)
-        return x, np.asarray(np.linalg.pinv(J.T @ J), dtype=float), done
+        x, H, done = settled(half, normal, np.clip(x, *inside), inside)
+        return x, np.asarray(np.linalg.pinv(H), dtype=float), done
 
 
 def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
@@ -236,19 +242,16 @@ def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
     """
     if not found.active:
         return found
-    chosen, residual = tuple(e for e, _ in found.active), joint.residual(found.active)
-    columns = -joint.slopes(chosen, found.active)
-    stepwise = np.array([p.stepwise for e in chosen for p in e.parameters], dtype=bool)
-    smooth = np.flatnonzero(~stepwise)
+    chosen = tuple(e for e, _ in found.active)
+    smooth = np.flatnonzero([not p.stepwise for e in chosen for p in e.parameters])
+    even = tuple(e for e in chosen if not e.parameters[0].stepwise)
     among = np.flatnonzero(joint.within == found.spectrum.within)
     misfit: list[float] = []
     covariances: list[Array] = []
-    for spectrum in among.tolist():
-        tangents = joint.standardise(columns[:, smooth], spectrum)
-        own: Array = np.asarray(np.linalg.pinv(tangents.T @ tangents), dtype=float)
-        pull: Array = np.asarray(tangents.T @ joint.standardise(residual, spectrum), dtype=float)
-        moved = own @ pull
-        misfit.append(float(found.misfit[spectrum] - pull @ moved - np.linalg.slogdet(own)[1]))
+    for spectrum, H, g in zip(among.tolist(), *joint.normal(even, found.active, among), strict=True):
+        own: Array = np.asarray(np.linalg.pinv(H), dtype=float)
+        moved = -own @ g
+        misfit.append(float(found.misfit[spectrum] + g @ moved - np.linalg.slogdet(own)[1]))
         covariances.append(own + np.outer(moved, moved))
     chance = np.exp((min(misfit) - np.array(misfit)) / 2)
     covariance = found.covariance.copy()
@@ -269,7 +272,9 @@ def _tried(
     """Values with the stepwise one at its likely mean over trials about it, and its variance."""
     k = int(np.argmax(stepwise))
     for _ in range(_MOST_MOVES):
-        trials = np.unique(np.clip(x[k] + step * np.arange(-_REACH, _REACH + 1), bounds[0, k], bounds[1, k]))
+        # On one grid, since what a value makes of the cam is remembered.
+        near = step * (np.round(x[k] / step) + np.arange(-_REACH, _REACH + 1))
+        trials = np.unique(np.clip(near, bounds[0, k], bounds[1, k]))
         found = np.array([misfit(np.where(stepwise, trial, x)).min() for trial in trials])
         weight = np.exp((found.min() - found) / 2)
         weight /= weight.sum()

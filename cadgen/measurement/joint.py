@@ -17,16 +17,19 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.effect import Active, Effect, key_of
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.merged import Merged
 from cadgen.measurement.models.base import Model, slopes
 from cadgen.measurement.noise import Noise
+from cadgen.measurement.recent import Recent
 from cadgen.measurement.record import Kind, Record
 
 Build = Callable[[Record], Model]
 
-_KEPT = 64  # of residuals of a part: most differences leave most parts alone
+_KEPT = 256  # results of a part: most differences leave most parts alone, and fits come by the same values again
+_NEAR = 0.1  # of a difference step: from values so near by, slopes are the same
+_ROUNDING = 1e-9  # of a column's square, that keeps what is left of a datum's twin from being nothing
 
 
 @dataclass(frozen=True)
@@ -48,7 +51,10 @@ class Part:
     noise: Noise
     evidence: Evidence
     names: dict[str, Effect] = field(default_factory=dict)
-    _known: dict[bytes, Array] = field(default_factory=dict, repr=False)
+    _known: Recent[bytes, Array] = field(default_factory=lambda: Recent(_KEPT), repr=False)
+    _leant: Recent[tuple[str, ...], tuple[Array, Array]] = field(default_factory=lambda: Recent(_KEPT), repr=False)
+    _misfits: Recent[bytes, Array] = field(default_factory=lambda: Recent(_KEPT), init=False, repr=False)
+    _squares: Recent[tuple[bytes, int], float] = field(default_factory=lambda: Recent(_KEPT), init=False, repr=False)
 
     @property
     def kind(self) -> Kind:
@@ -62,12 +68,46 @@ class Part:
     def residual(self, active: Active) -> Array:
         """Measured less expected with joint effects active, shape (n,), internal units; remembered."""
         mine = self.own(active)
-        key = b"".join(effect.key.encode() + np.asarray(values, dtype=float).tobytes() for effect, values in mine)
-        if key not in self._known:
-            if len(self._known) >= _KEPT:
-                self._known.pop(next(iter(self._known)))
-            self._known[key] = self.model.residual(mine)
-        return self._known[key]
+        return self._known.of(key_of(mine), lambda: self.model.residual(mine))
+
+    def misfit(self, active: Active) -> Array:
+        """-2 log L of joint effects with values, for every spectrum; remembered."""
+
+        def weighed() -> Array:
+            return self.evidence.misfit(self.evidence.whiten(self.residual(active)))
+
+        return self._misfits.of(key_of(self.own(active)), weighed)
+
+    def square(self, active: Active, spectrum: int) -> float:
+        """r'C^-1 r of the residual, by one spectrum; remembered."""
+
+        def weighed() -> float:
+            white = self.evidence.whiten(self.residual(active))[:, None]
+            return float(self.evidence.products(white, white, [spectrum])[0, 0, 0])
+
+        return self._squares.of((key_of(self.own(active)), spectrum), weighed)
+
+    def slopes(self, effects: tuple[Effect, ...], active: Active, residual: Array) -> Array:
+        """`models.base.slopes` of effects of this record; those near by, as a fit comes by, are used again.
+
+        Args:
+            effects: which, under the names that they have here.
+            active: effects with values, likewise.
+            residual: with these.
+        """
+        steps = np.concatenate([np.empty(0), *(e.steps for e, _ in active)])
+        values = np.concatenate([np.empty(0), *(v for _, v in active)])
+        where = tuple(e.key for e, _ in active)
+        anew = tuple(e for e in effects if not self._near((e.key, *where), values, _NEAR * steps))
+        columns = slopes(self.model, anew, active, residual)
+        ends = np.cumsum([0, *(len(e.parameters) for e in anew)])
+        for effect, (a, b) in zip(anew, pairwise(ends), strict=True):
+            self._leant[effect.key, *where] = values, columns[:, a:b]
+        return np.hstack([np.empty((len(columns), 0)), *(self._leant[e.key, *where][1] for e in effects)])
+
+    def _near(self, key: tuple[str, ...], values: Array, reach: Array) -> bool:
+        """Are slopes known for values so near by?"""
+        return key in self._leant and bool((np.abs(values - self._leant[key][0]) <= reach).all())
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -153,10 +193,8 @@ class Joint:
         widths = np.cumsum([0, *(len(e.parameters) for e in effects)])
         out = np.zeros((self.rows, int(widths[-1])))
         for part, span in zip(self.parts, self.spans, strict=True):
-            here = [i for i, e in enumerate(effects) if e.key in part.names and self._searched(part, e)]
-            own = tuple(part.names[effects[i].key] for i in here)
-            columns = np.concatenate([np.arange(widths[i], widths[i + 1]) for i in here] or [np.empty(0, dtype=int)])
-            out[span, columns.astype(int)] = slopes(part.model, own, part.own(active))
+            own, columns = self._here(part, effects, widths)
+            out[span, columns] = slopes(part.model, own, part.own(active))
         return out
 
     def _searched(self, part: Part, effect: Effect) -> bool:
@@ -187,16 +225,49 @@ class Joint:
             [p.evidence.halves(white[s]) for p, s in zip(self.parts, self.spans, strict=True)], axis=1
         )
 
-    def misfit(self, white: Array) -> Array:
-        """-2 log L of a whitened residual for every spectrum."""
-        parts = [p.evidence.misfit(white[s]) for p, s in zip(self.parts, self.spans, strict=True)]
-        return np.asarray(np.sum(parts, axis=0), dtype=float)
+    def misfit(self, active: Active) -> Array:
+        """-2 log L of joint effects with values, for every spectrum."""
+        return np.asarray(np.sum([part.misfit(active) for part in self.parts], axis=0), dtype=float)
 
-    def standardise(self, columns: Array, spectrum: int) -> Array:
-        """See `Evidence.standardise`."""
-        return np.concatenate(
-            [p.evidence.standardise(columns[s], spectrum) for p, s in zip(self.parts, self.spans, strict=True)]
-        )
+    def square(self, active: Active, spectrum: int) -> float:
+        """r'C^-1 r of the residual, by one spectrum."""
+        return sum(part.square(active, spectrum) for part in self.parts)
+
+    def normal(
+        self, effects: tuple[Effect, ...], active: Active, among: Sequence[int] | NDArray[np.intp]
+    ) -> tuple[Array, Array]:
+        """Information and gradient of all numbers of some effects, for some spectra.
+
+        Args:
+            effects: which, active or not.
+            active: effects with values.
+            among: numbers of the spectra, shape (g,).
+
+        Returns:
+            H = J'C^-1 J, shape (g, k, k), and g = J'C^-1 r, shape (g, k); J are the slopes of the residual r.
+        """
+        widths = np.cumsum([0, *(len(e.parameters) for e in effects)])
+        H, g = np.zeros((len(among), widths[-1], widths[-1])), np.zeros((len(among), widths[-1]))
+        for part in self.parts:
+            own, columns = self._here(part, effects, widths)
+            if not own:
+                continue
+            residual = part.residual(active)
+            J = -part.evidence.whiten(part.slopes(own, part.own(active), residual))
+            both = np.column_stack([J, part.evidence.whiten(residual)])
+            product = part.evidence.products(both, both, among)
+            rounding = _ROUNDING * np.einsum("nk,nk->k", J, J)
+            H[:, columns[:, None], columns] += product[:, :-1, :-1] + np.diag(rounding)
+            g[:, columns] += product[:, :-1, -1]
+        return H, g
+
+    def _here(
+        self, part: Part, effects: tuple[Effect, ...], widths: NDArray[np.intp]
+    ) -> tuple[tuple[Effect, ...], NDArray[np.intp]]:
+        """Those of some effects that are searched for in a part, as they are there, and their columns among all."""
+        here = [i for i, e in enumerate(effects) if e.key in part.names and self._searched(part, e)]
+        columns = [np.arange(widths[i], widths[i + 1]) for i in here]
+        return tuple(part.names[effects[i].key] for i in here), np.concatenate([*columns, np.empty(0, dtype=np.intp)])
 
     def without(self, part: Part, runs: NDArray[np.intp], spectrum: Spectrum) -> tuple["Joint", list[Part]]:
         """The same with some runs of a part left out, and each of them; noises as they are, one spectrum."""
@@ -214,7 +285,7 @@ class Joint:
 def _only(part: Part, runs: NDArray[np.intp], spectrum: Spectrum) -> Part:
     """Some runs of a part, by one spectrum of the form error."""
     # Of runs with fewer points than others the harmonics would be others, and what repeats could not be compared.
-    record = replace(part.record.only(runs), resolved=getattr(part.model, "resolved", None))
+    record = replace(part.record.only(runs), resolved=part.model.resolved)
     model, rows = part.build(record), np.isin(part.model.rows.run, runs)
     slip = part.noise.slip * (len(runs) > 1)
     noise = Noise(part.noise.sigma[rows], part.noise.correlation, slip, len(runs))

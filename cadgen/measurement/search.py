@@ -138,7 +138,7 @@ def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hy
 
 def _misfit(joint: Joint, active: Active) -> float:
     """-2 log L of values, by the best spectrum that keeps the floor."""
-    return float(joint.misfit(joint.whiten(joint.residual(active)))[joint.within].min())
+    return float(joint.misfit(active)[joint.within].min())
 
 
 def parted(joint: Joint) -> tuple[Effect, ...]:
@@ -230,8 +230,7 @@ def _leaves_more(joint: Joint, best: Hypothesis) -> bool:
     Asked at the least discrepancy, for as large as it may be it would hide what an effect does better.
     """
     spectrum = int(np.argmin(np.where(joint.within & (joint.beside == joint.beside.min()), best.misfit, np.inf)))
-    left = joint.standardise(joint.residual(best.active), spectrum)
-    return bool(left @ left > len(left) + CHANCE * np.sqrt(2 * len(left)))
+    return joint.square(best.active, spectrum) > joint.rows + CHANCE * float(np.sqrt(2 * joint.rows))
 
 
 def _rate_free(this: Round, subsets: Iterable[tuple[int, ...]], search: Search) -> Iterator[Rated]:

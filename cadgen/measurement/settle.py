@@ -1,9 +1,9 @@
 """Least squares within bounds, content when a further step is small beside the errors of the values.
 
-Gauss-Newton with Levenberg's damping (Marquardt 1963): a step p changes half the sum of squares by g'p + p'J'J p / 2,
-with g = J'r. Where that gain is below `_CONTENT` every value is within a twentieth of its standard deviation of where
-it would end, in any combination of values, whatever their units: a criterion that general solvers do not offer, and
-past which they go on for most of their steps.
+Gauss-Newton with Levenberg's damping (Marquardt 1963): a step p changes half the sum of squares by g'p + p'H p / 2,
+with g = J'r and H = J'J. Where that gain is below `_CONTENT` every value is within a twentieth of its standard
+deviation of where it would end, in any combination of values, whatever their units: a criterion that general solvers
+do not offer, and past which they go on for most of their steps.
 """
 
 from collections.abc import Callable
@@ -22,49 +22,49 @@ _DAMPED, _MORE, _LESS = 0.03, 30.0, 0.1  # damping after a first step too far, a
 
 
 def settled(
-    residual: Callable[[Array], Array], slopes: Callable[[Array], Array], start: Array, bounds: Array
+    half: Callable[[Array], float], normal: Callable[[Array], tuple[Array, Array]], start: Array, bounds: Array
 ) -> tuple[Array, Array, bool]:
-    """Values of least squares, and their derivatives there.
+    """Values of least squares, and what the data say of them.
 
     Args:
-        residual: of values, shape (k,) -> (n,), of unit variance.
-        slopes: its derivatives by the values, shape (k,) -> (n, k).
+        half: of values, shape (k,): half the sum of squares of the residual, of unit variance.
+        normal: of values: H, shape (k, k), and g, shape (k,).
         start: values to begin from, within the bounds, shape (k,).
         bounds: least and greatest values, shape (2, k).
 
     Returns:
-        Values, shape (k,); the derivatives of the last step, shape (n, k); whether it settled.
+        Values, shape (k,); H of the last step, shape (k, k); whether it settled.
 
     Raises:
-        DesignError: of `residual` at the start.
+        DesignError: of `half` at the start.
     """
-    x, r = start, residual(start)
-    cost, J, damping = float(r @ r) / 2, slopes(start), 0.0
+    x, cost, damping = start, half(start), 0.0
+    H, g = normal(start)
     for _ in range(_MOST_STEPS):
-        step, expected = _step(J, r, x, bounds, damping)
+        step, expected = _step(H, g, x, bounds, damping)
         content = expected < max(_CONTENT, _RELATIVE * cost)
+        trial = np.clip(x + step, *bounds)
         try:
-            trial = residual(np.clip(x + step, *bounds))
-            after = float(trial @ trial) / 2
+            after = half(trial)
         except DesignError:
             # A disc that no rod can follow: a step too far.
             after = np.inf
         if after < cost:
             damping = damping * _LESS if cost - after > expected / 4 else max(damping, _DAMPED)
-            x, r, cost = np.clip(x + step, *bounds), trial, after
+            x, cost = trial, after
         elif not content:
             damping = max(damping * _MORE, _DAMPED)
             continue
         if content:
-            return x, J, True
-        J = slopes(x)
-    return x, J, False
+            return x, H, True
+        H, g = normal(x)
+    return x, H, False
 
 
-def _step(J: Array, r: Array, x: Array, bounds: Array, damping: float) -> tuple[Array, float]:
+def _step(H: Array, g: Array, x: Array, bounds: Array, damping: float) -> tuple[Array, float]:
     """A step within the bounds, and by how much it lessens half the sum of squares to first order of the residual."""
-    size = np.maximum(np.linalg.norm(J, axis=0), 1e-300)
-    H, g = (J / size).T @ (J / size), (J / size).T @ r
+    size = np.sqrt(np.maximum(np.diag(H), 1e-300))
+    H, g = H / size / size[:, None], g / size
     low, high = (bounds - x) * size
     step, free = np.zeros(len(x)), np.ones(len(x), dtype=bool)
     # What would leave the bounds is held at them, and the rest finds its step beside it.

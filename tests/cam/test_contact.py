@@ -169,3 +169,13 @@ def test_refuses_what_does_not_enclose_the_camshaft():
     backwards = circle(67.0)
     with pytest.raises(DesignError, match="closed curve"):
         roll(Outline(backwards.points[::-1], backwards.piece), FOLLOWER, np.array([0.0]))
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("radius", [-0.3, 0.01])
+def test_refuses_a_follower_that_falls_between_the_points(radius):
+    angle = np.linspace(0, 2 * np.pi, 401)
+    outline = Outline(40 * np.stack([np.cos(angle), np.sin(angle)], axis=1), np.zeros(len(angle), dtype=int))
+    rod = LeaningRod(base_radius=40.0, inner=25.0, outer=28.0, radius=radius)
+    with pytest.raises(DesignError, match="falls between the points of the outline at cam angle"):
+        roll(outline, rod, np.linspace(0, 6, 50))

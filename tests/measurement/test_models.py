@@ -156,3 +156,24 @@ def test_every_effect_tells_how_to_separate_it(synthetic_car, nominal):
             assert effect.separated_by
             assert np.all(lower <= effect.start), effect.key
             assert np.all(effect.start <= upper), effect.key
+
+
+def test_tangents_of_a_profile_are_its_differences(synthetic_car, nominal):
+    """About a disc that is eccentric, too large and turned on the machine."""
+    record = syn.profile_record(synthetic_car, syn.Bench(), np.random.default_rng(8), noise_um=1.0, runs=2)
+    model = nominal.model(record)
+    of = {effect.key: effect for effect in model.catalogue}
+    state = {"eccentric bore": (0.06, -0.03), "uniform scale": (0.002,)}
+    active = [(model.datum[0], np.array([0.01])), *((of[key], np.array(v)) for key, v in state.items())]
+    for key in (*state, "machine-axis reversal", "axes out of square", "lobing, order 8", "waviness, order 30"):
+        others = [(e, v) for e, v in active if e.key != key]
+        middle = np.array(state.get(key, of[key].start))
+        for number, step in enumerate(of[key].steps):
+            ends = [
+                model.residual([*others, (of[key], middle + by)])
+                for by in np.eye(len(middle))[number] * [[-step], [step]]
+            ]
+            difference = (ends[0] - ends[1]) / (2 * step)
+            off = model.tangent(of[key], number, active) - difference
+            assert np.linalg.norm(off) < 5e-3 * np.linalg.norm(difference), key
+    assert model.tangent(model.datum[0], 0, active) is None

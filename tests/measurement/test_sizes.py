@@ -16,18 +16,13 @@ def test_a_size_has_the_uncertainty_of_every_spectrum_by_its_chance():
     covariances = [0.09 * np.eye(12) + size**2 * form @ form.T for size in (0.05, 0.4)]
     misfit = np.array([residual @ np.linalg.solve(c, residual) + np.linalg.slogdet(c)[1] for c in covariances])
 
-    def root(spectrum):
-        values, vectors = np.linalg.eigh(covariances[spectrum])
-        return vectors @ np.diag(values**-0.5) @ vectors.T
+    def normal(effects, active, among):
+        pulls = [np.linalg.solve(covariances[spectrum], -response) for spectrum in among]
+        return [np.array([[-response @ pull]]) for pull in pulls], [np.array([residual @ pull]) for pull in pulls]
 
     spectra = (SimpleNamespace(within=True),) * 2
     effect = SimpleNamespace(parameters=(SimpleNamespace(stepwise=False),))
-    joint = SimpleNamespace(
-        residual=lambda active: residual,
-        slopes=lambda effects, active: -response[:, None],
-        within=np.array([True, True]),
-        standardise=lambda columns, spectrum: root(spectrum) @ columns,
-    )
+    joint = SimpleNamespace(within=np.array([True, True]), normal=normal)
     found = Hypothesis(
         effects=(effect,),
         active=[(effect, np.zeros(1))],

@@ -75,14 +75,16 @@ def test_known_freedoms_and_a_discrepancy_are_those_of_the_dense_covariance():
     assert evidence.unsure(0) == pytest.approx(left, rel=1e-6, abs=1e-9)
 
 
-def test_standardised_squares_are_the_misfit_without_its_determinant():
+def test_products_are_the_misfit_without_its_determinant():
     model, rng = _model(), np.random.default_rng(3)
     evidence = Evidence(model, Noise(np.full(180, 1.5), 0.3, 0.0, 3), (Spectrum(1.0, 3.0, 1.0),))
-    a, b = rng.normal(0, 2, (2, 180))
-    misfit = [float(evidence.misfit(evidence.whiten(v))[0]) for v in (a, b)]
-    squares = [float(np.sum(evidence.standardise(v, 0) ** 2)) for v in (a, b)]
-    # The flat prior of the offsets stands in as a very wide one.
-    assert squares[1] - squares[0] == pytest.approx(misfit[1] - misfit[0], rel=1e-4)
+    white = evidence.whiten(rng.normal(0, 2, (180, 2)))
+    (product,) = evidence.products(white, white, [0])
+    of = [float(evidence.misfit(v)[0]) - float(evidence.constant[0]) for v in (white[:, 0], white[:, 1], white.sum(1))]
+    assert product == pytest.approx(product.T)
+    assert [product[0, 0], product[1, 1], product.sum()] == pytest.approx(of, rel=1e-9)
+    (mixed,) = evidence.products(white[:, :1], white, [0])
+    assert mixed == pytest.approx(product[:1])
 
 
 def test_spectrum_sums_to_the_square_of_its_size():

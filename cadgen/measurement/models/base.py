@@ -1,5 +1,6 @@
 """Interface of every forward model to the search."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, Protocol
@@ -37,6 +38,10 @@ class Discrepancy:
         return cls(columns=np.empty((rows, 0)))
 
 
+# Of an effect, the place of one of its numbers and what is active: the answer, shape (n,), or None if it is not known.
+Tangent = Callable[[Effect, int, Active], Array | None]
+
+
 class Model(Protocol):
     """A forward model with its data."""
 
@@ -47,6 +52,14 @@ class Model(Protocol):
     @property
     def rolled(self) -> Rolled | None:
         """The lift that effects on disc and rod change; None where they act otherwise, or not at all."""
+
+    @property
+    def tangent(self) -> "Tangent | None":
+        """How what is expected answers some numbers, to first order; None where differences do for all."""
+
+    @property
+    def resolved(self) -> int | None:
+        """The highest order that the spacing of the rows resolves; None where no catalogue goes by it."""
 
     @property
     def unit(self) -> str:
@@ -144,20 +157,20 @@ def elapsed(run: NDArray[np.intp]) -> Array:
     return out
 
 
-def slopes(model: Model, effects: tuple[Effect, ...], active: Active) -> Array:
+def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Array | None = None) -> Array:
     """How the expected value answers each parameter of some effects, shape (n, sum of parameters).
 
     Central differences over each parameter's own step; one-sided where a bound is in the way. An effect that is
     active is varied about its value, any other about its start. In place of an effect on disc or rod its change of the
     lift to first order is varied, so that the rod is rolled once and not for every difference; what follows the lift
     is smooth, so that a small step to one side will do. So does a step for the numerous ones that are not active: they
-    are small, and looked at to first order alone.
+    are small, and looked at to first order alone. `known` is the residual with what is active, where it is at hand.
     """
     values = {effect.key: v for effect, v in active}
 
     @cache
     def base() -> Array:
-        return model.residual(active)
+        return model.residual(active) if known is None else known
 
     columns = []
     for effect in effects:
@@ -169,15 +182,18 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active) -> Array:
                 standing = rolled.first_order(effect, k, active, model.rows), np.array([SMALL * step])
                 columns.append((base() - model.residual([*active, standing])) / (SMALL * step))
                 continue
+            if model.tangent and (column := model.tangent(effect, k, active)) is not None:
+                columns.append(column)
+                continue
             one_sided = effect.numerous and effect.key not in values
-            low, high = (middle if one_sided else _moved(effect, middle, k, -step)), _moved(effect, middle, k, step)
+            low, high = (middle if one_sided else moved(effect, middle, k, -step)), moved(effect, middle, k, step)
             before = base() if one_sided else model.residual([*others, (effect, low)])
             columns.append((before - model.residual([*others, (effect, high)])) / (high[k] - low[k]))
     return np.stack(columns, axis=1) if columns else np.empty((len(model.rows.run), 0))
 
 
-def _moved(effect: Effect, values: Array, number: int, by: float) -> Array:
+def moved(effect: Effect, values: Array, number: int, by: float) -> Array:
     """Values of which one is moved, as far as its bounds let it."""
-    moved, (lower, upper) = values.copy(), effect.bounds
-    moved[number] = np.clip(moved[number] + by, lower[number], upper[number])
-    return moved
+    there, (lower, upper) = values.copy(), effect.bounds
+    there[number] = np.clip(there[number] + by, lower[number], upper[number])
+    return there

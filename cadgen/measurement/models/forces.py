@@ -6,9 +6,10 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
+from cadgen.measurement.recent import Recent
 from cadgen.motion.mechanics import Leads, Mechanics
 
-_KEPT = 32  # fits go back and forth between few frictions
+_KEPT = 256  # fits go back and forth between few frictions
 
 
 @dataclass(frozen=True)
@@ -22,7 +23,9 @@ class Forces:
 
     cut: LiftCurve
     mechanics: Mechanics
-    _known: dict[tuple[float, bool, int], tuple[LiftCurve, Leads]] = field(default_factory=dict, repr=False)
+    _known: Recent[tuple[float, bool, int], tuple[LiftCurve, Leads]] = field(
+        default_factory=lambda: Recent(_KEPT), repr=False
+    )
 
     def leads(self, friction: float, *, back: bool = False, lift: LiftCurve | None = None) -> Leads:
         """Where the cam leads with a sliding friction; remembered, since most differences leave friction alone.
@@ -33,14 +36,13 @@ class Forces:
             lift: that the disc gives, where that is not the one it was cut for.
         """
         cut = lift or self.cut
-        key = friction, back, id(cut)
-        if key not in self._known:
-            if len(self._known) >= _KEPT:
-                self._known.pop(next(iter(self._known)))
+
+        def made() -> tuple[LiftCurve, Leads]:
             mechanics = replace(self.mechanics, friction=friction)
             # With the lift, so that no other one is taken for it.
-            self._known[key] = cut, mechanics.leads(cut.mirrored if back else cut)
-        return self._known[key][1]
+            return cut, mechanics.leads(cut.mirrored if back else cut)
+
+        return self._known.of((friction, back, id(cut)), made)[1]
 
     def drawn(self, friction: float) -> tuple[Array, Array]:
         """Where the rod draws a free cam on, and where it draws it back.

@@ -24,7 +24,7 @@ class LiftModel:
     """Lift by cam angle, run and direction: reading = w_in tan(beta), the dial at the inner face's nominal place."""
 
     unit = "um"
-    measured = None
+    measured = tangent = resolved = None
     behind = Rolled.stages
 
     def __init__(

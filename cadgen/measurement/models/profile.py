@@ -8,23 +8,24 @@ from scipy.optimize import least_squares
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.catalogue import PROFILE
 from cadgen.deviations.disc import DISC, NOSE_WIDTHS_DEG, Disc, undulation, worn_nose
-from cadgen.deviations.effect import READING, Active, Effect, Parameter, Stage, through
+from cadgen.deviations.effect import READING, Active, Effect, Parameter, Stage, key_of, through
 from cadgen.deviations.instrument import MACHINE
 from cadgen.deviations.rows import Rows
-from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, highest_order, per_run, slopes, unknown
+from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, highest_order, moved, per_run, slopes, unknown
+from cadgen.measurement.recent import Recent
 from cadgen.measurement.record import Record
 from cadgen.measurement.shapes import shapes
 
 FORM_ORDERS = 90
 UNDULATIONS = 120
-
+_KEPT = 16  # distances: forms without a name act on the reading alone
 
 CLOCK = Stage[Array]("clock")
 
 
 def _polar(points: Array) -> tuple[Array, Array]:
     """Polar angles in [0, 2 pi) and radii of points, shape (n,) each."""
-    return np.arctan2(points[:, 1], points[:, 0]) % TURN, np.linalg.norm(points, axis=1)
+    return np.arctan2(points[:, 1], points[:, 0]) % TURN, np.hypot(points[:, 0], points[:, 1])
 
 
 def _clock(angle: Array, p: Array, at: Rows) -> Array:
@@ -63,7 +64,8 @@ class ProfileModel:
         self._forward = np.concatenate([[True], np.diff(self._disc.angle) > 0])
         radial = np.stack([np.cos(self._disc.angle), np.sin(self._disc.angle)], axis=1)
         self._slant = np.sum(self._disc.normal * radial, axis=1)
-        seen, radius = _polar(points)
+        self._table, self._known = self._around(disc), Recent[bytes, tuple[Array, Array, Array]](_KEPT)
+        seen, radius = self._polar = _polar(points)
         self.own = np.array([self._clocked(seen[mine], radius[mine]) for mine in record.parts])
         place = (seen - self.own[record.run]) % TURN
         self.rows = Rows(
@@ -91,11 +93,34 @@ class ProfileModel:
 
     def residual(self, active: Active) -> Array:
         """Distance outside the expected outline, mm."""
-        disc = through(DISC, self._disc, active, self.rows)
-        seen, radius = _polar(through(MACHINE, self._points, active, self.rows))
-        angle = through(CLOCK, seen - self.own[self.rows.run], active, self.rows)
-        offset = through(READING, np.zeros(len(angle)), active, self.rows)
-        return self._distance(disc, angle, radius) - offset
+        distance = self._apart(active)[2]
+        return np.asarray(distance - through(READING, np.zeros(len(distance)), active, self.rows))
+
+    def _apart(self, active: Active) -> tuple[Array, Array, Array]:
+        """Polar angles of the changed outline, those at which the rows were taken, and their distances from it."""
+        before = [(effect, values) for effect, values in active if effect.stage is not READING]
+
+        def looked() -> tuple[Array, Array, Array]:
+            disc = through(DISC, self._disc, active, self.rows)
+            seen, radius = self._polar
+            if any(effect.stage is MACHINE for effect, _ in active):
+                seen, radius = _polar(through(MACHINE, self._points, active, self.rows))
+            angle = through(CLOCK, seen - self.own[self.rows.run], active, self.rows)
+            around = self._table if disc is self._disc else self._around(disc)
+            return around[0], angle, self._distance(around, angle, radius)
+
+        return self._known.of(key_of(before), looked)
+
+    def tangent(self, effect: Effect, number: int, active: Active) -> Array | None:
+        """Of an effect on the disc: by how much it moves the outline along its normal at each row, for one unit."""
+        if effect.stage is not DISC:
+            return None
+        middle = np.asarray(next((v for e, v in active if e.key == effect.key), effect.start), dtype=float)
+        ends = [moved(effect, middle, number, sign * effect.steps[number]) for sign in (-1.0, 1.0)]
+        low, high = (effect.act(self._disc, values, self.rows).points for values in ends)
+        along = np.sum((high - low) * self._disc.normal, axis=1)[self._forward] / (ends[1] - ends[0])[number]
+        where, angle, _ = self._apart(active)
+        return np.asarray(np.interp(angle, where[:-1], along, period=TURN), dtype=float)
 
     def _clocked(self, seen: Array, radius: Array) -> float:
         """Clocking of one run against the bare design; the part may be turned by quarters of a turn on the machine."""
@@ -103,7 +128,7 @@ class ProfileModel:
         for quarter in (0.0, TURN / 4, TURN / 2, 3 * TURN / 4):
 
             def off(clocking: Array, quarter: float = quarter) -> Array:
-                return self._distance(self._disc, seen - quarter - clocking[0], radius)
+                return self._distance(self._table, seen - quarter - clocking[0], radius)
 
             # A quarter that is wrong dwarfs every effect: one look tells it.
             if found and np.sum(off(CLOCKING.start) ** 2) > found[0][0]:
@@ -113,14 +138,16 @@ class ProfileModel:
         clocking = min(found)[1]
         return clocking if clocking < TURN / 2 else clocking - TURN
 
-    def _distance(self, disc: Disc, angle: Array, radius: Array) -> Array:
-        """Of points at polar angles and radii from a disc, along its normal."""
+    def _around(self, disc: Disc) -> tuple[Array, Array, Array]:
+        """Polar angles of a disc's outline, rising, its radii, and the cosines between normal and radius."""
         points = disc.points[self._forward]
-        where = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
+        where, reach = np.unwrap(np.arctan2(points[:, 1], points[:, 0])), np.hypot(points[:, 0], points[:, 1])
         slant = self._slant[self._forward]
         # One point beyond the turn closes the table; chords fall short of the curve by under 0.01 um.
-        where = np.append(where, where[0] + TURN)
-        reach = np.linalg.norm(points, axis=1)
+        return np.append(where, where[0] + TURN), np.append(reach, reach[0]), np.append(slant, slant[0])
+
+    def _distance(self, around: tuple[Array, Array, Array], angle: Array, radius: Array) -> Array:
+        """Of points at polar angles and radii from a disc, along its normal."""
+        where, reach, slant = around
         at = where[0] + (angle - where[0]) % TURN
-        distance = radius - np.interp(at, where, np.append(reach, reach[0]))
-        return np.asarray(distance * np.interp(at, where, np.append(slant, slant[0])))
+        return np.asarray((radius - np.interp(at, where, reach)) * np.interp(at, where, slant))

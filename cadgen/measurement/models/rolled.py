@@ -19,9 +19,10 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import Outline
 from cadgen.deviations.disc import DISC, Disc
-from cadgen.deviations.effect import Active, Effect, Stage, through
+from cadgen.deviations.effect import Active, Effect, Stage, key_of, through
 from cadgen.deviations.lift import FOLLOWER, Setting
 from cadgen.errors import DesignError
+from cadgen.measurement.recent import Recent
 from cadgen.motion.sampled import sampled_lift
 
 GRID = 720  # stations of the roll; only the change against the nominal cam is interpolated between them
@@ -103,9 +104,9 @@ class Rolled:
     def __init__(self, lift: LiftCurve, follower: LeaningRod, disc: Disc) -> None:
         self._lift, self._follower, self._disc = lift, follower, disc
         self._grid = np.linspace(0.0, TURN, GRID, endpoint=False)
-        self._rolls: dict[bytes, _Roll] = {}
-        self._changes: dict[bytes, PPoly] = {}
-        self._lifts: dict[bytes, LiftCurve] = {}
+        self._rolls: Recent[bytes, _Roll] = Recent(_KEPT)
+        self._changes: Recent[bytes, PPoly] = Recent(_KEPT)
+        self._lifts: Recent[bytes, LiftCurve] = Recent(_KEPT)
 
     def change(self, active: Active, rows: object) -> PPoly | None:
         """Change of tan(beta) by cam angle; None if no effect changes disc or rod.
@@ -114,29 +115,27 @@ class Rolled:
             DesignError: no rod can follow that disc.
         """
         moved = self._of(active)
-        rolled = None
-        if moved:
-            key = _key(moved)
-            if key not in self._changes:
-                change = self._roll(moved, rows).tan_beta - self._roll([], rows).tan_beta
-                if not np.isfinite(change).all():
-                    raise DesignError("no rod can follow a disc that is so far from its design")
-                self._changes = {**dict(list(self._changes.items())[-_KEPT:]), key: self._closed(change)}
-            rolled = self._changes[key]
-        return through(CHANGE, rolled, active, rows)
+
+        def changed() -> PPoly:
+            change = self._roll(moved, rows).tan_beta - self._roll([], rows).tan_beta
+            if not np.isfinite(change).all():
+                raise DesignError("no rod can follow a disc that is so far from its design")
+            return self._closed(change)
+
+        return through(CHANGE, self._changes.of(key_of(moved), changed) if moved else None, active, rows)
 
     def lift(self, active: Active, rows: object) -> LiftCurve:
         """The lift as a curve that a car can be driven by; arguments and errors as of `change`."""
         change = self.change(active, rows)
         if change is None:
             return self._lift
-        key = _key([(e, v) for e, v in active if e.stage in self.stages or e.stage is CHANGE])
-        if key not in self._lifts:
+
+        def sampled() -> LiftCurve:
             angle = np.linspace(0.0, TURN, STATIONS, endpoint=False)
             steering = self._lift.tan_beta(angle) + change(angle)
-            made = sampled_lift(angle, steering, blend_start=self._lift.blend_start, level=self._lift.level)
-            self._lifts = {**dict(list(self._lifts.items())[-_KEPT:]), key: made}
-        return self._lifts[key]
+            return sampled_lift(angle, steering, blend_start=self._lift.blend_start, level=self._lift.level)
+
+        return self._lifts.of(key_of([(e, v) for e, v in active if e.stage in (*self.stages, CHANGE)]), sampled)
 
     def first_order(self, effect: Effect, number: int, active: Active, rows: object) -> Effect:
         """An effect on the lift that stands, to first order, for a number of an effect on disc or rod.
@@ -182,12 +181,11 @@ class Rolled:
         return [(e, v) for e, v in active if e.stage in self.stages]
 
     def _roll(self, moved: Sequence[tuple[Effect, Array]], rows: object) -> _Roll:
-        key = _key(moved)
-        if key not in self._rolls:
+        def rolled() -> _Roll:
             disc = through(DISC, self._disc, moved, rows)
-            rolled = _Roll.of(disc, through(FOLLOWER, Setting(self._follower), moved, rows), self._grid)
-            self._rolls = {**dict(list(self._rolls.items())[-_KEPT:]), key: rolled}
-        return self._rolls[key]
+            return _Roll.of(disc, through(FOLLOWER, Setting(self._follower), moved, rows), self._grid)
+
+        return self._rolls.of(key_of(moved), rolled)
 
     def _closed(self, values: Array) -> PPoly:
         """A periodic spline through values on the grid."""
@@ -197,10 +195,6 @@ class Rolled:
 def _plus(change: PPoly | None, slope: PPoly, by: float) -> PPoly:
     coefficients = by * slope.c if change is None else change.c + by * slope.c
     return PPoly.construct_fast(coefficients, slope.x, extrapolate="periodic")
-
-
-def _key(active: Sequence[tuple[Effect, Array]]) -> bytes:
-    return b"".join(effect.key.encode() + np.asarray(values).tobytes() for effect, values in active)
 
 
 def _shifted(follower: LeaningRod, by: float) -> LeaningRod:

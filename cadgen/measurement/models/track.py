@@ -15,6 +15,7 @@ from cadgen.measurement.models.floor import floor as floor_of
 from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.models.rolled import Rolled
 from cadgen.measurement.models.start import Starts, scattered, setting
+from cadgen.measurement.recent import Recent
 from cadgen.measurement.record import Record
 from cadgen.motion.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.path.track import Track
@@ -35,13 +36,14 @@ class TrackModel:
     """
 
     unit = "mm"
+    tangent = resolved = None
     behind = (*Rolled.stages, RATIO, MESH)
 
     def __init__(
         self, record: Record, rolled: Rolled, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
     ) -> None:
         self.rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
-        self._known: dict[tuple[int, bytes], tuple[LiftCurve, Array]] = {}
+        self._known: Recent[tuple[int, bytes], tuple[LiftCurve, Array]] = Recent(_KEPT)
         self._steepest = float(np.abs(lift.tan_beta(np.linspace(0.0, TURN, STEPS), nu=1)).max())
         self._nominal = Running(car=car, length=track.turn)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
@@ -120,13 +122,8 @@ class TrackModel:
 
     def _tangents(self, lift: LiftCurve, cam_angle: Array) -> Array:
         """tan(beta) of the rod; remembered, for most effects leave lift and cam angles as they are."""
-        key = id(lift), cam_angle.tobytes()
-        if key not in self._known:
-            if len(self._known) >= _KEPT:
-                self._known.pop(next(iter(self._known)))
-            # With the lift, so that no other one is taken for it.
-            self._known[key] = lift, lift.tan_beta(cam_angle)
-        return self._known[key][1]
+        # With the lift, so that no other one is taken for it.
+        return self._known.of((id(lift), cam_angle.tobytes()), lambda: (lift, lift.tan_beta(cam_angle)))[1]
 
     def _asked(self, motor: Array, active: Active) -> Array:
         """Cam angle that the gears ask for at motor positions, rad; the cam is set on its shaft at the start."""

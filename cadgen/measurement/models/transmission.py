@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
 from cadgen.deviations.catalogue import TRANSMISSION
-from cadgen.deviations.effect import READING, Active, Effect, through
+from cadgen.deviations.effect import READING, Active, Effect, key_of, through
 from cadgen.deviations.transmission import MESH, PLAY, RATIO, Play, Turns, train_orders
 from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, highest_order, per_run, unknown
 from cadgen.measurement.models.forces import Forces
+from cadgen.measurement.recent import Recent
 from cadgen.measurement.record import Record
 from cadgen.measurement.shapes import shapes
 
@@ -24,13 +25,14 @@ MOTOR_HARMONICS = 12
 COGGING = np.radians(0.005)
 # Where in the play a run begins is set by chance: its first degrees of cam angle take it up and are not used.
 TAKE_UP_DEG = 5.0
+_KEPT = 16  # angles of the camshaft: forms without a name act on the reading alone
 
 
 class TransmissionModel:
     """Cam angle by motor angle, forward and back, the inclinometer's zero free in each run."""
 
     behind = ()
-    rolled = None
+    rolled = tangent = None
     unit = "deg"
     measured = None
 
@@ -46,7 +48,7 @@ class TransmissionModel:
     ) -> None:
         turned = np.radians(record["motor_angle_deg"]) / float(np.prod(ratios))
         first = np.array([turned[record.run == k][0] for k in range(record.runs)])[record.run]
-        self._all, self._forces = turned, forces
+        self._all, self._forces, self._known = turned, forces, Recent[bytes, Array](_KEPT)
         self._run_all = record.run
         # A run that comes back passes its start again: what matters is whether it has been away.
         away = np.zeros(len(turned), dtype=bool)
@@ -88,14 +90,19 @@ class TransmissionModel:
 
     def residual(self, active: Active) -> Array:
         """Measured less expected cam angle, rad."""
+        before = [(effect, values) for effect, values in active if effect.stage is not READING]
+        angle = self._known.of(key_of(before), lambda: self._camshaft(before)[self._used])
+        return np.asarray(self._reading - through(READING, angle, active, self.rows))
+
+    def _camshaft(self, active: Active) -> Array:
+        """Angle of the camshaft behind gears and play, rad."""
         asked = through(RATIO, self._all, active, self.rows)
         asked = through(MESH, asked, active, self.rows)
         play = through(PLAY, Play(), active, self.rows)
-        angle = asked
-        if play.width > 0:
-            drawn = None if play.friction is None else self._forces.drawn(play.friction)
-            angle = follow(asked, self._run_all, play.width, drawn)
-        return np.asarray(self._reading - through(READING, angle[self._used], active, self.rows))
+        if play.width <= 0:
+            return asked
+        drawn = None if play.friction is None else self._forces.drawn(play.friction)
+        return follow(asked, self._run_all, play.width, drawn)
 
 
 def _cogging(turned: Array, orders: Array) -> Discrepancy:

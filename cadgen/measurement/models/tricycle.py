@@ -25,7 +25,7 @@ class TricycleModel:
     """
 
     behind = ()
-    rolled = None
+    rolled = tangent = resolved = None
     unit = "mm"
 
     def __init__(self, record: Record, wheelbase: float) -> None:
