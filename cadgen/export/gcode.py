@@ -121,7 +121,7 @@ def _head(
     drilled: Sequence[str],
     notes: Sequence[str],
 ) -> list[str]:
-    """What the shop must know before it runs the program."""
+    """Sentences that the shop reads before it runs the program."""
     tabs = machining.tabs
     above = f", its hub stands {hub.height:g} mm above that face" if hub else ""
     held = f"hold the part by its bore, the last pass of {passes} cuts it free"

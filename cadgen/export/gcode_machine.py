@@ -30,7 +30,7 @@ class RefusedError(Exception):
 
 @dataclass(frozen=True)
 class Work:
-    """What stands in the way of rapid moves, above the face at Z = 0.
+    """Obstacles to rapid moves, above the face at Z = 0.
 
     Attributes:
         safe: least height of rapid moves sideways, mm; a hub and every clamp end below it.

@@ -43,7 +43,7 @@ class Tab:
 
 @dataclass(frozen=True, eq=False)
 class Milled:
-    """What a program leaves.
+    """Outline and tabs that a program leaves.
 
     Attributes:
         outline: outline of the part, one piece.

@@ -31,7 +31,7 @@ def tabbed(tmp_path_factory):
 
 
 def cut_at(text, depth, radius):
-    """What is cut away of the plane Z = -depth by a program, as an area: each move a thick line."""
+    """Area that a program cuts away of the plane Z = -depth: each move a thick line."""
     at, motion, areas = {"X": 0.0, "Y": 0.0, "Z": 99.0}, "", []
     for line in text.splitlines():
         words = dict(re.findall(r"([A-Z])(-?[\d.]+)", re.sub(r"\(.*?\)", "", line)))
