@@ -1,6 +1,5 @@
 """Fonts of the pages: one for Latin, Greek and Cyrillic, and one of the system's for Chinese, Japanese and Korean."""
 
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -72,20 +71,18 @@ def _far_eastern_files() -> tuple[Path, ...]:
 
 
 def _face_with(file: Path, letters: frozenset[str]) -> int | None:
-    """Number of the face of a file that has all letters, the simplified Chinese one if there are more; None without."""
+    """Number of a face of a file that has all letters, the simplified Chinese one if there is one; None without."""
     try:
-        having = [
-            (number, name) for number, name, known in _faces(file) if all(ord(letter) in known for letter in letters)
-        ]
+        faces = TTCollection(file, lazy=True).fonts if file.suffix.lower() == ".ttc" else [TTFont(file, lazy=True)]
+        plain = [number for number, face in enumerate(faces) if _family(face).endswith((" SC", " CN"))]
+        for number in dict.fromkeys([*plain, *range(len(faces))]):
+            known = faces[number].getBestCmap() or ()
+            if all(ord(letter) in known for letter in letters):
+                return number
     except (OSError, TTLibError):
-        return None
-    simplified = (number for number, name in having if name.endswith((" SC", " CN")))
-    return next(simplified, having[0][0] if having else None)
+        pass
+    return None
 
 
-def _faces(file: Path) -> Iterator[tuple[int, str, frozenset[int]]]:
-    """Number, family and letters of every face of a file."""
-    several = file.suffix.lower() == ".ttc"
-    faces = TTCollection(file, lazy=True).fonts if several else [TTFont(file, lazy=True)]
-    for number, face in enumerate(faces):
-        yield number, str(face["name"].getBestFamilyName()), frozenset(face.getBestCmap() or ())
+def _family(face: TTFont) -> str:
+    return str(face["name"].getBestFamilyName())
