@@ -75,7 +75,8 @@ def _face_with(file: Path, letters: frozenset[str]) -> int | None:
     try:
         faces = TTCollection(file, lazy=True).fonts if file.suffix.lower() == ".ttc" else [TTFont(file, lazy=True)]
         plain = [number for number, face in enumerate(faces) if _family(face).endswith((" SC", " CN"))]
-        for number in dict.fromkeys([*plain, *range(len(faces))]):
+        order: dict[int, None] = dict.fromkeys([*plain, *range(len(faces))])
+        for number in order:
             known = faces[number].getBestCmap() or ()
             if all(ord(letter) in known for letter in letters):
                 return number

@@ -44,7 +44,7 @@ def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path
             panel.grid(axis="x", visible=False)
         axes.set_xticks(range(len(labels)), labels)
         axes.set(title=title, ylabel="deflection error (°)", xlabel="event and its cam angle")
-        axes.legend(loc="best", fontsize=8)
+        picture.legend(loc="outside lower center", ncols=len(methods), fontsize=8)  # no bar may lie under it
         total.set_xticks([0], ["sum"])
         total.margins(y=0.12)
         return save(picture, folder, name)
