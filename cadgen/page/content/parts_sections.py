@@ -8,6 +8,7 @@ import numpy as np
 from cadgen.gears.layout import TrainLayout
 from cadgen.page.content.plan import PagePlan
 from cadgen.page.document import Cell, Section, Table, Text, number
+from cadgen.page.sentences import generated
 from cadgen.page.words import say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.facts import parts_facts
@@ -143,7 +144,7 @@ def parts_section(plan: PagePlan) -> Section:
     tables = [Table("parts", say("Parts"), heads, tuple(rows), words=2)]
     if plan.gears is not None:
         tables.append(_stages(plan.gears.layout))
-    notes = () if plan.gears is None else tuple(plan.gears.notes)
+    notes = () if plan.gears is None else tuple(map(generated, plan.gears.notes))
     return Section("parts", say("Parts list"), (), tuple(tables), notes)
 
 
