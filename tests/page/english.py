@@ -1,12 +1,13 @@
 """Texts of a page that its Chinese view shows in English."""
 
 import re
+from html import unescape
 from html.parser import HTMLParser
 
 # Keys, commands, names of files and designs, units, symbols: the same in every language.
 SAME = re.compile(
     r"--[\w-]+(?: [\w.=\[\]\"+-]+)?|\[[\w.]+\]|[a-z_]+(?:\.[a-z_0-9]+)+|\b[a-z]+(?:_[a-z]+)+\b|cadgen(?: \w+)?|N·mm|"
-    r"\b(?:mm3?|kg|min|deg|N|J|PASS|STEP|DXF|ISO|DIN|WebGL|three\.js|uPlot)\b|[0-9a-f]{12,}|\S+\.(?:toml|csv|step|html)\b"
+    r"\b\d_\w+|\b(?:c?mm?[23³]?|kg|min|deg|N|J|PASS|cubic|quintic|b_spline|STEP|DXF|ISO|DIN|WebGL|three\.js|uPlot)\b|[0-9a-f]{12,}|\S+\.(?:toml|csv|step|html)\b"
 )
 _VOID = {"meta", "input", "br", "path", "circle", "ellipse", "line", "rect", "polyline", "polygon", "link", "img", "hr"}
 
@@ -29,16 +30,18 @@ class _Reader(HTMLParser):
             pass
 
     def handle_data(self, data):
-        if any(tag in ("script", "style", "title") or zh or lang == "zh" for tag, zh, lang in self.open):
+        if any(
+            tag in ("script", "style", "title") or zh or (tag, lang) == ("pre", "en") for tag, zh, lang in self.open
+        ):
             return
         self.texts.append(data.strip())
 
 
 def left_in_english(html: str) -> list[str]:
-    """Texts with a word of two letters or more for which the page has no Chinese, and Chinese ones with English left."""
+    """Texts with a word for which the page has no Chinese, and Chinese ones with English left."""
     reader = _Reader()
     reader.feed(html)
-    chinese = re.findall(r'data-(?:label-)?zh="([^"]*)"', html)
+    chinese = [unescape(text) for text in re.findall(r'data-(?:label-)?zh="([^"]*)"', html)]
     left = [text for text in reader.texts if re.search(r"[A-Za-z]{2,}", SAME.sub(" ", text))]
     return [
         *dict.fromkeys(left),

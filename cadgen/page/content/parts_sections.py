@@ -9,7 +9,7 @@ from cadgen.gears.layout import TrainLayout
 from cadgen.page.content.plan import PagePlan
 from cadgen.page.document import Cell, Section, Table, Text, number
 from cadgen.page.sentences import generated
-from cadgen.page.words import say
+from cadgen.page.words import named, say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.facts import parts_facts
 
@@ -118,7 +118,7 @@ def parts_section(plan: PagePlan) -> Section:
     rows: list[tuple[Cell, ...]] = [
         (
             Cell(say("cam")),
-            Cell(design.blank.material or "–"),
+            Cell(named(design.blank.material or "–")),
             number(1, digits=0),
             number(None),
             number(None),

@@ -163,8 +163,8 @@ def _course(simulation: Simulation) -> Table:
     planned, played = (run.figures() for run in simulation.on_course)
     rows = [
         (
-            Cell(key),
-            Cell(where),
+            Cell(place_words(key)),
+            Cell(place_words(where)),
             number(planned[key][1], "mm", "bad" if planned[key][1] < 0 else ""),
             number(room, "mm", "bad" if room < 0 else ""),
         )
@@ -198,7 +198,7 @@ def tolerance_section(run: ToleranceRun | None, reason: str) -> Section:
     lead = Words(
         f"{run.samples} random cars with this cam (seed {run.seed}, {run.plan.design.tolerances.law} law): "
         f"{passing:.2f} % keep the course and its gates.",
-        f"{run.samples} 辆随机小车使用此凸轮（种子 {run.seed}，{run.plan.design.tolerances.law} 分布）："
+        f"{run.samples} 辆随机小车使用此凸轮（种子 {run.seed}，{named(run.plan.design.tolerances.law).zh}分布）："
         f"{passing:.2f} % 满足赛道与赛道门要求。",
     )
     spreads: tuple[tuple[Text, Spread, str], ...] = (
