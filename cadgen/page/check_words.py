@@ -113,6 +113,7 @@ _PLACES = (
     (r"outline, passing left of it", "车身外形，从其左侧通过"),
     (r", lap (\d+)", r"，第 \1 圈"),
     (r"([-\d.]+) mm off, ([-\d.]+)° off", r"偏离 \1 mm，\2°"),
+    (r"^([-\d.]+) mm off$", r"偏离 \1 mm"),
     (r"without play, against the start", "无间隙，与起点相比"),
     (r"\btwo lightening holes\b", "两个减重孔"),
     (r"\blightening hole (\d+) and (\w+)", r"减重孔 \1 与 \2"),

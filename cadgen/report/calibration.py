@@ -13,6 +13,7 @@ from cadgen.measurement.record import Abscissa
 from cadgen.report.style import (
     AFTER,
     BEFORE,
+    BLACK,
     BLUE,
     GREEN,
     GREY,
@@ -68,12 +69,7 @@ def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: 
         scale = f"; scale {finer:.0f} times finer" if finer > _MAGNIFIED else ""
         after.set_title(f"after: rms {rms[1]:.3g}{unit}{scale}")
         after.set_xlabel(diagnosis.kind.abscissa.value)
-        _, labels = before.get_legend_handles_labels()
-        if len(labels) > 1:
-            _headroom(before)
-            before.legend(
-                loc="upper right", ncols=len(labels), fontsize=8, frameon=True, edgecolor="none", markerscale=2.0
-            )
+        _runs_legend(before, diagnosis)
         if plan:
             _plan(upper, diagnosis, without)
         else:
@@ -106,6 +102,21 @@ def _place(diagnosis: Diagnosis, length: float | None) -> Array:
             return diagnosis.place / TURN * 100.0
 
 
+def _runs_legend(axes: "Axes", diagnosis: Diagnosis) -> None:
+    """Name the runs by their colours, and the ways of the cam by their marks, in a row above the curves."""
+    handles, labels = axes.get_legend_handles_labels()
+    if diagnosis.runs == 1:
+        handles, labels = [], []
+    for _, mark, way in _ways(diagnosis):
+        if way:
+            handles += axes.plot([], [], mark, color=BLACK, markersize=2.5)
+            labels.append(way)
+    if labels:
+        _headroom(axes)
+        how = {"fontsize": 8, "frameon": True, "edgecolor": "none", "markerscale": 2.0}
+        axes.legend(handles, labels, loc="upper right", ncols=len(labels), columnspacing=1.2, **how)
+
+
 def _many(diagnosis: Diagnosis) -> bool:
     return diagnosis.runs > len(_RUNS)
 
@@ -120,12 +131,12 @@ def _colours(diagnosis: Diagnosis) -> "list[Any]":
 
 
 def _ways(diagnosis: Diagnosis) -> "list[tuple[NDArray[np.bool_], str, str]]":
-    """Rows by the way that the cam was turned, with the mark of each and what is said of it beside the run."""
+    """Rows by the way that the cam was turned, with the mark of each and its name; without one if there is one way."""
     everywhere = np.ones(len(diagnosis.place), dtype=bool)
     back = diagnosis.backwards
     if back is None or not 0 < back.sum() < len(back):
         return [(everywhere, ".", "")]
-    return [(~back, ".", ", forward"), (back, "x", ", reverse")]
+    return [(~back, ".", "forward"), (back, "x", "reverse")]
 
 
 def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float | None) -> None:
@@ -137,7 +148,7 @@ def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float
         # Of many runs the first and the last are named.
         name = f"run {run + 1}" if not _many(diagnosis) or run in (0, diagnosis.runs - 1) else ""
         if not diagnosis.kind.plan_view:
-            for way, mark, said in _ways(diagnosis):
+            for number, (way, mark, _) in enumerate(_ways(diagnosis)):
                 axes.plot(
                     place[rows & way],
                     values[rows & way],
@@ -147,7 +158,7 @@ def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float
                     markeredgewidth=0.6,
                     alpha=0.6,
                     rasterized=True,
-                    label=f"{name}{said}" if name else "",
+                    label="" if number else name,
                 )
         else:
             x, y = np.split(values[rows], 2)

@@ -92,7 +92,9 @@ def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
             middle.axvline(edge * (content.gate_width or 0.0), color=GREY, linestyle="--", linewidth=1)
         zero_line(middle)
         dashed = " (dashed: gate)" if content.gate_width else ""
-        middle.set(title=f"Where cars end{dashed}", xlabel="left of the planned end (mm)", ylabel="ahead (mm)")
+        middle.set(
+            title=f"Where cars end{dashed}", xlabel="left of the planned end, looking ahead (mm)", ylabel="ahead (mm)"
+        )
         middle.set_aspect("equal", adjustable="datalim")
         middle.invert_xaxis()  # as one who looks ahead sees it
 

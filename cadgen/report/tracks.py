@@ -196,3 +196,5 @@ def _shape(axes: "Axes", shape: Shape, *, filled: bool) -> None:
         round_about = Circle(middle, shape.reach / 1000, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=3)
         round_about.set_label(label)
         axes.add_patch(round_about)
+        if filled:
+            axes.plot(*middle, ".", color=DARK, markersize=4, zorder=3)  # so that a thin post is seen on a large field

@@ -24,7 +24,7 @@ def page_of(plan: PagePlan) -> Page:
         checks_section(plan),
         play_section(plan),
         tolerance_section(plan.tolerance, reasons.get("tolerance", "")),
-        calibration_section(plan),
+        calibration_section(plan, reasons.get("calibration", "")),
         inspection_section(plan),
         parts_section(plan),
     ]
