@@ -40,7 +40,7 @@ def gcode(folder):
     machining = Machining()
     centre = cutter_path(CURVE, machining.cutter_diameter_mm / 2, largest_cutter(CURVE), 2e-4)
     write_gcode(folder / "cam.nc", centre, machining, 3.0, name="cam")
-    return read_gcode(folder / "cam.nc", machining, 3.0)
+    return read_gcode(folder / "cam.nc", machining, 3.0).outline
 
 
 def xyz(folder):

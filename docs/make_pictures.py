@@ -19,16 +19,18 @@ from typing import Any
 
 import numpy as np
 
+from cadgen import Design
 from cadgen.report.style import AFTER, BEFORE, GREY, WANTED, figure
 from docs.tutorial.make_camera import FAULTS, car_as_designed
 
 HERE = Path(__file__).parent
 PICTURES = HERE / "pictures"
-NAMES = ("first_car", "first_path", "first_cam", "first_lift", "second_run")
+NAMES = ("first_car", "first_path", "first_cam", "first_lift", "second_run", "laps")
 DEG = np.pi / 180
 # A curve that was drawn keeps its name in the SVG file, so that a test finds its points again.
 CURVE = "curve-"
 STEP_DEG = 0.5  # between the points of a run that is drawn
+GREATEST_PLAY_DEG = 0.851  # of the figure 8's train
 
 
 def table(file: Path) -> dict[str, Any]:
@@ -117,6 +119,28 @@ def pictures(folder: Path) -> Iterator[tuple[str, Any]]:
         )
         _legend_above(axes)
         yield "second_run", picture
+
+
+    with figure(7.2, 3.6) as picture:
+        _laps(*picture.subplots(1, 2, sharex=True, sharey=True))
+        yield "laps", picture
+
+
+def _laps(left: Any, right: Any) -> None:
+    """Draw ten laps of the packaged figure 8 at the greatest play of its band, with the plain and the optimized cam."""
+    simulation = Design.load("figure_eight").simulate("optimized", GREATEST_PLAY_DEG)
+    runs = simulation.computed
+    for axes, name, run, colour in (
+        (left, "plain cam", runs.before, BEFORE),
+        (right, "optimized cam", runs.after, AFTER),
+    ):
+        axes.set(title=f"{name}: ten laps", xlabel="x, m", aspect="equal")
+        _curve(axes, f"lap-{name[:5]}", *(runs.planned.drive_wheel.T / 1000), color=WANTED, linewidth=2.5, alpha=0.3)
+        _curve(axes, f"laps-{name[:5]}", *(run.drive_wheel[::4].T / 1000), color=colour, linewidth=0.7)
+        for x in (-0.2, 0.2):
+            axes.plot(x, 0.0, "o", color=GREY, markersize=3)
+        axes.plot(*(run.drive_wheel[0] / 1000), "o", color=WANTED, markersize=4)
+    left.set_ylabel("y, m")
 
 
 def _curve(axes: Any, name: str, x: Any, y: Any, **how: Any) -> None:

@@ -54,6 +54,13 @@ class Calibration(Generic[D]):
         return {source.kind.code: self.computed.verdict(source.kind) for source in self.computed.sources}
 
     @property
+    def unclear(self) -> dict[str, str]:
+        """The verdicts that leave something unexplained or undecided, by the kind of data."""
+        from cadgen.measurement.diagnose import SOUND
+
+        return {kind: verdict for kind, verdict in self.verdicts.items() if verdict not in SOUND}
+
+    @property
     def effects(self) -> "tuple[calibrations.Built, ...]":
         """Everything claimed, with its place in the design as built.
 
@@ -151,6 +158,16 @@ class Calibrations(Generic[D]):
     """
 
     each: tuple[Calibration[D], ...]
+
+    @property
+    def unclear(self) -> dict[str, str]:
+        """The verdicts that leave something unexplained or undecided, by the measured file."""
+        return {
+            source.path.name: verdict
+            for calibration in self.each
+            for source in calibration.computed.sources
+            for verdict in calibration.unclear.values()
+        }
 
     @property
     def report(self) -> "list[Block]":

@@ -10,11 +10,13 @@ from cadgen.api.files import Written, folder_of
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.values import whole
 from cadgen.check import Check, failing
+from cadgen.errors import FileError
 from cadgen.page.content.plan import plan_page
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.page.content.plan import PagePlan
+    from cadgen.workflow.calibration.plan import Source
 
 SAMPLES = 10_000
 
@@ -57,18 +59,26 @@ class Report:
             processes: number of processes that run at once, 1 to 256.
             progress: function that is called with a few words on each step.
 
+        Data that cannot be read, or cannot be judged together, are left out, and the page says so first.
+
         Raises:
             DesignError: as `Design.cam`.
-            FileError: data cannot be read, or cannot be judged together.
         """
+        sources: tuple[Source, ...] = ()
+        unread = ""
+        try:
+            sources = () if data is None else sources_of(data, progress=progress)
+        except FileError as error:
+            unread = str(error)
         return cls(
             plan_page(
                 design.complete(),
                 profile,
                 whole("samples", samples, 1, MOST_CARS),
                 whole("processes", processes, 1, MOST_PROCESSES),
-                () if data is None else sources_of(data, progress=progress),
+                sources,
                 progress,
+                unread=unread,
             )
         )
 

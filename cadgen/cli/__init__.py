@@ -21,6 +21,7 @@
 | `show_play` | tables of profiles, runs, remedies and budgets                     |
 | `show_plan` | a planned path, a card of settings                                |
 | `show_adjustment` | what to set after trial runs                                |
+| `verdict`   | the last line: PASS or FAIL, and the next step                     |
 | `output`    | standard output and sentences on standard error                    |
 | `interrupt` | signals                                                            |
 

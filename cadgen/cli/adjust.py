@@ -60,6 +60,7 @@ def adjust(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_adjustment
+    from cadgen.cli.verdict import verdict
     from cadgen.design.load import packaged_designs
 
     design, files = design_and_files(arguments, packaged_designs())
@@ -81,4 +82,8 @@ def adjust(
         show_adjustment.settings(adjustment)
         if written is not None and out is not None:
             show.files(written, out)
+        if adjustment.explained:
+            verdict(True, "a car within the tolerances explains the trial runs", "set this, and drive once more")
+        else:
+            verdict(False, "no car within twice the tolerances explains the trial runs", "measure the run again")
     raise SystemExit(0 if adjustment.explained else 1)

@@ -66,6 +66,7 @@ def calibrate(
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.design import Design
     from cadgen.cli import show
+    from cadgen.cli.verdict import verdict
     from cadgen.design.load import packaged_designs
     from cadgen.report.text import write
 
@@ -85,6 +86,7 @@ def calibrate(
             show.document({"next": first.facts()})
         else:
             write(first.report, show.Output())
+            verdict(True, "nothing is measured yet", "measure as the first row says")
         return
     result: Calibration[Design] | Calibrations[Design]
     with show.progress(not as_json) as progress:
@@ -98,6 +100,18 @@ def calibrate(
     write([*result.report, *(block for part in more.values() for block in part.report)], show.Output())
     if written is not None and out is not None:
         show.files(written, out)
+    unclear = result.unclear
+    if unclear:
+        kinds = ", ".join(f"{name} {what}" for name, what in unclear.items())
+        step = (
+            "measure again, or other data" if ask_next or each else "the same command with --next says what to measure"
+        )
+        verdict(False, f"not all is explained ({kinds})", step)
+    elif isinstance(result, Calibration) and result.effects:
+        made = "cadgen cam on the as-built design" if written else "--out writes the as-built design, for cadgen cam"
+        verdict(True, "what was measured is explained", made)
+    else:
+        verdict(True, "what was measured is explained", "" if each else "nothing differs from the design: drive")
 
 
 def _more(

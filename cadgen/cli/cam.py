@@ -29,6 +29,7 @@ def cam(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
+    from cadgen.cli.verdict import command, failed, verdict
     from cadgen.export.formats import CAM_FORMATS, chosen_formats
 
     loaded = Design.load(design, overrides)
@@ -44,6 +45,13 @@ def cam(
         show_play.against(plan)
         if written is not None:
             show.files(written, out)
+        if plan.passed:
+            kept = ["--profile", profile] if profile else []
+            draw = command("draw", design, "--only cam", *kept, "--out", str(out), overrides=overrides)
+            verdict(True, f"every check holds, and each file in {out} was read back", f"cut it; {draw} draws it")
+        elif written is not None:
+            verdict(False, failed(plan.checks), "do not cut these files; change the design as it is said above")
         else:
-            click.echo("cadgen: a check failed, so nothing was exported (--force exports all the same)", err=True)
+            result = f"{failed(plan.checks)}, so nothing was exported (--force exports all the same)"
+            verdict(False, result, "change the design as it is said above")
     sys.exit(0 if plan.passed or force else 1)

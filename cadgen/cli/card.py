@@ -22,6 +22,7 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_plan
+    from cadgen.cli.verdict import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -33,4 +34,13 @@ def card(design: str | None, profile: str | None, overrides: tuple[str, ...], as
         show_plan.card(result)
         if written is not None and out is not None:
             show.files(written, out)
+        lost = sum(not row["kept"] for row in result.settings)
+        if result.passed:
+            step = "print the card" if written else command("card", design, "--out exports", overrides=overrides)
+            verdict(True, f"the course is kept at all {len(result.settings)} spacings", step)
+        elif not result.cam.passed:
+            verdict(False, failed(result.cam.checks), "change the design as it is said above")
+        else:
+            result_of = f"the course is not kept at {lost} of {len(result.settings)} spacings"
+            verdict(False, result_of, "widen [settings], or plan again with cadgen plan")
     raise SystemExit(0 if result.passed else 1)

@@ -17,6 +17,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
+    from cadgen.cli.verdict import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -27,4 +28,9 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
     else:
         show.checks(cam, cures)
         show_play.against(cam)
+        if cam.passed:
+            kept = ["--profile", profile] if profile else []
+            verdict(True, "every check holds", command("cam", design, *kept, overrides=overrides))
+        else:
+            verdict(False, failed(cam.checks), "change the design as it is said above")
     sys.exit(0 if cam.passed else 1)

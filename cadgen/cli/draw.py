@@ -46,6 +46,7 @@ def draw(
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw as drawn
     from cadgen.cli import show
+    from cadgen.cli.verdict import command, failed, verdict
 
     loaded = Design.load(design, overrides, train_only=only == "train")
     with_train = only != "cam" and (only == "train" or loaded.values.train is not None)
@@ -56,12 +57,15 @@ def draw(
         written = drawn(out, cam=cam, train=train, force=force, progress=progress) if passed or force else None
     if as_json:
         show.document({"passed": passed} if written is None else written.entry)
-    elif written is not None:
-        show.drawings(written, out)
+        sys.exit(0 if passed or force else 1)
+    broken = failed([check for part in (cam, train) if part is not None for check in part.checks])
     if written is None:
-        failed = [check for part in (cam, train) if part is not None for check in part.checks if not check.passed]
-        names = ", ".join(check.name for check in failed)
-        click.echo(
-            f"cadgen: a check failed ({names}), so nothing was drawn: see cadgen check and cadgen gears", err=True
-        )
+        see = " and ".join(command(verb, design) for verb, part in (("check", cam), ("gears", train)) if part)
+        verdict(False, f"{broken}, so nothing was drawn (--force draws all the same)", f"{see} say what to change")
+    else:
+        show.drawings(written, out)
+        if passed:
+            verdict(True, "each dimension was read back", "print the PDF at 100 %, and lay the part on it")
+        else:
+            verdict(False, broken, "do not make these parts; change the design")
     sys.exit(0 if passed or force else 1)

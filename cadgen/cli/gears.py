@@ -50,6 +50,7 @@ def gears(
     from cadgen.api.design import Design
     from cadgen.api.gears import NotMadeError
     from cadgen.cli import show
+    from cadgen.cli.verdict import command, failed, verdict
     from cadgen.export.formats import TRAIN_FORMATS, chosen_formats
 
     loaded = Design.load(design, overrides, train_only=True)
@@ -71,8 +72,14 @@ def gears(
         show.figures("\nteeth in mesh, measured", train.checks)
         if written is not None:
             _files(written, out, chord_is_given=loaded.values.export.mesh_chord_um is not None)
+        if train.passed:
+            draw = command("draw", design, "--only train", "--order", order, "--out", str(out), overrides=overrides)
+            verdict(True, f"every check holds, and each file in {out} was read back", f"make them; {draw} draws them")
+        elif written is not None:
+            verdict(False, failed(train.checks), "do not cut these files; change [train] as it is said above")
         else:
-            click.echo("cadgen: a check failed, so nothing was exported (--force exports all the same)", err=True)
+            result = f"{failed(train.checks)}, so nothing was exported (--force exports all the same)"
+            verdict(False, result, "change [train] as it is said above")
     sys.exit(0 if train.passed or force else 1)
 
 

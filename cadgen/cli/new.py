@@ -47,8 +47,9 @@ def new(
     The dimensions of your car go in with --set, as in --set car.wheelbase_mm=180, or later in the file.
     """
     from cadgen.api.design import Design
+    from cadgen.cli.verdict import verdict
 
     design = Design.new(
         name, out, points=points, layer=layer, gate_radius_mm=gate_radius_mm, field_mm=field_mm, changes=overrides
     )
-    click.echo(f"{design.file} begins the design. Next: cadgen check {design.file}")
+    verdict(True, f"{design.file} begins the design", f"cadgen check {design.file}")

@@ -20,6 +20,7 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
     from cadgen.api.design import Design
     from cadgen.api.runs import remedy_facts
     from cadgen.cli import show, show_play
+    from cadgen.cli.verdict import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -36,6 +37,10 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
         show.failed(cam)
         if written is not None and out is not None:
             show.files(written, out)
-        if not cam.passed:
-            click.echo("cadgen: even the best profile fails a check, so cadgen cam would not export it", err=True)
+        if cam.passed:
+            step = command("cam", design, "--profile", "optimized", overrides=overrides)
+            verdict(True, "the best profile keeps every limit", step)
+        else:
+            result = f"even the best profile fails a check: {failed(cam.checks)}"
+            verdict(False, result, "change the design as it is said above")
     sys.exit(0 if cam.passed else 1)

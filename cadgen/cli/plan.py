@@ -56,6 +56,7 @@ def plan(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_plan
+    from cadgen.cli.verdict import command, failed, verdict
 
     if within_mm is not None and improve is None:
         raise click.UsageError("--within says how far the path of --from may be left: give --from too")
@@ -71,4 +72,12 @@ def plan(
         show_plan.plan(planned)
         if written is not None and out is not None:
             show.files(written, out)
+        if planned.passed:
+            path = command("plan", course, "--out exports", overrides=overrides)
+            step = path if written is None or out is None else f"cadgen cam {out / written.files[0].name}"
+            verdict(True, "the path keeps the course, and every check of its cam holds", step)
+        elif planned.cam is None:
+            verdict(False, "the course cannot be driven", "change it as it is said above")
+        else:
+            verdict(False, failed(planned.cam.checks), "change the design")
     raise SystemExit(0 if planned.passed else 1)

@@ -48,6 +48,7 @@ def report(
     from cadgen.api.design import Design
     from cadgen.api.page import Report
     from cadgen.cli import show
+    from cadgen.cli.verdict import failed, verdict
     from cadgen.design.load import packaged_designs
 
     design, files = design_and_files(arguments, packaged_designs(), some=False)
@@ -62,8 +63,8 @@ def report(
         for text in result.refused:
             click.echo(f"cadgen: {text}", err=True)
         if result.passed:
-            click.echo(f"PASS: open {out / written.files[0].name} in a browser")
+            verdict(True, "every check holds", f"open {out / written.files[0].name} in a browser")
         else:
-            names = ", ".join(check.name for check in result.failed)
-            click.echo(f"FAIL{f': {names}' if names else ''}; see the top of the page")
+            result_of = failed(result.failed) if result.failed else "a part of the design was refused"
+            verdict(False, result_of, f"see the top of {out / written.files[0].name}")
     sys.exit(0 if result.passed else 1)

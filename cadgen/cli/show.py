@@ -141,10 +141,14 @@ def files(written: "Written", out: Path) -> None:
     console = Output()
     console.print(f"\n{out / stem}{'' if stem else os.sep}", style="bold", overflow="fold")
     console.print(table)
-    for label, reason in written.entry.get("omitted", {}).items():
-        console.print(Text.assemble((f"{label} left out", "yellow"), f": {reason}."))
+    _omitted(written)
     for warning in written.entry.get("warnings", []):
         console.print(Text.assemble(("Warning", "yellow"), f": {warning}."))
+
+
+def _omitted(written: "Written") -> None:
+    for label, reason in written.entry.get("omitted", {}).items():
+        Output().print(Text.assemble((f"{label} left out", "yellow"), f": {reason}."))
 
 
 def plain_table(title: str) -> Table:
@@ -170,3 +174,4 @@ def drawings(written: "Written", out: Path) -> None:
         count = len(facts["dimensions_mm"]) if "dimensions_mm" in facts else ""
         table.add_row(name, facts.get("sheet", ""), facts.get("scale", ""), str(count))
     Output().print(table)
+    _omitted(written)

@@ -12,12 +12,29 @@ if TYPE_CHECKING:
 
 
 def against(cam: "Cam") -> None:
-    """Print the effect of the profile against play, beside the profile before, and the reasons of the choice."""
-    if cam.against is not None:
-        methods(cam)
-        return
+    """Print the effect of the profile against play, beside that of the profile before."""
+    console = Output()
     for text in cam.notes:
-        Output().print(text)
+        console.print(text)
+    against = cam.against
+    if against is None:
+        return
+    chosen, before = against.chosen, against.before
+    low, high = against.band.ends
+    over = f"over the band of {degrees(low):.3f} to {degrees(high):.3f}°"
+    if cam.computed.laps is not None:
+        text = ""  # the notes say it
+    elif chosen is before:
+        text = f"{chosen.profile.code} profile: {over} the run ends {chosen.band.worst_distance:.0f} mm off at most. "
+    else:
+        first = "the cam as measured" if before.measured else f"the {before.profile.code} profile"
+        made_for = f"cut for {degrees(chosen.made_for):.3f}°" if chosen.profile.dilated else "not cut for any play"
+        text = (
+            f"{chosen.profile.code} profile, {chosen.train}, {made_for}: with that play the run ends "
+            f"{chosen.error.end_distance:.1f} mm and {abs(degrees(chosen.error.end_heading)):.3f}° off, {over} "
+            f"{chosen.band.worst_distance:.0f} mm at most; with {first} {before.band.worst_distance:.0f} mm. "
+        )
+    console.print(f"{text}cadgen optimize compares the methods.")
 
 
 def methods(cam: "Cam") -> None:

@@ -26,6 +26,7 @@ def simulate(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
+    from cadgen.cli.verdict import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -38,3 +39,8 @@ def simulate(
         show_play.course(simulation)
         show.failed(simulation.cam)
         show.files(written, out)
+        if simulation.cam.passed:
+            step = command("tolerance", design, "--profile", profile, overrides=overrides)
+            verdict(True, "every check holds", f"look at the pictures; {step} runs many cars")
+        else:
+            verdict(False, failed(simulation.cam.checks), "change the design as it is said above")

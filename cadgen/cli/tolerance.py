@@ -46,6 +46,7 @@ def tolerance(
     """
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
+    from cadgen.cli.verdict import command, failed, verdict
 
     loaded = Design.load(design, overrides)
     with show.progress(not as_json) as progress:
@@ -62,3 +63,10 @@ def tolerance(
     show.failed(run.cam)
     if written is not None and out is not None:
         show.files(written, out)
+    if run.cam.passed:
+        again = command("tolerance", design, "--profile", profile, "--budget", overrides=overrides)
+        make = command("cam", design, "--profile", profile, overrides=overrides)
+        step = make if budget else f"{again} says what to hold tighter"
+        verdict(True, f"every check holds, and {100 * run.computed.passed:.1f} % of the cars pass", step)
+    else:
+        verdict(False, failed(run.cam.checks), "change the design as it is said above")

@@ -38,6 +38,7 @@ def verify(folder: Path, restore: bool, as_json: bool) -> None:
 
 def _report(folder: Path, state: "FolderState") -> None:
     from cadgen.cli.show import Output, plain_table
+    from cadgen.cli.verdict import verdict
 
     console = Output()
     table = plain_table(escaped(str(folder)))
@@ -61,6 +62,8 @@ def _report(folder: Path, state: "FolderState") -> None:
     wrong = sum(file.state not in ("as listed", "not listed") for file in state.files)
     listed = sum(bool(file.part) for file in state.files)
     if wrong:
-        console.print(f"{wrong} of {listed} listed files are not as listed: do not use them, and export again.")
+        verdict(False, f"{wrong} of {listed} listed files are not as listed", "do not use them, and export again")
     elif state.is_true:
-        console.print(f"All {listed} listed files are the ones that were read back.")
+        verdict(True, f"all {listed} listed files are the ones that were read back", "use them")
+    else:
+        verdict(False, "a run was killed while it moved its files", f"cadgen verify {escaped(str(folder))} --restore")

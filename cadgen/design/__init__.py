@@ -9,6 +9,7 @@
 | `blank`     | sections of bore, keyway, hub, holes                                     |
 | `path`      | section of the path, with the keys of its kind                           |
 | `follower`  | section of the follower, with the keys of its kind                       |
+| `machining` | section of milling and drilling                                          |
 | `joint`     | what holds a wheel on its shaft                                          |
 | `drawing`   | section of the texts in title blocks                                     |
 | `play`      | sections of play, tolerances and what is asked of the profile            |

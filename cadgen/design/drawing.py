@@ -5,7 +5,8 @@ from pydantic import Field, ValidationInfo, field_validator
 from cadgen.design.section import HERE, LONGEST_LINE, Section, one_line
 
 LONGEST_FINISH = 36  # letters that its cell holds
-_LAST_LETTER = 0x052F  # the last of the Cyrillic ones
+# The last letter of Latin, Greek and Cyrillic; punctuation and signs; Chinese, Japanese and Korean ones.
+_LETTERS = ((0x20, 0x52F), (0x2010, 0x22FF), (0x2E80, 0xD7A3), (0xF900, 0xFAFF), (0xFE30, 0xFE4F), (0xFF00, 0xFFEF))
 
 
 class DrawingText(Section):
@@ -20,8 +21,10 @@ class DrawingText(Section):
     def _fits_its_cell(cls, text: str | None, info: ValidationInfo) -> str | None:
         if text is None:
             return None
-        if max(map(ord, text), default=0) > _LAST_LETTER:
+        unknown = [letter for letter in text if not any(low <= ord(letter) <= high for low, high in _LETTERS)]
+        if unknown and text.isprintable():
             raise ValueError(
-                f"{HERE} has letters that the font of drawings lacks: write it in Latin, Greek or Cyrillic letters"
+                f"{HERE} has {unknown[0]}, which the fonts of drawings lack: write it in Latin, Greek, Cyrillic, "
+                "Chinese, Japanese or Korean letters"
             )
         return one_line(text, LONGEST_FINISH if info.field_name == "finish" else LONGEST_LINE)

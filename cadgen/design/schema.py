@@ -18,12 +18,13 @@ from cadgen.design.blank import Blank
 from cadgen.design.course import Course
 from cadgen.design.drawing import DrawingText
 from cadgen.design.follower import FOLLOWER, Follower
+from cadgen.design.machining import Machining
 from cadgen.design.mechanics import Mechanics
 from cadgen.design.names import name_fault
 from cadgen.design.outline import Outline
 from cadgen.design.path import PATH, Path
 from cadgen.design.play import Optimize, Play, Tolerances
-from cadgen.design.section import Point, Points, Section, Size, listed, one_line
+from cadgen.design.section import Point, Points, Section, Size, listed
 from cadgen.design.settings import Settings
 from cadgen.design.train import Train, train_by_stages
 
@@ -141,36 +142,6 @@ class Cam(Section):
                 f"both must lie beyond it, at least {THINNEST_DISC_MM:g} mm apart"
             )
         return self
-
-
-class Machining(Section):
-    """How the outline is milled (G-code)."""
-
-    cutter_diameter_mm: float = Field(default=4.0, ge=0.2, le=100, description="of the end mill")
-    feed_mm_per_min: float = Field(default=240.0, ge=0.1, le=100_000, description="along the outline")
-    plunge_feed_mm_per_min: float = Field(default=60.0, ge=0.1, le=100_000, description="downwards")
-    spindle_rpm: float = Field(default=8000.0, ge=1, le=200_000, description="speed of the spindle")
-    step_down_mm: float = Field(default=1.0, ge=0.05, le=100, description="greatest depth of one pass")
-    safe_height_mm: float = Field(
-        default=5.0, gt=0, le=500, description="above the disc, where the cutter may travel freely"
-    )
-    break_through_mm: float = Field(default=0.3, ge=0, le=20, description="how far below the disc the last pass goes")
-    lead_radius_mm: float = Field(default=3.0, gt=0, le=100, description="of the arcs that lead the cutter in and out")
-    tool_number: int | None = Field(
-        default=None,
-        ge=1,
-        le=999,
-        description="of the cutter in the changer; left out, the tool in the spindle is used",
-    )
-    stock: str | None = Field(
-        default=None, description="material to cut from, such as `plate 160 x 160 x 3`; a comment"
-    )
-    fixture: str | None = Field(default=None, description="how it is held, such as `on an 8 mm arbor`; a comment")
-
-    @field_validator("stock", "fixture")
-    @classmethod
-    def _fits_a_comment(cls, text: str | None) -> str | None:
-        return None if text is None else one_line(text)
 
 
 class Checks(Section):
@@ -329,6 +300,28 @@ class DesignFile(TrainFile):
                 f"blank.edge_break_mm is {leg:g}; two edges broken by that leave no land of at least "
                 f"{LEAST_LAND_MM:g} mm for the rod on a disc {outer - inner:g} mm thick: {cure}, or make the disc "
                 "thicker"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _tabs_end_below_the_outer_face(self) -> "DesignFile":
+        (inner, outer), tabs = self.cam.faces_mm, self.machining.tabs
+        if tabs and tabs.height_mm >= outer - inner:
+            raise ValueError(
+                f"machining.tabs.height_mm is {tabs.height_mm:g}; it must be less than the disc's thickness of "
+                f"{outer - inner:g} mm: lower it"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _drill_leaves_the_bore(self) -> "DesignFile":
+        drilling, blank = self.machining.drilling, self.blank
+        drill = drilling.bore_diameter_mm if drilling else None
+        most = 2 * blank.d_flat.across_mm - blank.bore_diameter_mm if blank.d_flat else blank.bore_diameter_mm
+        if drill is not None and drill > most + 1e-9:
+            cause = "the circle inside the bore's flat" if blank.d_flat else "blank.bore_diameter_mm"
+            raise ValueError(
+                f"machining.drilling.bore_diameter_mm is {drill:g}; it must be at most {most:g}, {cause}: lower it"
             )
         return self
 

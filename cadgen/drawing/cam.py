@@ -8,6 +8,7 @@ import shapely
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
+from cadgen.drawing.screw import ScrewHole
 from cadgen.drawing.section import Layer, beyond, drawn, material
 from cadgen.drawing.sheet import (
     DIAMETER,
@@ -29,7 +30,9 @@ from cadgen.drawing.sheet import (
     View,
     centre_cross,
     chosen_sheet,
+    cutting_plane,
     ring,
+    section_name,
     shown,
     wrapped,
 )
@@ -40,6 +43,7 @@ EVERY = 10  # degrees between the rows of the table of radii
 _CHORD = 0.01  # mm, of outlines in a section
 _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
 _ARROW = 14.0  # mm on paper of the arrow at the zero mark
+_STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -83,7 +87,7 @@ def cam_drawing(cam: CamPart, title: Title) -> Drawing:
     beside = (table_width + 85.0, TITLE_SIZE[1] + 20.0)
     size, scale = chosen_sheet((across + axial, across), beside, 1.0, 2.0)
     width, height = SIZES[size]
-    least = EDGE + TITLE_SIZE[1] + 14.0 + scale * across / 2
+    least = EDGE + TITLE_SIZE[1] + 14.0 + _letters_below(cam) + scale * across / 2
     face_at = (LEFT + 22.0 + scale * across / 2, max(least, height / 2 + 5.0))
     section_at = (face_at[0] + scale * across / 2 + 38.0 + scale * _below(cam), face_at[1])
     table_at = (width - EDGE - table_width, height - EDGE - 2.0)
@@ -117,13 +121,21 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         *centre_cross(reach + 0.4 * gap),
     ]
     labels = [
-        Label(text="θ = 0", at=(zero + _ARROW / scale + 6.0 / scale, 2.2 / scale)),
-        Label(text=f"{cam.face}: this face up", at=(0.0, -reach - 1.1 * gap), height=3.5),
+        Label(text="θ = 0", at=(zero + 0.6 * _ARROW / scale, 2.2 / scale)),
+        Label(text=f"{cam.face}: this face up", at=(0.0, -reach - 1.1 * gap - _letters_below(cam) / scale), height=3.5),
     ]
     curves += _arrow((zero + _ARROW / scale, 0.0), (zero + 0.8 / scale, 0.0), 2.5 / scale)
     if blank.hub:
         seen = Line.VISIBLE if blank.hub.side == "outer" else Line.HIDDEN
         curves.append(ring(blank.hub.diameter, seen))
+    screw = _screw(cam)
+    curves += screw.face() if screw else ()
+    angle = _cut_angle(cam)
+    # Beside the arrow at the zero mark there is no room for the end of the plane.
+    end = reach + 0.4 * gap if abs(sin(angle)) > _STEEP else max(reach, zero + _ARROW / scale) + 1.0 / scale
+    plane, letters = cutting_plane(angle, end, scale)
+    curves += plane
+    labels += letters
     return View(place=place, curves=tuple(curves), dimensions=tuple(_face_dimensions(cam, scale)), labels=tuple(labels))
 
 
@@ -180,15 +192,17 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
 def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     """Section through the axis along the key, which points upwards; the face that is seen is on the right."""
     blank, thickness, gap = cam.blank, cam.thickness, _GAP / scale
-    angle = blank.key.angle if blank.key else 0.0
+    angle = _cut_angle(cam)
     boss, bore = blank.boss(thickness), blank.bore().polygon(_CHORD)
     profile, holes = cam.profile.polygon(_CHORD), tuple(hole.polygon(_CHORD) for hole in blank.holes())
     layers = [Layer(0.0, thickness, (profile, bore), holes)]
     if boss:
         layers.append(Layer(boss.low, boss.high, (circle((0.0, 0.0), boss.diameter / 2).polygon(_CHORD), bore)))
     areas = [_chamfered(area, cam) for area in material(layers, angle)]
+    screw = _screw(cam)
+    whole, areas = areas, screw.cut(areas, angle) if screw else areas
     strokes, hatches = drawn(areas)
-    strokes += beyond(layers, areas)
+    strokes += beyond(layers, whole)
     top = max(area.bounds[3] for area in areas)
     low = min(area.bounds[0] for area in areas)
     high = max(area.bounds[2] for area in areas)
@@ -219,18 +233,32 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
                 prefix=DIAMETER,
             ),
         ]
-    labels = (Label(text=_cut_name(angle), at=((low + high) / 2, -cam.greatest[0] - 1.1 * gap), height=3.5),)
+    if boss and screw:
+        face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
+        dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap)))
+    labels = (Label(text=section_name(angle), at=((low + high) / 2, -cam.greatest[0] - 1.1 * gap), height=3.5),)
     return View(
         place=place,
-        curves=(*strokes, axis),
+        curves=(*strokes, *(screw.section(angle) if screw else ()), axis),
         hatches=tuple(hatches),
         dimensions=tuple(dimensions),
         labels=labels,
     )
 
 
-def _cut_name(angle: float) -> str:
-    return f"section at {shown(degrees(angle), 1)}°"
+def _cut_angle(cam: CamPart) -> float:
+    """Direction of the plane of the section, rad: along the key, or the zero mark."""
+    return cam.blank.key.angle if cam.blank.key else 0.0
+
+
+def _letters_below(cam: CamPart) -> float:
+    """Room under the face for the end of the plane of the section, mm on paper."""
+    return 7.0 if abs(sin(_cut_angle(cam))) > _STEEP else 0.0
+
+
+def _screw(cam: CamPart) -> ScrewHole | None:
+    boss = cam.blank.boss(cam.thickness)
+    return ScrewHole.of(cam.blank, boss.drill if boss else None)
 
 
 def _chamfered(area: shapely.Polygon, cam: CamPart) -> shapely.Polygon:

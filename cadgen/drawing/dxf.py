@@ -19,7 +19,6 @@ from cadgen.drawing.sheet import (
     SIZES,
     TEXT,
     TITLE_SIZE,
-    WIDEST,
     Closed,
     Diameter,
     Dimension,
@@ -29,13 +28,17 @@ from cadgen.drawing.sheet import (
     Stroke,
     Table,
     View,
+    is_wide,
     scale_text,
+    width_of,
 )
 from cadgen.errors import FileError
 from cadgen.export.dxf import fixed_dates
 
 APP = "CADGEN"  # of the names of dimensions in the file
 FONT = "DejaVuSans.ttf"  # free, and at hand wherever matplotlib is
+FAR_EASTERN_STYLE = "CADGEN_CJK"
+_FAR_EASTERN_FONT = "simsun.ttc"  # that of Windows, for which every CAD has one in its place
 _STYLE = "CADGEN"
 _MM = 4  # $INSUNITS
 # Width of each kind of line, hundredths of a mm (ISO 128), and its pattern on paper.
@@ -65,6 +68,8 @@ def document_of(drawing: Drawing) -> Document:
     """The sheet as a document of ezdxf."""
     document = ezdxf.new("R2010", units=_MM)
     document.styles.add(_STYLE, font=FONT)
+    if far_eastern(drawing):
+        document.styles.add(FAR_EASTERN_STYLE, font=_FAR_EASTERN_FONT)
     for name, pattern in _PATTERNS.items():
         document.linetypes.add(name, pattern)
     for line in Line:
@@ -85,6 +90,12 @@ def document_of(drawing: Drawing) -> Document:
     width, height = SIZES[drawing.size]
     space.reset_extents((0.0, 0.0, 0.0), (width, height, 0.0))
     return document
+
+
+def far_eastern(drawing: Drawing) -> frozenset[str]:
+    """Letters of the texts with Chinese, Japanese or Korean ones, which a font of their own must have."""
+    texts = (drawing.title.title, drawing.title.finish)
+    return frozenset().union(*(text for text in texts if any(map(is_wide, text))))
 
 
 def _dimension_style(document: Document, scale: float) -> None:
@@ -195,7 +206,8 @@ def _text(
     align: TextEntityAlignment = TextEntityAlignment.LEFT,
 ) -> None:
     plain = text.replace("^", "^ ").replace("%%", "% %")  # of a TEXT both begin codes
-    drawn = space.add_text(plain, height=height, dxfattribs={"layer": Line.TEXT.value, "style": _STYLE})
+    style = FAR_EASTERN_STYLE if any(map(is_wide, plain)) else _STYLE
+    drawn = space.add_text(plain, height=height, dxfattribs={"layer": Line.TEXT.value, "style": style})
     drawn.set_placement(at, align=align)
 
 
@@ -248,8 +260,26 @@ def _frame(space: Modelspace, drawing: Drawing) -> None:
             dxfattribs=thin,
         )
         _text(space, name, (left + 1.0, low + row - 2.6), 1.7)
-        fitting = min(3.0 if span > 1 else TEXT, (span * column - 2.0) / (WIDEST * max(len(text), 1)))
+        fitting = min(3.0 if span > 1 else TEXT, (span * column - 2.0) / max(width_of(text), 1.0))
         _text(space, text, (left + 1.0, low + 1.8), fitting)
+    _first_angle(space, x + across - 9.0, y + 3.5 * row)
+
+
+def _first_angle(space: Modelspace, x: float, y: float) -> None:
+    """The sign of projection in the first angle (ISO 5456-2), its middle at a point on the paper, mm."""
+    small, length = 1.3, 5.2
+    left, right, ring = x - 6.5, x - 6.5 + length, x + 3.9
+    cone = [(left, y - small), (right, y - 2 * small), (right, y + 2 * small), (left, y + small)]
+    space.add_lwpolyline(cone, close=True, dxfattribs={"layer": Line.FRAME.value})
+    for radius in (small, 2 * small):
+        space.add_circle((ring, y), radius, dxfattribs={"layer": Line.FRAME.value})
+    thin = {"layer": Line.THIN.value}
+    for start, end in (
+        ((left - 1.0, y), (right + 1.0, y)),
+        ((ring - 3.6, y), (ring + 3.6, y)),
+        ((ring, y - 3.6), (ring, y + 3.6)),
+    ):
+        space.add_line(start, end, dxfattribs=thin)
 
 
 def read_dimensions(path: Path) -> dict[str, float]:
@@ -266,6 +296,8 @@ def read_dimensions(path: Path) -> dict[str, float]:
         lengths = {}
         for entity in document.modelspace().query("DIMENSION"):
             name = next(value for code, value in entity.get_xdata(APP) if code == 1000)
+            if name in lengths:
+                raise FileError(f"{path.name} has two dimensions named {name}: write it again")
             factor = document.dimstyles.get(entity.dxf.dimstyle).dxf.dimlfac
             lengths[name] = float(entity.get_measurement()) * factor
     except (OSError, ezdxf.DXFError, StopIteration) as error:

@@ -8,6 +8,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
+from cadgen.drawing.screw import ScrewHole
 from cadgen.drawing.section import Layer, beyond, drawn, material
 from cadgen.drawing.sheet import (
     DIAMETER,
@@ -30,7 +31,9 @@ from cadgen.drawing.sheet import (
     View,
     centre_cross,
     chosen_sheet,
+    cutting_plane,
     ring,
+    section_name,
     shown,
     wrapped,
 )
@@ -144,8 +147,11 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
             Diameter(name="circle of holes", centre=(0.0, 0.0), diameter=circle, angle=angle + 180 / len(holes)),
         ]
         curves.append(ring(circle, Line.CENTRE))
+    screw = ScrewHole.of(blank, part.body.radial_hole)
+    plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
+    curves += [*(screw.face() if screw else ()), *plane]
     label = Label(text="from above", at=(0.0, -reach - gap), height=3.5)
-    return View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=(label,))
+    return View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=(label, *letters))
 
 
 def _rims(body: Body) -> Iterator[Loop]:
@@ -176,9 +182,11 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         for slab in part.body.slabs
     ]
     layers = [_without_teeth(layer, part) for layer in layers]
-    areas = material(layers, 0.0)
+    whole = material(layers, 0.0)
+    screw = ScrewHole.of(blank, part.body.radial_hole)
+    areas = screw.cut(whole, 0.0) if screw else whole
     strokes, hatches = drawn(areas)
-    strokes += beyond(layers, areas)
+    strokes += beyond(layers, whole)
     low, high = part.body.slabs[0].start, part.body.slabs[-1].end
     strokes.append(Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), Line.CENTRE))
     dimensions: list[Dimension] = []
@@ -212,14 +220,17 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
                 name="bore and keyway", start=(high, -radius), end=(high, up), at=(high + 0.9 * gap, 0.0), angle=90.0
             )
         )
+    if screw:
+        at = (part.gears[0].width, -_reach(part.body) - (0.8 if len(part.gears) > 1 else 1.6) * gap)
+        dimensions.append(screw.height(part.gears[0].width, at))
     label = Label(
-        text="section along the key" if blank.key else "section",
+        text=section_name(0.0),
         at=((low + high) / 2, -_reach(part.body) - 2.6 * gap),
         height=3.5,
     )
     return View(
         place=place,
-        curves=tuple(strokes),
+        curves=(*strokes, *(screw.section(0.0) if screw else ())),
         hatches=tuple(hatches),
         dimensions=tuple(dimensions),
         labels=(label,),

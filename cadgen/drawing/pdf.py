@@ -2,20 +2,18 @@
 
 import io
 from collections.abc import Iterable
-from pathlib import Path
 
-import matplotlib
 from ezdxf.addons.drawing import Frontend, RenderContext
 from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configuration, LineweightPolicy
 from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
 from ezdxf.addons.drawing.properties import BackendProperties
-from ezdxf.fonts import fonts
 from ezdxf.npshapes import NumpyPath2d as BkPath2d
 from ezdxf.npshapes import to_matplotlib_path
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 
-from cadgen.drawing.dxf import FONT, document_of
+from cadgen.drawing.dxf import FAR_EASTERN_STYLE, document_of, far_eastern
+from cadgen.drawing.fonts import know_far_eastern, know_font
 from cadgen.drawing.sheet import SIZES, Drawing
 
 _INCH = 25.4
@@ -24,12 +22,18 @@ _THINNEST = 0.13  # mm
 
 
 def pdf_bytes(drawing: Drawing) -> bytes:
-    """The page of a sheet, in its true size: the same bytes for the same sheet and libraries."""
-    _know_font()
+    """The page of a sheet, in its true size: the same bytes for the same sheet, fonts and libraries.
+
+    Raises:
+        NoFontError: the system has no font for letters of the title block.
+    """
+    know_font()
     width, height = SIZES[drawing.size]
     figure = Figure(figsize=(width / _INCH, height / _INCH))
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     document = document_of(drawing)
+    if letters := far_eastern(drawing):
+        document.styles.get(FAR_EASTERN_STYLE).dxf.font = know_far_eastern(letters)
     backend = _Backend(axes, adjust_figure=False)
     look = Configuration(
         background_policy=BackgroundPolicy.WHITE,
@@ -54,9 +58,3 @@ class _Backend(MatplotlibBackend):  # type: ignore[misc]
         path = to_matplotlib_path(paths, detect_holes=False)
         # As an artist, and not as a patch, whose limits would be reckoned, which takes three quarters of the time.
         self.ax.add_artist(PathPatch(path, color=properties.color, linewidth=0, fill=True, zorder=self._get_z()))
-
-
-def _know_font() -> None:
-    """Let ezdxf find the font that comes with matplotlib, also where the system has none."""
-    if not fonts.font_manager.has_font(FONT):
-        fonts.font_manager.build([str(Path(matplotlib.get_data_path()) / "fonts" / "ttf")])

@@ -20,6 +20,8 @@ SHOWN = 12  # letters of a file's hash
 DIAMETER = "Ø"  # as ezdxf writes it
 _LETTER = 0.72  # mean width of a letter of a sentence in heights, with its gap
 WIDEST = 0.86  # the same of names with digits and underscores
+_WIDE = 1.4  # the same of Chinese, Japanese and Korean letters
+_FIRST_WIDE = 0x2E80  # the first of these
 
 
 class Line(StrEnum):
@@ -222,6 +224,11 @@ class Drawing:
     notes: tuple[str, ...]
     notes_at: tuple[float, float]
 
+    def __post_init__(self) -> None:
+        names = [dimension.name for view in self.views for dimension in view.dimensions]
+        if twice := sorted({name for name in names if names.count(name) > 1}):
+            raise ValueError(f"two dimensions of a sheet are named {twice[0]}: give each a name of its own")
+
     @property
     def dimensions(self) -> dict[str, float]:
         """Length of every dimension by its name, mm on the part."""
@@ -248,6 +255,46 @@ def centre_cross(reach: float, centre: tuple[float, float] = (0.0, 0.0), angle: 
     across = np.array([-along[1], along[0]])
     first, second = (np.array([centre - reach * way, centre + reach * way]) for way in (along, across))
     return Stroke(first, Line.CENTRE), Stroke(second, Line.CENTRE)
+
+
+def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Stroke, ...], tuple[Label, Label]]:
+    """The ends of the plane of section A-A in a view along the axis, with arrows the way it is looked at, and letters.
+
+    Args:
+        angle: direction of the plane through the axis, rad; the section shows it upwards.
+        reach: distance of the inner ends of its thick strokes from the axis, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    along = np.array([np.cos(angle), np.sin(angle)])
+    look = np.array([along[1], -along[0]])
+    strokes, labels = [], []
+    for way in (along, -along):
+        corner = (reach + 5.0 / scale) * way
+        tip = corner + 6.0 / scale * look
+        barbs = [tip - 2.5 / scale * look + side * 0.8 / scale * along for side in (-1, 1)]
+        strokes += [Stroke(np.array([reach * way, corner])), Stroke(np.array([corner, tip]), Line.THIN)]
+        strokes.append(Stroke(np.array([barbs[0], tip, barbs[1]]), Line.THIN))
+        x, y = (corner - 2.5 / scale * look).tolist()
+        labels.append(Label(text="A", at=(x, y), height=3.5))
+    if abs(np.sin(2 * angle)) > 1e-6:  # else a centre line is there already
+        strokes.append(Stroke(np.array([-reach * along, reach * along]), Line.CENTRE))
+    return tuple(strokes), (labels[0], labels[1])
+
+
+def section_name(angle: float) -> str:
+    """Name of the section in that plane, with its turn from where the first angle of projection has it."""
+    turned = (90.0 - float(np.degrees(angle)) + 180.0) % 360.0 - 180.0
+    return "A–A" if abs(turned) < 0.05 else f"A–A, turned by {shown(turned, 1)}°"
+
+
+def is_wide(letter: str) -> bool:
+    """Whether a letter is Chinese, Japanese or Korean."""
+    return ord(letter) >= _FIRST_WIDE
+
+
+def width_of(text: str) -> float:
+    """Width of a text with room to spare, in heights of its letters."""
+    return sum(_WIDE if is_wide(letter) else WIDEST for letter in text)
 
 
 def chosen_scale(part: tuple[float, float], room: tuple[float, float], greatest: float = 5.0) -> float | None:

@@ -5,8 +5,14 @@
 | `mesh`         | STL and 3MF                                                                 |
 | `dxf`          | the outline as arcs or as splines, for laser, wire EDM and CAD                |
 | `gear_outline` | the teeth of a gear as splines in DXF                                        |
-| `gcode`        | the milling program                                                          |
-| `gcode_reader` | an interpreter of milling programs, and the outline that the cutter leaves  |
+| `programs`     | every program for a mill that a disc needs                                  |
+| `gcode`        | the program that mills the outline                                          |
+| `gcode_tabs`   | tabs that hold the disc until it is clamped                                 |
+| `drilling`     | the programs that drill the holes                                           |
+| `gcode_words`  | words and comments of programs                                              |
+| `gcode_machine`| an interpreter of programs                                                  |
+| `gcode_reader` | the outline and the tabs that a program leaves                              |
+| `drill_reader` | the holes that a program leaves                                             |
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
 | `tracks`       | the three wheels' tracks as a table                                         |
 | `formats`      | choice among a job's files, by their endings                                |

@@ -1,7 +1,6 @@
 """The milling program (G-code) of a profile: G2 and G3 arcs along the cutter's centre."""
 
-import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import ceil, degrees
 from pathlib import Path
 
@@ -12,10 +11,12 @@ from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import ClosedCurve, left_normal, polar_angle
 from cadgen.curves.contour import Contour
 from cadgen.curves.offset import parallel
-from cadgen.design.schema import Machining
+from cadgen.design.machining import Machining
 from cadgen.errors import CheckError
+from cadgen.export.gcode_tabs import Slot, slot_with_tabs, tabs_note
+from cadgen.export.gcode_words import DECIMALS, SETTINGS, Hub, comments, words
+from cadgen.motion.friction import DiscMaterial
 
-DECIMALS = 4  # of a coordinate: hobby controllers read as many, and rounding is 0.05 um at most
 # An arc that bulges less than the rounding is a line; so none is left whose rounded ends coincide, which a
 # controller would take for a full circle.
 _STRAIGHT = 10.0**-DECIMALS / 2
@@ -55,13 +56,16 @@ def write_gcode(
     thickness: float,
     *,
     name: str,
-    hub_height: float = 0.0,
+    material: DiscMaterial | None = None,
+    hub: Hub | None = None,
+    drilled: Sequence[str] = (),
     notes: Sequence[str] = (),
 ) -> None:
     """Write the program that mills a disc's outline from outside, in equal passes, by climb milling.
 
     With a spindle that turns clockwise, the path runs clockwise round the part and so keeps it on its right:
-    the teeth enter at full chip and leave at the finished wall.
+    the teeth enter at full chip and leave at the finished wall. With tabs the program stops once all else is cut; what
+    follows takes them off, so that nothing of them is left on the rim.
 
     Args:
         path: file to write.
@@ -69,48 +73,123 @@ def write_gcode(
         machining: cutter, speeds and heights, units in the names.
         thickness: thickness of the disc, mm.
         name: name of the design, for the first comment.
-        hub_height: height of a hub above the disc's outer face, mm; rapid moves pass above it.
+        material: material of the disc, for the feed; None if none is given.
+        hub: hub on the disc's outer face; rapid moves pass above it.
+        drilled: names of the programs that drill its holes.
         notes: further comments for the shop on this outline.
+
+    Raises:
+        DesignError: the tabs have no room.
     """
     depth = thickness + machining.break_through_mm
     passes = ceil(depth / machining.step_down_mm - 1e-9)
-    round_once = _round_once(centre, machining.lead_radius_mm, machining.feed_mm_per_min)
-    height = machining.safe_height_mm + hub_height
-    safe = _words(Z=height)
-    above = f", its hub stands {hub_height:g} mm above that face" if hub_height else ""
+    levels = [-depth * number / passes for number in range(1, passes + 1)]
+    slot = slot_with_tabs(centre, machining)
+    height = machining.safe_height_mm + (hub.height if hub else 0.0)
+    program = _Rounds(slot, machining, machining.feed(material), height)
+    spindle = f"S{machining.spindle_rpm:g} M3"
+    tabs = machining.tabs
     lines = [
-        f"({_plain(name)}: outline of the cam, milled from outside)",
-        *(f"({_plain(note)})" for note in notes),
-        *(
-            f"({word}: {_plain(said)})"
-            for word, said in (("stock", machining.stock), ("fixture", machining.fixture))
-            if said
-        ),
-        f"(cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine)",
-        "(climb milling: spindle clockwise, clockwise round the part)",
-        "(zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up)",
-        f"(disc {thickness:g} mm thick{above}; hold the part by its bore, the last pass of {passes} cuts it free)",
-        "(bore, keyway and holes are not in this program)",
-        f"(the first move lifts the cutter where it stands, to {height:g} mm: be above every clamp at that height)",
-        "G21 G90 G17 G40 G94 G91.1",
+        *comments(_head(machining, thickness, height, passes, name, material, hub, drilled, notes)),
+        SETTINGS,
         *([] if machining.tool_number is None else [f"T{machining.tool_number} M6"]),
-        f"S{machining.spindle_rpm:g} M3",
-        f"G0 {safe}",
+        spindle,
+        f"G0 {words(Z=height)}",
     ]
-    for number in range(1, passes + 1):
-        lines += [
-            f"(pass {number} of {passes})",
-            round_once[0],
-            f"G1 {_words(Z=-depth * number / passes)} F{machining.plunge_feed_mm_per_min:g}",
-            *round_once[1:],
-            f"G0 {safe}",
-        ]
+    top = 0.0 if tabs is None else tabs.height_mm - thickness
+    floor = 0.0
+    for number, level in enumerate(levels, 1):
+        lines += [f"(pass {number} of {passes})", *program.once(floor, level, top)]
+        floor = level
+    below = [level for level in levels if tabs and level < top]
+    if below:
+        lines += ["M5", "(clamp the part through its bore, then start again: the tabs are taken off)", "M0", spindle]
+    for number, level in enumerate(below, 1):
+        lines += [f"(tabs, pass {number} of {len(below)})", *program.once(floor, level, level)]
     lines += ["M5", "M30"]
     path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
 
 
-def _round_once(centre: Contour, lead: float, feed: float) -> list[str]:
-    """The lines of one pass: the rapid move to its begin, and the cuts from there through both leads."""
+def _head(
+    machining: Machining,
+    thickness: float,
+    height: float,
+    passes: int,
+    name: str,
+    material: DiscMaterial | None,
+    hub: Hub | None,
+    drilled: Sequence[str],
+    notes: Sequence[str],
+) -> list[str]:
+    """Sentences that the shop reads before it runs the program."""
+    tabs = machining.tabs
+    above = f", its hub stands {hub.height:g} mm above that face" if hub else ""
+    held = f"hold the part by its bore, the last pass of {passes} cuts it free"
+    if tabs:
+        held = f"clamp the plate outside the outline, {tabs_note(tabs)} hold the part until M0"
+    lines = [
+        f"{name}: outline of the cam, milled from outside",
+        *notes,
+        *(f"{word}: {text}" for word, text in (("stock", machining.stock), ("fixture", machining.fixture)) if text),
+        f"cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine",
+        "climb milling: spindle clockwise, clockwise round the part",
+        "zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up",
+        f"disc {thickness:g} mm thick{above}; {held}",
+    ]
+    if tabs:
+        lines.append(f"at M0 clamp the part through its bore, with nothing above {height:g} mm; then the tabs are cut")
+    if drilled:
+        lines.append(f"first, from the same zero: {', '.join(drilled)}; a keyway or flat is in none of the programs")
+    else:
+        lines.append("bore, keyway and holes are not in this program")
+    if machining.feed_mm_per_min is None and material is not None:
+        lines.append(
+            f"feed for {material}: {machining.feed_per_tooth(material):g} mm a tooth, "
+            f"{machining.cutter_teeth or 2} teeth, {machining.spindle_rpm:g} turns a minute"
+        )
+    return [
+        *lines,
+        f"the first move lifts the cutter where it stands, to {height:g} mm: be above every clamp at that height",
+        f"rapid moves go down to {machining.approach_mm:g} mm above the work: nothing beside the disc above its face",
+    ]
+
+
+class _Rounds:
+    """Lines of the program for one round of the cutter."""
+
+    def __init__(self, slot: Slot, machining: Machining, feed: float, height: float) -> None:
+        self.machining, self.feed, self.height = machining, feed, height
+        self.begin, self.sides = _sides(slot.centre, machining.lead_radius_mm)
+        self.lifted = [False, *slot.lifted.tolist(), False]
+
+    def once(self, floor: float, level: float, top: float) -> Iterator[str]:
+        """A round at a level, over the tabs at their top if that is higher.
+
+        Args:
+            floor: depth of the round before, Z in mm; 0 before the first.
+            level: Z of the round, mm.
+            top: Z of the top of the tabs, mm.
+        """
+        plunge, approach = f"F{self.machining.plunge_feed_mm_per_min:g}", self.machining.approach_mm
+        yield self.begin
+        yield f"G0 {words(Z=max(floor, level) + approach)}"
+        yield f"G1 {words(Z=level)} {plunge}"
+        at, feed = level, f" F{self.feed:g}"
+        for line, lifted in zip(self.sides, self.lifted, strict=True):
+            over = max(level, top) if lifted else level
+            if over != at:
+                yield f"G1 {words(Z=over)} {plunge}"
+                at, feed = over, f" F{self.feed:g}"
+            if line:
+                yield line + feed
+                feed = ""
+        yield f"G0 {words(Z=self.height)}"
+
+
+def _sides(centre: Contour, lead: float) -> tuple[str, list[str]]:
+    """The rapid move to the begin of a round, and a cut for each side from there through both leads; empty if it is
+    shorter than the rounding.
+    """
     start = centre.vertices[:1]
     ahead = centre.curve().pieces[0].jet(np.zeros(1)).velocity
     ahead = lead * ahead / np.linalg.norm(ahead)
@@ -123,16 +202,15 @@ def _round_once(centre: Contour, lead: float, feed: float) -> list[str]:
     length = np.linalg.norm(chain.chords, axis=1)
     straight = np.abs(chain.bulges) * length / 2 < _STRAIGHT
     to_centre = chain.centers - vertices
-    lines = [f"G0 {_words(X=vertices[0, 0], Y=vertices[0, 1])}"]
+    sides = []
     for i in range(len(vertices) - 1):
-        end = _words(X=vertices[i + 1, 0], Y=vertices[i + 1, 1])
+        end = words(X=vertices[i + 1, 0], Y=vertices[i + 1, 1])
         if not straight[i]:
             turn = "G3" if chain.bulges[i] > 0 else "G2"
-            lines.append(f"{turn} {end} {_words(I=to_centre[i, 0], J=to_centre[i, 1])}")
-        elif length[i] > 0:
-            lines.append(f"G1 {end}")
-    lines[1] += f" F{feed:g}"
-    return lines
+            sides.append(f"{turn} {end} {words(I=to_centre[i, 0], J=to_centre[i, 1])}")
+        else:
+            sides.append(f"G1 {end}" if length[i] > 0 else "")
+    return f"G0 {words(X=vertices[0, 0], Y=vertices[0, 1])}", sides
 
 
 def _farthest(curve: ClosedCurve) -> tuple[int, float]:
@@ -148,13 +226,3 @@ def _farthest(curve: ClosedCurve) -> tuple[int, float]:
         top = int(np.argmax(np.linalg.norm(piece.jet(t).point, axis=1)))
         t = np.linspace(t[max(top - 1, 0)], t[min(top + 1, len(t) - 1)], _FINE)
     return number, float(t[_FINE // 2])
-
-
-def _plain(text: str) -> str:
-    """Text as it may stand in a comment."""
-    return re.sub(r"[^ -~]|[()]", "_", text)
-
-
-def _words(**values: float) -> str:
-    """Address words with the coordinate's decimals; + 0.0 turns a negative zero positive."""
-    return " ".join(f"{letter}{round(float(value), DECIMALS) + 0.0:.{DECIMALS}f}" for letter, value in values.items())

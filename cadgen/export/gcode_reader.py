@@ -1,13 +1,8 @@
-"""An interpreter of milling programs, and the outline that the cutter leaves.
+"""The outline and the tabs that a milling program leaves, from its moves alone."""
 
-It reads the words of RS274/NGC that a profile needs, refuses programs that a machine would refuse or that would damage
-the part, and shares nothing with the writer.
-"""
-
-import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from math import atan2, ceil, hypot, nan, pi
+from math import ceil, pi
 from pathlib import Path
 
 import numpy as np
@@ -15,198 +10,211 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.closed import Outline
-from cadgen.design.schema import Machining
+from cadgen.design.machining import Machining
 from cadgen.errors import FileError
+from cadgen.export.gcode_machine import HALF_DIGIT_MM, Move, Program, RefusedError, Work, run_program
+from cadgen.motion.friction import DiscMaterial
 
-# Controllers compare an arc's radius at both ends; RS274/NGC allows 2 um, and most that came after it more.
-RADIUS_MISMATCH_MM = 5e-4
-_HALF_DIGIT_MM = 5e-5  # rounding of a coordinate with four decimals
 _SCALLOP_MM = 3e-5  # ridge between the places of the cutter that stand for its path, which parabolas then take off
 _FINE_RAYS = 65  # within a gap between two of them that hides a corner
 _CORNER = 0.02  # rad; a hollow of 3 mm turns by as much between two rays on a cam of 70 mm
 _BLOCK = 512  # rays looked at together, so that the table of candidates stays in the processor's cache
-_COMMENT = re.compile(r"\([^()]*\)|;.*")
-_WORD = re.compile(r"([A-Z])([-+]?(?:\d+\.?\d*|\.\d+))")
-# Plane XY, mm, absolute, no radius compensation, mm/min, centres relative to the arc's start.
-_SETTINGS = {"G17", "G21", "G90", "G40", "G94", "G91.1"}
-_MOTIONS = {"G0", "G1", "G2", "G3"}
-_VALUES = set("XYZIJFS")
+_TAB_MM = 2e-3  # of the width and height of a tab
+_STEP_MM = 0.1  # of the distance between tabs
+_TAB_STEP = 0.05  # mm between the cutter's places beside a tab
 
 
-@dataclass(frozen=True)
-class Move:
-    """One straight or circular move with its feed, in mm and mm/min; `sweep` is counterclockwise, rad."""
+@dataclass(frozen=True, eq=False)
+class Tab:
+    """A bridge of material in the slot, as the program leaves it before it stops.
 
-    line: int
-    motion: str
-    start: Array
-    end: Array
-    centre: Array
-    sweep: float
-    feed: float
+    Attributes:
+        place: its middle, shape (2,), mm.
+        along: length of the round up to there, mm.
+        width: width where it is narrowest, mm.
+        height: height above the disc's lower face, mm.
+    """
 
-    @property
-    def plunges(self) -> bool:
-        """Whether the move changes height."""
-        return bool(self.start[2] != self.end[2])
-
-    def places(self, step: float) -> Array:
-        """The cutter's places along the move in plan, no two further apart than `step` mm, shape (n, 2)."""
-        length = hypot(*(self.end - self.start)[:2])
-        if self.sweep:
-            length = abs(self.sweep) * hypot(*(self.start[:2] - self.centre))
-        share = np.linspace(0, 1, int(np.ceil(length / step)) + 1)
-        if not self.sweep:
-            return np.asarray(self.start[:2] + share[:, None] * (self.end - self.start)[:2])
-        x, y = self.start[:2] - self.centre
-        c, s = np.cos(share * self.sweep), np.sin(share * self.sweep)
-        return np.asarray(self.centre + np.stack([x * c - y * s, x * s + y * c], axis=1))
+    place: Array
+    along: float
+    width: float
+    height: float
 
 
-@dataclass
-class _Machine:
-    """A controller's state while a program runs."""
+@dataclass(frozen=True, eq=False)
+class Milled:
+    """Outline and tabs that a program leaves.
 
-    settings: set[str] = field(default_factory=set)
-    motion: str = ""
-    spindle: bool = False
-    feed: float = 0.0
-    at: Array = field(default_factory=lambda: np.full(3, nan))
-    moves: list[Move] = field(default_factory=list)
-    ended: bool = False
-    chosen: str = ""
-    tool: str = ""
+    Attributes:
+        outline: outline of the part, one piece.
+        tabs: tabs that hold it until the stop; empty without any.
+    """
 
-    def run(self, number: int, words: list[tuple[str, str]]) -> None:
-        """Run one line."""
-        if self.ended:
-            raise _RefusedError("stands after the program's end")
-        values = {letter: float(text) for letter, text in words if letter in _VALUES}
-        codes = [f"{letter}{float(text):g}" for letter, text in words if letter not in _VALUES]
-        self.feed = values.get("F", self.feed)
-        for code in codes:
-            self._set(code, values)
-        if values.keys() & set("XYZIJ"):
-            self._move(number, values)
-
-    def _set(self, code: str, values: dict[str, float]) -> None:
-        if code in _MOTIONS:
-            self.motion = code
-        elif code in _SETTINGS:
-            self.settings.add(code)
-        elif code == "M3" and values.get("S", 0.0) > 0:
-            self.spindle = True
-        elif code in ("M5", "M30"):
-            if not self.at[2] > 0:
-                raise _RefusedError("stops with the cutter in the stock")
-            self.spindle, self.ended = False, code == "M30"
-        elif code.startswith("T"):
-            self.chosen = code
-        elif code == "M6" and self.chosen:
-            if self.spindle or self.moves:
-                raise _RefusedError("changes the tool after the work has begun")
-            self.tool = self.chosen
-        else:
-            raise _RefusedError(f"has {code}, which is not understood here")
-
-    def _move(self, number: int, values: dict[str, float]) -> None:
-        start = self.at
-        end = np.array([values.get(letter, old) for letter, old in zip("XYZ", start, strict=True)])
-        centre, sweep = start[:2], 0.0
-        sideways = bool({"X", "Y"} & values.keys())
-        if self.motion == "G0":
-            lowest = end[2] if not sideways else min(start[2], end[2])
-            if (sideways or not lowest >= start[2]) and not lowest > 0:
-                raise _RefusedError(f"moves at rapid speed through the stock, at Z {lowest:g}")
-        elif not (self.motion and self.settings == _SETTINGS and self.spindle and self.feed > 0):
-            raise _RefusedError(
-                f"cuts before {' '.join(sorted(_SETTINGS))}, M3 with a speed, G1-G3 and F are all given"
-            )
-        elif np.isnan(start).any():
-            raise _RefusedError("cuts before X, Y and Z are known")
-        elif sideways and start[2] != end[2]:
-            raise _RefusedError("cuts sideways and down at once, so no outline can be told from it")
-        if self.motion in ("G2", "G3"):
-            centre = start[:2] + np.array([values.get("I", 0.0), values.get("J", 0.0)])
-            sweep = _sweep(self.motion, start[:2] - centre, end[:2] - centre)
-        self.at = end
-        self.moves.append(Move(number, self.motion, start, end, centre, sweep, self.feed))
+    outline: Outline
+    tabs: tuple[Tab, ...]
 
 
-class _RefusedError(Exception):
-    """Fault of a line, in words."""
-
-
-def read_gcode(path: Path, machining: Machining, thickness: float, step: float = 0.06) -> Outline:
-    """Run a milling program and return the outline of the part that it leaves, one piece.
+def read_gcode(
+    path: Path,
+    machining: Machining,
+    thickness: float,
+    step: float = 0.06,
+    *,
+    material: DiscMaterial | None = None,
+    hub_height: float = 0.0,
+) -> Milled:
+    """Run a milling program and return the outline of the part that it leaves, and its tabs.
 
     At every polar angle the outline is where the ray from the origin first meets a place of the cutter, leads
     and plunges included, so whatever cuts into the part shows.
 
     Args:
         path: program to read.
-        machining: cutter, with its greatest feeds and depth.
+        machining: cutter, with its greatest feeds and depth, and the tabs that there must be.
         thickness: thickness of the disc, mm.
         step: distance between the points of the outline, mm.
+        material: material of the disc, by which the feed goes; None if none is given.
+        hub_height: height of a hub on the outer face, mm.
 
     Raises:
         FileError: a word that is not understood, an arc whose ends disagree on its radius, a rapid move
-            through the stock, a pass too deep, passes that differ, a part not cut through or not all round.
+            through the stock, a pass too deep, rounds that differ, a part not cut through or not all round, tabs other
+            than those of the design.
     """
-    machine = _Machine()
-    for number, line in enumerate(path.read_text(encoding="ascii", errors="replace").splitlines(), start=1):
-        text = _COMMENT.sub("", line).replace(" ", "").upper()
-        words = _WORD.findall(text)
-        try:
-            if "".join(letter + value for letter, value in words) != text:
-                raise _RefusedError(f'is not made of words: "{line[:60]}"')
-            machine.run(number, words)
-        except _RefusedError as refused:
-            raise FileError(f"{path.name}, line {number}, {refused}: do not run this program") from refused
-    if not machine.ended:
-        raise FileError(f"{path.name} has no M30 at its end: the file is cut short, write it again")
+    program = run_program(path, Work(safe=machining.safe_height_mm + hub_height))
     number_of_tool = machining.tool_number
-    if machine.tool != ("" if number_of_tool is None else f"T{number_of_tool}"):
-        raise FileError(f"{path.name} takes the tool {machine.tool or 'in the spindle'}: write it again")
+    if program.tool != ("" if number_of_tool is None else f"T{number_of_tool}"):
+        raise FileError(f"{path.name} takes the tool {program.tool or 'in the spindle'}: write it again")
     try:
-        return _left_over(_checked_cuts(machine.moves, machining, thickness), machining.cutter_diameter_mm / 2, step)
-    except _RefusedError as refused:
+        _refuse_feeds(program, machining, material)
+        rounds = _Rounds.of(program)
+        tabs = rounds.tabs(machining, thickness)
+        _refuse_tabs(tabs, machining, rounds.length)
+        outline = _left_over(rounds.cuts(machining, thickness), machining.cutter_diameter_mm / 2, step)
+    except RefusedError as refused:
         raise FileError(f"{path.name} {refused}: do not run this program") from refused
+    return Milled(outline, tabs)
 
 
-def _sweep(motion: str, start: Array, end: Array) -> float:
-    """Angle of an arc about its centre; equal ends make a full circle."""
-    first, last = hypot(*start), hypot(*end)
-    if not abs(first - last) <= RADIUS_MISMATCH_MM:
-        raise _RefusedError(f"has an arc whose radius is {first:.4f} mm at its start and {last:.4f} mm at its end")
-    turned = atan2(end[1], end[0]) - atan2(start[1], start[0])
-    return (turned % TURN or TURN) if motion == "G3" else -(-turned % TURN or TURN)
+def _refuse_feeds(program: Program, machining: Machining, material: DiscMaterial | None) -> None:
+    for move in program.moves:
+        allowed = machining.plunge_feed_mm_per_min if move.plunges else machining.feed(material)
+        if move.motion != "G0" and move.feed > allowed:
+            raise RefusedError(f"cuts at {move.feed:g} mm/min in line {move.line}; {allowed:g} is allowed there")
 
 
-def _checked_cuts(moves: list[Move], machining: Machining, thickness: float) -> list[Move]:
-    """The cuts of one pass and every plunge, after checking that the passes are the same and reach through."""
-    cuts = [move for move in moves if move.motion != "G0"]
-    for move in cuts:
-        allowed = machining.plunge_feed_mm_per_min if move.plunges else machining.feed_mm_per_min
-        if move.feed > allowed:
-            raise _RefusedError(f"cuts at {move.feed:g} mm/min in line {move.line}; {allowed:g} is allowed there")
-    levels: dict[float, list[Move]] = {}
-    for move in cuts:
-        if not move.plunges:
-            levels.setdefault(float(move.end[2]), []).append(move)
-    floors = np.minimum.accumulate([0.0, *levels])
-    deepest_pass = float(-np.diff(floors, append=floors[-1]).min())
-    if deepest_pass > machining.step_down_mm + 2 * _HALF_DIGIT_MM:
-        raise _RefusedError(f"has a pass {deepest_pass:.4f} mm deep; {machining.step_down_mm:g} mm is allowed")
-    if floors[-1] > -thickness:
-        raise _RefusedError(f"ends at Z {floors[-1]:g}, which does not cut through {thickness:g} mm")
-    passes = [
-        np.array([[*move.start[:2], *move.end[:2], *move.centre, move.sweep] for move in level])
-        for level in levels.values()
-    ]
-    if any(not np.array_equal(passes[0], following) for following in passes[1:]):
-        raise _RefusedError("has passes that differ, so the disc's faces would too")
-    return next(iter(levels.values())) + [move for move in cuts if move.plunges]
+@dataclass(frozen=True)
+class _Rounds:
+    """Cuts of a program from one rapid move to the next, plunges apart.
+
+    Attributes:
+        rounds: cuts sideways of every round.
+        plunges: every cut up or down, with the number of its round.
+        before_stop: how many rounds there are before the program stops; all of them if it does not.
+    """
+
+    rounds: tuple[tuple[Move, ...], ...]
+    plunges: tuple[tuple[int, Move], ...]
+    before_stop: int
+
+    @classmethod
+    def of(cls, program: Program) -> "_Rounds":
+        rounds: list[list[Move]] = []
+        plunges, before_stop, cutting = [], None, False
+        for number, move in enumerate(program.moves):
+            if before_stop is None and program.stops and number >= program.stops[0]:
+                before_stop = len(rounds)
+            if move.motion == "G0":
+                cutting = False
+                continue
+            if not cutting:
+                rounds.append([])
+                cutting = True
+            if move.plunges:
+                plunges.append((len(rounds) - 1, move))
+            else:
+                rounds[-1].append(move)
+        if len(program.stops) > 1:
+            raise RefusedError("stops more than once")
+        last = len(rounds) if before_stop is None else before_stop
+        return cls(tuple(map(tuple, rounds)), tuple(plunges), last)
+
+    def floors(self, count: int, machining: Machining) -> Array:
+        """Depth of every cut of a round after the first `count` rounds, Z in mm, shape (n,).
+
+        Raises:
+            RefusedError: rounds that differ, or one that cuts too deep.
+        """
+        plans = [
+            np.array([[*move.start[:2], *move.end[:2], *move.centre, move.sweep] for move in cuts])
+            for cuts in self.rounds[:count]
+        ]
+        if not plans:
+            raise RefusedError("cuts nothing")
+        floor = np.zeros(len(plans[0]))
+        for plan, cuts in zip(plans, self.rounds, strict=False):
+            if not np.array_equal(plans[0], plan):
+                raise RefusedError("has passes that differ, so the disc's faces would too")
+            levels = np.array([move.end[2] for move in cuts])
+            deepest = float((floor - levels).max())
+            if deepest > machining.step_down_mm + 2 * HALF_DIGIT_MM:
+                raise RefusedError(f"has a pass {deepest:.4f} mm deep; {machining.step_down_mm:g} mm is allowed")
+            floor = np.minimum(floor, levels)
+        return floor
+
+    def cuts(self, machining: Machining, thickness: float) -> list[Move]:
+        """The cuts of one round and every plunge, after checking that all rounds together reach through."""
+        floor = self.floors(len(self.rounds), machining)
+        if floor.max() > -thickness:
+            raise RefusedError(f"ends at Z {floor.max():g}, which does not cut through {thickness:g} mm")
+        return [*self.rounds[0], *(move for _, move in self.plunges)]
+
+    def tabs(self, machining: Machining, thickness: float) -> tuple[Tab, ...]:
+        """Tabs that are left when the program stops: runs of cuts that do not reach through by then."""
+        if self.before_stop == len(self.rounds):
+            return ()
+        floor = self.floors(self.before_stop, machining)
+        high = np.flatnonzero(floor > -thickness)
+        if not len(high):
+            return ()
+        runs = np.split(high, np.flatnonzero(np.diff(high) > 1) + 1)
+        cuts, radius = self.rounds[0], machining.cutter_diameter_mm / 2
+        # Everything that goes deeper than a tab by the stop: the other cuts of a round, and the plunges.
+        deep = [move.places(_TAB_STEP) for move, z in zip(cuts, floor, strict=True) if z <= -thickness]
+        deep += [move.end[None, :2] for number, move in self.plunges if number < self.before_stop]
+        places = np.concatenate(deep)
+        ends = np.append(0.0, np.cumsum([move.length for move in cuts]))
+        tabs = []
+        for run in runs:
+            place = (cuts[run[0]].start[:2] + cuts[run[-1]].end[:2]) / 2
+            width = 2 * (np.linalg.norm(places - place, axis=1).min() - radius)
+            along = (ends[run[0]] + ends[run[-1] + 1]) / 2
+            tabs.append(Tab(place, along, float(width), float(floor[run].max() + thickness)))
+        return tuple(tabs)
+
+    @property
+    def length(self) -> float:
+        """Length of a round between its leads, mm."""
+        return sum(move.length for move in self.rounds[0][1:-1])
+
+
+def _refuse_tabs(tabs: tuple[Tab, ...], machining: Machining, length: float) -> None:
+    """Refuse tabs other than those of the design: by their number, their steps along the slot (mm), and their sizes."""
+    asked = machining.tabs
+    if len(tabs) != (asked.count if asked else 0):
+        raise RefusedError(f"leaves {len(tabs)} tabs where the design has {asked.count if asked else 0}")
+    if asked is None:
+        return
+    steps = np.diff([tab.along for tab in tabs])
+    if np.abs(steps - length / asked.count).max() > _STEP_MM:
+        raise RefusedError(f"leaves tabs {steps.min():.2f} to {steps.max():.2f} mm apart, not in equal steps")
+    for tab in tabs:
+        for what, size, right in (("width", tab.width, asked.width_mm), ("height", tab.height, asked.height_mm)):
+            if abs(size - right) > _TAB_MM:
+                x, y = tab.place
+                raise RefusedError(
+                    f"leaves a tab at X {x:.1f} Y {y:.1f} with a {what} of {size:.3f} mm, not {right:g} mm"
+                )
 
 
 @dataclass(frozen=True)
@@ -231,11 +239,11 @@ class _Swept:
         places = np.concatenate(moves)
         distance = np.linalg.norm(places, axis=1)
         if distance.min() <= radius:
-            raise _RefusedError("cuts away the centre of the part")
+            raise RefusedError("cuts away the centre of the part")
         angle = np.arctan2(places[:, 1], places[:, 0])
         # The turn is whole but for what the leads overlap; plunges come back to the begin of a lead.
         if not np.unwrap(angle).min() - angle[0] < -0.9 * TURN:
-            raise _RefusedError("does not run clockwise round the part, as climb milling does")
+            raise RefusedError("does not run clockwise round the part, as climb milling does")
         order = np.argsort(angle)
         number = np.empty(len(order), dtype=np.intp)
         number[order] = np.arange(len(order))
@@ -261,7 +269,7 @@ class _Swept:
         ray = (ray + pi) % TURN - pi
         first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
         if (first == last).any():
-            raise _RefusedError("does not cut the part free all round")
+            raise RefusedError("does not cut the part free all round")
         depth, normal = np.empty(len(ray)), np.empty(len(ray))
         for block in np.split(np.arange(len(ray)), range(_BLOCK, len(ray), _BLOCK)):
             index = first[block, None] + np.arange((last - first)[block].max())
@@ -278,7 +286,7 @@ class _Swept:
             depth[block] = nearest - np.where(fits, lower, 0.0)
             normal[block] = ray[block] + np.arcsin(np.clip(aside[rows, best] / self.radius, -1.0, 1.0))
         if np.isinf(depth).any():
-            raise _RefusedError("does not cut the part free all round")
+            raise RefusedError("does not cut the part free all round")
         return depth, normal
 
     def _met(self, place: NDArray[np.intp], ray: Array) -> tuple[Array, Array]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, Active, Effect
+from cadgen.deviations.lift import Readings
 from cadgen.deviations.quantities import Quantity
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved, unfit
 from cadgen.measurement.evidence import Evidence, grid_of
@@ -162,6 +163,7 @@ def _told(result: Weighed, part: Part, step: Step) -> EvidenceDiagnosis:
         after=after,
         active=[(e, v) for e, v, _ in entries],
         measured=model.measured,
+        backwards=model.rows.direction < 0 if isinstance(model.rows, Readings) else None,
         unnamed=_unnamed(part, result),
         play_known=result.play_known,
         score=best.score,

@@ -6,6 +6,9 @@ noise, and a form error that repeats; by runs left out there are path errors alo
 
 from dataclasses import dataclass, field
 
+import numpy as np
+from numpy.typing import NDArray
+
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.quantities import Quantity
@@ -141,6 +144,7 @@ class Diagnosis:
         before, after: residual of each row, datum fitted, internal units.
         active: the effects found with their values, internal units.
         measured: coordinate of each row of a track, mm; None for what is no track.
+        backwards: whether each row was read on the way back, shape (n,); None where the record does not say.
     """
 
     source: str
@@ -155,6 +159,7 @@ class Diagnosis:
     after: Array
     active: Active
     measured: Array | None = None
+    backwards: NDArray[np.bool_] | None = None
 
     @property
     def verdict(self) -> str:

@@ -6,6 +6,7 @@
 | `document`    | content of a page: tables, curves, meshes, motion                 |
 | `words`       | the page's texts in English and Chinese                           |
 | `check_words` | names and places of checks in Chinese                             |
+| `sentences`   | sentences that the program makes, in Chinese                      |
 | `shading`     | normals and edges of a mesh                                       |
 | `binary`      | arrays as one compressed block                                    |
 | `data`        | the data of the page's script: JSON with a version, and the block |

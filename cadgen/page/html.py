@@ -196,7 +196,9 @@ def _curves(page: Page) -> str:
 
 def _design(page: Page) -> str:
     rows = (tag("div", text(name, "dt"), tag("dd", _inline(value))) for name, value in page.origin)
-    licences = tag("details", text(say("Licences"), "summary"), tag("pre", _escaped(_static("LICENSES.txt"))))
+    licences = tag(
+        "details", text(say("Licences"), "summary"), tag("pre", _escaped(_static("LICENSES.txt")), lang="en")
+    )
     return tag(
         "section",
         text(say("Design"), "h2", id="design-title"),

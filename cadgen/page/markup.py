@@ -4,6 +4,7 @@ from html import escape
 from typing import Final
 
 from cadgen.page.document import Cell, Section, Table, Text, Words
+from cadgen.page.words import named
 
 EMPTY: Final = frozenset({"meta", "input", "br", "path", "circle", "ellipse", "line", "rect", "polyline", "polygon"})
 
@@ -58,9 +59,7 @@ def cell(content: Cell, *, numeric: bool) -> str:
     names = " ".join(filter(None, ["n" if numeric else "", content.state]))
     inside = text(content.text)
     if content.unit and content.text:
-        inside += ("" if content.unit in ("°", "%") and content.unit == "°" else " ") + tag(
-            "small", escape(content.unit)
-        )
+        inside += ("" if content.unit == "°" else " ") + text(named(content.unit), "small")
     value = None if content.value is None else repr(float(content.value))
     return tag("td", inside, class_=names or None, data_value=value)
 

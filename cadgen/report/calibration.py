@@ -1,9 +1,10 @@
 """Pictures of one record's verdict: residual before and after, spectrum or plan view, candidates."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.deviations.effect import UNITS
@@ -12,6 +13,7 @@ from cadgen.measurement.record import Abscissa
 from cadgen.report.style import (
     AFTER,
     BEFORE,
+    BLACK,
     BLUE,
     GREEN,
     GREY,
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
 
 SIGNS = {"um": "µm", "deg": "°", "mm": "mm"}
 _RUNS = (BLUE, VERMILLION, GREEN, ORANGE, SKY)
+_MANY_RUNS = "viridis"  # from the first run to the last, where there are more
+_START_SHARE = 0.03  # of a track, over which its direction at the start is taken
 _ORDERS = 60
 _CANDIDATES = 7
 _NAME = 64  # characters of a candidate that fit its bar's line
@@ -52,23 +56,22 @@ def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: 
         before = picture.add_subplot(grid[0, 0])
         after = picture.add_subplot(grid[1, 0], sharex=before)
         upper, lower = picture.add_subplot(grid[0, 1]), picture.add_subplot(grid[1, 1])
-        _residual(before, diagnosis, diagnosis.before, length)
-        _residual(after, diagnosis, diagnosis.after, length)
         plan, unit = diagnosis.kind.plan_view, SIGNS[diagnosis.unit]
+        without = _from_the_start(diagnosis) if plan else diagnosis.before
+        _residual(before, diagnosis, without, length)
+        _residual(after, diagnosis, diagnosis.after, length)
         rms = _rms(diagnosis)
-        several = f", {diagnosis.runs} runs" if diagnosis.runs > len(_RUNS) else ""
+        several = f", {diagnosis.runs} runs, coloured from the first to the last" if _many(diagnosis) else ""
         space = "" if unit == "°" else " "
         unit = f"{space}{unit}{' per coordinate' if plan and isinstance(diagnosis, EvidenceDiagnosis) else ''}"
-        before.set_title(f"before: rms {rms[0]:.3g}{unit}{', start pose fitted' if plan else ''}{several}")
+        before.set_title(f"before: rms {rms[0]:.3g}{unit}{', if the start is fitted too' if plan else ''}{several}")
         finer = rms[0] / rms[1] if rms[1] > 0 else 1.0
         scale = f"; scale {finer:.0f} times finer" if finer > _MAGNIFIED else ""
         after.set_title(f"after: rms {rms[1]:.3g}{unit}{scale}")
         after.set_xlabel(diagnosis.kind.abscissa.value)
-        if 1 < diagnosis.runs <= len(_RUNS):
-            _headroom(before)
-            before.legend(loc="upper right", ncols=diagnosis.runs, fontsize=8, frameon=True, edgecolor="none")
+        _runs_legend(before, diagnosis)
         if plan:
-            _plan(upper, diagnosis)
+            _plan(upper, diagnosis, without)
         else:
             _spectrum(upper, diagnosis)
         _candidates(lower, diagnosis)
@@ -99,17 +102,64 @@ def _place(diagnosis: Diagnosis, length: float | None) -> Array:
             return diagnosis.place / TURN * 100.0
 
 
+def _runs_legend(axes: "Axes", diagnosis: Diagnosis) -> None:
+    """Name the runs by their colours, and the ways of the cam by their marks, in a row above the curves."""
+    handles, labels = axes.get_legend_handles_labels()
+    if diagnosis.runs == 1:
+        handles, labels = [], []
+    for _, mark, way in _ways(diagnosis):
+        if way:
+            handles += axes.plot([], [], mark, color=BLACK, markersize=2.5)
+            labels.append(way)
+    if labels:
+        _headroom(axes)
+        how = {"fontsize": 8, "frameon": True, "edgecolor": "none", "markerscale": 2.0}
+        axes.legend(handles, labels, loc="upper right", ncols=len(labels), columnspacing=1.2, **how)
+
+
+def _many(diagnosis: Diagnosis) -> bool:
+    return diagnosis.runs > len(_RUNS)
+
+
+def _colours(diagnosis: Diagnosis) -> "list[Any]":
+    """A colour for each run."""
+    if not _many(diagnosis):
+        return list(_RUNS[: diagnosis.runs])
+    from matplotlib import colormaps
+
+    return list(colormaps[_MANY_RUNS](np.linspace(0.0, 0.9, diagnosis.runs)))
+
+
+def _ways(diagnosis: Diagnosis) -> "list[tuple[NDArray[np.bool_], str, str]]":
+    """Rows by the way that the cam was turned, with the mark of each and its name; without one if there is one way."""
+    everywhere = np.ones(len(diagnosis.place), dtype=bool)
+    back = diagnosis.backwards
+    if back is None or not 0 < back.sum() < len(back):
+        return [(everywhere, ".", "")]
+    return [(~back, ".", "forward"), (back, "x", "reverse")]
+
+
 def _residual(axes: "Axes", diagnosis: Diagnosis, residual: Array, length: float | None) -> None:
     """Draw the residual of each run: readings as points, or the distance from a track as a line."""
     place, unit = _place(diagnosis, length), SIGNS[diagnosis.unit]
     values = residual / UNITS[diagnosis.unit]
-    for run in range(diagnosis.runs):
+    for run, color in enumerate(_colours(diagnosis)):
         rows = diagnosis.run == run
-        color, name = _RUNS[run % len(_RUNS)], f"run {run + 1}"
+        # Of many runs the first and the last are named.
+        name = f"run {run + 1}" if not _many(diagnosis) or run in (0, diagnosis.runs - 1) else ""
         if not diagnosis.kind.plan_view:
-            axes.plot(
-                place[rows], values[rows], ".", color=color, markersize=2.0, alpha=0.6, rasterized=True, label=name
-            )
+            for number, (way, mark, _) in enumerate(_ways(diagnosis)):
+                axes.plot(
+                    place[rows & way],
+                    values[rows & way],
+                    mark,
+                    color=color,
+                    markersize=2.0 if mark == "." else 2.5,
+                    markeredgewidth=0.6,
+                    alpha=0.6,
+                    rasterized=True,
+                    label="" if number else name,
+                )
         else:
             x, y = np.split(values[rows], 2)
             axes.plot(place[rows][: len(x)], np.hypot(x, y), color=color, linewidth=0.9, label=name)
@@ -148,13 +198,16 @@ def _spectrum(axes: "Axes", diagnosis: Diagnosis) -> None:
     axes.margins(y=0.15)
 
 
-def _plan(axes: "Axes", diagnosis: Diagnosis) -> None:
-    """Draw the measured and the expected path of the first run, from a common start."""
+def _plan(axes: "Axes", diagnosis: Diagnosis, without: Array) -> None:
+    """Draw the measured and the expected path of the first run, both expected ones from the start that was found.
+
+    `without` is the residual before, as of `_from_the_start`.
+    """
     assert diagnosis.measured is not None
     first_run = diagnosis.run == 0
     measured = np.stack(np.split(diagnosis.measured[first_run], 2)) / 1000
     lines: tuple[tuple[Array, str, object, float, str], ...] = (
-        (diagnosis.measured - diagnosis.before, BEFORE, (0, (5, 2)), 1.2, "expected before"),
+        (diagnosis.measured - without, BEFORE, (0, (5, 2)), 1.2, "expected before"),
         (diagnosis.measured - diagnosis.after, AFTER, "-", 1.2, "expected after"),
     )
     axes.plot(*measured, ".", color=WANTED, markersize=3.5, label="measured")
@@ -165,6 +218,29 @@ def _plan(axes: "Axes", diagnosis: Diagnosis) -> None:
     axes.set(title="plan view, run 1 (circle: start)", xlabel="x (m)", ylabel="y (m)", aspect="equal")
     axes.set_adjustable("datalim")
     axes.legend(loc="best", fontsize=8, frameon=True, edgecolor="none")
+
+
+def _from_the_start(diagnosis: Diagnosis) -> Array:
+    """Residual before, each run's expected track moved as a whole so that it starts where and as the one after does.
+
+    The residual of the diagnosis has the start pose fitted to the whole track: drawn so, a wrong radius looks like a
+    wrong start, and not like an error that grows along the run.
+    """
+    assert diagnosis.measured is not None
+    residual = np.empty(len(diagnosis.before))
+    for run in range(diagnosis.runs):
+        rows = diagnosis.run == run
+        x, y = np.split(diagnosis.measured[rows], 2)
+        before, after = (
+            x - across + 1j * (y - up)
+            for across, up in (np.split(part[rows], 2) for part in (diagnosis.before, diagnosis.after))
+        )
+        ahead = max(1, round(_START_SHARE * len(x)))
+        first, second = before[ahead] - before[0], after[ahead] - after[0]
+        turn = second / abs(second) * abs(first) / first if first and second else 1.0
+        off = x + 1j * y - (after[0] + turn * (before - before[0]))
+        residual[rows] = np.concatenate([off.real, off.imag])
+    return residual
 
 
 def _candidates(axes: "Axes", diagnosis: Diagnosis) -> None:

@@ -44,7 +44,7 @@ def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path
             panel.grid(axis="x", visible=False)
         axes.set_xticks(range(len(labels)), labels)
         axes.set(title=title, ylabel="deflection error (°)", xlabel="event and its cam angle")
-        axes.legend(loc="best", fontsize=8)
+        picture.legend(loc="outside lower center", ncols=len(methods), fontsize=8)  # no bar may lie under it
         total.set_xticks([0], ["sum"])
         total.margins(y=0.12)
         return save(picture, folder, name)
@@ -92,7 +92,9 @@ def draw_fleet(content: FleetPicture, folder: Path, name: str) -> list[str]:
             middle.axvline(edge * (content.gate_width or 0.0), color=GREY, linestyle="--", linewidth=1)
         zero_line(middle)
         dashed = " (dashed: gate)" if content.gate_width else ""
-        middle.set(title=f"Where cars end{dashed}", xlabel="left of the planned end (mm)", ylabel="ahead (mm)")
+        middle.set(
+            title=f"Where cars end{dashed}", xlabel="left of the planned end, looking ahead (mm)", ylabel="ahead (mm)"
+        )
         middle.set_aspect("equal", adjustable="datalim")
         middle.invert_xaxis()  # as one who looks ahead sees it
 

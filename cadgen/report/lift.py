@@ -28,7 +28,7 @@ class LiftPicture:
         before: motion, with play, of the cam with the actual profile or of the measured cam.
         before_name: name of that cam.
         after: motion, with play, of the cam that is compared with it.
-        after_name: name of that cam's profile.
+        after_name: name of that cam.
         play: return error B, rad.
         peak: cam angle of the jump that is magnified, rad; None if there is none.
         valley: cam angle of the wait that is magnified, rad; None if there is none.
@@ -64,7 +64,7 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
             label=content.before_name,
         )
         after = _lift(content, content.after.lift.tan_beta(turn))
-        axes.plot(np.degrees(turn), after, color=AFTER, linestyle=(0, (5, 2)), label=f"{content.after_name} profile")
+        axes.plot(np.degrees(turn), after, color=AFTER, linestyle=(0, (5, 2)), label=content.after_name)
         if content.wanted.blended:
             axes.axvspan(degrees(content.wanted.blend_start), 360, color="#eeeeee", zorder=0)
             axes.text(
@@ -90,7 +90,7 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
         wanted = _lift(content, content.wanted.tan_beta(motor))
         for following, color, style, label in (
             (content.before, BEFORE, "-", content.before_name),
-            (content.after, AFTER, (0, (5, 2)), f"{content.after_name} profile"),
+            (content.after, AFTER, (0, (5, 2)), content.after_name),
         ):
             off = _lift(content, following.tan_beta(motor)) - wanted
             worst = float(np.abs(off).max())

@@ -11,7 +11,7 @@ from cadgen.arrays import Array
 from cadgen.course.course import Shape
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import RunError
-from cadgen.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, WANTED, figure, save, zero_line
+from cadgen.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, SKY, WANTED, figure, save, zero_line
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,11 +37,13 @@ class Field:
         edge: corners of the field, shape (k, 2), mm; None without an edge.
         obstacles: posts, walls and zones.
         gates: gates.
+        car: corners of the car in its own frame, x ahead of the fork and y to the left, shape (k, 2), mm; None without.
     """
 
     edge: Array | None = None
     obstacles: Sequence[Shape] = ()
     gates: Sequence[Shape] = ()
+    car: Array | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,6 +81,7 @@ def draw_tracks(panels: Sequence[TrackPanel], planned: Run, field: Field, folder
                     *(getattr(panel.run, wheel).T / 1000), color=color, linestyle=style, linewidth=1.1, label=label
                 )
             _ends(axes, planned.drive_wheel, float(np.max(high - low)))
+            _car(axes, field, panel.run)
             if panel.ends is not None:
                 axes.plot(*(panel.ends.T / 1000), "x-", color=BEFORE, markersize=5, label="ends over the band of play")
             axes.set(title=panel.title, aspect="equal")
@@ -92,6 +95,20 @@ def draw_tracks(panels: Sequence[TrackPanel], planned: Run, field: Field, folder
         known = dict(zip(labels, handles, strict=True))  # of posts and of gates one stands for all
         picture.legend([*known.values()], [*known], loc="outside lower center", ncols=5)
         return save(picture, folder, name)
+
+
+def _car(axes: "Axes", field: Field, run: Run) -> None:
+    """Draw the car where its run begins and where it ends."""
+    from matplotlib.patches import Polygon
+
+    if field.car is None:
+        return
+    for number in (0, -1):
+        c, s = np.cos(run.heading[number]), np.sin(run.heading[number])
+        corners = run.front_wheel[number] + field.car @ np.array([[c, s], [-s, c]])
+        axes.add_patch(
+            Polygon(corners / 1000, facecolor=SKY, edgecolor=BLUE, alpha=0.45, linewidth=0.6, zorder=2.5, label="car")
+        )
 
 
 def _ends(axes: "Axes", track: Array, across: float) -> None:
@@ -179,3 +196,5 @@ def _shape(axes: "Axes", shape: Shape, *, filled: bool) -> None:
         round_about = Circle(middle, shape.reach / 1000, facecolor=face, edgecolor=edge, linewidth=0.8, zorder=3)
         round_about.set_label(label)
         axes.add_patch(round_about)
+        if filled:
+            axes.plot(*middle, ".", color=DARK, markersize=4, zorder=3)  # so that a thin post is seen on a large field

@@ -21,10 +21,16 @@ def test_a_cam_is_drawn_with_its_form(cadgen, tmp_path):
 
 
 @pytest.mark.slow
+def test_a_failed_check_draws_nothing(cadgen, tmp_path):
+    result = cadgen("draw", "--only", "cam", "--profile", "actual", "--set", "checks.min_wall_mm=50", code=1)
+    assert "FAIL: thinnest wall fails, so nothing was drawn" in " ".join(result.stdout.split())
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "code", "words"),
     [
-        (["--set", "checks.min_wall_mm=50"], 1, "a check failed (thinnest wall), so nothing was drawn"),
         (["--set", "drawing.quantity=0"], 2, "drawing.quantity is 0; it must be at least 1"),
         (["--set", f"drawing.title={'x' * 61}"], 2, "drawing.title must be one line of 1 to 60 letters"),
         (["--set", "drawing.colour=red"], 2, "drawing.colour is not a key"),

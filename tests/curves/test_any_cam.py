@@ -9,7 +9,7 @@ from cadgen.cam.envelope import actual_profile
 from cadgen.curves.biarc import arcs
 from cadgen.curves.polygon import polygon
 from cadgen.curves.spline import splines
-from cadgen.design.schema import Machining
+from cadgen.design.machining import Machining
 from cadgen.export.gcode import cutter_path, write_gcode
 from cadgen.export.gcode_reader import read_gcode
 from tests.cam.test_random_cams import cams
@@ -39,4 +39,4 @@ def test_every_approximation_keeps_its_tolerance(tmp_path_factory, cam):
         machining = Machining(cutter_diameter_mm=2 * radius)
         path = tmp_path_factory.mktemp("any") / "cam.nc"
         write_gcode(path, cutter_path(curve, radius, limit, 1e-3), machining, 3.0, name="any")
-        assert off(read_gcode(path, machining, 3.0).points) < SLANT * (1e-3 + 2e-4)
+        assert off(read_gcode(path, machining, 3.0).outline.points) < SLANT * (1e-3 + 2e-4)

@@ -10,6 +10,7 @@ import trimesh
 
 from cadgen import Design, draw
 from cadgen.drawing.dxf import read_dimensions
+from cadgen.drawing.sheet import Drawing, Linear, Title, View
 from cadgen.errors import CheckError, DesignError, FileError
 
 CLOSE = 1e-4  # mm
@@ -20,9 +21,11 @@ def measured(solid) -> dict[str, set[float]]:
     from build123d import GeomType
 
     on_axis, beside, circle = set(), set(), set()
-    planes = []
+    planes, screws = [], set()
     for face in solid.faces():
-        if face.geom_type == GeomType.CYLINDER:
+        if face.geom_type == GeomType.CYLINDER and abs(face.axis_of_rotation.direction.Z) < 1e-9:
+            screws.add(face.axis_of_rotation.position.Z)
+        elif face.geom_type == GeomType.CYLINDER:
             place = face.axis_of_rotation.position
             away = hypot(place.X, place.Y)
             (on_axis if away < 1e-6 else beside).add(2 * face.radius)
@@ -40,6 +43,7 @@ def measured(solid) -> dict[str, set[float]]:
         "circle": circle,
         "gap": gaps,
         "floor": {floor + bore / 2 for floor in floors for bore in on_axis},
+        "screw": {abs(screw - a[2]) for screw in screws for n, a in planes if abs(n[2]) > 0.5},
         "corner": {2 * corner for corner in corners},
     }
 
@@ -59,6 +63,7 @@ WHERE = {
     "web thickness": "gap",
     "bore and keyway": "floor",
     "across the flat": "floor",
+    "set screw height": "screw",
 }
 
 
@@ -106,7 +111,12 @@ def trains_folder(tmp_path_factory, train):
     [
         {},
         {
-            "blank.hub": {"diameter_mm": 24.0, "length_mm": 10.0, "side": "inner"},
+            "blank.hub": {
+                "diameter_mm": 24.0,
+                "length_mm": 10.0,
+                "side": "inner",
+                "set_screw": {"hole_diameter_mm": 4.2, "height_mm": 4.5, "angle_deg": 220.0},
+            },
             "blank.keyway": None,
             "blank.d_flat": {"across_mm": 7.2, "angle_deg": 40.0},
             "blank.lightening.holes": 1,
@@ -120,8 +130,8 @@ def test_the_dimensions_of_a_cam_are_those_of_its_step_file(changes, design, tmp
     cam = design.with_(changes).cam("actual")
     (step,) = cam.write(tmp_path, ["step"])
     drawn = draw(tmp_path, cam=cam)
-    (sheet,) = [file for file in drawn if file.name.endswith("drawing.dxf")]
-    agree(read_dimensions(sheet.path), import_step(str(step.path)))
+    (page,) = [file for file in drawn if file.name.endswith("drawing.dxf")]
+    agree(read_dimensions(page.path), import_step(str(step.path)))
 
 
 @pytest.mark.slow
@@ -165,8 +175,8 @@ def test_dimensions_are_those_that_the_design_names(trains_folder, design, tmp_p
 @pytest.mark.slow
 def test_texts_of_the_title_block_change_no_part(design):
     assert design.with_({"drawing.quantity": 3, "drawing.finish": "Ra 1.6"}).sha256 == design.sha256
-    with pytest.raises(DesignError, match="letters that the font of drawings lacks"):
-        design.with_({"drawing.title": "凸轮小车"})
+    with pytest.raises(DesignError, match=r"drawing\.title has 🚗, which the fonts of drawings lack"):
+        design.with_({"drawing.title": "car 🚗"})
     with pytest.raises(DesignError, match="1 to 36 letters"):
         design.with_({"drawing.finish": "x" * 37})
 
@@ -196,13 +206,74 @@ def test_the_sheet_names_the_files_by_their_hashes(folder, cam):
 
     parts = json.loads((folder / "manifest.json").read_text())["parts"]
     listed = {name: facts["sha256"] for part in parts.values() for name, facts in part["files"].items()}
-    sheet = ezdxf.readfile(folder / "carbon_free_car_actual_drawing.dxf")
-    texts = " ".join(text.dxf.text for text in sheet.modelspace().query("TEXT"))
+    drawn = ezdxf.readfile(folder / "carbon_free_car_actual_drawing.dxf")
+    texts = " ".join(text.dxf.text for text in drawn.modelspace().query("TEXT"))
     name = "carbon_free_car_actual_spline.dxf"
     assert name in texts
     assert listed[name][:12] in texts
     assert "none lies in this folder" not in texts
     assert cam.computed.design.content_hash[:12] in texts
+
+
+def sheet(views=(), title="t", finish=""):
+    """A sheet with hardly anything on it."""
+    block = Title(part="p", title=title, material="", finish=finish, quantity=1, date="", design="d", number="n")
+    return Drawing(size="A4", scale=1.0, title=block, views=views, tables=(), notes=(), notes_at=(0.0, 0.0))
+
+
+@pytest.mark.slow
+def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeypatch):
+    """The letters are outlines in the PDF and texts in the DXF; without such a font the page alone is left out."""
+    import ezdxf
+
+    from cadgen.drawing import fonts
+    from cadgen.drawing.pdf import pdf_bytes
+    from cadgen.workflow.drawing.files import write_sheet
+
+    chinese, omitted = sheet(title="无碳小车", finish="Ra 1.6，去毛刺"), {}
+    monkeypatch.setattr(fonts, "_far_eastern_files", lambda: ())
+    assert [name for name, _ in write_sheet(tmp_path, "n", chinese, omitted)] == ["n_drawing.dxf"]
+    assert "no font of this system has" in omitted["PDF"]
+    texts = {text.dxf.text: text.dxf.style for text in ezdxf.readfile(tmp_path / "n_drawing.dxf").query("TEXT")}
+    assert texts["无碳小车"] == texts["Ra 1.6，去毛刺"] == "CADGEN_CJK"
+    assert texts["d"] == "CADGEN"
+    monkeypatch.undo()
+    try:
+        page = pdf_bytes(chinese)
+    except fonts.NoFontError:
+        pytest.skip("this system has no font with Chinese letters")
+    assert page.startswith(b"%PDF")
+    assert fonts.know_far_eastern(frozenset("无碳小车")) in {file.name for file in fonts._far_eastern_files()}
+
+
+def test_two_dimensions_of_a_sheet_have_two_names():
+    one = Linear(name="width", start=(0.0, 0.0), end=(5.0, 0.0), at=(0.0, 1.0))
+    views = tuple(View(place=(0.0, 0.0), curves=(), dimensions=(one,)) for _ in range(2))
+    assert sheet(views[:1]).dimensions == {"width": 5.0}
+    with pytest.raises(ValueError, match="two dimensions of a sheet are named width"):
+        sheet(views)
+
+
+@pytest.mark.parametrize(("turn", "lines"), [(0.0, {"VISIBLE"}), (90.0, {"PHANTOM"}), (-60.0, {"VISIBLE"})])
+def test_the_hole_of_a_set_screw_is_in_both_views(turn, lines):
+    """In the section: cut, before the plane as a phantom, or seen in the bore, on the cylinder that it opens into."""
+    from cadgen.drawing.screw import ScrewHole
+    from cadgen.parts.body import RadialHole
+
+    angle = 0.7
+    screw = ScrewHole(RadialHole(4.0, 5.0, 13.0, angle + np.radians(turn)), 4.0, 12.0)
+    edges = [stroke for stroke in screw.section(angle) if stroke.line != "CENTRE"]
+    assert {edge.line for edge in edges} == lines
+    for edge, radius in zip(edges, [4.0, 12.0] if turn == 0 else [4.0 if turn < 0 else 12.0], strict=True):
+        # A point of the edge: z and r as seen, and the depth that makes it lie on the hole's cylinder.
+        z, r = edge.points.T
+        depth = np.sqrt(radius**2 - r**2)
+        aside = [abs(-np.sin(np.radians(turn)) * r + side * np.cos(np.radians(turn)) * depth) for side in (-1, 1)]
+        off = np.min([np.abs(np.hypot(away, z - 5.0) - 2.0) for away in aside], axis=0)
+        assert off.max() < 1e-9
+    hidden = [stroke for stroke in screw.face() if stroke.line == "HIDDEN"]
+    assert len(hidden) == 2
+    assert np.linalg.norm(hidden[0].points, axis=1) == pytest.approx([4.0, 12.0])
 
 
 @pytest.mark.slow

@@ -8,10 +8,11 @@ import pytest
 from cadgen.cam.contact import roll
 from cadgen.cam.cutter import largest_cutter
 from cadgen.curves.contour import circle
-from cadgen.design.schema import Machining
+from cadgen.design.machining import Machining
 from cadgen.errors import CheckError, FileError
 from cadgen.export.gcode import cutter_path, write_gcode
 from cadgen.export.gcode_reader import read_gcode
+from cadgen.export.gcode_words import Hub
 from cadgen.optimize.profiles.table import profile_of
 from tests.curves.shapes import limacon
 
@@ -37,7 +38,7 @@ def test_the_part_gives_the_lift(diameter, carbon_free_car, tmp_path):
     machining = Machining(cutter_diameter_mm=diameter)
     path = program(car.actual.curve, tmp_path / "cam.nc", machining)
     angle = np.linspace(0, 2 * np.pi, 7200, endpoint=False)
-    lift = roll(read_gcode(path, machining, THICKNESS), car.follower, angle).lift
+    lift = roll(read_gcode(path, machining, THICKNESS).outline, car.follower, angle).lift
     error = np.abs(lift - car.follower.lift(car.lift.tan_beta(angle))).max() * 1e3
     print(f"cutter of {diameter} mm: {error:.3f} um at lift, {path.stat().st_size} bytes")
     assert error <= 1.0
@@ -50,7 +51,7 @@ def test_convex_corners_are_read_as_sharp_as_they_are_cut(appendix_car, tmp_path
     machining = Machining(cutter_diameter_mm=2.0)
     path = program(car.actual.curve, tmp_path / "cam.nc", machining)
     angle = np.union1d(np.linspace(0, 2 * np.pi, 7200, endpoint=False), car.lift.kinks)
-    lift = roll(read_gcode(path, machining, THICKNESS), car.follower, angle).lift
+    lift = roll(read_gcode(path, machining, THICKNESS).outline, car.follower, angle).lift
     error = np.abs(lift - roll(car.actual.curve.outline(0.02), car.follower, angle).lift).max() * 1e3
     print(f"cam with corners of up to 18 degrees: {error:.3f} um at lift")
     assert error <= 1.0
@@ -58,9 +59,12 @@ def test_convex_corners_are_read_as_sharp_as_they_are_cut(appendix_car, tmp_path
 
 def test_rapid_moves_pass_above_a_hub(tmp_path):
     centre = cutter_path(circle((0.0, 0.0), 30.0).curve(), 2.0, largest_cutter(circle((0.0, 0.0), 30.0).curve()), 2e-4)
-    write_gcode(tmp_path / "hub.nc", centre, MACHINING, THICKNESS, name="hub", hub_height=8.0)
+    write_gcode(tmp_path / "hub.nc", centre, MACHINING, THICKNESS, name="hub", hub=Hub(10.0, 8.0))
     heights = [float(z) for z in re.findall(r"G0 Z([\d.]+)", (tmp_path / "hub.nc").read_text())]
-    assert set(heights) == {13.0}
+    assert set(heights) == {13.0, 1.0, 0.175}  # above the hub, and down to the work beside it
+    read_gcode(tmp_path / "hub.nc", MACHINING, THICKNESS, hub_height=8.0)
+    with pytest.raises(FileError, match="sideways at rapid speed at Z 13, below the safe height of 15 mm"):
+        read_gcode(tmp_path / "hub.nc", MACHINING, THICKNESS, hub_height=10.0)
     head = (tmp_path / "hub.nc").read_text().partition("G21")[0]
     assert "zero: centre of the bore, outer face of the disc" in head
     assert "its hub stands 8 mm above that face" in head
@@ -77,7 +81,7 @@ def test_an_outline_that_is_no_part_says_so_at_the_top(tmp_path, profile):
 
 
 def test_the_part_of_a_circle_is_the_circle(disc):
-    outline = read_gcode(disc, MACHINING, THICKNESS)
+    outline = read_gcode(disc, MACHINING, THICKNESS).outline
     # Scallops of 0.03 um, and 0.05 um of rounding at each coordinate.
     assert np.hypot(*(outline.points - [4.0, 3.0]).T) == pytest.approx(30.0, abs=1.5e-4)
 
@@ -99,7 +103,7 @@ def test_the_program_says_what_the_shop_must_know(disc):
         "+X",
     ):
         assert fact in head
-    assert lines[7:10] == ["G21 G90 G17 G40 G94 G91.1", "S8000 M3", "G0 Z5.0000"]
+    assert lines[8:11] == ["G21 G90 G17 G40 G94 G91.1", "S8000 M3", "G0 Z5.0000"]
     assert lines[-3:] == ["G0 Z5.0000", "M5", "M30"]
     depths = [float(z) for z in re.findall(r"G1 Z(-[\d.]+) F60", text)]
     assert depths == pytest.approx([-0.825, -1.65, -2.475, -3.3])
@@ -144,7 +148,9 @@ def test_tool_stock_and_fixture_are_in_the_program_where_they_are_given(disc, tm
         "T3 M6",
     ]
     assert lines.index("T3 M6") + 1 == next(n for n, line in enumerate(lines) if line.endswith("M3"))
-    assert np.array_equal(read_gcode(path, given, THICKNESS).points, read_gcode(disc, MACHINING, THICKNESS).points)
+    assert np.array_equal(
+        read_gcode(path, given, THICKNESS).outline.points, read_gcode(disc, MACHINING, THICKNESS).outline.points
+    )
     for file, machining in ((path, MACHINING), (disc, given), (path, Machining(tool_number=4))):
         with pytest.raises(FileError, match="takes the tool"):
             read_gcode(file, machining, THICKNESS)
@@ -163,7 +169,7 @@ def test_a_cutter_too_large_is_refused_with_the_largest_that_works(tmp_path):
     ):
         program(limacon(b, a), tmp_path / "dent.nc", machining)
     fitting = Machining(cutter_diameter_mm=1.9 * radius)
-    outline = read_gcode(program(limacon(b, a), tmp_path / "dent.nc", fitting), fitting, THICKNESS)
+    outline = read_gcode(program(limacon(b, a), tmp_path / "dent.nc", fitting), fitting, THICKNESS).outline
     angle = np.arctan2(outline.points[:, 1], outline.points[:, 0])
     assert np.abs(np.linalg.norm(outline.points, axis=1) - b - a * np.cos(angle)).max() < 4e-4
 
@@ -179,7 +185,7 @@ def edited(disc, tmp_path, pattern, replacement, count=1):
 def test_a_gouge_shows_in_the_outline(disc, tmp_path):
     # A lead-in that begins inside the part's edge.
     path = edited(disc, tmp_path, r"^G3 X(\S+) Y(\S+) I\S+ J\S+ F240", r"G1 X33.0 Y10.0 F240\nG1 X\1 Y\2", count=0)
-    outline = read_gcode(path, MACHINING, THICKNESS)
+    outline = read_gcode(path, MACHINING, THICKNESS).outline
     depth = 30.0 - np.hypot(*(outline.points - [4.0, 3.0]).T).min()
     # The cutter's edge reaches 2 mm beyond its centre at (33, 10), towards the part's centre.
     assert depth == pytest.approx(30.0 - (np.hypot(29.0, 7.0) - 2.0), abs=0.05)

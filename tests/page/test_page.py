@@ -3,10 +3,12 @@
 import base64
 import hashlib
 import re
+from html import escape
 
 import numpy as np
 import pytest
 
+from cadgen import Design, Report
 from cadgen.cam.contact import roll_curve
 from cadgen.check import Check, CheckCode
 from cadgen.design.load import load_design
@@ -20,7 +22,9 @@ from cadgen.page.content.train import turning_train
 from cadgen.page.document import Cell, Words, number
 from cadgen.page.html import html_of
 from cadgen.page.markup import cell, tag
+from cadgen.page.sentences import generated
 from cadgen.page.shading import shaded
+from tests.page.english import left_in_english
 from tests.page.reading import Tables, at, data, going
 
 POSITIONS = np.linspace(0.0, 2 * np.pi, 12, endpoint=False) + 0.05
@@ -209,6 +213,41 @@ def test_the_train_meshes_wherever_it_is_set(plan):
         assert drive.real == pytest.approx(-min(behind, abs(drive)))
         assert max(part.range[1] for part in train.parts) == pytest.approx(-2.0)
         assert train.parts[-1].angle == pytest.approx(0.0)
+
+
+PACKAGED = ("workshop_car", "appendix_car", "figure_eight", "s_course", "posts_and_walls")
+
+
+@pytest.mark.slow
+def test_no_sentence_stays_english_in_the_chinese_view(html, failing):
+    assert left_in_english(html) == []
+    assert left_in_english(failing[1]) == ["mine"]  # the design's name
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.parametrize("name", PACKAGED)
+def test_no_sentence_of_a_packaged_design_stays_english(name):
+    assert left_in_english(html_of(page_of(plan_page(load_design(name), samples=20)))) == []
+
+
+def test_a_sentence_that_is_not_known_stays_english_whole():
+    known = "widen the turn there (path.waypoints_mm)"
+    assert generated(known).zh == "请加宽该处弯道（path.waypoints_mm）"
+    assert generated(f"{known}, or ask a friend") == f"{known}, or ask a friend"
+    assert left_in_english("<p>ask a friend</p><p data-zh='问朋友 please'>x</p>") == ["ask a friend"]
+
+
+@pytest.mark.slow
+def test_a_measurement_that_is_missing_is_said_and_the_rest_is_there(minimal, written, tmp_path):
+    design = Design.load(written(minimal))
+    report = Report.of(design, "actual", data=tmp_path / "nothing.csv", samples=5)
+    assert not report.passed
+    (reason,) = report.refused
+    assert "nothing.csv" in reason
+    text = html_of(page_of(report.computed))
+    assert text.count(escape(reason, quote=False)) >= 2  # on top, and where the calibration would stand
+    assert 'id="table-cam-checks"' in text
 
 
 @pytest.mark.slow

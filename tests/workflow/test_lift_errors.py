@@ -83,7 +83,7 @@ def test_stated_lift_errors_are_those_of_a_dense_rolling(name, tmp_path):
         ".3mf": lambda step: inspect(read_3mf(file(".3mf"))[0], step).rim,
         "_arcs.dxf": lambda step: read_dxf(file("_arcs.dxf"), step).profile,
         "_spline.dxf": lambda step: read_dxf(file("_spline.dxf"), step).profile,
-        ".nc": lambda step: read_gcode(file(".nc"), design.machining, plan.rod.land, step),
+        ".nc": lambda step: read_gcode(file(".nc"), design.machining, plan.rod.land, step).outline,
         ".xyz": lambda step: read_xyz(file(".xyz"), step),
         ".csv": lambda step: contact_outline(read_csv(file(".csv")), step),
     }

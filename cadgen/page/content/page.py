@@ -7,8 +7,9 @@ from cadgen.page.content.charts import charts_of
 from cadgen.page.content.parts_sections import calibration_section, inspection_section, parts_section
 from cadgen.page.content.plan import PagePlan
 from cadgen.page.content.scene import scene_of
-from cadgen.page.content.sections import checks_section, play_section, tolerance_section
+from cadgen.page.content.sections import cam_notes, checks_section, play_section, tolerance_section
 from cadgen.page.document import Cell, Failure, Page, Section, Text, Words, number
+from cadgen.page.sentences import generated
 from cadgen.page.words import named, say
 from cadgen.version import __version__
 
@@ -23,7 +24,7 @@ def page_of(plan: PagePlan) -> Page:
         checks_section(plan),
         play_section(plan),
         tolerance_section(plan.tolerance, reasons.get("tolerance", "")),
-        calibration_section(plan),
+        calibration_section(plan, reasons.get("calibration", "")),
         inspection_section(plan),
         parts_section(plan),
     ]
@@ -38,7 +39,7 @@ def page_of(plan: PagePlan) -> Page:
         charts=charted.charts,
         marks=charted.marks,
         sections=tuple(sections),
-        notes=(*missing, plan.cam.wheel.sentence(), *notes),
+        notes=(*missing, *cam_notes(plan.cam), *notes),
         origin=(
             (say("file of the design"), design.source),
             (say("hash"), design.content_hash),
@@ -49,7 +50,7 @@ def page_of(plan: PagePlan) -> Page:
 
 def _failures(plan: PagePlan) -> tuple[Failure, ...]:
     """Failures, each with advice, and the changes that are proved to bring lost lift within its limit."""
-    refused = [Failure(refusal.reason) for refusal in plan.refusals if refusal.fails]
+    refused = [Failure(generated(refusal.reason)) for refusal in plan.refusals if refusal.fails]
     failing = [check for check in plan.checks if not check.passed]
     cures = [
         Failure(
@@ -59,7 +60,7 @@ def _failures(plan: PagePlan) -> tuple[Failure, ...]:
         for cure in plan.cures.proved
         if not cure.failing
     ]
-    return (*refused, *(Failure(check_name(check), check.advice) for check in failing), *cures)
+    return (*refused, *(Failure(check_name(check), generated(check.advice)) for check in failing), *cures)
 
 
 def _summary(plan: PagePlan) -> tuple[tuple[Text, Cell], ...]:

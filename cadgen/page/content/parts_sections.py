@@ -7,8 +7,9 @@ import numpy as np
 
 from cadgen.gears.layout import TrainLayout
 from cadgen.page.content.plan import PagePlan
-from cadgen.page.document import Cell, Section, Table, Text, number
-from cadgen.page.words import say
+from cadgen.page.document import Cell, Section, Table, Text, Words, number
+from cadgen.page.sentences import generated
+from cadgen.page.words import named, say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.facts import parts_facts
 
@@ -117,7 +118,7 @@ def parts_section(plan: PagePlan) -> Section:
     rows: list[tuple[Cell, ...]] = [
         (
             Cell(say("cam")),
-            Cell(design.blank.material or "–"),
+            Cell(named(design.blank.material or "–")),
             number(1, digits=0),
             number(None),
             number(None),
@@ -143,7 +144,7 @@ def parts_section(plan: PagePlan) -> Section:
     tables = [Table("parts", say("Parts"), heads, tuple(rows), words=2)]
     if plan.gears is not None:
         tables.append(_stages(plan.gears.layout))
-    notes = () if plan.gears is None else tuple(plan.gears.notes)
+    notes = () if plan.gears is None else tuple(map(generated, plan.gears.notes))
     return Section("parts", say("Parts list"), (), tuple(tables), notes)
 
 
@@ -192,8 +193,16 @@ def _stages(layout: TrainLayout) -> Table:
     return Table("stages", say("Stages"), heads, tuple(rows), words=2)
 
 
-def calibration_section(plan: PagePlan) -> Section:
-    """Measurements: verdicts on files, or the effects of an as-built design; a sentence without either."""
+def calibration_section(plan: PagePlan, reason: str) -> Section:
+    """Measurements: verdicts on files, or the effects of an as-built design; a sentence without either.
+
+    Args:
+        plan: computed report.
+        reason: why the measured data are left out; empty if they are not.
+    """
+    if reason:
+        left_out = Words(f"The measured data are left out: {reason}.", f"未采用实测数据：{reason}。")
+        return Section("calibration", say("Calibration"), (left_out,))
     if plan.calibration is not None:
         return _measured(plan.calibration)
     record = plan.design.as_built

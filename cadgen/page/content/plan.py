@@ -7,7 +7,7 @@ from cadgen.build import cam_model, variation
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.check import Check
 from cadgen.design.schema import Design
-from cadgen.errors import CheckError, DesignError
+from cadgen.errors import CheckError, DesignError, FileError
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.cures import Cures, find_cures
 from cadgen.workflow.cam.plan import CamPlan, default_profile, plan_cam
@@ -82,6 +82,8 @@ def plan_page(
     processes: int = 1,
     sources: "tuple[Source, ...]" = (),
     progress: Progress = silent,
+    *,
+    unread: str = "",
 ) -> PagePlan:
     """Compute what a report shows; each plan is made once and serves every part.
 
@@ -93,10 +95,10 @@ def plan_page(
         processes: number of processes that run at once; no number depends on it.
         sources: measured data.
         progress: function that is called with a few words on each step.
+        unread: why the measured data cannot be read; empty if they can, or if there are none.
 
     Raises:
         DesignError: no cam can be computed.
-        FileError: the measured data cannot be judged together.
     """
     refusals: list[Refusal] = []
     with_play = bool(variation.play_bands(design)) and isinstance(cam_model.follower(design), LeaningRod)
@@ -127,7 +129,12 @@ def plan_page(
         from cadgen.workflow.calibration.plan import calibrate
 
         known = default_profile(design).code if profile is None else profile
-        calibration = calibrate(design, _measured_profile(design, known), sources, None, progress)
+        try:
+            calibration = calibrate(design, _measured_profile(design, known), sources, None, progress)
+        except (DesignError, FileError) as error:
+            unread = str(error)
+    if unread:
+        refusals.append(Refusal("calibration", unread, fails=True))
     return PagePlan(cam, find_cures(cam, progress), gears, simulation, further, run, calibration, tuple(refusals))
 
 

@@ -8,6 +8,7 @@ from cadgen.optimize.evaluate import Evaluation
 from cadgen.page.check_words import check_name, place_words
 from cadgen.page.content.plan import PagePlan
 from cadgen.page.document import Cell, Section, State, Table, Text, Words, number
+from cadgen.page.sentences import generated
 from cadgen.page.words import named, say
 from cadgen.workflow.cam.against import Against
 from cadgen.workflow.cam.plan import CamPlan
@@ -72,7 +73,7 @@ def play_section(plan: PagePlan) -> Section:
         tables.append(_course(simulation))
     if plan.remedies:
         tables.append(_remedies(plan.remedies))
-    notes = (*against.reasons, *filter(None, [against.rubbing]))
+    notes = tuple(map(generated, (*against.reasons, *filter(None, [against.rubbing]))))
     return Section("play", say("Methods against play"), (lead, say("methods-lead")), tuple(tables), notes)
 
 
@@ -162,8 +163,8 @@ def _course(simulation: Simulation) -> Table:
     planned, played = (run.figures() for run in simulation.on_course)
     rows = [
         (
-            Cell(key),
-            Cell(where),
+            Cell(place_words(key)),
+            Cell(place_words(where)),
             number(planned[key][1], "mm", "bad" if planned[key][1] < 0 else ""),
             number(room, "mm", "bad" if room < 0 else ""),
         )
@@ -176,8 +177,8 @@ def _course(simulation: Simulation) -> Table:
 def _remedies(sheet: tuple[Remedy, ...]) -> Table:
     rows = [
         (
-            Cell(remedy.name),
-            Cell(remedy.build),
+            Cell(generated(remedy.name)),
+            Cell(generated(remedy.build)),
             number(None if remedy.cut_for is None else degrees(remedy.cut_for), "°"),
             number(remedy.worst_end, "mm"),
             number(remedy.on_way, "mm"),
@@ -192,12 +193,12 @@ def tolerance_section(run: ToleranceRun | None, reason: str) -> Section:
     """Many cars within the tolerances; or the reason why there are none."""
     title = say("Tolerance")
     if run is None:
-        return Section("tolerance", title, (reason or say("no-tolerance"),))
+        return Section("tolerance", title, (generated(reason) if reason else say("no-tolerance"),))
     passing = 100 * run.passed
     lead = Words(
         f"{run.samples} random cars with this cam (seed {run.seed}, {run.plan.design.tolerances.law} law): "
         f"{passing:.2f} % keep the course and its gates.",
-        f"{run.samples} 辆随机小车使用此凸轮（种子 {run.seed}，{run.plan.design.tolerances.law} 分布）："
+        f"{run.samples} 辆随机小车使用此凸轮（种子 {run.seed}，{named(run.plan.design.tolerances.law).zh}分布）："
         f"{passing:.2f} % 满足赛道与赛道门要求。",
     )
     spreads: tuple[tuple[Text, Spread, str], ...] = (
@@ -246,4 +247,4 @@ def _sensitivities(run: ToleranceRun) -> Table:
 
 def cam_notes(plan: CamPlan) -> tuple[Text, ...]:
     """Sentences on the cam: its drive wheel."""
-    return (plan.wheel.sentence(),)
+    return (generated(plan.wheel.sentence()),)

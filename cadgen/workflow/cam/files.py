@@ -12,7 +12,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.cam.checks import cam_angles
 from cadgen.cam.contact import roll, roll_curve
-from cadgen.cam.cutter import CutterLimit, largest_cutter
+from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.difference import Exact, dense_stations
 from cadgen.cam.rolled import Contact
 from cadgen.curves.biarc import arcs
@@ -48,11 +48,11 @@ _LEAST_RIM_SHARE = 0.04
 
 @dataclass(frozen=True)
 class _Result:
-    """A file that was written and read back."""
+    """A file that was written and read back; one without an outline has no error at the lift."""
 
     name: str
-    lift_error_um: float
-    lift_limit_um: float
+    lift_error_um: float | None
+    lift_limit_um: float | None
     facts: dict[str, Any]
 
 
@@ -128,10 +128,6 @@ class _Job:
             whole = self.plan.made_blank.disc_volume(self.plan.area, self.thickness)
             return whole - 2 * chamfered_off(self.plan.curve, self.plan.made_blank.edge_break)
         return volume(self.part.solid)
-
-    @cached_property
-    def cutter_limit(self) -> CutterLimit:
-        return largest_cutter(self.plan.curve)
 
     def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
         """Roll the rod on an outline that was read back: error of the lift, and end of a run with play.
@@ -234,6 +230,8 @@ def edges_note(edge_break: float) -> str:
 
 
 def _measured(job: _Job, result: _Result) -> dict[str, Any]:
+    if result.lift_error_um is None or result.lift_limit_um is None:
+        return {**file_facts(job.staging / result.name), **result.facts}
     if not result.lift_error_um <= result.lift_limit_um:
         raise FileError(
             f"{result.name}, read back, moves the rod by {result.lift_error_um:.2f} µm, more than the "
@@ -333,22 +331,25 @@ def _dxf(job: _Job) -> Iterator[_Result]:
         yield job.result(name, drawing.profile, DXF_LIMIT_UM, facts)
 
 
-def _gcode(job: _Job) -> Iterator[_Result]:
-    from cadgen.export.gcode import cutter_path, write_gcode
-    from cadgen.export.gcode_reader import read_gcode
+def _programs(job: _Job) -> Iterator[_Result]:
+    from cadgen.export.programs import Disc, programs
 
-    plan = job.plan
-    machining = plan.design.machining
+    plan, blank = job.plan, job.plan.made_blank
+    disc = Disc(
+        name=job.stem,
+        curve=plan.curve,
+        limit=largest_cutter(plan.curve),
+        blank=blank,
+        thickness=job.thickness,
+        material=plan.design.blank.material,
+        notes=[note for note in (plan.profile.note, edges_note(blank.edge_break)) if note],
+    )
     tolerance = plan.design.export.arc_tolerance_um * 1e-3
-    centre = cutter_path(plan.curve, machining.cutter_diameter_mm / 2, job.cutter_limit, tolerance)
-    name = f"{job.stem}.nc"
-    hub = plan.made_blank.hub
-    above = hub.length if hub and hub.side == "outer" else 0.0
-    notes = [note for note in (plan.profile.note, edges_note(plan.made_blank.edge_break)) if note]
-    write_gcode(job.staging / name, centre, machining, job.thickness, name=job.stem, hub_height=above, notes=notes)
-    outline = read_gcode(job.staging / name, machining, job.thickness, job.step)
-    facts = {"arcs": len(centre.bulges), "cutter_diameter_mm": machining.cutter_diameter_mm}
-    yield job.result(name, outline, GCODE_LIMIT_UM, facts)
+    for program in programs(disc, plan.design.machining, job.staging, tolerance, job.step):
+        if program.outline is None:
+            yield _Result(program.name, None, None, program.facts)
+        else:
+            yield job.result(program.name, program.outline, GCODE_LIMIT_UM, program.facts)
 
 
 def _points(job: _Job) -> Iterator[_Result]:
@@ -369,14 +370,14 @@ def _points(job: _Job) -> Iterator[_Result]:
     table = read_csv(job.staging / name)
     result = job.result(name, contact_outline(table, job.step), POINTS_LIMIT_UM, {"rows": len(contact.lift)})
     column = float(np.abs(table["lift_mm"] - contact.lift).max() * 1e3)
-    yield replace(result, lift_error_um=max(result.lift_error_um, column))
+    yield replace(result, lift_error_um=max(result.lift_error_um or 0.0, column))
 
 
 _FORMATS: dict[str, Callable[[_Job], Iterator[_Result]]] = {
     "STEP": _step,
     "STL and 3MF": _meshes,
     "DXF": _dxf,
-    "G-code": _gcode,
+    "G-code": _programs,
     "points": _points,
 }
 # The endings of the files -> what makes them.

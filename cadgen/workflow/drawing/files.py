@@ -59,10 +59,11 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
     """
     folder = Folder.at(out)
     files: dict[str, dict[str, Any]] = {}
+    omitted: dict[str, str] = {}
     with publishing(out) as staging:
         for stem, sheet in _sheets(parts, folder):
             progress(f"drawing {stem}")
-            for name, facts in _write_sheet(staging, stem, sheet):
+            for name, facts in write_sheet(staging, stem, sheet, omitted):
                 files[name] = {**file_facts(staging / name), **facts}
         if parts.train is not None:
             for part in parts.train.layout.parts:
@@ -77,6 +78,7 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
             "design_sha256": parts.design_hash,
             "date": folder.date,
             "versions": versions(),
+            **({"omitted": omitted} if omitted else {}),
             "files": files,
         }
         write_manifest(staging, parts.stem, entry)
@@ -90,8 +92,12 @@ def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, Drawing]]:
         yield from train_sheets.sheets_of(parts.train, folder)
 
 
-def _write_sheet(staging: Path, stem: str, sheet: Drawing) -> Iterator[tuple[str, dict[str, Any]]]:
+def write_sheet(
+    staging: Path, stem: str, sheet: Drawing, omitted: dict[str, str]
+) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Write a sheet and read it back; a page without a font for its letters is left out, with the reason."""
     from cadgen.drawing.dxf import dxf_bytes, read_dimensions
+    from cadgen.drawing.fonts import NoFontError
     from cadgen.drawing.pdf import pdf_bytes
 
     look = {"sheet": sheet.size, "scale": scale_text(sheet.scale)}
@@ -103,7 +109,11 @@ def _write_sheet(staging: Path, stem: str, sheet: Drawing) -> Iterator[tuple[str
         raise FileError(f"{name}, read back, has other dimensions: report this design")
     yield name, {**look, "dimensions_mm": {key: round(length, 6) for key, length in sorted(drawn.items())}}
     name = f"{stem}_drawing.pdf"
-    page = pdf_bytes(sheet)
+    try:
+        page = pdf_bytes(sheet)
+    except NoFontError as error:
+        omitted["PDF"] = str(error)
+        return
     (staging / name).write_bytes(page)
     if page.count(b"/Type /Page ") + page.count(b"/Type /Page\n") != 1:
         raise FileError(f"{name} is not one page: report this design")

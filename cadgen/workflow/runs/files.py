@@ -48,8 +48,10 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
             [
                 TrackPanel(title="planned", run=simulation.planned),
                 *(
-                    TrackPanel(title=f"{evaluation.title}, with play", run=run, ends=_ends(against, evaluation))
-                    for evaluation, run in ((against.before, simulation.before), (against.chosen, simulation.after))
+                    TrackPanel(
+                        title=f"{when}: {evaluation.title}, with play", run=runs[when], ends=_ends(against, evaluation)
+                    )
+                    for when, evaluation in (("before", against.before), ("after", against.chosen))
                 ),
             ],
             simulation.planned,
@@ -58,10 +60,10 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
             f"{stem}_tracks",
         )
         lines = [
-            ErrorLine(label=evaluation.title, at_play=error, at_ends=_at_ends(simulation, evaluation))
-            for evaluation, error in (
-                (against.before, simulation.before_error),
-                (against.chosen, simulation.after_error),
+            ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=_at_ends(simulation, evaluation))
+            for when, evaluation, error in (
+                ("before", against.before, simulation.before_error),
+                ("after", against.chosen, simulation.after_error),
             )
         ]
         names += draw_run_errors(title, lines, against.task.length, staging, f"{stem}_errors")
@@ -136,9 +138,9 @@ def lift_picture(simulation: Simulation) -> LiftPicture:
         follower=against.task.follower,
         wanted=against.task.lift,
         before=against.following(against.before, simulation.play),
-        before_name=against.before.title,
+        before_name=f"before: {against.before.title}",
         after=against.following(against.chosen, simulation.play),
-        after_name=against.chosen.profile.code,
+        after_name=f"after: {against.chosen.title}",
         play=simulation.play,
         peak=max(jumps, key=lambda event: event.lift).cam_angle if jumps else None,
         valley=min(waits, key=lambda event: event.lift).cam_angle if waits else None,
@@ -162,18 +164,22 @@ def _ends(against: Against, evaluation: Evaluation) -> Array:
 
 def _field(design: Design) -> Field:
     course, field = course_model.course(design), design.field
+    body = course_model.body(design)
+    car = np.array(body.corners or [wheel.centre for wheel in body.wheels])
     if course is not None:
         return Field(
             edge=None if course.edge is None else np.array(course.edge.points),
             obstacles=[obstacle.shape for obstacle in course.obstacles],
             gates=[gate.place for gate in course.gates],
+            car=car,
         )
     if field is None:
-        return Field()
+        return Field(car=car)
     (x, y), (width, height) = field.corner_mm, field.size_mm
     return Field(
         edge=np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]]),
         obstacles=[Shape.disc(centre, field.obstacle_radius_mm) for centre in field.obstacles_mm],
+        car=car,
     )
 
 

@@ -1,0 +1,122 @@
+"""The section on how a disc is milled and drilled."""
+
+from typing import Self
+
+from pydantic import Field, field_validator, model_validator
+
+from cadgen.design.section import Section, one_line
+from cadgen.motion.friction import DiscMaterial
+
+USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material
+APPROACH_MM = 1.0  # above the work, to which a tool goes down at rapid speed
+# Feed per tooth by the cutter's diameter: half of what makers of carbide end mills give (0.05 mm in aluminium and
+# 0.025 in steel for one of 6 mm, and more in plastics), since it runs in a full slot, often on a light machine.
+_FEED_PER_TOOTH = {"aluminium": 0.004, "brass": 0.004, "steel": 0.002, "acrylic": 0.005, "PLA": 0.005, "POM": 0.005}
+
+
+class Tabs(Section):
+    """Bridges in the slot round the outline that hold the disc in its plate until the program stops for a clamp.
+
+    The disc is then clamped through its bore, and the last passes take the tabs off: nothing of them is left on the
+    rim, which the rod rides on all round.
+    """
+
+    count: int = Field(default=3, ge=2, le=24, description="how many, in equal steps along the slot")
+    width_mm: float = Field(default=3.0, ge=0.5, le=50, description="of each, where it is narrowest")
+    height_mm: float = Field(
+        default=1.0, ge=0.1, le=50, description="above the disc's lower face; less than its thickness"
+    )
+
+
+class Drilling(Section):
+    """Programs that drill bore, lightening holes and mark, one for each drill, from the zero of the outline.
+
+    Without this section nothing is drilled.
+    """
+
+    bore_diameter_mm: float | None = Field(
+        default=None,
+        ge=0.2,
+        le=200,
+        description="of the drill for the bore, such as 7.8 before a reamer of 8; left out, the bore's own, or the "
+        "widest that spares its flat",
+    )
+    point_angle_deg: float = Field(default=118.0, ge=60, le=180, description="of the drills' points")
+    spindle_rpm: float | None = Field(
+        default=None,
+        ge=1,
+        le=200_000,
+        description="speed of the spindle; left out, by the drill's diameter and `blank.material`",
+    )
+    feed_mm_per_min: float | None = Field(
+        default=None, ge=0.1, le=100_000, description="downwards; left out, a hundredth of the diameter each turn"
+    )
+    peck_mm: float | None = Field(
+        default=None, ge=0.05, le=100, description="depth after which the drill is lifted; left out, its diameter"
+    )
+
+
+class Machining(Section):
+    """How the outline is milled (G-code)."""
+
+    cutter_diameter_mm: float = Field(default=4.0, ge=0.2, le=100, description="of the end mill")
+    cutter_teeth: int | None = Field(
+        default=None, ge=1, le=20, description="of the end mill, for the feed of a material; left out, 2"
+    )
+    feed_mm_per_min: float | None = Field(
+        default=None,
+        ge=0.1,
+        le=100_000,
+        description="along the outline; left out, by `blank.material`, cutter and speed, or 240 without a material",
+    )
+    plunge_feed_mm_per_min: float = Field(default=60.0, ge=0.1, le=100_000, description="downwards")
+    spindle_rpm: float = Field(default=8000.0, ge=1, le=200_000, description="speed of the spindle")
+    step_down_mm: float = Field(default=1.0, ge=0.05, le=100, description="greatest depth of one pass")
+    safe_height_mm: float = Field(
+        default=5.0, gt=0, le=500, description="above the disc, where the cutter may travel freely"
+    )
+    break_through_mm: float = Field(default=0.3, ge=0, le=20, description="how far below the disc the last pass goes")
+    lead_radius_mm: float = Field(default=3.0, gt=0, le=100, description="of the arcs that lead the cutter in and out")
+    tool_number: int | None = Field(
+        default=None,
+        ge=1,
+        le=999,
+        description="of the cutter in the changer; left out, the tool in the spindle is used",
+    )
+    stock: str | None = Field(
+        default=None, description="material to cut from, such as `plate 160 x 160 x 3`; a comment"
+    )
+    fixture: str | None = Field(default=None, description="how it is held, such as `on an 8 mm arbor`; a comment")
+    tabs: Tabs | None = None
+    drilling: Drilling | None = None
+
+    @property
+    def approach_mm(self) -> float:
+        """Height above the work to which a tool goes down at rapid speed."""
+        return min(APPROACH_MM, self.safe_height_mm)
+
+    def feed(self, material: DiscMaterial | None) -> float:
+        """Feed along the outline, mm/min: the design's, or that of a material, or the usual one."""
+        if self.feed_mm_per_min is not None:
+            return self.feed_mm_per_min
+        if material is None:
+            return USUAL_FEED
+        return round(self.feed_per_tooth(material) * (self.cutter_teeth or 2) * self.spindle_rpm, 1)
+
+    def feed_per_tooth(self, material: DiscMaterial) -> float:
+        """Feed of each tooth in a full slot of a material, mm."""
+        return _FEED_PER_TOOTH[material] * self.cutter_diameter_mm
+
+    @field_validator("stock", "fixture")
+    @classmethod
+    def _fits_a_comment(cls, text: str | None) -> str | None:
+        return None if text is None else one_line(text)
+
+    @model_validator(mode="after")
+    def _feed_of_a_tooth_is_used(self) -> Self:
+        if self.cutter_teeth is not None and self.feed_mm_per_min is not None:
+            raise ValueError(
+                f"machining.cutter_teeth is {self.cutter_teeth}, but machining.feed_mm_per_min gives the feed already: "
+                "remove one of the two"
+            )
+        return self

@@ -1,0 +1,153 @@
+"""Programs that drill the holes of a disc, one a drill, in plain moves: not every controller has drilling cycles."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import pi, radians, tan
+from pathlib import Path
+
+from cadgen.design.machining import Drilling, Machining
+from cadgen.export.gcode_words import SETTINGS, comments, words
+from cadgen.motion.friction import DiscMaterial
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import DFlat
+
+# Cutting speeds of drills of high-speed steel, m/min: those of workshop tables (mild steel 20 to 30, aluminium and
+# brass 45 to 90, plastics 45 to 75) at their slow end, for a drill that is not cooled.
+_SPEEDS = {"aluminium": 45.0, "brass": 45.0, "steel": 20.0, "acrylic": 30.0, "PLA": 20.0, "POM": 30.0}
+_SLOWEST = min(_SPEEDS.values())  # for a material that is not known
+_FEED_PER_TURN = 0.01  # of the diameter
+_SPELLED = 4  # digits of a diameter in the name of a file
+
+
+@dataclass(frozen=True, slots=True)
+class Hole:
+    """A hole to be drilled.
+
+    Attributes:
+        place: its centre, mm.
+        top: height of the work above the disc's outer face there, mm.
+        bottom: where it ends below, Z in mm.
+    """
+
+    place: tuple[float, float]
+    top: float
+    bottom: float
+
+
+@dataclass(frozen=True, slots=True)
+class Drill:
+    """A drill with its holes, which are one program.
+
+    Attributes:
+        diameter: diameter of the drill, mm.
+        purpose: what it drills, in words.
+        holes: its holes.
+    """
+
+    diameter: float
+    purpose: str
+    holes: tuple[Hole, ...]
+
+    def file_name(self, stem: str) -> str:
+        """Name of its program."""
+        return f"{stem}_drill_{self.diameter:.{_SPELLED}g}.nc"
+
+
+def drills_of(blank: Blank, thickness: float, drilling: Drilling) -> tuple[Drill, ...]:
+    """The drills for a disc, the bore's first; holes of the same diameter share theirs.
+
+    Args:
+        blank: bore, hub, holes and mark.
+        thickness: thickness of the disc, mm.
+        drilling: what the design asks for.
+    """
+    hub = blank.hub
+    inner = hub.length if hub and hub.side == "inner" else 0.0
+    widest = blank.bore_diameter - (2 * blank.key.depth if isinstance(blank.key, DFlat) else 0.0)
+    bore = Hole((0.0, 0.0), hub.length if hub and hub.side == "outer" else 0.0, -thickness - inner)
+    ring, mark = blank.lightening, blank.mark
+    every: list[tuple[float, str, tuple[Hole, ...]]] = [(drilling.bore_diameter_mm or widest, "bore", (bore,))]
+    if ring:
+        places = [(float(x), float(y)) for x, y in ring.centers()]
+        every.append((ring.hole_diameter, "lightening holes", tuple(Hole(at, 0.0, -thickness) for at in places)))
+    if mark:
+        every.append((mark.diameter, "mark", (Hole(mark.centre, 0.0, -thickness),)))
+    drills: dict[float, Drill] = {}
+    for diameter, purpose, holes in every:
+        other = drills.get(diameter)
+        drills[diameter] = Drill(
+            diameter,
+            f"{other.purpose} and {purpose}" if other else purpose,
+            (*other.holes, *holes) if other else holes,
+        )
+    return tuple(drills.values())
+
+
+def point_length(diameter: float, drilling: Drilling) -> float:
+    """Length of a drill's point, mm."""
+    return diameter / 2 / tan(radians(drilling.point_angle_deg) / 2)
+
+
+def write_drilling(
+    path: Path,
+    drill: Drill,
+    machining: Machining,
+    drilling: Drilling,
+    *,
+    name: str,
+    material: DiscMaterial | None = None,
+    notes: Sequence[str] = (),
+) -> None:
+    """Write the program of a drill: each hole in pecks, its whole diameter through the work.
+
+    Args:
+        path: file to write.
+        drill: drill and holes.
+        machining: heights.
+        drilling: speed, feed, pecks and points of the drills.
+        name: name of the design, for the first comment.
+        material: material of the disc, for the speed; None if none is given.
+        notes: further comments for the shop.
+    """
+    diameter = drill.diameter
+    speed = _SLOWEST if material is None else _SPEEDS[material]
+    spindle = drilling.spindle_rpm or round(1000 * speed / (pi * diameter))
+    feed = drilling.feed_mm_per_min or round(_FEED_PER_TURN * diameter * spindle, 1)
+    top = max(hole.top for hole in drill.holes)
+    height = machining.safe_height_mm + top
+    below = point_length(diameter, drilling) + machining.break_through_mm
+    count = len(drill.holes)
+    lines = [
+        *comments(
+            [
+                f"{name}: {drill.purpose}, {count} {'hole' if count == 1 else 'holes'}",
+                *notes,
+                f"drill of {diameter:g} mm, point {drilling.point_angle_deg:g} degrees; "
+                f"{f'speed for {material}' if material and drilling.spindle_rpm is None else 'spindle'} {spindle:g}",
+                "zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up",
+                f"the point goes {below:.1f} mm below the work: leave room under it",
+                f"the first move lifts the drill where it stands, to {height:g} mm: be above every clamp there",
+                f"rapid moves go down to {machining.approach_mm:g} mm above the work",
+            ]
+        ),
+        SETTINGS,
+        f"S{spindle:g} M3",
+        f"G0 {words(Z=height)}",
+    ]
+    peck = drilling.peck_mm or diameter
+    for hole in drill.holes:
+        x, y = hole.place
+        lines += [f"G0 {words(X=x, Y=y)}", f"G0 {words(Z=hole.top + machining.approach_mm)}"]
+        floor, at = hole.bottom - below, hole.top
+        while at > floor:
+            if at < hole.top:
+                lines += [
+                    f"G0 {words(Z=hole.top + machining.approach_mm)}",
+                    f"G0 {words(Z=at + machining.approach_mm)}",
+                ]
+            # The last peck takes what a step would leave of less than a hundredth.
+            at = floor if at - peck < floor + 0.01 * peck else at - peck
+            lines.append(f"G1 {words(Z=at)} F{feed:g}")
+        lines.append(f"G0 {words(Z=height)}")
+    lines += ["M5", "M30"]
+    path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
