@@ -58,6 +58,8 @@ class Key:
         required: whether a section must have the key.
         default: default value; None if it has none.
         meaning: a phrase.
+        least: least value of a number; None without a limit.
+        most: greatest value of a number; None without a limit.
     """
 
     name: str
@@ -68,6 +70,8 @@ class Key:
     required: bool
     default: object
     meaning: str
+    least: float | None = None
+    most: float | None = None
 
 
 @dataclass(frozen=True)
@@ -191,6 +195,7 @@ def _key(name: str, info: FieldInfo) -> Key:
     choices = [arm for arm in (info.annotation, *get_args(info.annotation)) if get_origin(arm) is Literal]
     if choices:
         allowed = listed([shown(choice) for choice in get_args(choices[0])], "or")
+    limits = [*info.metadata, *inside]
     return Key(
         name=name,
         unit=_unit(name),
@@ -200,7 +205,15 @@ def _key(name: str, info: FieldInfo) -> Key:
         required=info.is_required(),
         default=None if info.is_required() else info.default,
         meaning=info.description or "",
+        least=_bound(limits, ("ge", "gt")),
+        most=_bound(limits, ("le", "lt")),
     )
+
+
+def _bound(limits: Iterable[Any], names: tuple[str, str]) -> float | None:
+    """Limit of a number on one side; None without one."""
+    bounds = [getattr(limit, name) for limit in limits for name in names if hasattr(limit, name)]
+    return float(bounds[0]) if bounds else None
 
 
 def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:

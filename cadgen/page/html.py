@@ -61,7 +61,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, aside: str = 
         tag("meta", name="color-scheme", content="light dark"),
         tag("meta", name="generator", content=f"cadgen {__version__}"),
         tag("title", english(f"{name} · cadgen")),
-        *(f"<style>{_static(f'{name}.css')}</style>" for name in names),
+        *(f"<style>{_static(f'{file}.css')}</style>" for file in names),
     )
     shown = _filled("top", pieces) + _model(pieces) + _curves(pieces) + _filled("tables", pieces) + _design(pieces)
     body = tag(
@@ -71,7 +71,7 @@ def shell(name: str, pieces: Mapping[str, str], data: str = "", *, aside: str = 
         tag("main", aside, tag("div", shown, id="shown")) if aside else tag("main", shown),
         _transport(),
         data,
-        *(f"<script>{_static(f'{name}.js')}</script>" for name in names),
+        *(f"<script>{_static(f'{file}.js')}</script>" for file in names),
         class_="editing" if edited else None,
     )
     return f'<!doctype html>\n<html lang="en">{head}{body}</html>\n'

@@ -22,7 +22,9 @@ def page_of(plan: PagePlan) -> Page:
     sections: list[Section] = [
         checks_section(plan),
         play_section(plan),
-        tolerance_section(plan.tolerance, reasons.get("tolerance", "")),
+        tolerance_section(
+            plan.tolerance, reasons.get("tolerance") or say("not-while-edited" if plan.edited else "no-tolerance")
+        ),
         calibration_section(plan),
         inspection_section(plan),
         parts_section(plan),

@@ -204,7 +204,7 @@ def _plan_against_play(
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
     progress(f"computing the {profile} profile")
     checks = ProfileChecks(design, task_of(design, track, lift, rod))
-    against = against_play(profile, checks, all_trains=all_trains, measured=measured)
+    against = against_play(profile, checks, all_trains=all_trains, measured=measured, progress=progress)
     chosen = against.chosen
     progress("checking the profile")
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
