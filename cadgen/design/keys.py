@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -155,6 +155,11 @@ def shown(value: object) -> str:
     return text if len(text) <= _LONGEST_SHOWN else text[: _LONGEST_SHOWN - 3] + "..."
 
 
+def without_unit(name: str) -> str:
+    """The last part of a key without the unit at its end."""
+    return next((name.removesuffix(ending) for ending in _UNITS if name.endswith(ending)), name)
+
+
 def _unit(name: str) -> str:
     return next((unit for ending, unit in _UNITS.items() if name.endswith(ending)), "")
 
@@ -210,9 +215,11 @@ def _key(name: str, info: FieldInfo) -> Key:
     )
 
 
-def _bound(limits: Iterable[Any], names: tuple[str, str]) -> float | None:
+def _bound(limits: Sequence[Any], names: tuple[str, str]) -> float | None:
     """Limit of a number on one side; None without one."""
     bounds = [getattr(limit, name) for limit in limits for name in names if hasattr(limit, name)]
+    if not bounds and "ge" in names and any(isinstance(limit, ZeroOrFeature) for limit in limits):
+        return 0.0
     return float(bounds[0]) if bounds else None
 
 
