@@ -14,6 +14,6 @@
 | `server`    | the page, its state and its results over HTTP                             |
 | `running`   | the server from its first line to Ctrl-C                                  |
 
-The page's second script has its sources in `page/src/edit*`. Only `guard`, `server` and `running` import the libraries of
-the extra `cadgen[edit]`.
+The page's second script has its sources in `page/src/edit`. `guard`, `server` and `running` alone import the libraries
+of the extra `cadgen[edit]`.
 """

@@ -15,7 +15,7 @@ Every refusal is `{"error": sentence}`: 4xx, with the sentences of the command l
 import json
 from collections.abc import Callable
 from threading import Lock
-from typing import Any, cast
+from typing import Any
 
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
@@ -98,7 +98,7 @@ def application(service: Service, address: Address) -> ASGIApp:
         stage, revision = request.query_params.get("stage"), request.query_params.get("revision", "")
         if stage not in service.workers or not revision.isdecimal() or len(revision) > 12:
             return refused(400, "stage must be preview or whole, and revision a whole number")
-        found = await run_in_threadpool(service.result, cast(Stage, stage), int(revision))
+        found = await run_in_threadpool(service.result, stage, int(revision))
         if found.state == "superseded":
             return refused(409, _NEWER)
         return Response(found.body, _STATUS[found.state], media_type="application/json")

@@ -92,7 +92,7 @@ class Worker:
             process.start()
             theirs.close()
             self._process, self._channel = process, ours
-        return self._channel  # type: ignore[return-value]
+        return self._channel
 
     def _kill(self) -> None:
         if self._channel is not None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from cadgen.build import cam_model, variation
 from cadgen.cam.followers.rod import LeaningRod
@@ -54,7 +54,8 @@ class PagePlan:
         tolerance: many cars; None where nothing varies.
         calibration: verdict on measured files; None without any.
         refusals: reasons for what is missing.
-        edited: whether the design is being edited, so that what takes long is left out.
+        scope: what is shown: all of a `report`; without what takes long while the design is `edited`; or of a
+            `preview` model and curves alone.
     """
 
     cam: CamPlan
@@ -65,7 +66,7 @@ class PagePlan:
     tolerance: ToleranceRun | None
     calibration: "Calibration | None"
     refusals: tuple[Refusal, ...]
-    edited: bool = False
+    scope: Literal["report", "edited", "preview"] = "report"
 
     @property
     def design(self) -> Design:
@@ -150,7 +151,7 @@ def plan_edited(design: Design, make_gears: MakeGears, progress: Progress = sile
     gears = _gears(design, make_gears, refusals, progress)
     progress("running the car")
     simulation = None if cam.against is None else simulated(cam)
-    return PagePlan(cam, find_cures(cam, progress), gears, simulation, (), None, None, tuple(refusals), edited=True)
+    return PagePlan(cam, find_cures(cam, progress), gears, simulation, (), None, None, tuple(refusals), "edited")
 
 
 def plan_preview(design: Design, progress: Progress = silent) -> PagePlan:
@@ -160,7 +161,7 @@ def plan_preview(design: Design, progress: Progress = silent) -> PagePlan:
         DesignError: no cam can be computed.
     """
     cam = plan_cam(design, ACTUAL.code, progress)
-    return PagePlan(cam, Cures((), (), 0), None, None, (), None, None, (), edited=True)
+    return PagePlan(cam, Cures((), (), 0), None, None, (), None, None, (), "preview")
 
 
 def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], progress: Progress) -> CamPlan:
