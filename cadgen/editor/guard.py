@@ -60,8 +60,26 @@ def refused(status: int, sentence: str) -> Response:
     return JSONResponse({"error": sentence}, status)
 
 
-class TooLongError(Exception):
-    """A body that is longer than allowed, whatever its header says."""
+async def _read(receive: Receive) -> bytes | None:
+    """The body of a request; None if it is longer than allowed, whatever its header says."""
+    body = b""
+    while True:
+        message = await receive()
+        body += message.get("body", b"")
+        if len(body) > MOST_BYTES:
+            return None
+        if message["type"] != "http.request" or not message.get("more_body", False):
+            return body
+
+
+def _replayed(body: bytes, receive: Receive) -> Receive:
+    """A function that gives a body that was read already, and then what comes after it."""
+    pending = [{"type": "http.request", "body": body, "more_body": False}]
+
+    async def replay() -> Message:
+        return pending.pop() if pending else await receive()
+
+    return replay
 
 
 class Guard:
@@ -84,23 +102,14 @@ class Guard:
                 message["headers"] = [*message.get("headers", []), *own]
             await send(message)
 
-        request, read = Request(scope), 0
-
-        async def counted() -> Message:
-            nonlocal read
-            message = await receive()
-            read += len(message.get("body", b""))
-            if read > MOST_BYTES:
-                raise TooLongError
-            return message
-
-        answer = self._refusal(request)
+        request = Request(scope)
+        answer: ASGIApp | None = self._refusal(request)
         if answer is None:
-            try:
-                await self._inside({**scope, "path": self._inner(request)}, counted, headed)
+            body = await _read(receive)
+            if body is not None:
+                await self._inside({**scope, "path": self._inner(request)}, _replayed(body, receive), headed)
                 return
-            except TooLongError:
-                answer = _too_long()
+            answer = _too_long()
         await answer(scope, receive, headed)
 
     def _inner(self, request: Request) -> str:

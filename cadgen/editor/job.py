@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design, TrainDesign
+from cadgen.editor.points import points_of
 from cadgen.errors import CadgenError, brief
 from cadgen.gears.names import Order
 from cadgen.page.content.page import page_of
@@ -87,7 +88,7 @@ def compute(job: Job, progress: Progress) -> Result:
 
 
 def _floor(design: Design) -> str:
-    return course_view(floor_of(design))
+    return course_view(floor_of(design), points=[(point.x, point.y) for point in points_of(design)])
 
 
 def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:

@@ -76,17 +76,24 @@ def _follower(scene: Scene) -> list[str]:
     ]
 
 
-def course_view(floor: Sequence[Figure], goings: Sequence[Going] = (), car: CarShape | None = None) -> str:
+def course_view(
+    floor: Sequence[Figure],
+    goings: Sequence[Going] = (),
+    car: CarShape | None = None,
+    points: Sequence[tuple[float, float]] = (),
+) -> str:
     """The floor from above with the tracks of the car's middle, and the car in a drawing of its own.
 
     Args:
         floor: what stands or lies on the floor.
         goings: runs of the car; none of a design that cannot be driven.
         car: the car that makes them.
+        points: further places to have in the picture, mm.
     """
     tracks = {going.code: _track(going, car) for going in goings if car is not None}
     edges = [np.array(figure.points) for figure in floor if figure.kind == "edge"]
-    seen = edges or [*tracks.values(), *(np.array(figure.points) for figure in floor)] or [np.zeros((1, 2))]
+    places = [*tracks.values(), *(np.array(figure.points) for figure in floor), *(np.array([at]) for at in points)]
+    seen = edges or places or [np.zeros((1, 2))]
     room = _ROOM / 2 if edges else _ROOM
     low, high = np.concatenate(seen).min(axis=0) - room, np.concatenate(seen).max(axis=0) + room
     order = {"planned": 0, "before": 1, "free": 2, "played": 3}

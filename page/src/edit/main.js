@@ -165,6 +165,7 @@ function lay(pieces) {
       floor.ground(made.firstElementChild);
     } else if (node) fill(node, html);
   }
+  document.getElementById("failures")?.setAttribute("tabindex", "0"); // it scrolls, by keys too
 }
 
 function fail(error, where) {
