@@ -30,7 +30,7 @@ def serve(session: Session, port: int, show: Callable[[str], object], *, browser
     Raises:
         FileError: the port is taken.
     """
-    listening = _bound(port)
+    listening = bound_socket(port)
     address = Address.on(listening.getsockname()[1])
     service = Service(session)
 
@@ -92,7 +92,7 @@ class _Server(uvicorn.Server):
                 signal.signal(number, handler)
 
 
-def _bound(port: int) -> socket.socket:
+def bound_socket(port: int) -> socket.socket:
     """A socket on a port of this machine's own address.
 
     Raises:

@@ -51,6 +51,7 @@ class Service:
         """Begin the processes before the page asks."""
         for worker in self.workers.values():
             worker.start()
+        self.session.state()  # the schema's keys are put together meanwhile, which takes a moment the first time
 
     def close(self) -> None:
         """End the processes."""
