@@ -12,7 +12,7 @@ from multiprocessing.context import SpawnProcess
 from threading import Lock
 from typing import Any
 
-from cadgen.editor.job import Compute, Job, Result, compute, fault, refusal
+from cadgen.editor.job import Compute, Job, Result, computed, fault, refusal
 
 LIMIT_S = 120.0
 _MOST_BYTES = 6 * 2**30  # of address space, where the system can limit it
@@ -29,7 +29,7 @@ class SupersededError(Exception):
 class Worker:
     """One process, begun when it is first needed and again after it was ended."""
 
-    def __init__(self, work: Compute = compute, limit_s: float = LIMIT_S) -> None:
+    def __init__(self, work: Compute = computed, limit_s: float = LIMIT_S) -> None:
         """Make a worker.
 
         Args:

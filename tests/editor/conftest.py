@@ -2,8 +2,8 @@
 
 import pytest
 
+from cadgen.editor.compute import compute
 from cadgen.editor.guard import Address
-from cadgen.editor.job import compute
 from cadgen.editor.server import Service, application
 from cadgen.editor.session import Session
 from cadgen.progress import silent

@@ -1,7 +1,7 @@
 // The numbers of the design: a field with the range of the schema and a slider with a range about the number.
 const { element } = globalThis.cadgenPage;
 
-const OPEN = 2; // groups that are open at first
+const OPEN = matchMedia("(max-width: 1080px)").matches ? 0 : 2; // groups that are open at first
 
 /** Fills a box with groups of controls; returns a function that shows a state. */
 export function controls(box, change) {
