@@ -155,12 +155,12 @@ def plan_edited(design: Design, make_gears: MakeGears, progress: Progress = sile
 
 
 def plan_preview(design: Design, progress: Progress = silent) -> PagePlan:
-    """Compute the actual cam of a design alone, for a first look.
+    """Compute the actual cam of a design alone, unchecked, for a first look.
 
     Raises:
         DesignError: no cam can be computed.
     """
-    cam = plan_cam(design, ACTUAL.code, progress)
+    cam = plan_cam(design, ACTUAL.code, progress, judged=False)
     return PagePlan(cam, Cures((), (), 0), None, None, (), None, None, (), "preview")
 
 
