@@ -55,10 +55,3 @@ def fault(error: Exception) -> Result:
     """Result of a computation that failed in a way that is none of the design's."""
     summary = brief(f"{type(error).__name__}: {error}", 400)
     return refusal("fault", f"a fault in cadgen, please report it with your design file ({summary})")
-
-
-def computed(job: Job, progress: Progress) -> Result:
-    """Result of a version, as of `cadgen.editor.compute`."""
-    from cadgen.editor.compute import compute  # only in the process that computes: it is most of the program
-
-    return compute(job, progress)

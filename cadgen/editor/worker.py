@@ -12,7 +12,8 @@ from multiprocessing.context import SpawnProcess
 from threading import Lock
 from typing import Any
 
-from cadgen.editor.job import Compute, Job, Result, computed, fault, refusal
+from cadgen.editor.job import Compute, Job, Result, fault, refusal
+from cadgen.progress import Progress
 
 LIMIT_S = 120.0
 _MOST_BYTES = 6 * 2**30  # of address space, where the system can limit it
@@ -24,6 +25,13 @@ _CONTEXT = multiprocessing.get_context("spawn")
 
 class SupersededError(Exception):
     """A newer version was asked for."""
+
+
+def computed(job: Job, progress: Progress) -> Result:
+    """Result of a version, as of `cadgen.editor.compute`."""
+    from cadgen.editor.compute import compute  # only in the process that computes: it is most of the program
+
+    return compute(job, progress)
 
 
 class Worker:

@@ -7,7 +7,7 @@ import pytest
 from tests.editor.conftest import TEXT
 from tests.page.chromium import ARGUMENTS, READY, chromium_path
 
-CURRENT = "!document.documentElement.hasAttribute('data-stale')"
+CURRENT = "html[data-whole]:not([data-stale])"
 
 
 @pytest.fixture
@@ -42,9 +42,14 @@ def shown(served):
         page.on("pageerror", lambda error: page.said.append(str(error)))
         page.goto(served)
         page.wait_for_selector(READY, state="attached")
-        page.wait_for_function(CURRENT)
+        page.wait_for_selector(CURRENT, state="attached")
         yield page
         browser.close()
+
+
+def current(page, session):
+    """Wait until the page shows the design as it is now."""
+    page.wait_for_selector(f'{CURRENT}[data-whole="{session.revision}"]', state="attached")
 
 
 def dragged(page, key, right, down):
@@ -64,7 +69,8 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     disc, key = "document.querySelector('#cam-box .disc').getAttribute('d')", "path.waypoints_mm.3"
     before, camera = shown.evaluate(disc), shown.locator("#scene canvas").count()
     dragged(shown, key, 6, -4)
-    shown.wait_for_function(f"{CURRENT} && document.documentElement.dataset.whole > 1")
+    shown.wait_for_selector(f'{CURRENT}:not([data-whole="1"])', state="attached")
+    current(shown, session)
     assert shown.evaluate(disc) != before
     assert shown.locator("#scene canvas").count() == camera == 1
     x, y = session.now.design.path.keys.waypoints_mm[2]
@@ -82,9 +88,11 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     assert shown.locator("#course-figure .fault").inner_text()
     assert shown.evaluate(disc) == good
     while session.state()["undo"] > 1:
-        undone = session.revision
-        shown.locator("#undo").click()
-        shown.wait_for_function(f"Number(document.documentElement.dataset.whole) > {undone}")
+        steps = session.state()["undo"]
+        with shown.expect_response("**/undo"):
+            shown.locator("#undo").click()
+        assert session.state()["undo"] == steps - 1
+    current(shown, session)
     assert not shown.locator("#course-figure .fault").inner_text()
 
     # A number that the schema refuses is refused at its field.
@@ -97,7 +105,8 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     assert session.now.design.cam.thickness_mm == 3
 
     shown.keyboard.press("Control+s")
-    shown.wait_for_function("!document.title.startsWith('•')")
+    shown.wait_for_selector("#save:not(.due)")
+    assert shown.title().startswith("small")
     assert file.read_text() == TEXT.replace("[2600.0, 1200.0]", f"[{x!r}, {y!r}]")
     # Refusals are statuses, which the browser reports; nothing else is.
     assert all("422" in text for text in shown.said), shown.said
