@@ -20,6 +20,7 @@ const STATES = {
   preview: ["preview: actual profile", "预览：实际轮廓"],
   whole: ["up to date", "已更新"],
   fault: ["the last good part is shown", "显示上一个有效结果"],
+  none: ["cannot be computed", "无法计算"],
   gone: [
     "cadgen edit has ended, or cannot be reached: start it again. What is not saved stays on this page until you close it.",
     "cadgen edit 已结束或无法访问：请重新启动。未保存的内容在关闭本页前仍显示。",
@@ -174,7 +175,7 @@ function fail(error, where) {
     complain(pick(STATES.gone), null);
     return;
   }
-  tell("fault");
+  tell(shown.preview || shown.whole ? "fault" : "none");
   complain(error.message, where);
 }
 
