@@ -41,6 +41,7 @@ The rooms, in walking order; each imports only those before it.
 | `drawing`     | drawings for a workshop: sheets as data, as DXF and as PDF                |
 | `workflow`    | one job from design to verified files                                     |
 | `page`        | the report page: one HTML file with model, curves and tables              |
+| `editor`      | that page served to the user's browser, where the design can be changed |
 | `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
 | `cli`         | the commands                                                              |
 
@@ -60,6 +61,7 @@ _HOMES = {
     "Comparison": "api.runs",
     "Design": "api.design",
     "DesignError": "errors",
+    "Editor": "api.editor",
     "FileError": "errors",
     "Gear": "api.gear",
     "GearPair": "api.gears",
@@ -90,6 +92,7 @@ if TYPE_CHECKING:
     from cadgen.api.card import Card
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
+    from cadgen.api.editor import Editor
     from cadgen.api.files import Written, WrittenFile, verify
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
@@ -110,6 +113,7 @@ __all__ = [
     "Comparison",
     "Design",
     "DesignError",
+    "Editor",
     "FileError",
     "Gear",
     "GearPair",

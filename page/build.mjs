@@ -1,4 +1,5 @@
-// Bundles src/ and the three libraries into cadgen/page/static: one script, one style sheet, and the licences.
+// Bundles src/ and the three libraries into cadgen/page/static: script and style sheet of the page, those that `cadgen edit`
+// adds, and the licences.
 // Run `npm ci` first: it installs exactly what package-lock.json names, and compares every package with its hash.
 import { build } from "esbuild";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -8,8 +9,10 @@ const common = { bundle: true, minify: true, charset: "utf8", legalComments: "no
 
 await build({ ...common, entryPoints: ["src/main.js"], outfile: `${out}/page.js`, format: "iife", target: "es2022" });
 await build({ ...common, entryPoints: ["src/page.css"], outfile: `${out}/page.css`, target: ["chrome109", "safari16"] });
+await build({ ...common, entryPoints: ["src/edit/main.js"], outfile: `${out}/edit.js`, format: "iife", target: "es2022" });
+await build({ ...common, entryPoints: ["src/edit.css"], outfile: `${out}/edit.css`, target: ["chrome109", "safari16"] });
 
-for (const name of ["page.js", "page.css"]) {
+for (const name of ["page.js", "page.css", "edit.js", "edit.css"]) {
   // Inline in HTML: nothing in them may end its element. A line break at the end would be outside of the hash.
   const text = readFileSync(`${out}/${name}`, "utf8").trimEnd();
   if (/<\/(script|style)|<!--/i.test(text)) {

@@ -18,6 +18,7 @@
 | `card`     | settings for every spacing that can be drawn                               |
 | `design`   | a design and what can be done with it                                      |
 | `page`     | the report page of a design                                                |
+| `editor`   | that page in the browser, where the design can be changed                  |
 
 Everything raises the errors of `cadgen.errors`: one sentence that says what is wrong, where, and what to change. The
 public names are those of `cadgen` itself; numbers are mm and rad unless the name ends in another unit.

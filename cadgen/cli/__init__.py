@@ -15,6 +15,7 @@
 | `calibrate` | `cadgen calibrate`: measured files -> effects missing in the design |
 | `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
 | `report`    | `cadgen report`: a page with model, curves and tables            |
+| `edit`      | `cadgen edit`: a design changed on its page in the browser       |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
@@ -51,6 +52,7 @@ from cadgen.cli.cam import cam
 from cadgen.cli.card import card
 from cadgen.cli.check import check
 from cadgen.cli.draw import draw
+from cadgen.cli.edit import edit
 from cadgen.cli.gears import gears
 from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
@@ -96,6 +98,7 @@ cli.add_command(tolerance)
 cli.add_command(calibrate)
 cli.add_command(adjust)
 cli.add_command(report)
+cli.add_command(edit)
 cli.add_command(verify)
 
 

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -87,7 +87,21 @@ class Key:
     @property
     def allowed_inside(self) -> str:
         """Range or choices of the numbers in a list or pair."""
-        return _choices_inside(self.info.annotation) or _phrases(_kinds(self.info.annotation)[1])
+        return _choices_inside(self.info.annotation) or _phrases(self._inside)
+
+    @property
+    def least(self) -> float | None:
+        """Least value of a number; None without a limit."""
+        return _bound([*self.info.metadata, *self._inside], ("ge", "gt"))
+
+    @property
+    def most(self) -> float | None:
+        """Greatest value of a number; None without a limit."""
+        return _bound([*self.info.metadata, *self._inside], ("le", "lt"))
+
+    @property
+    def _inside(self) -> list[Any]:
+        return _kinds(self.info.annotation)[1]
 
 
 @dataclass(frozen=True)
@@ -171,6 +185,11 @@ def shown(value: object) -> str:
     return text if len(text) <= _LONGEST_SHOWN else text[: _LONGEST_SHOWN - 3] + "..."
 
 
+def without_unit(name: str) -> str:
+    """The last part of a key without the unit at its end."""
+    return next((name.removesuffix(ending) for ending in _UNITS if name.endswith(ending)), name)
+
+
 def _unit(name: str) -> str:
     return next((unit for ending, unit in _UNITS.items() if name.endswith(ending)), "")
 
@@ -207,6 +226,14 @@ def _section_in(annotation: Any) -> type[Section] | None:
 
 def _key(name: str, info: FieldInfo) -> Key:
     return Key(name, _unit(name), _kinds(info.annotation)[0], info)
+
+
+def _bound(limits: Sequence[Any], names: tuple[str, str]) -> float | None:
+    """Limit of a number on one side; None without one."""
+    bounds = [getattr(limit, name) for limit in limits for name in names if hasattr(limit, name)]
+    if not bounds and "ge" in names and any(isinstance(limit, ZeroOrFeature) for limit in limits):
+        return 0.0
+    return float(bounds[0]) if bounds else None
 
 
 def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:

@@ -14,7 +14,6 @@ from cadgen.arrays import Array
 from cadgen.page.shading import Shaded
 
 _STEPS = 65535
-_LEVEL = 9
 
 Kind = Literal["f4", "u2", "u4", "i1"]
 
@@ -54,6 +53,6 @@ class Block:
             "edges": self.add(mesh.edges, index),
         }
 
-    def text(self) -> str:
-        """The whole block, compressed by gzip, in base 64."""
-        return base64.b64encode(gzip.compress(b"".join(self._pieces), _LEVEL, mtime=0)).decode("ascii")
+    def text(self, level: int) -> str:
+        """The whole block, compressed by gzip to a level of 1 to 9, in base 64."""
+        return base64.b64encode(gzip.compress(b"".join(self._pieces), level, mtime=0)).decode("ascii")

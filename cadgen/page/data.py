@@ -7,13 +7,17 @@ import numpy as np
 
 from cadgen.page.binary import Block
 from cadgen.page.document import Chart, Going, Page, Scene, Text
-from cadgen.page.shading import shaded
 
 FORMAT, VERSION = "cadgen-report", 1
 
 
-def data_of(page: Page) -> tuple[str, str]:
-    """JSON document and block, both as text that can stand in HTML."""
+def data_of(page: Page, level: int = 9) -> tuple[str, str]:
+    """JSON document and block, both as text that can stand in HTML.
+
+    Args:
+        page: content of the page.
+        level: of the compression, 1 to 9: how long it may look for repetitions.
+    """
     block = Block()
     document = {
         "format": FORMAT,
@@ -26,7 +30,7 @@ def data_of(page: Page) -> tuple[str, str]:
     }
     text = json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     # So that no text of a design can end the element.
-    return text.replace("<", "\\u003c"), block.text()
+    return text.replace("<", "\\u003c"), block.text(level)
 
 
 def _words(text: Text) -> list[str]:
@@ -69,8 +73,8 @@ def _scene(scene: Scene, block: Block) -> dict[str, Any]:
                 "label": _words(part.label),
                 "shaft": part.shaft,
                 "colour": part.colour,
-                "mesh": block.mesh(shaded(part.mesh)),
-                "coarse": block.mesh(shaded(part.coarse)),
+                "mesh": block.mesh(part.shades[0]),
+                "coarse": block.mesh(part.shades[1]),
             }
             for part in scene.parts
         ],

@@ -6,11 +6,13 @@ mm and angles rad, but for cells and curves, which stand in the unit that they n
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import isfinite
 from typing import Literal, NamedTuple
 
 from cadgen.arrays import Array
 from cadgen.meshes.mesh import Mesh
+from cadgen.page.shading import Shaded, shaded
 
 State = Literal["", "good", "bad", "strong", "muted"]
 FigureKind = Literal["edge", "post", "wall", "zone", "gate", "start", "finish"]
@@ -175,6 +177,11 @@ class Part:
     coarse: Mesh
     shaft: int
     colour: Literal["cam", "gear", "pinion", "frame"] = "gear"
+
+    @cached_property
+    def shades(self) -> tuple[Shaded, Shaded]:
+        """Both meshes with normals and edges."""
+        return shaded(self.mesh), shaded(self.coarse)
 
 
 @dataclass(frozen=True)

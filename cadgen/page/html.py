@@ -2,6 +2,7 @@
 
 import base64
 import hashlib
+from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 
@@ -16,40 +17,88 @@ _FOLDER = "cadgen.page"
 
 
 def html_of(page: Page) -> str:
-    """The whole page."""
-    style, script = _static("page.css"), _static("page.js")
+    """The whole page of a report."""
     document, block = data_of(page)
-    policy = "; ".join(
+    data = (
+        f'<script type="application/json" id="data">{document}</script>'
+        f'<script type="text/plain" id="block">{block}</script>'
+    )
+    return shell(page.name, pieces_of(page), data)
+
+
+def pieces_of(page: Page) -> dict[str, str]:
+    """Everything on the page that depends on its content, by the id of the element that it fills."""
+    return {
+        "verdict": _verdict(page),
+        "links": _links(page),
+        "top": _top(page),
+        "cam-box": cam_view(page.scene),
+        "course-box": course_view(page.scene.floor, page.scene.goings, page.scene.car),
+        "legend": legend(page.scene.goings),
+        "notes": _notes(page),
+        "charts": _charts(page),
+        "tables": "".join(map(section, page.sections)),
+        "origin": _origin(page),
+    }
+
+
+def shell(name: str, pieces: Mapping[str, str], data: str = "", *, aside: str = "", edited: bool = False) -> str:
+    """The page around its content.
+
+    Args:
+        name: name of the design.
+        pieces: content by the id of the element that it fills; what is missing stays empty.
+        data: HTML with the data of the script.
+        aside: HTML beside the content.
+        edited: whether the design can be edited: the page then has a second script, which asks its own server.
+    """
+    names = ("page", "edit") if edited else ("page",)
+    head = tag(
+        "head",
+        tag("meta", charset="utf-8"),
+        tag("meta", http_equiv="Content-Security-Policy", content=policy(edited=edited)),
+        tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
+        tag("meta", name="color-scheme", content="light dark"),
+        tag("meta", name="generator", content=f"cadgen {__version__}"),
+        tag("title", english(f"{name} · cadgen")),
+        *(f"<style>{_static(f'{file}.css')}</style>" for file in names),
+    )
+    shown = _filled("top", pieces) + _model(pieces) + _curves(pieces) + _filled("tables", pieces) + _design(pieces)
+    body = tag(
+        "body",
+        tag("a", _inline(say("Skip to the checks")), href="#checks", class_="skip"),
+        _header(name, pieces),
+        tag("main", aside, tag("div", shown, id="shown")) if aside else tag("main", shown),
+        _transport(),
+        data,
+        *(f"<script>{_static(f'{file}.js')}</script>" for file in names),
+        class_="editing" if edited else None,
+    )
+    return f'<!doctype html>\n<html lang="en">{head}{body}</html>\n'
+
+
+def policy(*, edited: bool = False) -> str:
+    """Content security policy: own inline parts by their hashes, and nothing else.
+
+    Args:
+        edited: whether the page may ask its own server.
+    """
+    names = ("page", "edit") if edited else ("page",)
+    return "; ".join(
         (
             "default-src 'none'",
-            f"script-src '{_hash(script)}'",
-            f"style-src '{_hash(style)}'",
+            " ".join(["script-src", *(f"'{_hash(_static(f'{name}.js'))}'" for name in names)]),
+            " ".join(["style-src", *(f"'{_hash(_static(f'{name}.css'))}'" for name in names)]),
             "img-src data:",
+            *(["connect-src 'self'"] if edited else []),
             "base-uri 'none'",
             "form-action 'none'",
         )
     )
-    head = tag(
-        "head",
-        tag("meta", charset="utf-8"),
-        tag("meta", http_equiv="Content-Security-Policy", content=policy),
-        tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
-        tag("meta", name="color-scheme", content="light dark"),
-        tag("meta", name="generator", content=f"cadgen {__version__}"),
-        tag("title", english(f"{page.name} · cadgen")),
-        f"<style>{style}</style>",
-    )
-    body = tag(
-        "body",
-        tag("a", _inline(say("Skip to the checks")), href="#checks", class_="skip"),
-        _header(page),
-        tag("main", _top(page), _model(page), _curves(page), *map(section, page.sections), _design(page)),
-        _transport(),
-        f'<script type="application/json" id="data">{document}</script>',
-        f'<script type="text/plain" id="block">{block}</script>',
-        f"<script>{script}</script>",
-    )
-    return f'<!doctype html>\n<html lang="en">{head}{body}</html>\n'
+
+
+def _filled(code: str, pieces: Mapping[str, str], element: str = "div", **attributes: str | None) -> str:
+    return tag(element, pieces.get(code, ""), id=code, **attributes)
 
 
 @cache
@@ -66,21 +115,13 @@ def _inline(words: Text) -> str:
     return text(words)
 
 
-def _header(page: Page) -> str:
-    verdict = say("every check passes") if page.passed else say("a check fails")
-    links = [("model", say("Model")), ("curves", say("Curves"))]
-    links += [(item.code, item.title) for item in page.sections]  # type: ignore[misc]
+def _header(name: str, pieces: Mapping[str, str]) -> str:
     return tag(
         "header",
         tag(
             "div",
-            tag("h1", tag("span", english(page.name)), " ", text(say("Steering cam"), "small")),
-            tag(
-                "a" if not page.passed else "span",
-                _inline(verdict),
-                href=None if page.passed else "#failures",
-                class_=f"verdict {'good' if page.passed else 'bad'}",
-            ),
+            tag("h1", tag("span", english(name)), " ", text(say("Steering cam"), "small")),
+            _filled("verdict", pieces),
             tag(
                 "div",
                 tag("button", "中文", type="button", id="language", aria_label="中文：切换到中文", lang="zh"),
@@ -90,8 +131,24 @@ def _header(page: Page) -> str:
             ),
             class_="bar",
         ),
-        tag("nav", *(tag("a", _inline(title), href=f"#{code}") for code, title in links), **labels(say("Report"))),
+        _filled("links", pieces, "nav", **labels(say("Report"))),
     )
+
+
+def _verdict(page: Page) -> str:
+    words = say("every check passes") if page.passed else say("a check fails")
+    return tag(
+        "span" if page.passed else "a",
+        _inline(words),
+        href=None if page.passed else "#failures",
+        class_=f"verdict {'good' if page.passed else 'bad'}",
+    )
+
+
+def _links(page: Page) -> str:
+    links: list[tuple[str, Text]] = [("model", say("Model")), ("curves", say("Curves"))]
+    links += [(item.code, item.title) for item in page.sections]
+    return "".join(tag("a", _inline(title), href=f"#{code}") for code, title in links)
 
 
 # Drawn on 24 by 24.
@@ -139,7 +196,7 @@ def _failure(failure: Failure) -> str:
     return tag("li", text(failure.what, "strong"), advice)
 
 
-def _model(page: Page) -> str:
+def _model(pieces: Mapping[str, str]) -> str:
     """The three views side by side."""
     views = (
         tag(
@@ -151,31 +208,35 @@ def _model(page: Page) -> str:
         tag(
             "figure",
             text(say("Cam and follower"), "figcaption"),
-            tag("div", cam_view(page.scene), class_="view"),
+            _filled("cam-box", pieces, class_="view"),
             text(say("seen from the left of the car, the front to the left"), "p", class_="hint"),
         ),
         tag(
             "figure",
             text(say("The car on its course"), "figcaption"),
-            tag("div", course_view(page.scene), class_="view"),
-            legend(page.scene),
+            _filled("course-box", pieces, class_="view"),
+            _filled("legend", pieces, "ul", class_="legend"),
+            id="course-figure",
         ),
     )
-    notes = tag("ul", *(text(note, "li") for note in page.notes), class_="notes") if page.notes else ""
     return tag(
         "section",
         text(say("Model"), "h2", id="model-title"),
         tag("noscript", text(say("no-script"), "p", class_="lead")),
         tag("p", "", id="trouble", class_="lead", hidden=True),
         tag("div", *views, class_="views"),
-        notes,
+        _filled("notes", pieces, "ul", class_="notes"),
         id="model",
         aria_labelledby="model-title",
     )
 
 
-def _curves(page: Page) -> str:
-    boxes = (
+def _notes(page: Page) -> str:
+    return "".join(text(note, "li") for note in page.notes)
+
+
+def _charts(page: Page) -> str:
+    return "".join(
         tag(
             "figure",
             tag("figcaption", text(chart.title, "b"), " ", tag("small", chart.unit), tag("span", "", class_="now")),
@@ -185,24 +246,30 @@ def _curves(page: Page) -> str:
         )
         for chart in page.charts
     )
+
+
+def _curves(pieces: Mapping[str, str]) -> str:
     return tag(
         "section",
         text(say("Curves"), "h2", id="curves-title"),
-        tag("div", *boxes, class_="charts"),
+        _filled("charts", pieces, class_="charts"),
         id="curves",
         aria_labelledby="curves-title",
     )
 
 
-def _design(page: Page) -> str:
-    rows = (tag("div", text(name, "dt"), tag("dd", _inline(value))) for name, value in page.origin)
+def _origin(page: Page) -> str:
+    return "".join(tag("div", text(name, "dt"), tag("dd", _inline(value))) for name, value in page.origin)
+
+
+def _design(pieces: Mapping[str, str]) -> str:
     licences = tag(
         "details", text(say("Licences"), "summary"), tag("pre", _escaped(_static("LICENSES.txt")), lang="en")
     )
     return tag(
         "section",
         text(say("Design"), "h2", id="design-title"),
-        tag("dl", *rows, class_="origin"),
+        _filled("origin", pieces, "dl", class_="origin"),
         licences,
         id="design",
         aria_labelledby="design-title",

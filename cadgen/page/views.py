@@ -1,6 +1,6 @@
 """The two plan views as SVG: the cam with its follower, and the car on its course. The page's script moves them."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import atan, cos
 
 import numpy as np
@@ -76,16 +76,29 @@ def _follower(scene: Scene) -> list[str]:
     ]
 
 
-def course_view(scene: Scene) -> str:
-    """The floor from above with the tracks of the car's middle, and the car in a drawing of its own."""
-    tracks = {going.code: _track(going, scene.car) for going in scene.goings}
-    edges = [np.array(figure.points) for figure in scene.floor if figure.kind == "edge"]
-    seen = edges or [*tracks.values(), *(np.array(figure.points) for figure in scene.floor)]
+def course_view(
+    floor: Sequence[Figure],
+    goings: Sequence[Going] = (),
+    car: CarShape | None = None,
+    points: Sequence[tuple[float, float]] = (),
+) -> str:
+    """The floor from above with the tracks of the car's middle, and the car in a drawing of its own.
+
+    Args:
+        floor: what stands or lies on the floor.
+        goings: runs of the car; none of a design that cannot be driven.
+        car: the car that makes them.
+        points: further places to have in the picture, mm.
+    """
+    tracks = {going.code: _track(going, car) for going in goings if car is not None}
+    edges = [np.array(figure.points) for figure in floor if figure.kind == "edge"]
+    places = [*tracks.values(), *(np.array(figure.points) for figure in floor), *(np.array([at]) for at in points)]
+    seen = edges or places or [np.zeros((1, 2))]
     room = _ROOM / 2 if edges else _ROOM
     low, high = np.concatenate(seen).min(axis=0) - room, np.concatenate(seen).max(axis=0) + room
     order = {"planned": 0, "before": 1, "free": 2, "played": 3}
-    floor = [
-        *(_figure(figure) for figure in scene.floor),
+    drawn = [
+        *(_figure(figure) for figure in floor),
         *(
             tag("polyline", points=_points(tracks[code]), class_=f"track {code}", id=f"track-{code}")
             for code in sorted(tracks, key=lambda code: order.get(code, 9))
@@ -93,22 +106,21 @@ def course_view(scene: Scene) -> str:
     ]
     wide, tall = float(high[0] - low[0]), float(high[1] - low[1])
     box = f"{_n(low[0])} {_n(-high[1])} {_n(wide)} {_n(tall)}"
-    size = 2.2 * max(
-        abs(complex(*point)) for point in (scene.car.fork, scene.car.idle, *scene.car.corners, (60.0, 0.0))
-    )
+    size = 0.0 if car is None else _car_size(car)
     frame = {"left": _n(low[0]), "top": _n(high[1]), "width": _n(wide), "height": _n(tall), "size": _n(size)}
     cars = (
         tag(
             "svg",
-            tag("g", *_car(scene.car), transform="scale(1 -1)"),
+            tag("g", *_car(car), transform="scale(1 -1)"),
             viewBox=f"{_n(-size / 2)} {_n(-size / 2)} {_n(size)} {_n(size)}",
             class_=f"layer {kind}",
             id=code,
             aria_hidden="true",
         )
         for code, kind in (("car-planned", "car ghost"), ("car", "car"))
+        if car is not None
     )
-    ground = tag("svg", tag("g", *floor, transform="scale(1 -1)"), viewBox=box, class_="layer", aria_hidden="true")
+    ground = tag("svg", tag("g", *drawn, transform="scale(1 -1)"), viewBox=box, class_="layer", aria_hidden="true")
     return tag(
         "div",
         ground,
@@ -120,6 +132,11 @@ def course_view(scene: Scene) -> str:
         **{f"data_{key}": value for key, value in frame.items()},
         **labels(say("The car on its course")),
     )
+
+
+def _car_size(car: CarShape) -> float:
+    """Side of the square in which the car turns, mm."""
+    return 2.2 * max(abs(complex(*point)) for point in (car.fork, car.idle, *car.corners, (60.0, 0.0)))
 
 
 def _track(going: Going, car: CarShape) -> Array:
@@ -173,7 +190,6 @@ def _n(value: float) -> str:
     return f"{float(value):.2f}".rstrip("0").rstrip(".")
 
 
-def legend(scene: Scene) -> str:
-    """Names of the lines on the course."""
-    items = (tag("li", tag("i", class_=f"key {going.code}"), text(going.label)) for going in scene.goings)
-    return tag("ul", *items, class_="legend")
+def legend(goings: Iterable[Going]) -> str:
+    """Names of the lines on the course, as items of a list."""
+    return "".join(tag("li", tag("i", class_=f"key {going.code}"), text(going.label)) for going in goings)

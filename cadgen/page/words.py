@@ -230,6 +230,10 @@ _LONG = {
         "Without play there are no runs to vary: add [train] or [play] to the design.",
         "没有间隙数据，无法进行随机仿真：请在设计中添加 [train] 或 [play]。",
     ),
+    "not-while-edited": Words(
+        "Random cars are left out while the design is edited: `cadgen tolerance` and `cadgen report` run them.",
+        "编辑时不计算随机小车：请用 `cadgen tolerance` 或 `cadgen report` 计算。",
+    ),
     "inspection-lead": Words(
         "Sizes to measure the parts by; write what you measure into the empty cells. The lift holds on the finished "
         "cam with its follower, cam angle 0 at the keyway's zero.",

@@ -7,9 +7,10 @@ const BESIDE = 2.2; // a limit so many times as far off as the curve itself woul
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const colours = () => [css("--curve-1"), css("--curve-2"), css("--curve-3")];
 
-export function drawCharts(data, motion, choose) {
+/** The curves; `use` draws those of a model, and later those of another one. */
+export function drawCharts(choose) {
   const sync = uPlot.sync("cam-angle");
-  const charts = data.charts.map((chart) => new Drawn(chart, data.marks, motion, sync, choose));
+  let charts = [];
   let width = 0;
   const fit = (forced) => {
     const room = document.querySelector(".charts .plot")?.clientWidth ?? 0;
@@ -18,10 +19,15 @@ export function drawCharts(data, motion, choose) {
       for (const chart of charts) chart.draw(room);
     }
   };
-  fit(true);
   new ResizeObserver(() => fit(false)).observe(document.querySelector(".charts"));
   translated(() => charts.forEach((chart) => chart.name()));
   return {
+    use(data, motion) {
+      for (const chart of charts) chart.plot?.destroy();
+      charts = data.charts.map((chart) => new Drawn(chart, data.marks, motion, sync, choose));
+      fit(true);
+      for (const chart of charts) chart.name();
+    },
     show: (state) => charts.forEach((chart) => chart.show(state)),
     redraw: () => fit(true),
     print: (on) => {

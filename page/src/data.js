@@ -3,11 +3,14 @@ import { gunzipSync } from "fflate";
 
 const KINDS = { f4: Float32Array, u2: Uint16Array, u4: Uint32Array, i1: Int8Array };
 
-/** Unpacks the block and returns the document with its arrays in place. */
-export async function load() {
-  const document_ = JSON.parse(document.getElementById("data").textContent);
+/** The data that stands in the page. */
+export const load = () =>
+  unpack(JSON.parse(document.getElementById("data").textContent), document.getElementById("block").textContent);
+
+/** Unpacks a block, text in base 64, and returns the document with its arrays in place. */
+export async function unpack(document_, block) {
   if (document_.format !== "cadgen-report" || document_.version !== 1) throw new Error("unknown data");
-  const packed = Uint8Array.from(atob(document.getElementById("block").textContent), (c) => c.charCodeAt(0));
+  const packed = Uint8Array.from(atob(block), (c) => c.charCodeAt(0));
   const buffer = await unpacked(packed);
   const filled = (value) => {
     if (Array.isArray(value)) return value.map(filled);

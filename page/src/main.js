@@ -1,10 +1,10 @@
 // Puts the page together: what can be read works at once, then the plan views and curves, then the assembly in 3D.
-import { load } from "./data.js";
+import { load, unpack } from "./data.js";
 import { Motion } from "./motion.js";
-import { planViews } from "./views.js";
+import { planViews, shapeStages } from "./views.js";
 import { drawCharts } from "./charts.js";
 import { transport } from "./transport.js";
-import { pick, remembered, speak, translated, language } from "./words.js";
+import { element, fill, language, pick, remembered, speak, translated } from "./words.js";
 
 const STILL = 300; // ms after the last move of the slider at which the picture is drawn in full
 const root = document.documentElement;
@@ -44,73 +44,39 @@ function trouble(words) {
   translated(() => (line.textContent = pick(words)));
 }
 
-async function model() {
-  let data;
-  try {
-    data = await load();
-  } catch {
-    trouble([
-      "This browser cannot unpack the page's data: the model stands still, and the curves are left out. All tables are below.",
-      "浏览器无法解压本页数据：模型静止显示，曲线从略。全部表格见下。",
-    ]);
-    return;
-  }
+const page = { bar: null, charts: null, assembly: null, fit: null, motion: null };
+
+/** Shows a model, the first one or another in place of it: angle, camera and choices stay. */
+async function present(data) {
   const motion = new Motion(data.scene, data.charts);
-  const bar = transport(motion, data.marks);
-  const charts = drawCharts(data, motion, bar.set);
-  bar.listen(planViews(motion));
-  bar.listen(charts.show);
+  page.motion = motion;
+  page.bar ??= beginning();
+  const { bar, charts } = page;
+  bar.use(motion, data.marks);
+  charts.use(data, motion);
+  bar.listen("views", planViews(motion));
+  if (page.assembly) {
+    page.assembly.use(motion);
+    page.fit();
+  }
   bar.changed();
-
-  const loop = { assembly: null, running: false, last: 0, sliding: -Infinity };
-  const turn = (time) => {
-    const since = time - loop.last;
-    loop.last = time;
-    const moving = bar.step(Math.min(since, 100)) || time - loop.sliding < STILL;
-    loop.assembly?.draw(moving, since);
-    if (moving || loop.assembly?.dirty) requestAnimationFrame(turn);
-    else loop.running = false;
-  };
-  const wake = () => {
-    if (loop.running) return;
-    loop.running = true;
-    loop.last = performance.now();
-    requestAnimationFrame(turn);
-  };
-  bar.wake = wake;
-  document.getElementById("angle").addEventListener("input", () => {
-    loop.sliding = performance.now();
-    wake();
-  });
-
-  themed = () => {
-    charts.redraw();
-    loop.assembly?.colour();
-    bar.changed();
-  };
-  printed = (on) => {
-    if (on) root.dataset.printing = "";
-    else delete root.dataset.printing;
-    charts.print(on);
-    loop.assembly?.colour();
-    picture(loop.assembly, on);
-    bar.changed();
-  };
+  if (page.assembly || root.dataset.without) return;
   root.dataset.ready = "plan";
 
   // The page can be used by now; the assembly comes in a task of its own.
   await new Promise((done) => setTimeout(done));
-  const box = document.getElementById("scene");
+  if (page.assembly) return;
   try {
     const [{ Assembly }, { tools }] = [await import("./scene.js"), await import("./tools.js")];
-    const assembly = new Assembly(box, motion);
-    assembly.wake = wake;
-    tools(assembly);
-    bar.listen((state) => {
+    if (page.assembly) return;
+    const assembly = new Assembly(document.getElementById("scene"), page.motion);
+    assembly.wake = bar.wake;
+    page.fit = tools(assembly);
+    bar.listen("assembly", (state) => {
       assembly.show(state);
       assembly.moved?.();
     });
-    loop.assembly = assembly;
+    page.assembly = assembly;
     bar.changed();
   } catch (error) {
     document.getElementById("assembly").classList.add("without");
@@ -121,6 +87,61 @@ async function model() {
     root.dataset.without = String(error?.message ?? error).slice(0, 80);
   }
   root.dataset.ready = "all";
+}
+
+/** Slider and curves, and the loop that draws what moves. */
+function beginning() {
+  const bar = transport();
+  page.charts = drawCharts(bar.set);
+  bar.listen("charts", page.charts.show);
+  const loop = { running: false, last: 0, sliding: -Infinity };
+  const turn = (time) => {
+    const since = time - loop.last;
+    loop.last = time;
+    const moving = bar.step(Math.min(since, 100)) || time - loop.sliding < STILL;
+    page.assembly?.draw(moving, since);
+    if (moving || page.assembly?.dirty) requestAnimationFrame(turn);
+    else loop.running = false;
+  };
+  bar.wake = () => {
+    if (loop.running) return;
+    loop.running = true;
+    loop.last = performance.now();
+    requestAnimationFrame(turn);
+  };
+  document.getElementById("angle").addEventListener("input", () => {
+    loop.sliding = performance.now();
+    bar.wake();
+  });
+  themed = () => {
+    page.charts.redraw();
+    page.assembly?.colour();
+    bar.changed();
+  };
+  printed = (on) => {
+    if (on) root.dataset.printing = "";
+    else delete root.dataset.printing;
+    page.charts.print(on);
+    page.assembly?.colour();
+    picture(page.assembly, on);
+    bar.changed();
+  };
+  return bar;
+}
+
+/** Shows the data that stands in the page. */
+async function own() {
+  let data;
+  try {
+    data = await load();
+  } catch {
+    trouble([
+      "This browser cannot unpack the page's data: the model stands still, and the curves are left out. All tables are below.",
+      "浏览器无法解压本页数据：模型静止显示，曲线从略。全部表格见下。",
+    ]);
+    return;
+  }
+  await present(data);
 }
 
 function picture(assembly, on) {
@@ -139,4 +160,6 @@ languages();
 addEventListener("beforeprint", () => printed(true));
 addEventListener("afterprint", () => printed(false));
 document.getElementById("print").addEventListener("click", () => print());
-model();
+// A page that is served has no data of its own: its second script asks for them, and shows them by these functions.
+globalThis.cadgenPage = { present, unpack, element, fill, pick, shapeStages, translated };
+if (document.getElementById("data")) own();

@@ -15,7 +15,7 @@ const WITH_EDGES = 2;
 export class Assembly {
   constructor(box, motion) {
     this.box = box;
-    this.motion = motion;
+    this.hidden = new Set(); // codes of parts that are not to be seen
     this.software = drawsInSoftware();
     this.renderer = new WebGLRenderer({ antialias: !this.software, powerPreference: "high-performance" });
     this.canvas = this.renderer.domElement;
@@ -36,9 +36,7 @@ export class Assembly {
     this.cut = new Plane(new Vector3(0, 0, 1), 0);
     this.level = 0; // of the picture now
     this.moving = this.software ? WITH_EDGES : 0; // of the picture while it moves
-    this.build();
-    this.colour();
-    this.frame();
+    this.use(motion);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.target.copy(this.middle);
     this.controls.enableDamping = false;
@@ -61,6 +59,26 @@ export class Assembly {
       this.materials[name] = made;
     }
     return this.materials[name];
+  }
+
+  /** Takes a model in place of the one before; the camera, the section and what is hidden stay. */
+  use(motion) {
+    this.motion = motion;
+    for (const meshes of this.groups.values()) {
+      for (const mesh of meshes) {
+        for (const geometry of new Set([mesh.geometry, mesh.userData.fine, mesh.userData.coarse])) geometry?.dispose();
+        for (const lines of mesh.children) lines.geometry.dispose();
+      }
+    }
+    this.root.clear();
+    this.groups = new Map();
+    this.fork = null;
+    this.build();
+    for (const code of this.hidden) this.visible(code, false);
+    this.colour();
+    this.frame();
+    if (this.cutting) this.section(...this.cutting);
+    if (this.sized) this.resolve(this.level);
   }
 
   build() {
@@ -190,6 +208,8 @@ export class Assembly {
   }
 
   visible(code, on) {
+    if (on) this.hidden.delete(code);
+    else this.hidden.add(code);
     for (const mesh of this.groups.get(code) ?? []) mesh.visible = on;
     this.ask();
   }
@@ -197,6 +217,7 @@ export class Assembly {
   /** Cuts everything away on one side of a plane; axis x, y, z of the page or null; share 0 to 1 of the whole. */
   section(axis, share) {
     const on = axis !== null;
+    this.cutting = on ? [axis, share] : null;
     if (on) {
       const place = this.low[axis] + share * (this.high[axis] - this.low[axis]);
       // What is on the camera's side goes.

@@ -5,6 +5,7 @@ import { element, pick, translated } from "./words.js";
 const SNAP = 9; // px: a corner of the mesh so near to the place is meant
 const CLICK = 5; // px
 
+/** Makes the tools; returns a function that fits them to another model. */
 export function tools(assembly) {
   const { box, canvas } = assembly;
   canvas.tabIndex = 0;
@@ -23,8 +24,13 @@ export function tools(assembly) {
     button.addEventListener("click", () => assembly.view(name));
     bar.append(button);
   }
-  bar.append(section(assembly), parts(assembly), measure(assembly));
+  const [list, picks] = [parts(assembly), measure(assembly)];
+  bar.append(section(assembly), list.menu, picks.button);
   box.after(bar);
+  return () => {
+    list.fill();
+    picks.clear();
+  };
 }
 
 function key(event, assembly) {
@@ -64,17 +70,21 @@ function section(assembly) {
 }
 
 function parts(assembly) {
-  const { parts: known } = assembly.motion.scene;
-  const list = known.map(({ code, label }) => [code, label]);
-  for (const [code, en, zh] of [["shafts", "shafts", "轴"], ["follower", "rod and fork", "从动杆与前叉"], ["wheel", "drive wheel", "驱动轮"]]) {
-    if (assembly.groups.has(code)) list.push([code, [en, zh]]);
-  }
-  const boxes = list.map(([code, label]) => {
-    const box = element("input", { type: "checkbox", checked: true });
-    box.addEventListener("change", () => assembly.visible(code, box.checked));
-    return element("label", {}, box, element("span", { text: label }));
-  });
-  return element("details", {}, element("summary", { text: ["Parts shown", "显示零件"] }), element("div", { class: "menu" }, ...boxes));
+  const menu = element("div", { class: "menu" });
+  const fill = () => {
+    const list = assembly.motion.scene.parts.map(({ code, label }) => [code, label]);
+    for (const [code, en, zh] of [["shafts", "shafts", "轴"], ["follower", "rod and fork", "从动杆与前叉"], ["wheel", "drive wheel", "驱动轮"]]) {
+      if (assembly.groups.has(code)) list.push([code, [en, zh]]);
+    }
+    const boxes = list.map(([code, label]) => {
+      const box = element("input", { type: "checkbox", checked: !assembly.hidden.has(code) });
+      box.addEventListener("change", () => assembly.visible(code, box.checked));
+      return element("label", {}, box, element("span", { text: label }));
+    });
+    menu.replaceChildren(...boxes);
+  };
+  fill();
+  return { fill, menu: element("details", {}, element("summary", { text: ["Parts shown", "显示零件"] }), menu) };
 }
 
 function measure(assembly) {
@@ -130,14 +140,17 @@ function measure(assembly) {
   };
   translated(say);
 
-  button.addEventListener("click", () => {
-    on = !on;
-    button.setAttribute("aria-pressed", String(on));
-    canvas.classList.toggle("picking", on);
+  const clear = () => {
     picks = [];
     place();
     say();
     assembly.ask();
+  };
+  button.addEventListener("click", () => {
+    on = !on;
+    button.setAttribute("aria-pressed", String(on));
+    canvas.classList.toggle("picking", on);
+    clear();
   });
   let down = null;
   canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
@@ -151,7 +164,7 @@ function measure(assembly) {
     say();
     assembly.ask();
   });
-  return button;
+  return { button, clear };
 }
 
 /** The nearest corner of the mesh under the pointer, or the place on its face. */

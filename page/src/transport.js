@@ -7,54 +7,66 @@ const QUIET = 700; // ms without a change until a screen reader is told
 
 const plain = (value, digits) => value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
-export function transport(motion, marks) {
+/** The bar; `use` gives it a model to move, and later another one at the same angle. */
+export function transport() {
   const bar = document.getElementById("transport");
   const [slider, shown, now, live, button, options] = ["angle", "angle-now", "now", "live", "go", "options"].map((id) =>
     document.getElementById(id),
   );
-  const state = { angle: 0, playing: false, play: Boolean(motion.withPlay), speed: 1 };
-  const listeners = [];
-  bar.hidden = false;
+  const state = { angle: 0, playing: false, play: true, speed: 1 };
+  const listeners = new Map();
+  let motion = null;
+  let fields = [];
+  let values = [];
 
   const speed = element("select", { label: ["Speed", "速度"] });
   for (const value of [0.1, 0.25, 0.5, 1, 2, 4]) speed.append(element("option", { value, selected: value === 1 }, `${value}×`));
   speed.addEventListener("change", () => (state.speed = Number(speed.value)));
-  if (motion.withPlay) {
-    const box = element("input", { type: "checkbox", checked: true, id: "with-play" });
-    box.addEventListener("change", () => {
-      state.play = box.checked;
-      changed();
-    });
-    options.append(element("label", { class: "switch" }, box, element("span", { text: ["with play", "有间隙"] })));
-  }
+  const box = element("input", { type: "checkbox", checked: true, id: "with-play" });
+  box.addEventListener("change", () => {
+    state.play = box.checked;
+    changed();
+  });
+  const withPlay = element("label", { class: "switch" }, box, element("span", { text: ["with play", "有间隙"] }));
   options.append(speed);
 
   const strip = document.getElementById("marks");
   const names = { peak: ["peak", "峰"], valley: ["valley", "谷"], blend: ["blend", "过渡段"] };
-  for (const { kind, angle } of marks) {
-    const degrees = (angle * 180) / Math.PI;
-    const mark = element("i", { class: kind });
-    mark.style.left = `${(degrees / TURN) * 100}%`;
-    if (kind === "blend") mark.style.width = `${100 - (degrees / TURN) * 100}%`;
-    translated(() => (mark.title = `${pick(names[kind])} ${degrees.toFixed(1)}°`));
-    strip.append(mark);
-  }
+  let titles = [];
+  translated(() => titles.forEach(([mark, kind, degrees]) => (mark.title = `${pick(names[kind])} ${degrees.toFixed(1)}°`)));
 
-  const fields = [
-    ["lift", ["lift", "升程"], (s) => `${plain(s.lift, 3)} mm`],
-    ["steer", ["steering", "转向角"], (s) => `${plain((motion.scene.car.steering * Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
-    ["pressure", ["pressure angle", "压力角"], (s) => `${plain(s.pressure, 1)}°`],
-    ["run", ["distance run", "行驶距离"], (s) => `${(s.run / 1000).toFixed(2)} m`],
-    ["off", ["off the plan", "偏离规划"], (s) => `${s.off.toFixed(1)} mm`],
-  ].filter(([code]) => code !== "off" || motion.goings.planned);
-  const values = fields.map(([code, label]) => {
-    const value = element("b");
-    now.append(element("span", { class: code }, element("small", { text: label }), value));
-    return value;
-  });
+  function use(model, marks) {
+    motion = model;
+    bar.hidden = false;
+    if (motion.withPlay) options.prepend(withPlay);
+    else withPlay.remove();
+    titles = marks.map(({ kind, angle }) => {
+      const degrees = (angle * 180) / Math.PI;
+      const mark = element("i", { class: kind });
+      mark.style.left = `${(degrees / TURN) * 100}%`;
+      if (kind === "blend") mark.style.width = `${100 - (degrees / TURN) * 100}%`;
+      mark.title = `${pick(names[kind])} ${degrees.toFixed(1)}°`;
+      return [mark, kind, degrees];
+    });
+    strip.replaceChildren(...titles.map(([mark]) => mark));
+    fields = [
+      ["lift", ["lift", "升程"], (s) => `${plain(s.lift, 3)} mm`],
+      ["steer", ["steering", "转向角"], (s) => `${plain((motion.scene.car.steering * Math.atan(s.tan) * 180) / Math.PI, 2)}°`],
+      ["pressure", ["pressure angle", "压力角"], (s) => `${plain(s.pressure, 1)}°`],
+      ["run", ["distance run", "行驶距离"], (s) => `${(s.run / 1000).toFixed(2)} m`],
+      ["off", ["off the plan", "偏离规划"], (s) => `${s.off.toFixed(1)} mm`],
+    ].filter(([code]) => code !== "off" || motion.goings.planned);
+    now.replaceChildren();
+    values = fields.map(([code, label]) => {
+      const value = element("b");
+      now.append(element("span", { class: code }, element("small", { text: label }), value));
+      return value;
+    });
+  }
 
   let quiet = 0;
   function changed() {
+    if (!motion) return;
     const current = motion.state((state.angle * Math.PI) / 180, state.play);
     const text = `${state.angle.toFixed(1)}°`;
     if (shown.value !== text) shown.value = text;
@@ -64,7 +76,7 @@ export function transport(motion, marks) {
       const value = format(current);
       if (values[i].textContent !== value) values[i].textContent = value;
     });
-    for (const listener of listeners) listener(current);
+    for (const listener of listeners.values()) listener(current);
     clearTimeout(quiet);
     if (!state.playing) quiet = setTimeout(() => tell(current), QUIET);
   }
@@ -105,9 +117,11 @@ export function transport(motion, marks) {
 
   const api = {
     state,
+    use,
     set,
     changed,
-    listen: (listener) => listeners.push(listener),
+    /** Calls a function with each state; another one of the same name takes its place. */
+    listen: (name, listener) => listeners.set(name, listener),
     /** Moves on by so many milliseconds; true as long as it plays. */
     step(milliseconds) {
       if (!state.playing) return false;

@@ -2,6 +2,11 @@
 const degrees = (rad) => (rad * 180) / Math.PI;
 const short = (value) => Math.round(value * 1000) / 1000;
 
+/** Gives each drawing its shape: places in shares of a drawing hold only where it fills its stage. */
+export function shapeStages() {
+  for (const stage of document.querySelectorAll(".stage")) stage.style.setProperty("--aspect", stage.dataset.aspect);
+}
+
 export function planViews(motion) {
   const find = (id) => document.getElementById(id);
   const [disc, inner, outer, point] = ["disc-layer", "rod-inner", "rod-outer", "rod-point"].map(find);
@@ -10,8 +15,7 @@ export function planViews(motion) {
   let carrying = "inner";
   let ran = null;
 
-  // Places in shares of a drawing hold only where the drawing fills its stage.
-  for (const stage of document.querySelectorAll(".stage")) stage.style.setProperty("--aspect", stage.dataset.aspect);
+  shapeStages();
   disc.style.transformOrigin = `${disc.dataset.origin} 50%`;
   const { left, top, width, size } = Object.fromEntries(Object.entries(floor.dataset).map(([key, value]) => [key, Number(value)]));
   for (const drawn of [car, ghost]) {

@@ -67,3 +67,9 @@ export function remembered(key, value) {
   }
   return value ?? null;
 }
+
+/** Puts HTML of this program into an element, in the language that the page has. */
+export function fill(node, html) {
+  node.innerHTML = html;
+  if (language === "zh") swap(node, "zh");
+}

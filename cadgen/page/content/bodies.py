@@ -1,13 +1,14 @@
 """Parts and shafts in 3D: the cam, the train beside it, the drive wheel's place."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import hypot
 
 from cadgen.build import cam_model
 from cadgen.errors import CadgenError
 from cadgen.meshes.disc import cam_mesh
 from cadgen.meshes.mesh import Mesh
-from cadgen.page.content.train import GAP, TurningPart, TurningTrain, turning_train
+from cadgen.page.content.train import GAP, Stand, TurningPart, TurningTrain, turning_train
 from cadgen.page.document import Part, Shaft, Text, Words
 from cadgen.page.words import say
 from cadgen.workflow.cam.plan import CamPlan
@@ -87,16 +88,20 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[Text]) -> list
     turning = () if train is None else tuple(reversed(train.parts))
     meshes: list[Mesh | None] = []
     for chord in _CHORDS:
-        meshes = [_disc(plan, chord, notes), *(part.mesh(chord) for part in turning)]
+        meshes = [_disc(plan, chord, notes), *(part.stand.mesh(chord) for part in turning)]
         if sum(len(mesh.triangles) for mesh in meshes if mesh is not None) <= MOST_TRIANGLES:
             break
-    disc, *others = meshes
+    disc = meshes[0]
     coarse = _disc(plan, _COARSE, notes)
     parts = [] if disc is None or coarse is None else [Part("cam", say("cam"), disc, coarse, 0, "cam")]
-    for number, (part, mesh) in enumerate(zip(turning, others, strict=True), 1):
-        assert mesh is not None
-        parts.append(Part(part.part.name, _label(part), mesh, part.mesh(_COARSE), number, "gear"))
+    for number, part in enumerate(turning, 1):
+        parts.append(_gear(part.part.name, _label(part), number, part.stand, chord))
     return parts
+
+
+@lru_cache(maxsize=64)  # the gears of a design whose path is edited stay as they are, normals and edges included
+def _gear(code: str, label: Words, shaft: int, stand: Stand, chord: float) -> Part:
+    return Part(code, label, stand.mesh(chord), stand.mesh(_COARSE), shaft, "gear")
 
 
 def _disc(plan: CamPlan, chord: float, notes: list[Text]) -> Mesh | None:
@@ -109,7 +114,7 @@ def _disc(plan: CamPlan, chord: float, notes: list[Text]) -> Mesh | None:
         return None
 
 
-def _label(turning: TurningPart) -> Text:
+def _label(turning: TurningPart) -> Words:
     part = turning.part
     teeth = " + ".join(str(wheel.teeth) for wheel in part.gears if hasattr(wheel, "teeth"))
     shown = f" ({teeth})" if teeth else ""

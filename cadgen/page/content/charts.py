@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.build import cam_model
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.rolled import Contact
-from cadgen.check import CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.page.document import Chart, Curve, Limit, Mark
 from cadgen.page.words import say
@@ -53,8 +53,7 @@ def _lift(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
 
 
 def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
-    limits = {check.code: check.limit for check in plan.checks}
-    rise, fall = limits[CheckCode.PRESSURE_ANGLE_RISE], limits[CheckCode.PRESSURE_ANGLE_RETURN]
+    limits = cam_model.check_limits(plan.design).pressure_angle
     values = np.degrees(contact.pressure_angle)
     return Chart(
         "pressure",
@@ -62,7 +61,7 @@ def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
         "°",
         theta,
         (Curve(say("pressure angle"), _closed(values)),),
-        (Limit(say("limit, rise"), rise), Limit(say("limit, return"), -fall)),
+        (Limit(say("limit, rise"), limits.rise), Limit(say("limit, return"), -limits.fall)),
     )
 
 

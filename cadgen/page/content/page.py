@@ -19,15 +19,6 @@ def page_of(plan: PagePlan) -> Page:
     scene, notes = scene_of(plan.cam, plan.gears)
     charted = charts_of(plan.cam, plan.simulation)
     design = plan.design
-    reasons = {refusal.part: refusal.reason for refusal in plan.refusals}
-    sections: list[Section] = [
-        checks_section(plan),
-        play_section(plan),
-        tolerance_section(plan.tolerance, reasons.get("tolerance", "")),
-        calibration_section(plan, reasons.get("calibration", "")),
-        inspection_section(plan),
-        parts_section(plan),
-    ]
     missing = () if design.train is not None else (say("no-gears"),)
     return Page(
         name=design.name,
@@ -38,13 +29,26 @@ def page_of(plan: PagePlan) -> Page:
         scene=scene,
         charts=charted.charts,
         marks=charted.marks,
-        sections=tuple(sections),
+        sections=() if plan.scope == "preview" else _sections(plan),
         notes=(*missing, *cam_notes(plan.cam), *notes),
         origin=(
             (say("file of the design"), design.source),
             (say("hash"), design.content_hash),
             (say("made with"), f"cadgen {__version__}"),
         ),
+    )
+
+
+def _sections(plan: PagePlan) -> tuple[Section, ...]:
+    reasons = {refusal.part: refusal.reason for refusal in plan.refusals}
+    without = say("not-while-edited" if plan.scope == "edited" else "no-tolerance")
+    return (
+        checks_section(plan),
+        play_section(plan),
+        tolerance_section(plan.tolerance, generated(reasons["tolerance"]) if "tolerance" in reasons else without),
+        calibration_section(plan, reasons.get("calibration", "")),
+        inspection_section(plan),
+        parts_section(plan),
     )
 
 

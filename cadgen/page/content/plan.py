@@ -1,13 +1,16 @@
 """Everything that a report page shows, computed once: cam, gears, runs, tolerance, calibration."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from cadgen.build import cam_model, variation
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.check import Check
-from cadgen.design.schema import Design
+from cadgen.design.schema import Design, TrainDesign
 from cadgen.errors import CheckError, DesignError, FileError
+from cadgen.gears.names import Order
+from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.cures import Cures, find_cures
 from cadgen.workflow.cam.plan import CamPlan, default_profile, plan_cam
@@ -18,6 +21,9 @@ from cadgen.workflow.runs.tolerance import ToleranceRun, tolerance_of
 
 if TYPE_CHECKING:
     from cadgen.workflow.calibration.plan import Calibration, Source
+
+
+MakeGears = Callable[[TrainDesign, Order, Progress], GearsPlan]
 
 
 @dataclass(frozen=True)
@@ -48,6 +54,8 @@ class PagePlan:
         tolerance: many cars; None where nothing varies.
         calibration: verdict on measured files; None without any.
         refusals: reasons for what is missing.
+        scope: what is shown: all of a `report`; without what takes long while the design is `edited`; or of a
+            `preview` model and curves alone.
     """
 
     cam: CamPlan
@@ -58,6 +66,7 @@ class PagePlan:
     tolerance: ToleranceRun | None
     calibration: "Calibration | None"
     refusals: tuple[Refusal, ...]
+    scope: Literal["report", "edited", "preview"] = "report"
 
     @property
     def design(self) -> Design:
@@ -102,17 +111,12 @@ def plan_page(
     """
     refusals: list[Refusal] = []
     with_play = bool(variation.play_bands(design)) and isinstance(cam_model.follower(design), LeaningRod)
-    try:
-        cam = plan_cam(design, profile, progress, all_trains=True, with_play=with_play)
-    except CheckError as error:
-        refusals.append(Refusal("profile", str(error), fails=True))
-        cam = plan_cam(design, "actual", progress)
-    gears = None
-    if design.train is not None:
-        try:
-            gears = plan_gears(design, "as-given", progress)
-        except DesignError as error:
-            refusals.append(Refusal("gears", str(error), fails=True))
+
+    def wanted() -> CamPlan:
+        return plan_cam(design, profile, progress, all_trains=True, with_play=with_play)
+
+    cam = _cam(design, wanted, refusals, progress)
+    gears = _gears(design, plan_gears, refusals, progress)
     simulation, run = None, None
     further: tuple[Remedy, ...] = ()
     if cam.against is not None:
@@ -136,6 +140,55 @@ def plan_page(
     if unread:
         refusals.append(Refusal("calibration", unread, fails=True))
     return PagePlan(cam, find_cures(cam, progress), gears, simulation, further, run, calibration, tuple(refusals))
+
+
+def plan_edited(design: Design, make_gears: MakeGears, progress: Progress = silent) -> PagePlan:
+    """Compute what is shown of a design while it is edited: what `cadgen check` computes, the gears and two runs.
+
+    Args:
+        design: loaded design.
+        make_gears: function that plans its train, `plan_gears` or one that keeps results.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: no cam can be computed.
+    """
+    refusals: list[Refusal] = []
+    cam = _cam(design, lambda: plan_cam(design, None, progress), refusals, progress)
+    gears = _gears(design, make_gears, refusals, progress)
+    progress("running the car")
+    simulation = None if cam.against is None else simulated(cam)
+    return PagePlan(cam, find_cures(cam, progress), gears, simulation, (), None, None, tuple(refusals), "edited")
+
+
+def plan_preview(design: Design, progress: Progress = silent) -> PagePlan:
+    """Compute the actual cam of a design alone, unchecked, for a first look.
+
+    Raises:
+        DesignError: no cam can be computed.
+    """
+    cam = plan_cam(design, ACTUAL.code, progress, judged=False)
+    return PagePlan(cam, Cures((), (), 0), None, None, (), None, None, (), "preview")
+
+
+def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], progress: Progress) -> CamPlan:
+    """The cam, or the actual one with a refusal if no profile keeps the limits of [optimize]."""
+    try:
+        return make()
+    except CheckError as error:
+        refusals.append(Refusal("profile", str(error), fails=True))
+        return plan_cam(design, ACTUAL.code, progress)
+
+
+def _gears(design: Design, make: MakeGears, refusals: list[Refusal], progress: Progress) -> GearsPlan | None:
+    """The train, or a refusal if it cannot be made; None without one."""
+    if design.train is None:
+        return None
+    try:
+        return make(design, "as-given", progress)
+    except DesignError as error:
+        refusals.append(Refusal("gears", str(error), fails=True))
+        return None
 
 
 def _measured_profile(design: Design, known: str) -> str:

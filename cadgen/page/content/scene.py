@@ -9,7 +9,8 @@ from cadgen.build import cam_model, course_model
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.course.body import place_of
-from cadgen.course.course import Gate, Shape
+from cadgen.course.course import Course, Gate, Shape
+from cadgen.design.schema import Design
 from cadgen.motion.drive import drive, start_pose
 from cadgen.motion.play import Following, follow
 from cadgen.page.content.bodies import Bodies, bodies_of
@@ -48,7 +49,7 @@ def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[Text,
         lift=Lift(lift=np.asarray(plan.rod.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
         stop=plan.lift.blend_start if plan.against is None else plan.against.task.lift.blend_start,
         goings=tuple(_goings(plan)),
-        floor=tuple(_floor(plan)),
+        floor=floor_of(plan.design),
         car=_car(plan),
         shafts=bodies.shafts,
         parts=bodies.parts,
@@ -125,11 +126,13 @@ def _car(plan: CamPlan) -> CarShape:
     )
 
 
-def _floor(plan: CamPlan) -> Iterator[Figure]:
+def floor_of(design: Design) -> tuple[Figure, ...]:
     """Everything on the floor."""
-    course = course_model.course(plan.design)
-    if course is None:
-        return
+    course = course_model.course(design)
+    return () if course is None else tuple(_figures(course))
+
+
+def _figures(course: Course) -> Iterator[Figure]:
     if course.edge is not None:
         yield _figure("edge", course.edge)
     for obstacle in course.obstacles:

@@ -11,15 +11,42 @@ The drive stands ahead by as much as makes the lead of the output 0 at u = 0.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import pi, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.prisms import body_mesh
+from cadgen.parts.body import Body
 
 GAP = 2.0  # mm between the cam, or its hub, and the stack of gears
+
+
+class Stand(NamedTuple):
+    """A body at its height along its shaft.
+
+    Attributes:
+        body: body of a part.
+        height: height of its own zero, mm.
+        side: -1 if it is turned over, else 1.
+    """
+
+    body: Body
+    height: float
+    side: float
+
+    def mesh(self, chord: float) -> Mesh:
+        """Its mesh about its own axis at the height where it stands, mm."""
+        return _stood(self, chord)
+
+
+@lru_cache(maxsize=128)  # chord by chord until the triangles are few enough; and again while a design is edited
+def _stood(stand: Stand, chord: float) -> Mesh:
+    mesh = body_mesh(stand.body, chord)
+    return Mesh(mesh.vertices * [1.0, stand.side, stand.side] + [0.0, 0.0, stand.height], mesh.triangles)
 
 
 @dataclass(frozen=True)
@@ -51,11 +78,10 @@ class TurningPart:
         """
         return self.angle + self.rate * motor + self.lead * share
 
-    def mesh(self, chord: float) -> Mesh:
-        """Its mesh about its own axis at the height where it stands, mm."""
-        mesh, side = body_mesh(self.part.body, chord), -1.0 if self.part.flipped else 1.0
-        height = self.part.height + self.lift
-        return Mesh(mesh.vertices * [1.0, side, side] + [0.0, 0.0, height], mesh.triangles)
+    @property
+    def stand(self) -> Stand:
+        """Its body where it stands along its shaft."""
+        return Stand(self.part.body, self.part.height + self.lift, -1.0 if self.part.flipped else 1.0)
 
     @property
     def range(self) -> tuple[float, float]:

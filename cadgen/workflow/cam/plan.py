@@ -148,6 +148,7 @@ def plan_cam(
     *,
     all_trains: bool = False,
     with_play: bool = False,
+    judged: bool = True,
 ) -> CamPlan:
     """Compute the profile of a design and check it.
 
@@ -157,6 +158,7 @@ def plan_cam(
         progress: function that is called with a few words on each step.
         all_trains: whether profiles against play are compared on the trains that the design does not use, too.
         with_play: whether the actual profile is compared under play, too.
+        judged: whether it is checked; one that is not for play may be looked at without.
 
     Raises:
         DesignError: the path cannot be driven, the rod leaves no disc, there is no such profile, or nothing is
@@ -166,18 +168,20 @@ def plan_cam(
     kind = default_profile(design) if profile is None else profile_of(profile)
     if kind.for_play or (with_play and kind is ACTUAL):
         return _plan_against_play(design, kind, progress, all_trains=all_trains, measured=_measured_cam(design))
-    return _plan(design, kind, progress)
+    return _plan(design, kind, progress, judged=judged)
 
 
-def _plan(design: Design, profile: Profile, progress: Progress) -> CamPlan:
+def _plan(design: Design, profile: Profile, progress: Progress, *, judged: bool = True) -> CamPlan:
     """Plan of a profile that is not for play."""
     progress("planning the path")
     track = cam_model.track(design)
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
     progress(f"computing the {profile} profile")
     wanted = profile.curve(lift, rod)
-    progress("checking the profile")
     cut = cam_model.as_built(design).precompensated(wanted.curve)
+    if not judged:
+        return CamPlan(design, profile, track, lift, rod, cut, wanted.trims, blank, ())
+    progress("checking the profile")
     limits = cam_model.check_limits(design)
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
     checks = (
@@ -204,7 +208,7 @@ def _plan_against_play(
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
     progress(f"computing the {profile} profile")
     checks = ProfileChecks(design, task_of(design, track, lift, rod))
-    against = against_play(profile, checks, all_trains=all_trains, measured=measured)
+    against = against_play(profile, checks, all_trains=all_trains, measured=measured, progress=progress)
     chosen = against.chosen
     progress("checking the profile")
     course, laps = on_course(design, track, lift), _laps(design, track, lift)

@@ -13,6 +13,7 @@ from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.profiles.profile import Profile
 from cadgen.optimize.profiles.table import compared
 from cadgen.optimize.task import Task, TrainTask
+from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.choosing import best_of
@@ -22,7 +23,12 @@ _LEAST_MISSED = 1e-4  # mm of lift; less is below what can be cut
 
 
 def against_play(
-    profile: Profile, checks: ProfileChecks, *, all_trains: bool = False, measured: MeasuredCam | None = None
+    profile: Profile,
+    checks: ProfileChecks,
+    *,
+    all_trains: bool = False,
+    measured: MeasuredCam | None = None,
+    progress: Progress = silent,
 ) -> Against:
     """Compare a profile, or the best of all that keep the design's limits and the cam's checks, with the plain one.
 
@@ -34,6 +40,7 @@ def against_play(
         checks: checks of the design's profiles.
         all_trains: whether the profiles are compared on the trains that the design does not use, too.
         measured: cam to compare with on a car as built; the actual profile if left out.
+        progress: function that is called with a few words before each profile.
 
     Raises:
         DesignError: the design has no play.
@@ -47,12 +54,13 @@ def against_play(
     reasons: list[str] = []
     for name, on_train in works.items():
         if name == order or all_trains:
-            compared_on[name], refusals = _evaluations(on_train, profile)
+            compared_on[name], refusals = _evaluations(on_train, profile, progress)
             reasons += refusals
         elif name == first and measured is None:
             compared_on[name] = (evaluate(on_train, ACTUAL),)
     chosen = compared_on[order][-1]
     if profile.best_of:
+        progress("choosing the profile")
         try:
             best = best_of(compared_on[order], work.band, checks)
         except CheckError as error:
@@ -80,7 +88,9 @@ def against_play(
     )
 
 
-def _evaluations(work: TrainTask, profile: Profile) -> tuple[tuple[Evaluation, ...], tuple[str, ...]]:
+def _evaluations(
+    work: TrainTask, profile: Profile, progress: Progress
+) -> tuple[tuple[Evaluation, ...], tuple[str, ...]]:
     """Evaluations of the actual and another profile, or of all that can be made; and why others cannot, in words."""
     plain = evaluate(work, ACTUAL)
     if not profile.best_of:
@@ -92,6 +102,7 @@ def _evaluations(work: TrainTask, profile: Profile) -> tuple[tuple[Evaluation, .
         return (plain,), (reason,)
     evaluations, refusals = [plain], dict[str, str]()
     for kind in compared()[1:]:
+        progress(f"computing the {kind} profile")
         try:
             evaluations.append(evaluate(work, kind))
         except DesignError as error:  # several may be refused for the same reason
@@ -130,7 +141,7 @@ def _other_order(works: Mapping[str, TrainTask], profile: Profile, checks: Profi
     """Advice on another order of the train's stages that keeps the limits and the checks; empty if there is none."""
     for name, work in works.items():
         try:
-            best = best_of(_evaluations(work, profile)[0], work.band, checks).evaluation
+            best = best_of(_evaluations(work, profile, silent)[0], work.band, checks).evaluation
         except (DesignError, CheckError):
             continue
         if not failing(checks.of(best)):

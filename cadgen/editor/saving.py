@@ -1,0 +1,126 @@
+"""The file of a design that is edited: written in one step, in its own folder alone, never over another's changes."""
+
+import os
+import shutil
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from cadgen.design.load import MOST_BYTES, packaged_designs, read_design
+from cadgen.design.names import name_fault
+from cadgen.errors import DesignError, FileError, brief
+from cadgen.reading import read_regular
+
+_MARK = b"\xef\xbb\xbf"  # with which some editors begin a file
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where a design comes from and goes to.
+
+    Attributes:
+        folder: folder that alone is written to.
+        file: file that is saved; None for a packaged design and for a link, which are saved under a new name.
+        content: bytes of the file as it was last read or written; empty without one.
+    """
+
+    folder: Path
+    file: Path | None
+    content: bytes
+
+    @classmethod
+    def of(cls, source: str | Path | None) -> "tuple[Origin, str, Path]":
+        """Origin, text and file of a design.
+
+        Raises:
+            DesignError: as `read_design`.
+        """
+        text, file = read_design(source)
+        packaged = file.resolve() in {known.resolve() for known in packaged_designs().values()}
+        if packaged or file.is_symlink():
+            return cls(Path.cwd() if packaged else file.absolute().parent, None, b""), text, file
+        content = (_MARK if _read(file).startswith(_MARK) else b"") + text.encode()
+        return cls(file.absolute().parent, file.absolute(), content), text, file
+
+    def save(self, text: str) -> "Origin":
+        """Write the design's file.
+
+        Raises:
+            DesignError: there is no such file yet: a name is needed.
+            FileError: the file was changed by another program, or cannot be written.
+        """
+        if self.file is None:
+            raise DesignError("this is a copy of a design that stays as it is: save it under a name of its own")
+        with suppress(OSError, ValueError):  # a file that was removed is written again
+            if _read(self.file) != self.content:
+                raise FileError(
+                    f"{brief(self.file.name)} was changed by another program since it was opened: save under another "
+                    "name, or open the design again"
+                )
+        content = (_MARK if self.content.startswith(_MARK) else b"") + text.encode()
+        _write(self.file, content)
+        return Origin(self.folder, self.file, content)
+
+    def save_as(self, name: str, text: str) -> "Origin":
+        """Write a new file in the design's folder.
+
+        Args:
+            name: name of the design and, with .toml, of its file.
+            text: TOML.
+
+        Raises:
+            DesignError: no file can have that name.
+            FileError: there is such a file already, or it cannot be written.
+        """
+        refuse_name(name)
+        file = self.folder / f"{name}.toml"
+        try:
+            # This takes the name, so that nobody's file is written over.
+            open(file, "x").close()
+        except FileExistsError:
+            raise FileError(f"{file.name} is there already: choose another name") from None
+        except OSError as error:
+            raise _unwritable(file, error) from None
+        content = text.encode()
+        try:
+            _write(file, content)
+        except FileError:
+            with suppress(OSError):
+                file.unlink()
+            raise
+        return Origin(self.folder, file, content)
+
+
+def refuse_name(name: str) -> None:
+    """Refuse a name that no file can have.
+
+    Raises:
+        DesignError: with the reason.
+    """
+    if fault := name_fault(name):
+        raise DesignError(f'the name is "{brief(name, 80)}"; it must {fault}')
+
+
+def _read(file: Path) -> bytes:
+    return read_regular(file, MOST_BYTES)
+
+
+def _write(file: Path, content: bytes) -> None:
+    """Write a file so that it has, whatever happens, either its old content or the new one."""
+    staging = file.with_name(f".{file.name}.{os.getpid()}.saving")
+    try:
+        with open(staging, "wb") as stream:
+            stream.write(content)
+            stream.flush()
+            os.fsync(stream.fileno())
+        with suppress(OSError):
+            shutil.copymode(file, staging)
+        os.replace(staging, file)
+    except OSError as error:
+        with suppress(OSError):
+            staging.unlink()
+        raise _unwritable(file, error) from None
+
+
+def _unwritable(file: Path, error: OSError) -> FileError:
+    return FileError(f"{brief(str(file))} cannot be written ({error.strerror}): make room, or open the folder to you")

@@ -1,0 +1,177 @@
+"""One design that is edited: its text, the changes made and undone, and its file."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from pathlib import Path
+from threading import Lock
+from typing import Any
+
+from cadgen.design.load import design_of
+from cadgen.design.parse import parse
+from cadgen.design.schema import Design
+from cadgen.editor.controls import groups_of
+from cadgen.editor.points import points_of
+from cadgen.editor.saving import Origin, refuse_name
+from cadgen.editor.text import Value, applied, changed
+from cadgen.errors import DesignError, brief
+
+MOST_STEPS = 200  # that can be undone
+
+
+@dataclass(frozen=True)
+class Version:
+    """The design between two changes.
+
+    Attributes:
+        text: TOML.
+        design: the same, checked.
+    """
+
+    text: str
+    design: Design
+
+    @cached_property
+    def keys(self) -> frozenset[str]:
+        """Keys that can be changed."""
+        controls = (control.key for group in groups_of(self.design, self.design) for control in group.controls)
+        return frozenset(controls) | frozenset(point.key for point in points_of(self.design))
+
+
+class Session:
+    """A design that is edited; each method is safe to call from several threads.
+
+    Attributes:
+        revision: number of the version now; each change, undo and redo makes another one.
+    """
+
+    def __init__(self, source: str | Path | None, overrides: Sequence[str] = ()) -> None:
+        """Open a design.
+
+        Args:
+            source: packaged design or file, as of `cadgen.design.load.load_design`.
+            overrides: `key=value` each, written into the text as a first change.
+
+        Raises:
+            DesignError: no such design, or it is none.
+        """
+        self._lock = Lock()
+        self._origin, text, self._file = Origin.of(source)
+        self._opened = self._saved = self._now = Version(text, design_of(text, self._file))
+        self._undo: list[Version] = []
+        self._redo: list[Version] = []
+        self._gesture: str | None = None
+        self.revision = 1
+        if overrides:
+            self._step(Version(*applied(text, self._file, list(overrides))))
+
+    @property
+    def now(self) -> Version:
+        """The design as it is now."""
+        return self._now
+
+    @property
+    def name(self) -> str:
+        """Name of the design."""
+        return self._now.design.name
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether there are changes that are in no file."""
+        return self._now.text != self._saved.text
+
+    def job(self) -> tuple[int, str, str]:
+        """Revision, text and name of the file, of one moment."""
+        with self._lock:
+            return self.revision, self._now.text, self._file.name
+
+    def change(self, changes: Mapping[str, Value], gesture: str | None = None) -> None:
+        """Change some numbers.
+
+        Args:
+            changes: new value by key.
+            gesture: name of the move that the change is part of: all changes of one are undone together.
+
+        Raises:
+            DesignError: a key cannot be changed here, or the result is no design; nothing has changed then.
+        """
+        with self._lock:
+            for key in changes:
+                if key not in self._now.keys:
+                    raise DesignError(f"{brief(key, 60)} cannot be changed here: change it in a text editor")
+            version = Version(*changed(self._now.text, self._file, changes))
+            if version.text == self._now.text:
+                return
+            if gesture is not None and gesture == self._gesture and self._undo:
+                self._now = version
+                self.revision += 1
+            else:
+                self._step(version)
+            self._gesture = gesture
+
+    def undo(self) -> None:
+        """Take the last change back; nothing without one."""
+        with self._lock:
+            self._back(self._undo, self._redo)
+
+    def redo(self) -> None:
+        """Make the change again that was taken back; nothing without one."""
+        with self._lock:
+            self._back(self._redo, self._undo)
+
+    def save(self, name: str | None = None) -> str:
+        """Write the design's file, and return its name.
+
+        Args:
+            name: name of a new design and, with .toml, of its file; the file that was opened if left out.
+
+        Raises:
+            DesignError: a copy of a packaged design needs a name, or no file can have it.
+            FileError: a new file is there already, the old one was changed meanwhile, or writing fails.
+        """
+        with self._lock:
+            if name is None:
+                self._origin = self._origin.save(self._now.text)
+            else:
+                refuse_name(name)
+                version = self._now
+                if "name" in parse(version.text):
+                    version = Version(*applied(version.text, self._file, [f'name="{name}"']))
+                self._origin = self._origin.save_as(name, version.text)
+                self._file = self._origin.folder / f"{name}.toml"
+                if version.text != self._now.text:
+                    self._now = Version(version.text, design_of(version.text, self._file))
+                    self.revision += 1
+            self._saved = self._now
+            self._gesture = None
+            return self._file.name
+
+    def state(self) -> dict[str, Any]:
+        """Everything that the page shows beside the results, as plain values."""
+        with self._lock:
+            design = self._now.design
+            return {
+                "revision": self.revision,
+                "name": design.name,
+                "file": self._file.name,
+                "folder": str(self._origin.folder),
+                "copy": self._origin.file is None,
+                "unsaved": self.unsaved,
+                "undo": len(self._undo),
+                "redo": len(self._redo),
+                "groups": [asdict(group) for group in groups_of(design, self._opened.design)],
+                "points": [asdict(point) for point in points_of(design)],
+            }
+
+    def _step(self, version: Version) -> None:
+        self._undo = [*self._undo[1 - MOST_STEPS :], self._now]
+        self._redo = []
+        self._now = version
+        self.revision += 1
+
+    def _back(self, source: list[Version], target: list[Version]) -> None:
+        if source:
+            target.append(self._now)
+            self._now = source.pop()
+            self._gesture = None
+            self.revision += 1

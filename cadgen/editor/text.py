@@ -1,0 +1,76 @@
+"""A change of a design file's text: the numbers named change, and everything else stays, comments among it."""
+
+from collections.abc import Mapping
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from cadgen.design.load import design_of
+from cadgen.design.override import override
+from cadgen.design.parse import parse
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError, brief
+
+# A number, or the coordinates of a point.
+Value = float | int | tuple[float, float]
+
+MOST_CHANGES = 100  # in one request
+
+
+def read_changes(raw: object) -> dict[str, Value]:
+    """Changes as a request has them, checked for their form.
+
+    Raises:
+        DesignError: they are no numbers or pairs of numbers by key.
+    """
+    if not isinstance(raw, dict) or not 0 < len(raw) <= MOST_CHANGES:
+        raise DesignError(f"changes must be 1 to {MOST_CHANGES} numbers or pairs [x, y] by their keys")
+    return {key: _value(key, value) for key, value in raw.items()}
+
+
+def _value(key: str, value: object) -> Value:
+    if _number(value):
+        return value  # type: ignore[return-value]
+    if isinstance(value, list) and len(value) == 2 and all(map(_number, value)):
+        return (float(value[0]), float(value[1]))
+    raise DesignError(f"{brief(key, 60)} must be a number, or a pair [x, y] of numbers")
+
+
+def _number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < 1e15 and isfinite(value)
+
+
+def changed(text: str, file: Path, changes: Mapping[str, Value]) -> tuple[str, Design]:
+    """Text of a design with some numbers changed, and the design that it is.
+
+    Args:
+        text: TOML.
+        file: path of the file, for messages.
+        changes: new value by dotted key, items of lists counted from 1.
+
+    Raises:
+        DesignError: the result is no design, in a sentence; or the text cannot be changed and read back.
+    """
+    return applied(text, file, [f"{key}={_written(value)}" for key, value in changes.items()])
+
+
+def applied(text: str, file: Path, overrides: list[str]) -> tuple[str, Design]:
+    """Text of a design with overrides written into it, and the design that it is; as `changed`."""
+    import tomlkit  # only here: opening a design writes none
+
+    values = parse(text)
+    document: Any = tomlkit.parse(text)
+    for change in overrides:
+        override(values, change)
+        override(document, change)
+    result = str(document.as_string())
+    if parse(result) != values:
+        raise DesignError(
+            f"{brief(file.name)}: this change cannot be written into the file as it is laid out; make it in a text "
+            "editor, and open the design again"
+        )
+    return result, design_of(result, file)
+
+
+def _written(value: Value) -> str:
+    return f"[{value[0]!r}, {value[1]!r}]" if isinstance(value, tuple) else repr(value)

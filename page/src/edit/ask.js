@@ -1,0 +1,24 @@
+// Requests to the server that the page came from; addresses are relative, and so carry the token.
+
+/** A refusal: a sentence, and the status if the server has answered. */
+class Refusal extends Error {
+  constructor(sentence, status, floor) {
+    super(sentence);
+    Object.assign(this, { status, floor });
+  }
+}
+
+/** Asks for something; with a body it is sent. */
+export async function ask(path, body) {
+  const options = body === undefined ? {} : { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) };
+  let response;
+  let answer;
+  try {
+    response = await fetch(path, options);
+    answer = await response.json();
+  } catch (error) {
+    throw new Refusal(String(error), undefined);
+  }
+  if (!response.ok) throw new Refusal(answer.error, response.status, answer.floor);
+  return answer;
+}

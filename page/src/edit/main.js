@@ -1,0 +1,190 @@
+// Edits the design: sends changes one after the other, and shows the results as they come, the newest alone.
+import { ask } from "./ask.js";
+import { controls } from "./controls.js";
+import { handles } from "./handles.js";
+import { toolbar } from "./toolbar.js";
+
+const { element, fill, pick, present, shapeStages, translated, unpack } = globalThis.cadgenPage;
+const root = document.documentElement;
+
+let state = null; // of the server's design, after the last change that it took
+let whole = null; // data of the last whole result: a preview has the cam alone
+let pending = null; // change that waits for the one before
+let sending = false;
+let place = null; // shows a sentence where the last change was made
+const shown = { preview: 0, whole: 0 }; // revisions
+const faults = new Set(); // functions that take a sentence away
+
+const STATES = {
+  computing: ["computing …", "计算中……"],
+  preview: ["preview: actual profile", "预览：实际轮廓"],
+  whole: ["up to date", "已更新"],
+  fault: ["the last good part is shown", "显示上一个有效结果"],
+  none: ["cannot be computed", "无法计算"],
+  gone: [
+    "cadgen edit has ended, or cannot be reached: start it again. What is not saved stays on this page until you close it.",
+    "cadgen edit 已结束或无法访问：请重新启动。未保存的内容在关闭本页前仍显示。",
+  ],
+};
+
+const bar = toolbar({ act, saved: (name) => act("save", name ? { name } : {}) });
+const panel = controls(document.getElementById("edit"), change);
+const floor = handles(document.getElementById("course-figure"), change);
+const general = element("p", { id: "general-fault", class: "fault", role: "alert" });
+document.getElementById("edit").prepend(general);
+let status = "computing";
+translated(() => bar.status(pick(STATES[status])));
+
+function tell(code) {
+  status = code;
+  root.dataset.state = code;
+  bar.status(pick(STATES[code]));
+}
+
+/** Takes a state of the server's: all numbers, points and buttons follow it. */
+function take(answer) {
+  state = answer;
+  bar.show(state);
+  panel.show(state);
+  floor.show(state);
+  document.title = `${state.unsaved ? "• " : ""}${state.name} · cadgen`;
+  document.querySelector("h1 span").textContent = state.name;
+  if (state.revision > shown.whole) root.dataset.stale = "";
+}
+
+function clearFaults() {
+  for (const clear of faults) clear();
+  faults.clear();
+}
+
+/** Shows a sentence where the change was made, or above the controls. */
+function complain(sentence, where) {
+  clearFaults();
+  faults.add((where ?? inGeneral)(sentence));
+}
+
+function inGeneral(sentence) {
+  general.textContent = sentence;
+  return () => (general.textContent = "");
+}
+
+/**
+ * Sends a change, or lets it wait for the one before; of changes that wait, the last value of each key counts.
+ * `settled` ends a move: the whole result is then computed, too. `where` shows a sentence at its place.
+ */
+async function change({ changes, gesture, settled, where }) {
+  pending = { changes: { ...pending?.changes, ...changes }, gesture, settled, where };
+  if (sending) return;
+  sending = true;
+  while (pending) {
+    const now = pending;
+    pending = null;
+    place = now.where;
+    let taken = true;
+    try {
+      if (Object.keys(now.changes).length) take(await ask("change", { changes: now.changes, gesture: now.gesture }));
+    } catch (error) {
+      taken = false;
+      fail(error, now.where);
+    }
+    const preview = taken ? show("preview") : null;
+    if (now.settled) {
+      if (!taken && state) take(state);
+      show("whole");
+    }
+    await preview;
+  }
+  sending = false;
+}
+
+/** Undoes, redoes or saves. */
+async function act(what, body = {}) {
+  try {
+    const before = state.revision;
+    take(await ask(what, body));
+    place = null;
+    if (state.revision !== before) {
+      clearFaults();
+      await results();
+    }
+    return null;
+  } catch (error) {
+    if (error.status === undefined) fail(error, null);
+    return error.message;
+  }
+}
+
+const results = () => Promise.all([show("preview"), show("whole")]);
+
+/** Asks for a result of the design as it is now, and shows it, unless something newer is there by then. */
+async function show(stage) {
+  const { revision } = state;
+  if (shown[stage] === revision) return;
+  tell("computing");
+  const where = place;
+  try {
+    const answer = await ask(`result?stage=${stage}&revision=${revision}`);
+    const data = await unpack(answer.document, answer.block);
+    if (revision < Math.max(shown.whole, shown.preview) || (stage === "preview" && shown.whole >= revision)) return;
+    if (revision !== state.revision && stage === "whole") return;
+    shown[stage] = revision;
+    if (stage === "whole") whole = data;
+    else if (whole) withGears(data.scene, whole.scene);
+    lay(answer.pieces);
+    await present(data);
+    floor.place();
+    root.dataset[stage] = revision;
+    if (revision !== state.revision) return;
+    clearFaults();
+    if (stage === "whole") delete root.dataset.stale;
+    tell(stage);
+  } catch (error) {
+    if (error.status === 409 || revision !== state.revision) return;
+    if (error.floor && !shown.preview && !shown.whole) {
+      lay({ "course-box": error.floor });
+      shapeStages();
+      floor.place();
+    }
+    fail(error, where);
+  }
+}
+
+/** A preview's scene with the shafts and gears of the last whole one. */
+function withGears(scene, last) {
+  scene.parts = [...scene.parts, ...last.parts.filter(({ shaft }) => shaft > 0)];
+  scene.shafts = last.shafts;
+  scene.wheel = last.wheel;
+}
+
+function lay(pieces) {
+  for (const [id, html] of Object.entries(pieces)) {
+    const node = document.getElementById(id);
+    if (id === "course-box") {
+      // The points above it are being dragged: only the drawing under them changes.
+      const made = document.createElement("div");
+      fill(made, html);
+      floor.ground(made.firstElementChild);
+    } else if (node) fill(node, html);
+  }
+  document.getElementById("failures")?.setAttribute("tabindex", "0"); // it scrolls, by keys too
+}
+
+function fail(error, where) {
+  if (error.status === undefined) {
+    tell("gone");
+    complain(pick(STATES.gone), null);
+    return;
+  }
+  tell(shown.preview || shown.whole ? "fault" : "none");
+  complain(error.message, where);
+}
+
+addEventListener("beforeunload", (event) => {
+  if (state?.unsaved) event.preventDefault();
+});
+
+tell("computing");
+ask("state").then((answer) => {
+  take(answer);
+  results();
+}, (error) => fail(error, null));

@@ -1,0 +1,99 @@
+// Undo, redo, save, and what the program is doing.
+const { element, pick, translated } = globalThis.cadgenPage;
+
+export function toolbar({ act, saved }) {
+  const make = (id, text, label, run) => {
+    const button = element("button", { type: "button", id, text, label });
+    button.addEventListener("click", run);
+    return button;
+  };
+  const undo = make("undo", ["Undo", "撤销"], ["Undo (Ctrl+Z)", "撤销（Ctrl+Z）"], () => act("undo"));
+  const redo = make("redo", ["Redo", "重做"], ["Redo (Ctrl+Y)", "重做（Ctrl+Y）"], () => act("redo"));
+  const save = make("save", ["Save", "保存"], ["Save (Ctrl+S)", "保存（Ctrl+S）"], () => store());
+  const saveAs = make("save-as", ["Save as …", "另存为……"], ["Save under another name", "以其他名称保存"], () => ask());
+  document.querySelector(".tools").prepend(undo, redo, save, saveAs);
+  const line = element("output", { id: "status", role: "status", "aria-live": "polite" });
+  document.getElementById("verdict").after(line);
+
+  let state = null;
+  const dialog = naming((name) => saved(name));
+  const ask = () => dialog.open(state);
+  const store = async () => {
+    if (state.copy) return ask();
+    const sentence = await saved();
+    return sentence ? dialog.open(state, sentence) : undefined;
+  };
+
+  addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    const key = event.key.toLowerCase();
+    const typing = event.target.matches?.("input[type=number], input[type=text]");
+    if (key === "s") {
+      event.preventDefault();
+      store();
+    } else if (!typing && (key === "y" || (key === "z" && event.shiftKey))) {
+      event.preventDefault();
+      act("redo");
+    } else if (!typing && key === "z") {
+      event.preventDefault();
+      act("undo");
+    }
+  });
+
+  return {
+    status: (text) => (line.textContent = text),
+    show(now) {
+      state = now;
+      undo.disabled = !now.undo;
+      redo.disabled = !now.redo;
+      save.disabled = !now.unsaved && !now.copy;
+      save.classList.toggle("due", now.unsaved);
+    },
+  };
+}
+
+/** The dialog that asks for a name. */
+function naming(saved) {
+  const input = element("input", { type: "text", id: "save-name", maxlength: 64, autocomplete: "off", spellcheck: "false" });
+  const fault = element("p", { class: "fault", role: "alert" });
+  const place = element("p", { class: "hint" });
+  const [yes, no] = [element("button", { type: "button", class: "due", text: ["Save", "保存"] }), element("button", { type: "button", text: ["Cancel", "取消"] })];
+  const dialog = element(
+    "dialog",
+    { id: "naming", label: ["Save under another name", "以其他名称保存"] },
+    element("label", { for: "save-name", text: ["Name of the design and of its file", "设计及文件的名称"] }),
+    input,
+    place,
+    fault,
+    element("div", { class: "buttons" }, yes, no),
+  );
+  document.body.append(dialog);
+  let folder = "";
+  const where = () => {
+    const file = `${folder}/${input.value || "…"}.toml`;
+    place.textContent = pick([`The file will be ${file}`, `文件将为 ${file}`]);
+  };
+  translated(where);
+  const go = async () => {
+    fault.textContent = "";
+    const sentence = await saved(input.value.trim());
+    if (sentence) fault.textContent = sentence;
+    else dialog.close();
+  };
+  input.addEventListener("input", where);
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") go();
+  });
+  yes.addEventListener("click", go);
+  no.addEventListener("click", () => dialog.close());
+  return {
+    open(state, sentence = "") {
+      ({ folder } = state);
+      input.value = `${state.name.slice(0, 60)}_2`;
+      fault.textContent = sentence;
+      where();
+      dialog.showModal();
+      input.select();
+    },
+  };
+}

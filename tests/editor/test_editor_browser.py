@@ -1,0 +1,112 @@
+"""The editor in a browser: points are dragged, the cam follows, and the file is saved. Skipped without a Chromium."""
+
+import threading
+
+import pytest
+
+from tests.editor.conftest import TEXT
+from tests.page.chromium import ARGUMENTS, READY, chromium_path
+
+CURRENT = "html[data-whole]:not([data-stale])"
+
+
+@pytest.fixture
+def served(service, address):
+    """The small design on a port of its own, computed in this process."""
+    uvicorn = pytest.importorskip("uvicorn")
+    from cadgen.editor.guard import Address
+    from cadgen.editor.running import bound_socket
+    from cadgen.editor.server import application
+
+    listening = bound_socket(0)
+    own = Address(listening.getsockname()[1], address.token)
+    server = uvicorn.Server(uvicorn.Config(application(service, own), log_level="critical", lifespan="off"))
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
+    thread.start()
+    yield own.url
+    server.should_exit = True
+    thread.join()
+
+
+@pytest.fixture
+def shown(served):
+    path = chromium_path()
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=ARGUMENTS)
+        page = browser.new_page(viewport={"width": 1280, "height": 720}, locale="en-GB")
+        page.set_default_timeout(120_000)
+        page.said = []
+        page.on("console", lambda message: page.said.append(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: page.said.append(str(error)))
+        page.goto(served)
+        page.wait_for_selector(READY, state="attached")
+        page.wait_for_selector(CURRENT, state="attached")
+        yield page
+        browser.close()
+
+
+def current(page, session):
+    """Wait until the page shows the design as it is now."""
+    page.wait_for_selector(f'{CURRENT}[data-whole="{session.revision}"]', state="attached")
+
+
+def dragged(page, key, right, down):
+    """Drag a point by so many pixels."""
+    box = page.locator(f'.handle[data-key="{key}"]').bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + right / 2, y + down / 2)
+    page.mouse.move(x + right, y + down)
+    page.mouse.up()
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
+    disc, key = "document.querySelector('#cam-box .disc').getAttribute('d')", "path.waypoints_mm.3"
+    before, camera = shown.evaluate(disc), shown.locator("#scene canvas").count()
+    dragged(shown, key, 6, -4)
+    shown.wait_for_selector(f'{CURRENT}:not([data-whole="1"])', state="attached")
+    current(shown, session)
+    assert shown.evaluate(disc) != before
+    assert shown.locator("#scene canvas").count() == camera == 1
+    x, y = session.now.design.path.keys.waypoints_mm[2]
+    assert x > 2600.0
+    assert y > 1200.0
+    assert [float(field.input_value()) for field in shown.locator("#point-bar input").all()] == [x, y]
+    assert shown.title().startswith("• small")
+
+    # A turn that cannot be driven: the sentence stands below the course, and the last good cam stays.
+    good = shown.evaluate(disc)
+    shown.locator("#point-bar input").first.fill("1510")
+    shown.locator("#point-bar input").last.fill("210")
+    shown.keyboard.press("Tab")
+    shown.wait_for_selector("html[data-state=fault]", state="attached")
+    assert shown.locator("#course-figure .fault").inner_text()
+    assert shown.evaluate(disc) == good
+    while session.state()["undo"] > 1:
+        steps = session.state()["undo"]
+        with shown.expect_response("**/undo"):
+            shown.locator("#undo").click()
+        assert session.state()["undo"] == steps - 1
+    current(shown, session)
+    assert not shown.locator("#course-figure .fault").inner_text()
+
+    # A number that the schema refuses is refused at its field.
+    number = shown.locator("#control-cam-thickness_mm")
+    number.fill("60")
+    number.press("Enter")
+    refused = shown.locator('.control[data-key="cam.thickness_mm"] .fault')
+    refused.wait_for(state="visible")
+    assert "faces" in refused.inner_text()
+    assert session.now.design.cam.thickness_mm == 3
+
+    shown.keyboard.press("Control+s")
+    shown.wait_for_selector("#save:not(.due)")
+    assert shown.title().startswith("small")
+    assert file.read_text() == TEXT.replace("[2600.0, 1200.0]", f"[{x!r}, {y!r}]")
+    # Refusals are statuses, which the browser reports; nothing else is.
+    assert all("422" in text for text in shown.said), shown.said
