@@ -40,6 +40,7 @@ The rooms, in walking order; each imports only those before it.
 | `report`      | pictures, as PNG and SVG                                                  |
 | `drawing`     | drawings for a workshop: sheets as data, as DXF and as PDF                |
 | `workflow`    | one job from design to verified files                                     |
+| `exploration` | studies of many designs: plans, search, figures, journal, engines         |
 | `page`        | the report page: one HTML file with model, curves and tables              |
 | `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
 | `cli`         | the commands                                                              |
@@ -61,6 +62,7 @@ _HOMES = {
     "Design": "api.design",
     "DesignError": "errors",
     "FileError": "errors",
+    "Exploration": "api.exploration",
     "Gear": "api.gear",
     "GearPair": "api.gears",
     "GearTrain": "api.gears",
@@ -78,6 +80,7 @@ _HOMES = {
     "Written": "api.files",
     "WrittenFile": "api.files",
     "draw": "api.drawing",
+    "explore": "api.exploration",
     "verify": "api.files",
 }
 
@@ -90,6 +93,7 @@ if TYPE_CHECKING:
     from cadgen.api.card import Card
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
+    from cadgen.api.exploration import Exploration, explore
     from cadgen.api.files import Written, WrittenFile, verify
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
@@ -110,6 +114,7 @@ __all__ = [
     "Comparison",
     "Design",
     "DesignError",
+    "Exploration",
     "FileError",
     "Gear",
     "GearPair",
@@ -129,6 +134,7 @@ __all__ = [
     "WrittenFile",
     "__version__",
     "draw",
+    "explore",
     "verify",
 ]
 

@@ -14,12 +14,14 @@
 | `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
 | `calibrate` | `cadgen calibrate`: measured files -> effects missing in the design |
 | `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
+| `explore`   | `cadgen explore`, `cadgen merge`: studies of many designs          |
 | `report`    | `cadgen report`: a page with model, curves and tables            |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
 | `options`   | arguments and options that several commands share                  |
 | `show`      | tables of checks and files, progress, JSON                         |
 | `show_play` | tables of profiles, runs, remedies and budgets                     |
 | `show_plan` | a planned path, a card of settings                                |
+| `show_exploration` | results of a study                                         |
 | `show_adjustment` | what to set after trial runs                                |
 | `output`    | standard output and sentences on standard error                    |
 | `interrupt` | signals                                                            |
@@ -46,6 +48,7 @@ from cadgen.cli.cam import cam
 from cadgen.cli.card import card
 from cadgen.cli.check import check
 from cadgen.cli.draw import draw
+from cadgen.cli.explore import explore, merge
 from cadgen.cli.gears import gears
 from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
@@ -90,6 +93,8 @@ cli.add_command(optimize)
 cli.add_command(tolerance)
 cli.add_command(calibrate)
 cli.add_command(adjust)
+cli.add_command(explore)
+cli.add_command(merge)
 cli.add_command(report)
 cli.add_command(verify)
 
