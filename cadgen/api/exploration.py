@@ -14,10 +14,10 @@ from cadgen.api.values import Frozen, frozen, name_or_path, whole
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.exploration import scripts
 from cadgen.exploration.engines import Cluster, Engine, Mapped, Processes, engine_of
-from cadgen.exploration.files import Summary, write_summary
 from cadgen.exploration.figures.figure import Figure as Figure
 from cadgen.exploration.figures.table import register as register_figure
 from cadgen.exploration.figures.table import remove as remove_figure
+from cadgen.exploration.files import Summary, write_summary
 from cadgen.exploration.journal import Journal
 from cadgen.exploration.merge import merged
 from cadgen.exploration.read import read_study

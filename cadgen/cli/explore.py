@@ -25,7 +25,7 @@ _CLUSTERS = ("slurm", "kubernetes")
 @click.option(
     "--cluster", type=click.Choice(_CLUSTERS), help="Write a job script for --jobs shards, and compute nothing."
 )
-@click.option("--jobs", type=click.IntRange(1, 10_000), default=None, help="Number of jobs of --cluster.  [default: 10]")
+@click.option("--jobs", type=click.IntRange(1, 10_000), default=None, help="Jobs of --cluster.  [default: 10]")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
 def explore(
     study: Path,

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.exploration.evaluate import Row
@@ -12,7 +13,7 @@ _BINS = 10  # of a key with more values than that
 
 
 def effects(study: Study, rows: Sequence[Row]) -> dict[str, dict[str, float]]:
-    """Share of variance by figure and key, 0 to 1: the correlation ratio, which needs neither order nor a straight line.
+    """Share of variance by figure and key, 0 to 1: the correlation ratio, for which keys need no order.
 
     The variance of a figure's means over the values of a key, or over ten groups of a range with as many designs each,
     is held against its whole variance; of n designs in k groups chance alone gives (k - 1) / (n - 1), which is taken
@@ -34,22 +35,22 @@ def effects(study: Study, rows: Sequence[Row]) -> dict[str, dict[str, float]]:
     return result
 
 
-def _groups(values: Sequence[object]) -> Array:
+def _groups(values: Sequence[object]) -> NDArray[np.int64]:
     """Number of the group of each value."""
     distinct = sorted(set(map(_hashable, values)), key=lambda value: (isinstance(value, str), value))
     numbers = {value: number for number, value in enumerate(distinct)}
-    places = np.array([numbers[_hashable(value)] for value in values])
+    places = np.array([numbers[_hashable(value)] for value in values], dtype=np.int64)
     if len(distinct) <= _BINS:
         return places
     rank = np.argsort(np.argsort(places, kind="stable"), kind="stable")
-    return rank * _BINS // len(rank)
+    return np.asarray(rank * _BINS // len(rank))
 
 
 def _hashable(value: object) -> float | str:
     return float(value) if isinstance(value, int | float) else str(value)
 
 
-def _share(groups: Array, figures: Array) -> float:
+def _share(groups: NDArray[np.int64], figures: Array) -> float:
     count = np.bincount(groups)
     used = count > 0
     means = np.bincount(groups, figures)[used] / count[used]

@@ -165,7 +165,7 @@ def engine_of(executor: Any) -> Engine | Mapped:
     if callable(function):
         return Mapped(function)
     raise DesignError(
-        f"the executor is {brief(repr(executor), 60)}; it must have a method submit or map, or be a function such as map"
+        f"the executor is {brief(repr(executor), 60)}; it must have a method submit or map, or be a function like map"
     )
 
 
@@ -182,5 +182,3 @@ def _begin(inherited: int | None) -> None:
 def _end_with(sentinel: int) -> None:
     wait([sentinel])
     os._exit(1)
-
-

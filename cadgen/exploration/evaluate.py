@@ -19,7 +19,7 @@ from cadgen.exploration.figures.figure import Figure
 from cadgen.exploration.guard import limit_memory, within
 from cadgen.exploration.plans import Values
 from cadgen.exploration.study import ALL, LimitKeys, Study
-from cadgen.exploration.variation import REPLAN
+from cadgen.exploration.variation import REPLAN, Variation
 
 # `kept`: within all limits and checks; `outside`: not; `screened`: outside a limit on a cheap figure, and no more was
 # computed; `refused`: the values make no design; `crashed`: a fault, or out of time or memory.
@@ -82,7 +82,7 @@ class Job:
     text: str
     source: str
     overrides: tuple[str, ...]
-    keys: tuple[str, ...]
+    variations: tuple[Variation, ...]
     profile: str | None
     figures: tuple[Figure, ...]
     limits: tuple[LimitKeys, ...]
@@ -100,7 +100,7 @@ class Job:
             text=study.text,
             source=study.source,
             overrides=file.overrides,
-            keys=study.keys,
+            variations=study.variations,
             profile=file.profile,
             figures=study.figures,
             limits=file.limits,
@@ -148,13 +148,14 @@ class Job:
     def overrides_of(self, task: Task) -> tuple[str, ...]:
         """Overrides of the text that a task is read from; those of the base are in a planned text already."""
         planned = task.text is not None
-        changed = zip(self.keys, task.values, strict=True)
-        apart = (REPLAN, "path.") if planned else REPLAN
+        pairs = zip(self.variations, task.values, strict=True)
+        changed = [change for variation, value in pairs for change in variation.changes(value)]
+        apart = (REPLAN, "path.") if planned else (REPLAN,)
         varied = tuple(override_of(key, value) for key, value in changed if not key.startswith(apart))
         return varied if planned else (*self.overrides, *varied)
 
     def _judge(self, task: Task, known: dict[str, float], failed: list[str]) -> State:
-        values = dict(zip(self.keys, task.values, strict=True))
+        values = {each.key: value for each, value in zip(self.variations, task.values, strict=True)}
         evaluated = Evaluated(values, lambda: self.design(task), self.profile, self.cars, self.seed)
         self._measure(evaluated, [figure for figure in self.figures if figure.cheap], known, failed)
         if failed:

@@ -50,7 +50,7 @@ def _one(item: Any, schema: type[BaseModel]) -> str:
     if kind == "too_short":
         return f"{name} is empty: add at least one"
     if kind == "string_pattern_mismatch":
-        return f"{name} is {_shown(value)}; it must be letters, digits, points, _ and -, and begin with a letter or digit"
+        return f"{name} is {_shown(value)}; it must be letters, digits, _, - and points, the first a letter or digit"
     return f"{name} is {_shown(value)}; it must be {_KINDS.get(kind, 'something else')}"
 
 

@@ -1,8 +1,9 @@
-"""The Pareto front: designs within all limits that no other is better than in one objective and as good in all others."""
+"""The Pareto front: designs within all limits, of which no other is better in one objective and as good in the rest."""
 
 from collections.abc import Iterable, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.exploration.evaluate import Row
@@ -12,7 +13,7 @@ from cadgen.exploration.figures.figure import Figure
 def objectives_of(row: Row, objectives: Sequence[Figure]) -> list[float]:
     """Objectives of a row, less of which is better; NaN for one that was not computed."""
     return [
-        float("nan") if value is None else figure.sign * value
+        float("nan") if value is None else figure.aim(value)
         for figure, value in zip(objectives, row.figures, strict=False)
     ]
 
@@ -32,7 +33,7 @@ def front(rows: Iterable[Row], objectives: Sequence[Figure]) -> list[Row]:
         point = np.array(objectives_of(row, objectives))
         if ((points <= point).all(axis=1) & (points < point).any(axis=1)).any():
             continue
-        stays = ~((points >= point).all(axis=1) & (points > point).any(axis=1))
+        stays: NDArray[np.bool_] = np.asarray(~((points >= point).all(axis=1) & (points > point).any(axis=1)))
         best = [each for each, stay in zip(best, stays.tolist(), strict=True) if stay]
         best.append(row)
         points = np.concatenate([points[stays], point[None]])

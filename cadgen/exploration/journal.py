@@ -84,9 +84,9 @@ class Journal:
         """
         try:
             file.parent.mkdir(parents=True, exist_ok=True)
-            stream = open(os.open(file, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666), "r+b")
+            stream = os.fdopen(os.open(file, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666), "r+b")
         except OSError as error:
-            raise FileError(f"{brief(str(file))} cannot be written ({error.strerror}): choose another folder") from error
+            raise FileError(f"{brief(str(file))} cannot be written ({error.strerror}): choose another place") from error
         try:
             if not lock_now(stream.fileno()):
                 raise FileError(f"another run is at work on {brief(str(file))}: let it end, or choose another folder")
@@ -252,10 +252,11 @@ def _header(content: Any, file: Path) -> Header:
 def _refuse_other(old: Header, new: Header, file: Path) -> None:
     if old.version != new.version:
         raise FileError(
-            f"{brief(str(file))} was begun by cadgen {old.version}, and this is {new.version}: end it with that version, "
-            "or choose another folder"
+            f"{brief(str(file))} was begun by cadgen {old.version}, and this is {new.version}: end it with that "
+            "version, or choose another folder"
         )
     if old.fingerprint != new.fingerprint:
         raise FileError(
-            f"{brief(str(file))} is of another study, or of another state of this one: choose another folder, or remove it"
+            f"{brief(str(file))} is of another study, or of another state of this one: choose another folder, or "
+            "remove it"
         )

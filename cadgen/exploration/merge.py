@@ -27,8 +27,8 @@ def merged(folders: Sequence[Path]) -> Results:
     for journal in journals:
         if journal.header.version != __version__:
             raise FileError(
-                f"{brief(str(journal.file))} was written by cadgen {journal.header.version}, and this is {__version__}: "
-                "merge with that version"
+                f"{brief(str(journal.file))} was written by cadgen {journal.header.version}, and this is "
+                f"{__version__}: merge with that version"
             )
         if journal.header.fingerprint != first.fingerprint:
             raise FileError(

@@ -96,5 +96,8 @@ def path_key(study: Study, values: Values) -> str | None:
     varied = dict(zip(study.keys, values, strict=True))
     if varied.get(f"{REPLAN}within_mm", replan.within_mm) == 0:
         return None
-    named = [key for key in study.keys if key.startswith(_WITH_A_PATH) or key in replan.planned_for]
-    return json.dumps({key: varied[key] for key in named})
+    changed: dict[str, Any] = {}
+    for each in study.variations:
+        if each.key.startswith(_WITH_A_PATH) or each.key in replan.planned_for:
+            changed.update(each.changes(varied[each.key]))
+    return json.dumps(changed)

@@ -93,7 +93,10 @@ def _variation(given: Vary, values: dict[str, Any]) -> Variation:
     if not given.key.startswith(REPLAN):
         key = key_at(values, given.key)
         whole = key is not None and key.kinds[-1] == _WHOLE
-    made = Variation(given.key, given.values or (), given.least or 0.0, given.most or 0.0, given.step or 0.0, whole)
+    for more in given.along:
+        key_at(values, more)
+    ends = given.least or 0.0, given.most or 0.0, given.step or 0.0
+    made = Variation(given.key, given.values or (), *ends, whole, tuple(given.along.items()))
     if whole and not given.values and any(each != round(each) for each in (made.least, made.most, made.step)):
         raise DesignError(f"{given.key} takes whole numbers: make least, most and step of its range whole")
     return made

@@ -86,7 +86,8 @@ class Exploration:
             values = [plans.values_at(study.variations, place) for place in search.ask().tolist()]
             numbers = range(count, count + len(values))
             first = [known.setdefault(repr(each), number) for number, each in zip(numbers, values, strict=True)]
-            self._compute([number for number in numbers if number in first], lambda at, of=values, at0=count: of[at - at0])
+            new = dict(zip(numbers, values, strict=True))
+            self._compute([number for number in numbers if number in first], new.__getitem__)
             copies = [(number, source) for number, source in zip(numbers, first, strict=True) if number != source]
             journal.add_rows([(replace(journal.row(source), number=number), 0.0) for number, source in copies])
             rows = [journal.row(number) for number in numbers]
@@ -147,5 +148,5 @@ class Exploration:
         if self._done:
             rate = self._done / max(monotonic() - self._begun, 1e-9)
             left = (self._total - self.journal.count) / rate
-            words += f", {rate:.3g} a second, {left / 60:.0f} min left" if left > 90 else f", {rate:.3g} a second, {left:.0f} s left"
+            words += f", {rate:.3g} a second, " + (f"{left / 60:.0f} min left" if left > 90 else f"{left:.0f} s left")
         self.progress(f"{words}, {self._without} refused or crashed")

@@ -75,8 +75,8 @@ export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 def _kubernetes(jobs: Jobs) -> str:
     shard = jobs.explore(str(jobs.processes), '"$((JOB_COMPLETION_INDEX + 1))"')
-    return f"""# Study {jobs.name} in {jobs.count} shards. The image needs cadgen and the study's file; the volume claim is a folder
-# that all jobs see, mounted where the study and its results lie. A pod that is lost begins again where it was.
+    return f"""# Study {jobs.name} in {jobs.count} shards. The image needs cadgen and the study's file; the volume
+# claim is a folder that all jobs see, mounted where the results lie. A pod that is lost begins again where it was.
 apiVersion: batch/v1
 kind: Job
 metadata:

@@ -6,10 +6,10 @@ from hashlib import sha256
 from json import dumps
 from typing import Annotated, Any
 
-from pydantic import Field, Strict, model_validator
+from pydantic import Field, Strict, field_validator, model_validator
 
 from cadgen.check import CheckCode
-from cadgen.design.section import OneOf, Section
+from cadgen.design.section import HERE, OneOf, Section
 from cadgen.errors import DesignError
 from cadgen.exploration import plans, search
 from cadgen.exploration.figures import table
@@ -32,7 +32,7 @@ class PlanKeys(Section):
     """How designs are chosen."""
 
     kind: Annotated[str, OneOf(plan_kinds)] = Field(description="full_factorial, latin_hypercube, sobol or nsga2")
-    designs: int | None = Field(default=None, ge=1, le=MOST_DESIGNS, description="number of designs; not for a factorial")
+    designs: int | None = Field(default=None, ge=1, le=MOST_DESIGNS, description="their number; not for a factorial")
     population: int = Field(default=40, ge=4, le=10_000, description="designs of each generation of nsga2")
 
     @model_validator(mode="after")
@@ -58,6 +58,16 @@ class Vary(Section):
     least: float | None = Field(default=None, description="least value")
     most: float | None = Field(default=None, description="greatest value")
     step: float | None = Field(default=None, gt=0, description="between values of a range")
+    along: dict[str, tuple[Any, ...]] = Field(
+        default={}, description="keys that change together with this one, each with a list as long as values"
+    )
+
+    @field_validator("along", mode="before")
+    @classmethod
+    def _lists(cls, along: Any) -> Any:
+        if isinstance(along, dict) and all(isinstance(values, list) for values in along.values()):
+            return {key: tuple(values) for key, values in along.items()}
+        raise ValueError(f"{HERE} must have a list for each key")
 
     @model_validator(mode="after")
     def _values_or_range(self) -> "Vary":
@@ -66,6 +76,12 @@ class Vary(Section):
             raise ValueError(f"{self.key} must vary either by values or from least to most: give one of the two")
         if self.values is not None and not self.values:
             raise ValueError(f"{self.key} has no values to choose from: add some")
+        for key, values in self.along.items():
+            if len(values) != len(self.values or ()):
+                raise ValueError(
+                    f"{key} changes along with {self.key} and has {len(values)} values, but {self.key} has "
+                    f"{len(self.values or ())}: give it as many, in the same order"
+                )
         if self.values is not None and self.step is not None:
             raise ValueError(f"{self.key} has values and a step, which is for a range: remove one")
         if ranged and not (self.least or 0.0) < (self.most or 0.0):
@@ -137,7 +153,7 @@ class StudyFile(Section):
 
     @model_validator(mode="after")
     def _names_what_is_there(self) -> "StudyFile":
-        keys = [each.key for each in self.vary]
+        keys = [key for each in self.vary for key in (each.key, *each.along)]
         for key in keys:
             if keys.count(key) > 1:
                 raise ValueError(f"{key} varies twice: put all its values into one [[vary]]")

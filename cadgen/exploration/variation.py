@@ -21,6 +21,7 @@ class Variation:
         least, most: ends of the range, which belong to it.
         step: between the values of a range; 0 for any value.
         whole: whether only whole numbers are taken.
+        along: keys that change together with this one, each with a value for each of `values`.
     """
 
     key: str
@@ -29,6 +30,7 @@ class Variation:
     most: float = 0.0
     step: float = 0.0
     whole: bool = False
+    along: tuple[tuple[str, tuple[Any, ...]], ...] = ()
 
     @property
     def count(self) -> int | None:
@@ -46,7 +48,7 @@ class Variation:
             DesignError: it is a range without steps.
         """
         if self.count is None:
-            raise DesignError(f"{self.key} is a range without a step, which a full factorial cannot go through: add step")
+            raise DesignError(f"{self.key} is a range, which a full factorial goes through in steps: add step")
         return self.count
 
     def level(self, number: int) -> Any:
@@ -65,6 +67,11 @@ class Variation:
     def some(self) -> tuple[Any, ...]:
         """Values that are enough to know their type: all that are chosen from, or the ends of a range."""
         return self.values or (self._rounded(self.least), self._rounded(self.most))
+
+    def changes(self, value: Any) -> list[tuple[str, Any]]:
+        """Keys that change with a value, this one first, each with its own value."""
+        number = self.values.index(value) if self.along else 0
+        return [(self.key, value), *((key, values[number]) for key, values in self.along)]
 
     @property
     def _step(self) -> float:

@@ -15,7 +15,8 @@ from typing import Any, Generic, TypeVar
 from cadgen.errors import FileError, brief
 from cadgen.exploration.engines import AGAIN, Engine, Future, Mapped
 
-T, R = TypeVar("T"), TypeVar("R")
+T = TypeVar("T")
+R = TypeVar("R")
 _BATCH_S = 2.0  # work of a batch: little to lose, and far more than it costs to send
 _MOST_IN_BATCH = 500
 _AHEAD = 2  # batches for each worker that are under way or wait

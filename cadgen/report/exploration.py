@@ -121,7 +121,7 @@ def _draw_pair(axes: "Axes", content: ExplorationPicture, first: int, second: in
     for number, (rows, colour, size, label) in enumerate(groups):
         points = np.array([(row[first], row[second]) for row in rows if None not in (row[first], row[second])])
         if len(points):
-            axes.scatter(*points.T, s=size, color=colour, label=label, linewidths=0, zorder=2 + number)
+            axes.scatter(points[:, 0], points[:, 1], s=size, color=colour, label=label, linewidths=0, zorder=2 + number)
     axes.legend(loc="best", fontsize=8, frameon=True, framealpha=0.9, edgecolor="none")
 
 

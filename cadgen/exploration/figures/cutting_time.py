@@ -18,4 +18,9 @@ def _minutes(evaluated: Evaluated) -> float:
     return passes * length / machining.feed_mm_per_min
 
 
-CUTTING_TIME = Figure(code="cutting_time_min", meaning="time in the cut along the outline, milled", of=_minutes)
+CUTTING_TIME = Figure(
+    code="cutting_time_min",
+    meaning="time in the cut along the outline, milled",
+    of=_minutes,
+    resolution=0.01,
+)

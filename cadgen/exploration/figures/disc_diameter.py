@@ -13,5 +13,8 @@ def _diameter(evaluated: Evaluated) -> float:
 
 
 DISC_DIAMETER = Figure(
-    code="disc_diameter_mm", meaning="diameter of the circle about the camshaft that holds the disc", of=_diameter
+    code="disc_diameter_mm",
+    meaning="diameter of the circle about the camshaft that holds the disc",
+    of=_diameter,
+    resolution=0.01,
 )

@@ -5,7 +5,7 @@ from cadgen.exploration.figures.evaluated import Evaluated
 from cadgen.exploration.figures.figure import Figure
 from cadgen.motion.friction import DiscMaterial
 
-# g/cm3: handbooks' tables, such as those that The Engineering ToolBox collects; PLA by makers of filament, printed solid.
+# g/cm3: handbooks' tables, such as those that The Engineering ToolBox collects; PLA by makers of filament.
 DENSITY: dict[DiscMaterial, float] = {
     "aluminium": 2.70,
     "steel": 7.85,
@@ -25,4 +25,9 @@ def _mass(evaluated: Evaluated) -> float:
     return plan.blank.disc_volume(plan.area, outer - inner) * DENSITY[material] * 1e-3
 
 
-DISC_MASS = Figure(code="disc_mass_g", meaning="mass of the disc without its hub", of=_mass)
+DISC_MASS = Figure(
+    code="disc_mass_g",
+    meaning="mass of the disc without its hub",
+    of=_mass,
+    resolution=0.01,
+)

@@ -35,5 +35,9 @@ def _drift(evaluated: Evaluated) -> float:
 
 
 DRIFT = Figure(
-    code="drift_mm", meaning="end of the run by half of the band of play, to first order", of=_drift, cheap=True
+    code="drift_mm",
+    meaning="end of the run by half of the band of play, to first order",
+    of=_drift,
+    resolution=0.1,
+    cheap=True,
 )

@@ -15,6 +15,7 @@ class Figure:
         meaning: a phrase.
         of: function that computes it, a finite number; a function of a module, so that other processes find it.
         more: whether a greater figure is better.
+        resolution: differences below it are those of rounding and search, and make no design better.
         cheap: whether it takes milliseconds; a limit on it then screens, and nothing else of the design is computed.
     """
 
@@ -22,9 +23,10 @@ class Figure:
     meaning: str
     of: Callable[[Evaluated], float]
     more: bool = False
+    resolution: float = 0.0
     cheap: bool = False
 
-    @property
-    def sign(self) -> float:
-        """Factor that makes less of the figure better: 1 or -1."""
-        return -1.0 if self.more else 1.0
+    def aim(self, value: float) -> float:
+        """The figure, rounded to its resolution, with the sign by which less is better."""
+        seen = round(value / self.resolution) * self.resolution if self.resolution else value
+        return -seen if self.more else seen

@@ -15,5 +15,8 @@ def _energy(evaluated: Evaluated) -> float:
 
 
 HOLDING_ENERGY = Figure(
-    code="holding_energy_J", meaning="energy in a turn of the cam that the drag takes which holds it", of=_energy
+    code="holding_energy_J",
+    meaning="energy in a turn of the cam that the drag takes which holds it",
+    of=_energy,
+    resolution=1e-4,
 )

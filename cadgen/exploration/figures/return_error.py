@@ -11,5 +11,9 @@ def _return_error(evaluated: Evaluated) -> float:
 
 
 RETURN_ERROR = Figure(
-    code="return_error_deg", meaning="greatest return error at the camshaft", of=_return_error, cheap=True
+    code="return_error_deg",
+    meaning="greatest return error at the camshaft",
+    of=_return_error,
+    resolution=1e-4,
+    cheap=True,
 )

@@ -15,7 +15,15 @@ def _heading(evaluated: Evaluated) -> float:
     return degrees(against_of(evaluated.plan).chosen.band.worst_heading)
 
 
-WORST_END = Figure(code="worst_end_mm", meaning="worst position error at the end over the band of play", of=_distance)
+WORST_END = Figure(
+    code="worst_end_mm",
+    meaning="worst position error at the end over the band of play",
+    of=_distance,
+    resolution=0.1,
+)
 WORST_HEADING = Figure(
-    code="worst_end_heading_deg", meaning="worst heading error at the end over the band of play", of=_heading
+    code="worst_end_heading_deg",
+    meaning="worst heading error at the end over the band of play",
+    of=_heading,
+    resolution=1e-3,
 )
