@@ -19,7 +19,7 @@ def objectives_of(row: Row, objectives: Sequence[Figure]) -> list[float]:
 
 
 def front(rows: Iterable[Row], objectives: Sequence[Figure]) -> list[Row]:
-    """Rows of the front, by number; rows of equal objectives are on it together.
+    """Rows of the front, by number; of rows with equal objectives the first.
 
     Args:
         rows: all rows; only the front so far is held.
@@ -31,9 +31,9 @@ def front(rows: Iterable[Row], objectives: Sequence[Figure]) -> list[Row]:
         if row.state != "kept":
             continue
         point = np.array(objectives_of(row, objectives))
-        if ((points <= point).all(axis=1) & (points < point).any(axis=1)).any():
+        if (points <= point).all(axis=1).any():
             continue
-        stays: NDArray[np.bool_] = np.asarray(~((points >= point).all(axis=1) & (points > point).any(axis=1)))
+        stays: NDArray[np.bool_] = np.asarray(~(points >= point).all(axis=1))
         best = [each for each, stay in zip(best, stays.tolist(), strict=True) if stay]
         best.append(row)
         points = np.concatenate([points[stays], point[None]])

@@ -19,6 +19,7 @@ T = TypeVar("T")
 R = TypeVar("R")
 _BATCH_S = 2.0  # work of a batch: little to lose, and far more than it costs to send
 _MOST_IN_BATCH = 500
+_LEAST_BATCH_S = 0.1  # of a batch towards the end: less would not pay for its way and its place on the disk
 _AHEAD = 2  # batches for each worker that are under way or wait
 _SHARES = 4  # batches for each worker that the tasks left are split into at least, so that all end together
 _LOSSES = 2  # of a batch, before its tasks go alone
@@ -46,8 +47,9 @@ class _Sizes:
     def next(self) -> int:
         if not self._done:
             return 1
-        by_time = int(_BATCH_S / max(self._seconds / self._done, _BATCH_S / _MOST_IN_BATCH))
-        size = max(1, min(by_time, -(-self._left // (_SHARES * self._workers))))
+        each = max(self._seconds / self._done, _BATCH_S / _MOST_IN_BATCH)
+        share = -(-self._left // (_SHARES * self._workers))
+        size = max(1, min(int(_BATCH_S / each), max(share, int(_LEAST_BATCH_S / each))))
         self._left -= size
         return size
 
