@@ -92,7 +92,7 @@ class Journal:
                 raise FileError(f"another run is at work on {brief(str(file))}: let it end, or choose another folder")
             first = stream.readline(_LONGEST_LINE)
             content = _content(first)
-            if content is None and len(first) < len(header.line()):  # empty, or killed at its first line
+            if content is None and header.line().startswith(first):  # empty, or killed at its first line
                 stream.seek(0)
                 stream.truncate()
                 journal = cls(file, header, stream)

@@ -12,7 +12,7 @@ from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
 from cadgen.exploration.evaluate import override_of
 from cadgen.exploration.plans import Values
-from cadgen.exploration.study import Study
+from cadgen.exploration.study import ANY, Study
 from cadgen.exploration.variation import REPLAN
 from cadgen.workflow.planning.plan import Wanted, plan_design
 from cadgen.workflow.planning.words import sentences
@@ -48,7 +48,7 @@ class Planner:
     text: str
     source: str
     overrides: tuple[str, ...]
-    within_mm: float
+    within_mm: float | str
     seeds: int
 
     @classmethod
@@ -70,13 +70,14 @@ class Planner:
     def planned(self, key: str) -> PlannedText:
         """One planned path by its key."""
         changed: dict[str, Any] = dict(json.loads(key))
-        within = float(changed.pop(f"{REPLAN}within_mm", self.within_mm))
+        within = changed.pop(f"{REPLAN}within_mm", self.within_mm)
         seeds = int(changed.pop(f"{REPLAN}seeds", self.seeds))
         overrides = (*self.overrides, *(override_of(name, value) for name, value in changed.items()))
         try:
             design, drawn = course_of(self.text, Path(self.source), overrides)
             own = cam_model.track(design) if drawn else None
-            plan = plan_design(design, self.text, own, Wanted(own, within, own, seeds))
+            near = Wanted(seeds=seeds) if within == ANY else Wanted(own, float(within), own, seeds)
+            plan = plan_design(design, self.text, own, near)
         except CadgenError as error:
             return PlannedText(key, "", brief(str(error)))
         except Exception as error:

@@ -6,7 +6,7 @@ from hashlib import sha256
 from json import dumps
 from typing import Annotated, Any
 
-from pydantic import Field, Strict, field_validator, model_validator
+from pydantic import BeforeValidator, Field, Strict, field_validator, model_validator
 
 from cadgen.check import CheckCode
 from cadgen.design.section import HERE, OneOf, Section
@@ -18,8 +18,10 @@ from cadgen.exploration.variation import REPLAN, Variation
 from cadgen.optimize.profiles.table import codes as profile_codes
 
 MOST_DESIGNS = 1_000_000
+MOST_WITHIN_MM = 1000.0
 ALL = "all"
 Codes = Annotated[tuple[str, ...], Strict(False)]
+ANY = "any"
 FigureCode = Annotated[str, OneOf(table.codes)]
 
 
@@ -113,11 +115,23 @@ class LimitKeys(Section):
         return max(over, under, 0.0)
 
 
+def _within(value: object) -> float | str:
+    """A distance, or any."""
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if value == ANY or (number and 0 <= float(value) <= MOST_WITHIN_MM):  # type: ignore[arg-type]
+        return ANY if value == ANY else float(value)  # type: ignore[arg-type]
+    raise ValueError(f'{HERE} is {value!r:.60}; it must be 0 to {MOST_WITHIN_MM:g} (mm), or "{ANY}"')
+
+
+Within = Annotated[Any, BeforeValidator(_within)]
+
+
 class ReplanKeys(Section):
     """Plan the path of the designs, as `cadgen plan --from` does; each distinct path once."""
 
-    within_mm: float = Field(
-        default=25.0, ge=0, le=1000, description="how far from the base's path; with 0 that is kept as it is"
+    within_mm: Within = Field(
+        default=25.0,
+        description='how far from the base\'s path, 0 to 1000, where 0 keeps that; or "any" path on the course',
     )
     seeds: int = Field(default=1, ge=1, le=100, description="searches for each path")
     planned_for: Codes = Field(
@@ -161,6 +175,13 @@ class StudyFile(Section):
                 raise ValueError(f"{key} varies, but no path is planned: add [replan]")
             if key.startswith(REPLAN) and key.removeprefix(REPLAN) not in ("within_mm", "seeds"):
                 raise ValueError(f"{key} cannot vary: of [replan] only within_mm and seeds do")
+        for each in self.vary:
+            if each.key == f"{REPLAN}within_mm":
+                for value in each.values or (each.least, each.most):
+                    try:
+                        _within(value)
+                    except ValueError as error:
+                        raise ValueError(str(error).replace(HERE, each.key)) from None
         for key in self.replan.planned_for if self.replan else ():
             if key not in keys:
                 raise ValueError(f"replan.planned_for names {key}, which does not vary: remove it")

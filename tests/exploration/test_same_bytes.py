@@ -105,6 +105,7 @@ def test_a_design_that_kills_its_process_is_a_row(study, tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_the_main_process_killed_twice_and_run_again(study, known, tmp_path):
     out = tmp_path / "out"
     rows = explore(study, tmp_path / "rows", executor=map).computed
