@@ -161,12 +161,25 @@ def engine_of(executor: Any) -> Engine | Mapped:
         if hasattr(executor, "get_executor"):  # a dask client, whose futures are of another kind
             return Given(executor.get_executor(pure=False))
         return Given(executor)
-    function = getattr(executor, "map", executor)
-    if callable(function):
+    function = mapping(executor)
+    if function is not None:
         return Mapped(function)
     raise DesignError(
         f"the executor is {brief(repr(executor), 60)}; it must have a method submit or map, or be a function like map"
     )
+
+
+def mapping(executor: Any) -> Callable[..., Iterable[Any]] | None:
+    """A function like the built-in `map` that computes by an executor, a pool or such a function; None for others."""
+    if hasattr(executor, "get_executor"):
+        executor = executor.get_executor(pure=False)
+    function = getattr(executor, "map", executor)
+    if callable(function):
+        made: Callable[..., Iterable[Any]] = function
+        return made
+    if not callable(getattr(executor, "submit", None)):
+        return None
+    return lambda function, items: [future.result() for future in [executor.submit(function, each) for each in items]]
 
 
 def _begin(inherited: int | None) -> None:

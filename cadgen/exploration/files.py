@@ -17,7 +17,7 @@ from cadgen.progress import Progress, silent
 from cadgen.report.exploration import ExplorationPicture, draw_exploration
 from cadgen.version import __version__
 
-_MOST_SHOWN = 3000  # designs in pictures
+_MOST_SHOWN, _MOST_OF_FRONT = 3000, 500  # designs in pictures
 _MOST_JUDGED = 20_000  # designs for the effects of keys
 _NO_PYARROW = "pyarrow is not installed: pip install 'cadgen[explore]'"
 
@@ -122,6 +122,9 @@ def _picture(summary: Summary) -> ExplorationPicture:
         more=tuple(figure.more for figure in study.objectives),
         values=tuple((*row.values, *row.figures[: len(study.objectives)]) for row in shown),
         kept=tuple(row.state == "kept" for row in shown),
-        front=tuple((*row.values, *row.figures[: len(study.objectives)]) for row in summary.front),
+        front=tuple(
+            (*summary.front[at].values, *summary.front[at].figures[: len(study.objectives)])
+            for at in sampled(len(summary.front), _MOST_OF_FRONT)
+        ),
         effects=summary.effects,
     )

@@ -5,10 +5,11 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cadgen.design.load import design_of, packaged_designs, read_design
+from cadgen.design.load import design_of, packaged_designs, packaged_studies, read_design
 from cadgen.design.names import usable_name
 from cadgen.design.override import key_at
 from cadgen.design.parse import parse
+from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
 from cadgen.exploration.evaluate import override_of
 from cadgen.exploration.faults import sentence
@@ -24,7 +25,8 @@ def read_study(file: Path) -> tuple[Study, str]:
     """Read a study and check it.
 
     Args:
-        file: path of a TOML file; a base design that it names by a path lies relative to it.
+        file: path of a TOML file, or name of a packaged study; a base design that the study names by a path lies
+            relative to it.
 
     Returns:
         The study, and the text of its file.
@@ -32,11 +34,13 @@ def read_study(file: Path) -> tuple[Study, str]:
     Raises:
         DesignError: the file, or a value in it, cannot be; or the base design cannot.
     """
+    file = packaged_studies().get(str(file), file)
     name = brief(str(file))
     try:
         text = read_regular(file, _MOST_BYTES).decode("utf-8-sig")
     except FileNotFoundError:
-        raise DesignError(f"there is no study {name}: correct the path") from None
+        known = listed(list(packaged_studies()), "or")
+        raise DesignError(f"there is no study {name}: correct the path, or name a packaged one ({known})") from None
     except UnicodeDecodeError:
         raise DesignError(f"{name} is not UTF-8 text: save it again as UTF-8") from None
     except (OSError, ValueError) as error:

@@ -63,6 +63,8 @@ def draw_exploration(content: ExplorationPicture, folder: Path, name: str) -> li
 
 def _draw_parallel(content: ExplorationPicture, folder: Path, name: str) -> list[str]:
     """Every design is a line across one axis for each key and objective; those of the front are strong."""
+    from matplotlib.collections import LineCollection
+
     heads = [*content.keys, *content.figures]
     columns = [_places([row[at] for row in (*content.values, *content.front)]) for at in range(len(heads))]
     heights = np.array([places for places, _ in columns]).T
@@ -80,8 +82,11 @@ def _draw_parallel(content: ExplorationPicture, folder: Path, name: str) -> list
         for rows, colour, width, label in groups:
             if len(rows):
                 alpha = 1.0 if colour == VERMILLION else max(0.08, min(0.7, 60 / len(rows)))
-                axes.plot(across, heights[rows].T, color=colour, linewidth=width, alpha=alpha, rasterized=True)
-                axes.plot([], [], color=colour, linewidth=2, label=f"{label} ({len(rows)})")
+                lines = np.stack([np.broadcast_to(across, heights[rows].shape), heights[rows]], axis=-1)
+                axes.add_collection(
+                    LineCollection(list(lines), colors=colour, linewidths=width, alpha=alpha, rasterized=True)
+                )
+                axes.plot([], [], color=colour, linewidth=2, label=label)
         for at, (_, ticks) in enumerate(columns):
             axes.axvline(at, color="black", linewidth=0.8)
             for place, text in ticks:

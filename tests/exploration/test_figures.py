@@ -65,8 +65,8 @@ def test_figures_of_the_disc_by_its_polygon(paper):
 def test_cheap_figures_by_numbers_that_are_known():
     """Eq. 31 of the paper's table: the return error of the train as given is 0.962 degrees at most."""
     assert kind_of("return_error_deg").of(evaluated_of()) == pytest.approx(0.962, abs=5e-4)
-    measured = evaluated_of(overrides=("play.measured_deg=0.5",))
-    assert kind_of("drift_mm").of(measured) == 0.0
+    known = evaluated_of(overrides=("play.least_deg=0.5", "play.greatest_deg=0.5"))
+    assert kind_of("drift_mm").of(known) == 0.0
     twice = evaluated_of(overrides=("play.least_deg=0.3", "play.greatest_deg=0.7"))
     once = evaluated_of(overrides=("play.least_deg=0.4", "play.greatest_deg=0.6"))
     assert kind_of("drift_mm").of(twice) == pytest.approx(2 * kind_of("drift_mm").of(once))
