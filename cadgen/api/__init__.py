@@ -17,6 +17,7 @@
 | `planning`   | a planned path, or why there is none                                    |
 | `card`     | settings for every spacing that can be drawn                               |
 | `design`   | a design and what can be done with it                                      |
+| `exploration` | studies of many designs                                                 |
 | `page`     | the report page of a design                                                |
 
 Everything raises the errors of `cadgen.errors`: one sentence that says what is wrong, where, and what to change. The

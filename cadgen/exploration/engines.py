@@ -16,7 +16,7 @@ AGAIN = "run the same command again, and the study goes on where it was"
 
 
 class Future(Protocol):
-    """What `submit` returns."""
+    """A batch under way, as `submit` returns it."""
 
     def result(self) -> Any:
         """The result, or the error that the call raised."""

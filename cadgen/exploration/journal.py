@@ -63,7 +63,7 @@ class Journal:
         places: place of each design's row in the file, by its number; `_ABSENT` for one that is not there.
         paths: place of each planned path, by its key.
         damaged: number of lines that were passed over.
-        seconds: time that all its designs took, s.
+        seconds: processor time of all its designs, s.
     """
 
     file: Path
@@ -130,7 +130,7 @@ class Journal:
         return number < len(self.places) and self.places[number] != _ABSENT
 
     def add_rows(self, results: Sequence[tuple[Row, float]]) -> None:
-        """Write rows of designs, with the seconds that each took; one that is there already is left out.
+        """Write rows of designs, with the processor time of each, s; one that is there already is left out.
 
         Raises:
             FileError: the disk is full or cannot be written.
@@ -156,7 +156,7 @@ class Journal:
         return Row.of(self._at(self.places[number])["row"])
 
     def times(self) -> Iterator[float]:
-        """Seconds that each design took, in the order of their numbers."""
+        """Processor time of each design, s, in the order of their numbers."""
         for place in self.places:
             if place != _ABSENT:
                 yield self._at(place)["seconds"]

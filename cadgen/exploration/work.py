@@ -34,7 +34,7 @@ class _Batch(Generic[T]):
     losses: int = 0
 
 
-class _Sizes:
+class Sizes:
     """How many tasks the next batch has, by the time that tasks took so far."""
 
     def __init__(self, workers: int, count: int) -> None:
@@ -66,7 +66,7 @@ def work(
 
     Args:
         engine: where.
-        run: function that computes a batch: a result with its seconds for each task; it raises no errors of a task's.
+        run: function that computes a batch: a result with its processor time for each task; it raises no errors of a task's.
         tasks: the tasks; only so many are taken at once as are under way.
         count: number of tasks.
         done: function that is called with the results of each batch, as they come.
@@ -75,7 +75,7 @@ def work(
     Raises:
         FileError: the engine takes no more work, or cannot run the function.
     """
-    sizes, left = _Sizes(engine.workers, count), iter(tasks)
+    sizes, left = Sizes(engine.workers, count), iter(tasks)
     if isinstance(engine, Mapped):
         _map(engine, run, left, sizes, done)
         return
@@ -142,7 +142,7 @@ def _map(
     engine: Mapped,
     run: Callable[[Sequence[T]], Sequence[tuple[R, float]]],
     left: Iterator[T],
-    sizes: _Sizes,
+    sizes: Sizes,
     done: Callable[[Sequence[tuple[R, float]]], None],
 ) -> None:
     """Rows of batches one after the other, since a map may take all that it is given at once."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.report.style import AFTER, BLUE, GREY, SKY, VERMILLION, figure, save
+from cadgen.report.style import BLUE, GREY, SKY, VERMILLION, figure, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -139,7 +139,7 @@ def _draw_effects(content: ExplorationPicture, folder: Path, name: str) -> list[
         keys = list(content.keys)[::-1]
         for axes, code in zip(panels, codes, strict=True):
             shares = [100 * content.effects[code][key] for key in keys]
-            bars = axes.barh(keys, shares, color=BLUE if code in content.figures else AFTER)
+            bars = axes.barh(keys, shares, color=BLUE if code in content.figures else SKY)
             axes.bar_label(bars, fmt="%.0f", fontsize=7, padding=2)
             axes.set_title(_spoken(code), fontsize=9)
             axes.set(xlabel="%", xlim=(0, 112))

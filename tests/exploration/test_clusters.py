@@ -90,7 +90,7 @@ def test_an_executor_that_was_shut_down_is_said_and_the_study_goes_on(study, tmp
 
     closed = ThreadPoolExecutor(1)
     closed.shutdown()
-    with pytest.raises(FileError, match="takes no more work .*the study goes on where it was"):
+    with pytest.raises(FileError, match=r"takes no more work .*the study goes on where it was"):
         explore(study, tmp_path, executor=closed)
     assert len(list(explore(study, tmp_path, executor=map).computed.rows())) == 30
 

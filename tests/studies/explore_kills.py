@@ -2,10 +2,10 @@
 
     python -m tests.studies.explore_kills --cases 20 --seed 1 [--record]
 
-A case is a study of evaluations of a millisecond in two processes. It is killed by SIGKILL at instants drawn evenly over
-the time that it takes, its main process or a worker, once to three times; every second case then loses a random part of
-the journal's last lines, as a machine that loses its power might. After that it runs to its end. All files must have the
-bytes of a run that nothing disturbed, and the journal each design once.
+A case is a study of evaluations of a millisecond in two processes. It is killed by SIGKILL at instants drawn evenly
+over the time that it takes, its main process or a worker, once to three times; every second case then loses a random
+part of the journal's last lines, as a machine that loses its power might. After that it runs to its end. All files must
+have the bytes of a run that nothing disturbed, and the journal each design once.
 """
 
 import os
@@ -141,10 +141,10 @@ def main() -> None:
 
     python -m tests.studies.explore_kills --cases {chosen.cases} --seed {chosen.seed} --record
 
-cadgen {__version__}: {chosen.cases} studies of {DESIGNS} evaluations of a millisecond in two processes, killed by SIGKILL at random
-instants, and run again to their end: {total["main"]} kills of the main process, {total["worker"]} of a worker, {total["torn"]} journals
-that lost some of their end. Judged by the bytes of all files against a run that nothing disturbed, and by the journal, which
-must have each design once.
+cadgen {__version__}: {chosen.cases} studies of {DESIGNS} evaluations of a millisecond in two processes, killed by SIGKILL at
+random instants, and run again to their end: {total["main"]} kills of the main process, {total["worker"]} of a worker,
+{total["torn"]} journals that lost some of their end. Judged by the bytes of all files against a run that nothing disturbed,
+and by the journal, which must have each design once.
 
 - Cases that failed: {len(failed)}.
 {chr(10).join(lines)}"""

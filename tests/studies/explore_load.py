@@ -21,6 +21,7 @@ from cadgen.api.exploration import explore
 from tests.exploration import cheap
 from tests.studies.command import DOCS, options, tell
 
+MOST_MB, MOST_OVERHEAD_MS = 500.0, 2.0
 ROOT = Path(__file__).parents[2]
 
 
@@ -40,6 +41,7 @@ def loaded(designs: int, record: tuple[str, ...], processes: int = 1) -> Load:
     arguments = [str(designs), str(processes), *record]
     command = [sys.executable, "-m", "tests.studies.explore_load", "run", *arguments]
     done = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
+    print(done.stdout, file=sys.stderr, flush=True)
     return Load(**json.loads(done.stdout))
 
 
@@ -74,12 +76,12 @@ def main() -> None:
 
     python -m tests.studies.explore_load --cases {chosen.cases} --record
 
-cadgen {__version__}: a study of evaluations that cost next to nothing, in one worker process, with journal, table as CSV and
-Parquet, pictures and the best designs.
+cadgen {__version__}: a study of evaluations that cost next to nothing, in one worker process, with journal, table as CSV
+and Parquet, pictures and the best designs.
 
 - {load.designs} evaluations: at most {load.peak_mb:.0f} MB in the main process (bar: {MOST_MB:.0f}).
-- Processor time for each: {1e6 * load.main_s / load.designs:.0f} µs in the main process, {1e6 * load.workers_s / load.designs:.0f} µs
-  in the worker; {1e6 * load.write_s / load.designs:.0f} µs for its place in the files.
+- Processor time for each: {1e6 * load.main_s / load.designs:.0f} µs in the main process, and
+  {1e6 * load.workers_s / load.designs:.0f} µs in the worker; {1e6 * load.write_s / load.designs:.0f} µs for its place in the files.
 - With tasks of one millisecond an evaluation costs {overhead:.2f} ms more than its task (bar: {MOST_OVERHEAD_MS:g} ms).
 """
     tell(page, DOCS / "explore_load.md" if chosen.record else None)
