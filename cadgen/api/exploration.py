@@ -141,12 +141,14 @@ def explore(
     try:
         engine = _engine(executor, scheduler, whole("processes", processes, 1, MOST_PROCESSES), journal)
         try:
-            return Exploration(Computing(read, journal, engine, progress).run(), part, place)
+            results = Computing(read, journal, engine, progress).run()
         finally:
             engine.close()
+        journal.free()
     except BaseException:
         journal.close()
         raise
+    return Exploration(results, part, place)
 
 
 def merge(folders: Iterable[str | PathLike[str]]) -> Exploration:

@@ -18,7 +18,7 @@ from zlib import crc32
 from cadgen.errors import FileError, brief
 from cadgen.exploration.evaluate import Row
 from cadgen.exploration.paths import PlannedText
-from cadgen.export.lock import lock_now
+from cadgen.export.lock import lock_now, unlock
 
 FORMAT = 1
 ENDING = ".journal"
@@ -125,6 +125,11 @@ class Journal:
     def close(self) -> None:
         """Close the file, and free its lock."""
         self.stream.close()
+
+    def free(self) -> None:
+        """Free the lock; what is there can still be read."""
+        with suppress(OSError):
+            unlock(self.stream.fileno())
 
     def __contains__(self, number: int) -> bool:
         return number < len(self.places) and self.places[number] != _ABSENT

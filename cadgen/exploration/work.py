@@ -35,16 +35,23 @@ class _Batch(Generic[T]):
 
 
 class Sizes:
-    """How many tasks the next batch has, by the time that tasks took so far."""
+    """How many tasks the next batch has, by the time that tasks took so far.
+
+    Args:
+        workers: number of workers.
+        count: number of tasks.
+    """
 
     def __init__(self, workers: int, count: int) -> None:
         self._workers, self._left, self._done, self._seconds = workers, count, 0, 0.0
 
     def add(self, seconds: Sequence[float]) -> None:
+        """Take note of tasks that are done, by their times, s."""
         self._done += len(seconds)
         self._seconds += sum(seconds)
 
     def next(self) -> int:
+        """Number of tasks of the next batch."""
         if not self._done:
             return 1
         each = max(self._seconds / self._done, _BATCH_S / _MOST_IN_BATCH)
@@ -66,7 +73,7 @@ def work(
 
     Args:
         engine: where.
-        run: function that computes a batch: a result with its processor time for each task; it raises no errors of a task's.
+        run: function that computes a batch: a result with its time (s) for each task; it raises no errors of a task's.
         tasks: the tasks; only so many are taken at once as are under way.
         count: number of tasks.
         done: function that is called with the results of each batch, as they come.

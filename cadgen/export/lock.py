@@ -82,6 +82,14 @@ def lock_now(descriptor: int) -> bool:
         return True
 
 
+def unlock(descriptor: int) -> None:
+    """Free the lock of an open file."""
+    if sys.platform == "win32":
+        msvcrt.locking(descriptor, msvcrt.LK_UNLCK, 1)
+    else:
+        fcntl.flock(descriptor, fcntl.LOCK_UN)
+
+
 def held(file: Path) -> bool:
     """Whether a process holds the lock of a file; False if there is no such file."""
     try:

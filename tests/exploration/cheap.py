@@ -14,6 +14,8 @@ from hashlib import sha256
 from pathlib import Path
 from time import perf_counter, process_time
 
+import numpy as np
+
 from cadgen.api.exploration import Exploration, Figure, explore, register_figure, remove_figure
 from cadgen.exploration.figures.evaluated import Evaluated
 
@@ -56,6 +58,12 @@ def _millisecond(evaluated: Evaluated) -> float:
     return 0.0
 
 
+def _greedy(evaluated: Evaluated) -> float:
+    if 66 < evaluated.values[A] < 67:
+        return float(np.ones(400_000_000)[0])
+    return 0.0
+
+
 def _hang(evaluated: Evaluated) -> float:
     if 66 < evaluated.values[A] < 67:
         begun = perf_counter()
@@ -73,6 +81,7 @@ FIGURES = tuple(
         ("cheap_kill_mm", _kill),
         ("cheap_millisecond_mm", _millisecond),
         ("cheap_hang_mm", _hang),
+        ("cheap_greedy_mm", _greedy),
     )
 )
 

@@ -142,6 +142,21 @@ def test_a_design_that_takes_too_long_is_a_row(tmp_path):
     assert [row for row in rows if 66 < row.values[0] < 67] == late != []
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="only there the memory of a process can be limited")
+def test_a_design_that_takes_too_much_memory_is_a_row(tmp_path):
+    file = tmp_path / "greedy.toml"
+    file.write_text(cheap.study_text(40, record=("cheap_greedy_mm",)) + "\n[each]\nmemory_mb = 500\n")
+    rows = list(explore(file, tmp_path, processes=1).computed.rows())
+    greedy = [row for row in rows if row.state == "crashed"]
+    assert [row.sentence for row in greedy] == ["it ran out of memory (each.memory_mb)"] * len(greedy)
+    assert [row for row in rows if 66 < row.values[0] < 67] == greedy != []
+
+
+def test_the_same_folder_twice_in_one_process(study, known, tmp_path):
+    first = explore(study, tmp_path, executor=map)
+    assert cheap.digest(explore(study, tmp_path, executor=map)) == cheap.digest(first) == known
+
+
 def test_one_run_at_a_time(study, tmp_path):
     with ThreadPoolExecutor(1) as other:
         held: list[str] = []

@@ -137,14 +137,15 @@ def main() -> None:
     failed = [outcome for outcome in outcomes if outcome.faults]
     total = {kind: sum(outcome.kills[kind] for outcome in outcomes) for kind in ("main", "worker", "torn")}
     lines = [f"- Case {outcome.number}: {'; '.join(outcome.faults)}" for outcome in failed]
+    what = f"{chosen.cases} studies of {DESIGNS} evaluations of a millisecond in two processes"
     page = f"""# Explore, killed at random instants
 
     python -m tests.studies.explore_kills --cases {chosen.cases} --seed {chosen.seed} --record
 
-cadgen {__version__}: {chosen.cases} studies of {DESIGNS} evaluations of a millisecond in two processes, killed by SIGKILL at
+cadgen {__version__}: {what}, killed by SIGKILL at
 random instants, and run again to their end: {total["main"]} kills of the main process, {total["worker"]} of a worker,
-{total["torn"]} journals that lost some of their end. Judged by the bytes of all files against a run that nothing disturbed,
-and by the journal, which must have each design once.
+{total["torn"]} journals that lost some of their end. Judged by the bytes of all files against a run that nothing
+disturbed, and by the journal, which must have each design once.
 
 - Cases that failed: {len(failed)}.
 {chr(10).join(lines)}"""

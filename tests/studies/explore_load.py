@@ -72,16 +72,17 @@ def main() -> None:
     """Measure, print and record."""
     chosen = options(__doc__, cases=100_000)
     load, overhead = loaded(chosen.cases, ()), overhead_ms()
+    main_us, worker_us, write_us = (1e6 * each / load.designs for each in (load.main_s, load.workers_s, load.write_s))
     page = f"""# Cost of exploring
 
     python -m tests.studies.explore_load --cases {chosen.cases} --record
 
-cadgen {__version__}: a study of evaluations that cost next to nothing, in one worker process, with journal, table as CSV
-and Parquet, pictures and the best designs.
+cadgen {__version__}: a study of evaluations that cost next to nothing, in one worker process, with journal,
+table as CSV and Parquet, pictures and the best designs.
 
 - {load.designs} evaluations: at most {load.peak_mb:.0f} MB in the main process (bar: {MOST_MB:.0f}).
-- Processor time for each: {1e6 * load.main_s / load.designs:.0f} µs in the main process, and
-  {1e6 * load.workers_s / load.designs:.0f} µs in the worker; {1e6 * load.write_s / load.designs:.0f} µs for its place in the files.
+- Processor time for each: {main_us:.0f} µs in the main process, {worker_us:.0f} µs in the worker,
+  and {write_us:.0f} µs for its place in the files.
 - With tasks of one millisecond an evaluation costs {overhead:.2f} ms more than its task (bar: {MOST_OVERHEAD_MS:g} ms).
 """
     tell(page, DOCS / "explore_load.md" if chosen.record else None)

@@ -3,9 +3,9 @@
     python -m tests.studies.explore_workers --cases 1000 --seed 1 [--record] [--times JOURNAL]
 
 No such cluster is at hand, so it is simulated, event by event, with what was measured of the parts: the times that real
-designs took (of `--times`, else of the recorded slice), the processor time that dask's scheduler needs for a task and the
-main process for a batch, both measured here and now. Assumed: scheduler and main process do one thing after the other;
-a message takes a millisecond; workers are equal, all there from the start, and none dies; the file system takes the
+designs took (of `--times`, else those recorded), the processor time that dask's scheduler needs for a task and the main
+process for a batch, both measured here and now. Assumed: scheduler and main process do one thing after the other; a
+message takes a millisecond; workers are equal, all there from the start, and none dies; the file system takes the
 journal's writes at the measured cost.
 """
 
@@ -26,7 +26,7 @@ from tests.studies.command import DOCS, tell
 BAR = 0.9
 MESSAGE_S = 1e-3
 AHEAD = 2  # batches for each worker that are handed out; as `cadgen.exploration.work` does
-# Seconds of processor time of the 32 designs of the slice of the packaged study `paper_car`, sorted.
+# Processor time of 16 designs of the packaged study `paper_car`, s.
 RECORDED = Path(__file__).parents[1] / "data" / "explore_seconds.txt"
 
 
@@ -59,7 +59,7 @@ def efficiency(times: Sequence[float], workers: int, costs: Costs) -> float:
     """
     scheduler, main = _Server(costs.scheduler), _Server(costs.main)
     sizes, place = Sizes(workers, len(times)), 0
-    free, waiting = [0.0] * workers, []  # when each worker is free; batches that lie at the scheduler
+    free = [0.0] * workers  # when each worker is
     events: list[tuple[float, int, list[float]]] = []  # results as they reach the scheduler
     number = 0
     end = 0.0
@@ -90,7 +90,7 @@ def efficiency(times: Sequence[float], workers: int, costs: Costs) -> float:
 
 
 def scheduler_cost(tasks: int = 1000) -> float:
-    """Processor time of dask's scheduler for a task, s: of this process, with workers in others, less its own client."""
+    """Processor time of dask's scheduler for a task, s, its client's among it: both are in this process."""
     from dask.distributed import Client, LocalCluster
 
     with (
@@ -140,14 +140,17 @@ def main() -> None:
             found = efficiency(times, chosen.cases, costs)
             lines.append(f"| {label} | {designs} | {sum(times) / 3600:.0f} | {100 * found:.1f} % |")
             worst = min(worst, found)
+    measured = f"{1e3 * costs.scheduler:.2f} ms of processor time a batch in dask's scheduler and its client"
+    took = f"{len(known)} designs that took {mean:.2f} s of processor time on average, {max(known):.1f} s at most"
     page = f"""# A thousand workers, simulated
 
     python -m tests.studies.explore_workers --cases {chosen.cases} --seed {chosen.seed} --record
 
-cadgen {__version__}: {chosen.cases} workers, event by event. Measured here: {1e3 * costs.scheduler:.2f} ms of processor time a batch in
-dask's scheduler, {1e3 * costs.main:.2f} ms in the main process; {len(known)} designs that took {mean:.2f} s on average, {max(known):.1f} s at
-most. Assumed: both do one thing after the other, a message takes {1e3 * MESSAGE_S:g} ms, workers are equal, are all there from the start,
-and none dies. No such cluster was used.
+cadgen {__version__}: {chosen.cases} workers, event by event. Measured:
+{measured},
+{1e3 * costs.main:.2f} ms in the main process; {took}.
+Assumed: both do one thing after the other, a message takes {1e3 * MESSAGE_S:g} ms, workers are equal, are all there
+from the start, and none dies. No such cluster was used.
 
 | times of designs | designs | core-hours | efficiency |
 |---|---|---|---|
