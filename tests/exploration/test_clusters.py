@@ -3,6 +3,7 @@
 import os
 import shlex
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -110,3 +111,29 @@ def test_a_scheduler_of_dask_computes_the_same_and_its_loss_is_said(study, tmp_p
             assert cheap.digest(explore(study, tmp_path / "by client", executor=client)) == known
     with pytest.raises(FileError, match=r"no scheduler with workers answers at tcp://127\.0\.0\.1:9 .*start `dask"):
         explore(study, tmp_path / "gone", scheduler="tcp://127.0.0.1:9")
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_scheduler_that_dies_is_said_and_the_study_goes_on(study, tmp_path):
+    known = cheap.digest(explore(study, tmp_path / "known", executor=map))
+    file = tmp_path / "scheduler.json"
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": Path(__file__).parents[2]}
+    dask = [sys.executable, "-m", "dask"]
+    named = ["--scheduler-file", str(file)]
+    scheduler = subprocess.Popen([*dask, "scheduler", "--port", "0", "--no-dashboard", *named], **quiet)
+    worker = subprocess.Popen([*dask, "worker", *named, "--nthreads", "1", "--no-dashboard"], **quiet)
+
+    def kill(words: str) -> None:
+        if "a second" in words:
+            scheduler.kill()
+            scheduler.wait()
+
+    try:
+        with pytest.raises(FileError, match=r"has gone: .*the study goes on where it was"):
+            explore(study, tmp_path / "out", scheduler=str(file), progress=kill)
+    finally:
+        for process in (scheduler, worker):
+            process.kill()
+            process.wait()
+    assert cheap.digest(explore(study, tmp_path / "out", executor=map)) == known
