@@ -18,6 +18,7 @@ from cadgen.exploration.engines import AGAIN, Engine, Future, Mapped
 T = TypeVar("T")
 R = TypeVar("R")
 _BATCH_S = 2.0  # work of a batch: little to lose, and far more than it costs to send
+_BATCHES_A_SECOND = 50  # that one main process, and a scheduler, deal with at ease; of many workers batches are longer
 _MOST_IN_BATCH = 500
 _LEAST_BATCH_S = 0.1  # of a batch towards the end: less would not pay for its way and its place on the disk
 _AHEAD = 2  # batches for each worker that are under way or wait
@@ -55,8 +56,9 @@ class Sizes:
         if not self._done:
             return 1
         each = max(self._seconds / self._done, _BATCH_S / _MOST_IN_BATCH)
+        most = max(_BATCH_S, self._workers / _BATCHES_A_SECOND)
         share = -(-self._left // (_SHARES * self._workers))
-        size = max(1, min(int(_BATCH_S / each), max(share, int(_LEAST_BATCH_S / each))))
+        size = max(1, min(int(most / each), max(share, int(_LEAST_BATCH_S / each))))
         self._left -= size
         return size
 

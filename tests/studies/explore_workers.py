@@ -12,6 +12,7 @@ journal's writes at the measured cost.
 import heapq
 import random
 import sys
+import tempfile
 from argparse import ArgumentParser
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,8 +20,11 @@ from pathlib import Path
 from time import process_time
 
 from cadgen import __version__
+from cadgen.api.exploration import explore
+from cadgen.exploration import work
 from cadgen.exploration.journal import Journal
 from cadgen.exploration.work import Sizes
+from tests.exploration import cheap
 from tests.studies.command import DOCS, tell
 
 BAR = 0.9
@@ -57,7 +61,8 @@ def efficiency(times: Sequence[float], workers: int, costs: Costs) -> float:
         workers: number of workers.
         costs: of a batch.
     """
-    scheduler, main = _Server(costs.scheduler), _Server(costs.main)
+    # The scheduler has each batch twice; the main process takes results and sends the next batch at once.
+    scheduler, main = _Server(costs.scheduler / 2), _Server(costs.main)
     sizes, place = Sizes(workers, len(times)), 0
     free = [0.0] * workers  # when each worker is
     events: list[tuple[float, int, list[float]]] = []  # results as they reach the scheduler
@@ -103,12 +108,18 @@ def scheduler_cost(tasks: int = 1000) -> float:
         return (process_time() - begun) / tasks
 
 
-def main_cost() -> float:
-    """Processor time of the main process for a batch of one design, s."""
-    from tests.studies.explore_load import loaded
-
-    few, many = loaded(200, ("cheap_millisecond_mm",)), loaded(800, ("cheap_millisecond_mm",))
-    return (many.main_s - few.main_s) / 600
+def main_cost(designs: int = 400) -> float:
+    """Processor time of the main process for a batch of one design, s, its place in the journal among it."""
+    work._MOST_IN_BATCH = 1
+    spent = []
+    with tempfile.TemporaryDirectory() as folder, cheap.registered():
+        file = Path(folder, "cheap.toml")
+        for count in (designs, 2 * designs):
+            file.write_text(cheap.study_text(count))
+            begun = process_time()
+            explore(file, Path(folder, str(count)), processes=1)
+            spent.append(process_time() - begun)
+    return (spent[1] - spent[0]) / designs
 
 
 def recorded(journal: Path | None) -> list[float]:
