@@ -11,6 +11,7 @@ from typing import Any
 
 from cadgen.api.files import Written, folder_of
 from cadgen.api.values import Frozen, frozen, name_or_path, whole
+from cadgen.design.load import packaged_studies
 from cadgen.errors import DesignError, FileError, brief
 from cadgen.exploration import scripts
 from cadgen.exploration.engines import Cluster, Engine, Mapped, Processes, engine_of
@@ -117,7 +118,7 @@ def explore(
     The results are the same whatever computes them, in whatever order, and however often it was stopped.
 
     Args:
-        study: path of the study's file.
+        study: path of the study's file, or name of a packaged study.
         folder: folder of the journal.
         executor: anything with a method `submit` or `map`, or a function like the built-in `map`.
         processes: number of processes of this machine, without an executor.
@@ -189,9 +190,8 @@ def write_script(
     if read.searches:
         raise DesignError("a search has no shards, and so no script: use --scheduler, or a fixed plan such as sobol")
     place, kind = folder_of(folder), scripts.kind_of(cluster)
-    of_all = scripts.Jobs(
-        read.name, Path(study).absolute(), place.absolute(), whole("jobs", jobs, 1, MOST_SHARDS), processes
-    )
+    named = Path(study) if str(study) in packaged_studies() else Path(study).absolute()
+    of_all = scripts.Jobs(read.name, named, place.absolute(), whole("jobs", jobs, 1, MOST_SHARDS), processes)
     file = place / f"{read.name}{kind.ending}"
     try:
         place.mkdir(parents=True, exist_ok=True)

@@ -39,8 +39,8 @@ def explore(
 ) -> None:
     """Compute thousands of designs: which are the best, and what it depends on.
 
-    STUDY is a TOML file: base design, keys that vary, limits and objectives (docs/how-to/explore.md). Every result is
-    kept in a journal at once; the same command again goes on where it was.
+    STUDY is a TOML file with base design, keys that vary, limits and objectives (docs/how-to/explore.md), or a packaged
+    study, paper_car. Every result is kept in a journal at once; the same command again goes on where it was.
     """
     from cadgen.api import exploration
     from cadgen.cli import show, show_exploration
