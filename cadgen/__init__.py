@@ -40,6 +40,7 @@ The rooms, in walking order; each imports only those before it.
 | `report`      | pictures, as PNG and SVG                                                  |
 | `drawing`     | drawings for a workshop: sheets as data, as DXF and as PDF                |
 | `workflow`    | one job from design to verified files                                     |
+| `exploration` | studies of many designs: plans, search, figures, journal, engines         |
 | `page`        | the report page: one HTML file with model, curves and tables              |
 | `editor`      | that page served to the user's browser, where the design can be changed |
 | `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
@@ -63,6 +64,7 @@ _HOMES = {
     "DesignError": "errors",
     "Editor": "api.editor",
     "FileError": "errors",
+    "Exploration": "api.exploration",
     "Gear": "api.gear",
     "GearPair": "api.gears",
     "GearTrain": "api.gears",
@@ -80,6 +82,7 @@ _HOMES = {
     "Written": "api.files",
     "WrittenFile": "api.files",
     "draw": "api.drawing",
+    "explore": "api.exploration",
     "verify": "api.files",
 }
 
@@ -93,6 +96,7 @@ if TYPE_CHECKING:
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
     from cadgen.api.editor import Editor
+    from cadgen.api.exploration import Exploration, explore
     from cadgen.api.files import Written, WrittenFile, verify
     from cadgen.api.gear import Gear
     from cadgen.api.gears import GearPair, GearTrain, Train
@@ -114,6 +118,7 @@ __all__ = [
     "Design",
     "DesignError",
     "Editor",
+    "Exploration",
     "FileError",
     "Gear",
     "GearPair",
@@ -133,6 +138,7 @@ __all__ = [
     "WrittenFile",
     "__version__",
     "draw",
+    "explore",
     "verify",
 ]
 

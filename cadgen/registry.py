@@ -6,7 +6,8 @@ from typing import Generic, Protocol, TypeVar
 
 from cadgen.errors import DesignError
 
-_CODE = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+# A unit at the end is written as it is, such as _J.
+_CODE = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*(_[A-Z][a-z]*)?")
 
 
 class Kind(Protocol):

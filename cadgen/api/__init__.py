@@ -17,6 +17,7 @@
 | `planning`   | a planned path, or why there is none                                    |
 | `card`     | settings for every spacing that can be drawn                               |
 | `design`   | a design and what can be done with it                                      |
+| `exploration` | studies of many designs                                                 |
 | `page`     | the report page of a design                                                |
 | `editor`   | that page in the browser, where the design can be changed                  |
 

@@ -362,6 +362,7 @@ class Design:
         *,
         calm_as: "Design | None" = None,
         seeds: int = 1,
+        map: "Pool | Map | None" = None,
         progress: Progress = silent,
     ) -> "Plan[Design]":
         """Plan the path that keeps the course and is least sensitive to the play of the gears.
@@ -374,6 +375,7 @@ class Design:
             calm_as: design whose path has the greatest slopes of the curvature that are allowed; that of `improve` if
                 left out, else only the cam's own limits count.
             seeds: number of searches, each from another path, 1 to 100; the best one counts.
+            map: as for `tolerance`; it runs several searches.
             progress: function that is called with a few words on each step.
 
         Raises:
@@ -383,7 +385,7 @@ class Design:
 
         others = None if improve is None else improve.complete(), None if calm_as is None else calm_as.complete()
         course = load.course_of(self.text, self.file, self.values.overrides)
-        return planned(self, self.text, course, others, within_mm, seeds, progress)
+        return planned(self, self.text, course, others, within_mm, seeds, map, progress)
 
     def card(self, profile: str | None = None, *, progress: Progress = silent) -> "Card":
         """Find what to set, by [settings], for each spacing of [course.spacing]; arguments and errors as in `cam`."""

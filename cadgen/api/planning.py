@@ -9,6 +9,7 @@ from typing import Any, Generic
 from cadgen.api.calibration import D
 from cadgen.api.cam import Cam
 from cadgen.api.files import Written, folder_of, refusal
+from cadgen.api.runs import map_of
 from cadgen.api.values import optional, whole
 from cadgen.build import cam_model
 from cadgen.design.schema import Design as DesignValues
@@ -96,6 +97,7 @@ def planned(
     others: tuple[DesignValues | None, DesignValues | None],
     within_mm: float | None,
     seeds: int,
+    pool: Any,
     progress: Progress,
 ) -> Plan[D]:
     """Plan a path; see `Design.plan`.
@@ -107,6 +109,7 @@ def planned(
         others: design whose path is improved, and one whose curvature's slopes are not exceeded; None without.
         within_mm: how far the first may be left, mm.
         seeds: number of searches.
+        pool: executor, pool or function like the built-in `map` that runs several searches; None for this process.
         progress: function that is called with a few words on each step.
 
     Raises:
@@ -116,6 +119,7 @@ def planned(
     within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
     if within is not None and near is None:
         raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
-    wanted = Wanted(near, _WITHIN_MM if within is None else within, calm or near, whole("seeds", seeds, *SEEDS))
+    reach, count = _WITHIN_MM if within is None else within, whole("seeds", seeds, *SEEDS)
+    wanted = Wanted(near, reach, calm or near, count, map_of(pool))
     own = cam_model.track(known) if drawn else None
     return Plan(plan_design(known, text, own, wanted, progress), source)

@@ -10,6 +10,7 @@ from cadgen.api.cam import Cam
 from cadgen.api.files import Written, folder_of
 from cadgen.arrays import Array
 from cadgen.errors import DesignError, brief
+from cadgen.exploration.engines import mapping
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError
@@ -211,19 +212,20 @@ class ToleranceRun:
         return Written.of(place, written.part, written.entry)
 
 
-def map_of(pool: Pool | Map | None) -> Map | None:
-    """Map function of a pool, or the function itself.
+def map_of(pool: Pool | Map | None) -> Callable[..., Iterable[Any]] | None:
+    """Map function of an executor or pool, or the function itself.
 
     Args:
-        pool: object with a method `map`, function like the built-in `map`, or None.
+        pool: object with a method `map` or `submit`, function like the built-in `map`, or None.
 
     Raises:
         DesignError: the pool is none of these.
     """
-    function = getattr(pool, "map", pool)
-    if function is None or callable(function):
-        return function
-    raise DesignError(f"map is {brief(repr(pool), 60)}; it must be a function such as map, or have a method map")
+    if pool is None:
+        return None
+    if (function := mapping(pool)) is None:
+        raise DesignError(f"map is {brief(repr(pool), 60)}; it must be a function such as map, or have a method map")
+    return function
 
 
 def _notes(design: Any, stop: float) -> tuple[str, ...]:

@@ -14,6 +14,7 @@
 | `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
 | `calibrate` | `cadgen calibrate`: measured files -> effects missing in the design |
 | `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
+| `explore`   | `cadgen explore`, `cadgen merge`: studies of many designs          |
 | `report`    | `cadgen report`: a page with model, curves and tables            |
 | `edit`      | `cadgen edit`: a design changed on its page in the browser       |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
@@ -21,6 +22,7 @@
 | `show`      | tables of checks and files, progress, JSON                         |
 | `show_play` | tables of profiles, runs, remedies and budgets                     |
 | `show_plan` | a planned path, a card of settings                                |
+| `show_exploration` | results of a study                                         |
 | `show_adjustment` | what to set after trial runs                                |
 | `verdict`   | the last line: PASS or FAIL, and the next step                     |
 | `output`    | standard output and sentences on standard error                    |
@@ -53,6 +55,7 @@ from cadgen.cli.card import card
 from cadgen.cli.check import check
 from cadgen.cli.draw import draw
 from cadgen.cli.edit import edit
+from cadgen.cli.explore import explore, merge
 from cadgen.cli.gears import gears
 from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
@@ -97,6 +100,8 @@ cli.add_command(optimize)
 cli.add_command(tolerance)
 cli.add_command(calibrate)
 cli.add_command(adjust)
+cli.add_command(explore)
+cli.add_command(merge)
 cli.add_command(report)
 cli.add_command(edit)
 cli.add_command(verify)

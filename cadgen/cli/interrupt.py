@@ -14,7 +14,7 @@ from types import FrameType
 from cadgen.export.folder import abandon
 
 INTERRUPTED = 130
-_MESSAGE = "interrupted: nothing was written"
+_message = "interrupted: nothing was written"
 _SHOW_CURSOR = "\r\x1b[K\x1b[?25h"  # and wipe the line: progress may be on show
 
 
@@ -27,6 +27,12 @@ def install() -> None:
     for number in _ENDING:
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, handler)
+
+
+def resumable() -> None:
+    """Have the sentence say that the results so far are kept."""
+    global _message
+    _message = "interrupted: results so far are kept, and the same command goes on where it was"
 
 
 def ignore() -> None:
@@ -47,10 +53,10 @@ def _interrupted(main: int, number: int, frame: FrameType | None) -> None:
             child.kill()
         # Not through `sys.stdout` or `sys.stderr`, which may be amid writing.
         if "--json" in sys.argv:
-            _say(1, json.dumps({"error": _MESSAGE, "exit_code": INTERRUPTED}))
+            _say(1, json.dumps({"error": _message, "exit_code": INTERRUPTED}))
         else:
             plain = os.environ.get("TERM", "dumb") == "dumb" or not os.isatty(2)
-            _say(2, f"{'' if plain else _SHOW_CURSOR}cadgen: {_MESSAGE}")
+            _say(2, f"{'' if plain else _SHOW_CURSOR}cadgen: {_message}")
     os._exit(INTERRUPTED)
 
 

@@ -1,10 +1,16 @@
 """`cadgen plan`: from a course and a car to the path that the play turns least off."""
 
+import os
+from contextlib import nullcontext
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from cadgen.cli.options import Number, out_option, overrides_option
+
+if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
 
 
 @click.command()
@@ -34,6 +40,12 @@ from cadgen.cli.options import Number, out_option, overrides_option
     show_default=True,
     help="Number of searches, each from another path; the best one counts.",
 )
+@click.option(
+    "--processes",
+    type=click.IntRange(1, 100),
+    default=lambda: min(2, os.cpu_count() or 1),
+    help="Number of searches that run at once; the plan does not depend on it.  [default: 2]",
+)
 @overrides_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of sentences.")
 @out_option(help="Folder for NAME_planned.toml; without it no file is written.")
@@ -43,6 +55,7 @@ def plan(
     within_mm: float | None,
     calm_as: str | None,
     seeds: int,
+    processes: int,
     overrides: tuple[str, ...],
     as_json: bool,
     out: Path | None,
@@ -63,8 +76,9 @@ def plan(
     loaded = Design.load(course, overrides, train_only=True)
     drawn = None if improve is None else Design.load(improve)
     calm = None if calm_as is None else Design.load(calm_as)
-    with show.progress(not as_json) as progress:
-        planned = loaded.plan(drawn, within_mm, calm_as=calm, seeds=seeds, progress=progress)
+    several = seeds > 1 and processes > 1 and drawn is None
+    with show.progress(not as_json) as progress, _pool(processes) if several else nullcontext() as pool:
+        planned = loaded.plan(drawn, within_mm, calm_as=calm, seeds=seeds, map=pool, progress=progress)
         written = None if out is None or not planned.passed else planned.write(out, progress=progress)
     if as_json:
         show.document(planned.facts() if written is None else written.entry)
@@ -81,3 +95,9 @@ def plan(
         else:
             verdict(False, failed(planned.cam.checks), "change the design")
     raise SystemExit(0 if planned.passed else 1)
+
+
+def _pool(processes: int) -> "ProcessPoolExecutor":
+    from concurrent.futures import ProcessPoolExecutor
+
+    return ProcessPoolExecutor(processes)

@@ -37,6 +37,11 @@ def packaged_designs() -> dict[str, Path]:
     return {file.stem: file for file in sorted(folder.glob("*.toml"))} if folder else {}
 
 
+def packaged_studies() -> dict[str, Path]:
+    """The studies of `cadgen explore` that come with cadgen, by name."""
+    return {file.stem: file for folder in _PACKAGED for file in sorted((folder / "studies").glob("*.toml"))}
+
+
 def load_design(source: str | Path | None = None, overrides: Sequence[str] = ()) -> Design:
     """Read a design, apply the overrides in order, and check the result.
 

@@ -4,7 +4,7 @@ from itertools import pairwise
 from typing import Any
 
 from cadgen.design.explain import depth_in_key, section, spoken, unknown_key
-from cadgen.design.keys import keys, shown, tables
+from cadgen.design.keys import Key, keys, shown, tables
 from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.parse import parse
 from cadgen.errors import DesignError, brief, escaped
@@ -32,6 +32,21 @@ def override(values: dict[str, Any], text: str) -> Place:
     except DesignError as error:
         raise DesignError(f"{quoted(text)}: {error}") from None
     return place
+
+
+def key_at(values: object, name: str) -> Key | None:
+    """The key that a dotted name means, with its kind and range; None for a whole section.
+
+    Args:
+        values: raw values of the design, whose kinds of path, follower and stages decide what keys there are.
+        name: dotted name, where items of lists are counted from 1.
+
+    Raises:
+        DesignError: an unknown key, with the nearest known one.
+    """
+    named = NamedKinds.of(values)
+    place = _place(name, named)
+    return keys(named.at(place)).get(section(place))
 
 
 def quoted(text: str) -> str:

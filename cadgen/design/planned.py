@@ -1,5 +1,6 @@
 """The design file with the planned path: comments kept, overrides applied."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from cadgen.arrays import Array
@@ -22,9 +23,7 @@ def planned_text(design: Design, text: str, points: Array, radius_mm: float | No
     """
     import tomlkit  # only here: most commands write no design
 
-    values: Any = tomlkit.parse(text)
-    for change in design.overrides:
-        override(values, change)
+    values = _overridden(text, design.overrides)
     if "path" not in values:
         values.add("path", tomlkit.table())
     path = values["path"]
@@ -37,11 +36,41 @@ def planned_text(design: Design, text: str, points: Array, radius_mm: float | No
     if radius_mm is not None:
         values["car"]["drive_wheel_radius_mm"] = radius_mm
         values["car"]["drive_wheel_radius_mm"].comment("by cadgen plan: the whole path before the closing blend")
-    if "name" not in values:
-        named = tomlkit.document()
-        named.add("name", design.name)
-        return f"{named.as_string()}{values.as_string()}".rstrip() + "\n"
-    return str(values.as_string()).rstrip() + "\n"
+    return _written(values, design.name)
+
+
+def overridden_text(text: str, overrides: Sequence[str], name: str) -> str:
+    """A design's own text with overrides, and a name; comments stay.
+
+    Args:
+        text: text of its file.
+        overrides: as of `--set`.
+        name: name of the changed design.
+    """
+    values = _overridden(text, overrides)
+    if "name" in values:
+        values["name"] = name
+    return _written(values, name)
+
+
+def _overridden(text: str, overrides: Sequence[str]) -> Any:
+    import tomlkit
+
+    values = tomlkit.parse(text)
+    for change in overrides:
+        override(values, change)
+    return values
+
+
+def _written(values: Any, name: str) -> str:
+    """Text of a document, which begins with the name if it has none."""
+    if "name" in values:
+        return str(values.as_string()).rstrip() + "\n"
+    import tomlkit
+
+    named = tomlkit.document()
+    named.add("name", name)
+    return f"{named.as_string()}{values.as_string()}".rstrip() + "\n"
 
 
 def rounded(points: Array) -> Array:

@@ -72,6 +72,24 @@ def hold(file: Path) -> int | None:
     return descriptor
 
 
+def lock_now(descriptor: int) -> bool:
+    """Lock an open file for as long as it is open; False if another process has it, True where there are no locks."""
+    try:
+        return _lock(descriptor, wait=False)
+    except OSError as error:
+        if error.errno not in _UNSUPPORTED:
+            raise
+        return True
+
+
+def unlock(descriptor: int) -> None:
+    """Free the lock of an open file."""
+    if sys.platform == "win32":
+        msvcrt.locking(descriptor, msvcrt.LK_UNLCK, 1)
+    else:
+        fcntl.flock(descriptor, fcntl.LOCK_UN)
+
+
 def held(file: Path) -> bool:
     """Whether a process holds the lock of a file; False if there is no such file."""
     try:

@@ -1,7 +1,8 @@
 """A task planned: the best path of several searches."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -46,7 +47,12 @@ class Plan:
 
 
 def plan(
-    task: Task, *, seeds: int = 1, begin: Array | None = None, report: Callable[[str], None] | None = None
+    task: Task,
+    *,
+    seeds: int = 1,
+    begin: Array | None = None,
+    report: Callable[[str], None] | None = None,
+    map_with: Callable[..., Iterable[Plan]] | None = None,
 ) -> Plan:
     """Plan a task from scratch, near to the track that it names, or on from a path.
 
@@ -54,25 +60,25 @@ def plan(
         task: what is planned; its gates are passed in their order.
         seeds: number of searches, each from another path; the best one counts.
         begin: control points to go on from, shape (n, 2), mm; then there is one search.
-        report: function that is called with a few words as the plan gets better.
+        report: function that is called with a few words as the plan gets better; not where searches run elsewhere.
+        map_with: function like the built-in `map` that runs several searches, such as that of a pool; the plan does
+            not depend on it.
 
     Raises:
         DesignError: the course has nothing to drive to.
     """
-    best: Plan | None = None
-    for seed in range(seeds if begin is None and task.near is None else 1):
-        candidate = _searched(task, seed, begin, report)
-        if best is None or _merit(candidate) < _merit(best):
-            best = candidate
-    assert best is not None
-    return best
+    if seeds == 1 or begin is not None or task.near is not None:
+        return _searched(task, begin, report, 0)
+    if map_with is None:
+        return min(map(partial(_searched, task, None, report), range(seeds)), key=_merit)
+    return min(map_with(partial(_searched, task, None, None), range(seeds)), key=_merit)
 
 
 def _merit(candidate: Plan) -> tuple[float, float]:
     return sum(candidate.missed.values()), candidate.path.cost.cost
 
 
-def _searched(task: Task, seed: int, begin: Array | None, report: Callable[[str], None] | None) -> Plan:
+def _searched(task: Task, begin: Array | None, report: Callable[[str], None] | None, seed: int) -> Plan:
     vehicle, course = task.vehicle, task.course
     start, finish = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
     if begin is not None:

@@ -1,5 +1,6 @@
 """A path planned, run through the exact chain with all its checks, and planned again with what they ask for."""
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from math import ceil, pi
 from pathlib import Path
@@ -41,12 +42,14 @@ class Wanted:
         within: how far from it the drive wheel may be, mm.
         calm: track whose curvature's slopes are not to be exceeded; None without.
         seeds: number of searches; the best one counts.
+        map_with: function like the built-in `map` that runs several searches.
     """
 
     near: Track | None = None
     within: float = 0.0
     calm: Track | None = None
     seeds: int = 1
+    map_with: Callable[..., Iterable[Plan]] | None = None
 
 
 @dataclass(frozen=True)
@@ -109,7 +112,11 @@ def plan_design(
         progress("planning the path" if number == 0 else "planning on with what the checks ask for")
         task = task_of(design, drawn=drawn, near=wanted.near, within=wanted.within, calm=wanted.calm, reserve=reserve)
         result = planned(
-            task, seeds=wanted.seeds, begin=begin, report=lambda words: progress(f"planning the path: {words}")
+            task,
+            seeds=wanted.seeds,
+            begin=begin,
+            report=lambda words: progress(f"planning the path: {words}"),
+            map_with=wanted.map_with,
         )
         if result.missed:
             progress("looking for the reason")

@@ -1,0 +1,77 @@
+"""Two processes against one, and dask's LocalCluster against processes, on the same designs: as ratios.
+
+Run on a quiet machine with
+`pytest benchmarks/test_explore.py -o addopts=--import-mode=importlib --benchmark-only -s`.
+A first run of each engine starts its processes, so that what is compared is work after start-up.
+"""
+
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import pytest
+
+from cadgen.api.exploration import explore
+
+DESIGNS = 60  # of the paper's car, over a second each: a minute of one worker
+TWO_WORKERS = 1.85
+DASK = 1.05
+
+STUDY = """
+objectives = ["worst_end_mm", "disc_diameter_mm"]
+[plan]
+kind = "sobol"
+designs = {designs}
+[[vary]]
+key = "cam.base_radius_mm"
+least = {least}
+most = 90
+[[vary]]
+key = "follower.radius_mm"
+least = 1.5
+most = 4.0
+"""
+
+
+def timed(folder: Path, name: str, executor: Any) -> float:
+    """Seconds of a study, after a short one that starts the processes."""
+    for designs, least in ((4, 50), (DESIGNS, 60)):
+        file = folder / f"{name}{designs}.toml"
+        file.write_text(STUDY.format(designs=designs, least=least))
+        begun = perf_counter()
+        explore(file, folder / name, executor=executor)
+    return perf_counter() - begun
+
+
+@pytest.fixture
+def ratio(benchmark: Any) -> Callable[[str, float, float], float]:
+    def said(words: str, above: float, below: float) -> float:
+        benchmark.pedantic(lambda: None, rounds=1)
+        benchmark.extra_info[words] = above / below
+        print(f"\n{words}: {above:.1f} s against {below:.1f} s, {above / below:.3f}")
+        return above / below
+
+    return said
+
+
+def test_two_processes_against_one(tmp_path, ratio):
+    with ProcessPoolExecutor(1) as one:
+        alone = timed(tmp_path, "one", one)
+    with ProcessPoolExecutor(2) as two:
+        both = timed(tmp_path, "two", two)
+    assert ratio("one process against two", alone, both) >= TWO_WORKERS
+
+
+def test_dask_against_processes(tmp_path, ratio):
+    from dask.distributed import Client, LocalCluster
+
+    with ProcessPoolExecutor(2) as two:
+        processes = timed(tmp_path, "two", two)
+    with (
+        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        Client(cluster, set_as_default=False) as client,
+    ):
+        dask = timed(tmp_path, "dask", client)
+    assert ratio("dask against processes", dask, processes) <= DASK

@@ -1,0 +1,232 @@
+"""Studies of many designs: what `explore` and `merge` give."""
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from cadgen.api.files import Written, folder_of
+from cadgen.api.values import Frozen, frozen, name_or_path, whole
+from cadgen.design.load import packaged_studies
+from cadgen.errors import DesignError, FileError, brief
+from cadgen.exploration import scripts
+from cadgen.exploration.engines import Cluster, Engine, Mapped, Processes, engine_of
+from cadgen.exploration.figures.figure import Figure as Figure
+from cadgen.exploration.figures.table import register as register_figure
+from cadgen.exploration.figures.table import remove as remove_figure
+from cadgen.exploration.files import Summary, write_summary
+from cadgen.exploration.journal import Journal
+from cadgen.exploration.merge import merged
+from cadgen.exploration.read import read_study
+from cadgen.exploration.results import Results
+from cadgen.exploration.run import Exploration as Computing
+from cadgen.exploration.run import open_journal
+from cadgen.exploration.study import Study
+from cadgen.progress import Progress, silent
+
+__all__ = ["Exploration", "Figure", "explore", "merge", "register_figure", "remove_figure", "write_script"]
+
+MOST_PROCESSES, MOST_SHARDS = 1024, 10_000
+_SHARD = re.compile(r"([0-9]{1,5})/([0-9]{1,5})")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Exploration:
+    """A study that has been computed, or a shard of one.
+
+    Attributes:
+        computed: all results, row by row from the journal.
+        shard: number of the part and number of parts; 1 and 1 for the whole.
+        folder: where its journal is.
+    """
+
+    computed: Results
+    shard: tuple[int, int]
+    folder: Path
+
+    def __repr__(self) -> str:
+        part = "" if self.complete else f", shard {self.shard[0]} of {self.shard[1]}"
+        return f"<Exploration of {self.name}, {self.computed.count} designs{part}>"
+
+    @property
+    def name(self) -> str:
+        """Name of the study."""
+        return self.computed.study.name
+
+    @property
+    def complete(self) -> bool:
+        """Whether it has the results of all designs, and not those of a shard alone."""
+        return self.shard[1] == 1
+
+    @cached_property
+    def summary(self) -> Summary:
+        """Counts, front and effects.
+
+        Raises:
+            FileError: it is a shard.
+        """
+        if not self.complete:
+            raise FileError(f"this is shard {self.shard[0]} of {self.shard[1]}: merge all shards first")
+        return Summary.of(self.computed)
+
+    @property
+    def front(self) -> tuple[Mapping[str, Any], ...]:
+        """Designs of the Pareto front as plain values, the best in each objective first."""
+        return tuple(frozen(self.summary.row_facts(row)) for row in self.summary.front)
+
+    def rows(self) -> Iterator[Mapping[str, Any]]:
+        """All designs as plain values, in order, read one at a time."""
+        return (Frozen(self.summary.row_facts(row)) for row in self.computed.rows())
+
+    def facts(self) -> dict[str, Any]:
+        """The summary as plain values, as in the manifest and with `--json`."""
+        if self.complete:
+            return self.summary.facts()
+        return {"study": self.name, "shard": list(self.shard), "designs": self.computed.journals[0].count}
+
+    def write(self, folder: str | PathLike[str] | None = None, *, progress: Progress = silent) -> Written:
+        """Write table, front, pictures and the best designs, all together or none.
+
+        Args:
+            folder: folder for the files; that of the journal if left out.
+            progress: function that is called with a few words on each step.
+
+        Raises:
+            FileError: a file cannot be written, or it is a shard.
+        """
+        place = self.folder if folder is None else folder_of(folder)
+        written = write_summary(self.summary, place, progress)
+        return Written.of(place, written.part, written.entry)
+
+
+def explore(
+    study: str | PathLike[str],
+    folder: str | PathLike[str],
+    *,
+    executor: Any = None,
+    processes: int = 1,
+    scheduler: str | None = None,
+    shard: str | tuple[int, int] | None = None,
+    progress: Progress = silent,
+) -> Exploration:
+    """Compute the designs of a study; what the journal in the folder has already is not computed again.
+
+    The results are the same whatever computes them, in whatever order, and however often it was stopped.
+
+    Args:
+        study: path of the study's file, or name of a packaged study.
+        folder: folder of the journal.
+        executor: anything with a method `submit` or `map`, or a function like the built-in `map`.
+        processes: number of processes of this machine, without an executor.
+        scheduler: address, or scheduler file, of a dask scheduler.
+        shard: `k/n` or (k, n): compute the k-th of n parts only; for fixed plans.
+        progress: function that is called with the state of the study.
+
+    Raises:
+        DesignError: the study, an argument, or a package that is missing.
+        FileError: the journal cannot be written, is of another study or version, or the executor has gone.
+    """
+    read, text, place, part = *_read(study), folder_of(folder), shard_of(shard)
+    if part[1] > 1 and read.searches:
+        raise DesignError(
+            "a search needs the results of all designs before it goes on, so it has no shards: use processes or a "
+            "scheduler, or take a fixed plan such as sobol"
+        )
+    if executor is not None and scheduler is not None:
+        raise DesignError("both an executor and a scheduler are given: leave one out")
+    journal = open_journal(read, text, place, part)
+    try:
+        engine = _engine(executor, scheduler, whole("processes", processes, 1, MOST_PROCESSES), journal)
+        try:
+            results = Computing(read, journal, engine, progress).run()
+        finally:
+            engine.close()
+        journal.free()
+    except BaseException:
+        journal.close()
+        raise
+    return Exploration(results, part, place)
+
+
+def merge(folders: Iterable[str | PathLike[str]]) -> Exploration:
+    """Put the journals of all shards of a study together.
+
+    Args:
+        folders: folders of the shards.
+
+    Raises:
+        FileError: no journal, journals of several studies or versions, or designs without a result.
+    """
+    places = [folder_of(folder) for folder in folders]
+    if not places:
+        raise DesignError("no folder was given: name those of the shards")
+    return Exploration(merged(places), (1, 1), places[0])
+
+
+def write_script(
+    study: str | PathLike[str], folder: str | PathLike[str], cluster: str, jobs: int, processes: int = 1
+) -> tuple[Path, str]:
+    """Write a job script that computes a study in shards on a cluster.
+
+    Args:
+        study: path of the study's file.
+        folder: folder for script and results, which all jobs see.
+        cluster: `slurm` or `kubernetes`.
+        jobs: number of jobs.
+        processes: processes of each job.
+
+    Returns:
+        Path of the script, and the command that hands it in.
+
+    Raises:
+        DesignError: the study, or an argument.
+        FileError: the script cannot be written.
+    """
+    read, _ = _read(study)
+    if read.searches:
+        raise DesignError("a search has no shards, and so no script: use --scheduler, or a fixed plan such as sobol")
+    place, kind = folder_of(folder), scripts.kind_of(cluster)
+    named = Path(study) if str(study) in packaged_studies() else Path(study).absolute()
+    of_all = scripts.Jobs(read.name, named, place.absolute(), whole("jobs", jobs, 1, MOST_SHARDS), processes)
+    file = place / f"{read.name}{kind.ending}"
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        file.write_text(kind.text(of_all), encoding="utf-8", newline="\n")
+    except OSError as error:
+        raise FileError(f"{brief(str(file))} cannot be written ({error.strerror}): choose another folder") from error
+    return file, kind.hand_in(of_all, file)
+
+
+def shard_of(shard: str | tuple[int, int] | None) -> tuple[int, int]:
+    """Number of a part and number of parts.
+
+    Raises:
+        DesignError: it is not k/n with k from 1 to n.
+    """
+    if shard is None:
+        return 1, 1
+    match = _SHARD.fullmatch(shard) if isinstance(shard, str) else None
+    part, parts = (int(match[1]), int(match[2])) if match else shard if isinstance(shard, tuple) else (0, 0)
+    if not 1 <= part <= parts <= MOST_SHARDS:
+        raise DesignError(
+            f"the shard is {brief(repr(shard), 40)}; it must be k/n, such as 2/3, with k from 1 to n and n at most "
+            f"{MOST_SHARDS}"
+        )
+    return part, parts
+
+
+def _read(study: str | PathLike[str]) -> tuple[Study, str]:
+    source = name_or_path("study", study)
+    if source is None or not os.fspath(source):
+        raise DesignError("no study is named: give the path of its file")
+    return read_study(Path(source))
+
+
+def _engine(executor: Any, scheduler: str | None, processes: int, journal: Journal) -> Engine | Mapped:
+    if executor is not None:
+        return engine_of(executor)
+    return Cluster(scheduler) if scheduler is not None else Processes(processes, journal.stream.fileno())

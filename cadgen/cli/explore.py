@@ -1,0 +1,77 @@
+"""`cadgen explore` and `cadgen merge`: studies of many designs."""
+
+import os
+from pathlib import Path
+
+import click
+
+from cadgen.cli import interrupt
+from cadgen.cli.options import out_option
+
+_CLUSTERS = ("slurm", "kubernetes")
+
+
+@click.command()
+@click.argument("study", type=click.Path(path_type=Path))
+@out_option(required=True, help="Folder for journal and results.")
+@click.option(
+    "--processes",
+    type=click.IntRange(1, 1024),
+    default=lambda: min(2, os.cpu_count() or 1),
+    help="Number of processes that run at once; the results do not depend on it.  [default: 2]",
+)
+@click.option("--scheduler", metavar="ADDRESS", help="A dask scheduler that computes the designs, or its file.")
+@click.option("--shard", metavar="K/N", help="Compute the K-th of N parts only, for cadgen merge.")
+@click.option(
+    "--cluster", type=click.Choice(_CLUSTERS), help="Write a job script for --jobs shards, and compute nothing."
+)
+@click.option("--jobs", type=click.IntRange(1, 10_000), default=None, help="Jobs of --cluster.  [default: 10]")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
+def explore(
+    study: Path,
+    out: Path,
+    processes: int,
+    scheduler: str | None,
+    shard: str | None,
+    cluster: str | None,
+    jobs: int | None,
+    as_json: bool,
+) -> None:
+    """Compute thousands of designs: which are the best, and what it depends on.
+
+    STUDY is a TOML file with base design, keys that vary, limits and objectives (docs/how-to/explore.md), or a packaged
+    study, paper_car. Every result is kept in a journal at once; the same command again goes on where it was.
+    """
+    from cadgen.api import exploration
+    from cadgen.cli import show, show_exploration
+
+    if jobs is not None and cluster is None:
+        raise click.UsageError("--jobs is the number of jobs of --cluster: give that too, or leave it out")
+    if cluster is not None:
+        if scheduler is not None or shard is not None:
+            raise click.UsageError("--cluster only writes a script: leave out --scheduler and --shard")
+        file, command = exploration.write_script(study, out, cluster, jobs or 10, processes)
+        show_exploration.script(file, command, as_json=as_json)
+        return
+    interrupt.resumable()
+    with show.progress(not as_json) as progress:
+        computed = exploration.explore(
+            study, out, processes=processes, scheduler=scheduler, shard=shard, progress=progress
+        )
+        written = computed.write(progress=progress) if computed.complete else None
+    show_exploration.results(computed, written, out, as_json=as_json)
+
+
+@click.command()
+@click.argument("folders", nargs=-1, required=True, type=click.Path(path_type=Path))
+@out_option(required=True, help="Folder for the results.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
+def merge(folders: tuple[Path, ...], out: Path, as_json: bool) -> None:
+    """Put the shards of a study together: FOLDERS are those that cadgen explore --shard wrote to."""
+    from cadgen.api import exploration
+    from cadgen.cli import show, show_exploration
+
+    with show.progress(not as_json) as progress:
+        computed = exploration.merge(folders)
+        written = computed.write(out, progress=progress)
+    show_exploration.results(computed, written, out, as_json=as_json)

@@ -1,0 +1,72 @@
+"""Results of a study as sentences and tables."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from cadgen.cli import show
+from cadgen.cli.show import Output
+
+if TYPE_CHECKING:
+    from cadgen.api.exploration import Exploration
+    from cadgen.api.files import Written
+
+_MOST_ROWS = 10  # of the front
+_STATES = {
+    "kept": "within all limits",
+    "outside": "outside a limit or check",
+    "screened": "screened out",
+    "refused": "no design",
+    "crashed": "crashed",
+}
+
+
+def results(computed: "Exploration", written: "Written | None", out: Path, *, as_json: bool) -> None:
+    """Print counts, front and files; of a shard the number of its designs.
+
+    Args:
+        computed: results.
+        written: files that were written; None for a shard.
+        out: folder of the results.
+        as_json: whether to print one JSON document instead.
+    """
+    if as_json:
+        show.document(computed.facts() if written is None else written.entry)
+        return
+    console = Output()
+    if written is None:
+        part, parts = computed.shard
+        console.print(
+            f"Shard {part} of {parts} of {computed.name} is done. When all are: cadgen merge {out} --out {out}",
+            soft_wrap=True,
+        )
+        return
+    summary = computed.summary
+    states = [f"{count} {_STATES[state]}" for state, count in summary.states.items()]
+    console.print(f"{computed.name}: {computed.computed.count} designs, {', '.join(states)}.")
+    if not summary.front:
+        console.print("No design keeps all limits and checks: see the columns failed and sentence of the table.")
+    else:
+        _front(computed)
+    show.files(written, out)
+
+
+def script(file: Path, command: str, *, as_json: bool) -> None:
+    """Print where a job script is, and the command that hands it in."""
+    if as_json:
+        show.document({"script": str(file), "command": command})
+        return
+    console = Output()
+    console.print(f"{file} is written: read it, and set what your cluster asks for. Then:", soft_wrap=True)
+    console.print(command, soft_wrap=True)
+
+
+def _front(computed: "Exploration") -> None:
+    study, front = computed.computed.study, computed.summary.front
+    table = show.plain_table(f"\nfront: {len(front)} designs" + (", the first:" if len(front) > _MOST_ROWS else ""))
+    heads = ["number", *study.keys, *(figure.code for figure in study.figures)]
+    for head in heads:
+        table.add_column(head, justify="right", overflow="fold")
+    for row in front[:_MOST_ROWS]:
+        known = [f"{value:.6g}" if isinstance(value, float) else str(value) for value in (*row.values, *row.figures)]
+        table.add_row(str(row.number), *known)
+    Output().print(table)

@@ -1,0 +1,33 @@
+"""Mass of the disc without its hub: area less bore and holes, times thickness and density of its material."""
+
+from cadgen.errors import DesignError
+from cadgen.exploration.figures.evaluated import Evaluated
+from cadgen.exploration.figures.figure import Figure
+from cadgen.motion.friction import DiscMaterial
+
+# g/cm3: handbooks' tables, such as those that The Engineering ToolBox collects; PLA by makers of filament.
+DENSITY: dict[DiscMaterial, float] = {
+    "aluminium": 2.70,
+    "steel": 7.85,
+    "brass": 8.50,
+    "acrylic": 1.18,
+    "PLA": 1.24,
+    "POM": 1.41,
+}
+
+
+def _mass(evaluated: Evaluated) -> float:
+    plan = evaluated.plan
+    material = plan.design.blank.material
+    if material is None:
+        raise DesignError("the mass of the disc needs its material: add blank.material, such as aluminium")
+    inner, outer = plan.design.cam.faces_mm
+    return plan.blank.disc_volume(plan.area, outer - inner) * DENSITY[material] * 1e-3
+
+
+DISC_MASS = Figure(
+    code="disc_mass_g",
+    meaning="mass of the disc without its hub",
+    of=_mass,
+    resolution=0.01,
+)

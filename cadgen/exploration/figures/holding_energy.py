@@ -1,0 +1,22 @@
+"""Energy in a turn of the cam that the drag takes which holds the cam on its gears."""
+
+from cadgen.errors import DesignError
+from cadgen.exploration.figures.evaluated import Evaluated
+from cadgen.exploration.figures.figure import Figure
+from cadgen.optimize.remedies import holding
+from cadgen.workflow.cam.plan import against_of
+
+
+def _energy(evaluated: Evaluated) -> float:
+    against = against_of(evaluated.plan)
+    if against.task.mechanics is None:
+        raise DesignError("the energy that holds the cam needs the rod's force: add [mechanics] with rod_force_N")
+    return holding(against.chosen.lift, against.task.mechanics).energy
+
+
+HOLDING_ENERGY = Figure(
+    code="holding_energy_J",
+    meaning="energy in a turn of the cam that the drag takes which holds it",
+    of=_energy,
+    resolution=1e-4,
+)

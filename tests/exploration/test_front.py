@@ -1,0 +1,71 @@
+"""The front against a comparison of all with all; effects against models whose shares are known."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from cadgen.exploration.effects import effects
+from cadgen.exploration.evaluate import Row
+from cadgen.exploration.figures.figure import Figure
+from cadgen.exploration.front import front, ranked
+
+LESS = Figure(code="less_mm", meaning="", of=lambda evaluated: 0.0)
+MORE = Figure(code="more_mm", meaning="", of=lambda evaluated: 0.0, more=True)
+
+
+def rows_of(points: list[tuple[float, ...]]) -> list[Row]:
+    return [Row(number, (), "kept", tuple(map(float, point))) for number, point in enumerate(points)]
+
+
+@settings(deadline=None)
+@given(st.lists(st.tuples(st.integers(0, 6), st.integers(0, 6)), max_size=40))
+def test_the_front_is_what_no_other_beats(points):
+    best = front(rows_of(points), (LESS, MORE))
+    beaten = {
+        (x, y) for (x, y), (a, b) in product(points, points) if a <= x and b >= y and (a, b) != (x, y)
+    }  # less of the first is better, more of the second
+    assert {row.figures for row in best} == {(float(x), float(y)) for x, y in set(points) - beaten}
+    assert len(best) == len({row.figures for row in best})
+    assert all(points.index((int(row.figures[0]), int(row.figures[1]))) == row.number for row in best)
+
+
+def test_designs_outside_a_limit_are_not_on_the_front():
+    rows = [Row(0, (), "outside", (0.0, 9.0)), Row(1, (), "screened", (0.0, None)), Row(2, (), "kept", (5.0, 5.0))]
+    assert [row.number for row in front(rows, (LESS, MORE))] == [2]
+
+
+def test_differences_below_the_resolution_make_no_design_better():
+    coarse = Figure(code="coarse_mm", meaning="", of=lambda evaluated: 0.0, resolution=0.1)
+    best = front(rows_of([(1.04, 3.0), (1.01, 3.0), (1.0, 2.0), (0.99, 2.5)]), (coarse, LESS))
+    assert [row.number for row in best] == [2]
+
+
+def test_the_best_in_each_objective_come_first():
+    best = ranked(rows_of([(0.5, 0.4), (0.0, 0.1), (1.0, 1.0), (0.1, 0.9)]), (LESS, MORE))
+    assert [row.number for row in best][:2] == [1, 2]
+    assert best[2].number == 3
+
+
+class _Study:
+    keys = ("a", "b", "word")
+    figures = (LESS, MORE)
+
+
+def test_effects_are_the_shares_of_an_additive_model():
+    """Of y = 2 a + b, with a and b even on 0 to 1, a explains 4/5 and b 1/5; the word explains all of the other."""
+    rng = np.random.default_rng(1)
+    a, b, word = rng.random(4000), rng.random(4000), rng.choice(["x", "y", "z"], 4000)
+    heights = {"x": 3.0, "y": -1.0, "z": 0.5}
+    rows = [Row(n, (a[n], b[n], word[n]), "kept", (float(2 * a[n] + b[n]), heights[word[n]])) for n in range(4000)]
+    found = effects(_Study(), rows)
+    # Ten groups miss a hundredth of a range's own variance.
+    assert found["less_mm"] == pytest.approx({"a": 0.8, "b": 0.2, "word": 0.0}, abs=0.02)
+    assert found["more_mm"] == pytest.approx({"a": 0.0, "b": 0.0, "word": 1.0}, abs=0.01)
+
+
+def test_a_figure_that_does_not_vary_has_no_effects():
+    rows = [Row(n, (float(n), 0.0, "x"), "kept", (1.0, None)) for n in range(20)]
+    assert effects(_Study(), rows) == {}

@@ -1,0 +1,137 @@
+"""Studies from their files: what is refused, with which sentence; what varies, and in which order."""
+
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from cadgen.errors import DesignError, FileError
+from cadgen.exploration import plans
+from cadgen.exploration.read import read_study
+from cadgen.exploration.run import open_journal
+from cadgen.exploration.variation import Variation
+
+TEXT = """
+objectives = ["worst_end_mm", "disc_diameter_mm"]
+[plan]
+kind = "sobol"
+designs = 16
+[[vary]]
+key = "cam.base_radius_mm"
+least = 60
+most = 80
+"""
+
+
+def read(folder: Path, text: str) -> None:
+    file = folder / "study.toml"
+    file.write_text(text)
+    read_study(file)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ('kind = "sobol"', 'kinds = "sobol"', r"plan\.kinds is not a key of a study: \[plan\] takes kind, designs and"),
+        ('kind = "sobol"', 'kind = "sobel"', r'plan\.kind is "sobel"; it must be "full_factorial", .* or "nsga2"'),
+        ("designs = 16", "", r"plan\.designs is missing: say how many designs sobol is to choose"),
+        ("designs = 16", "designs = 0", r"plan\.designs is 0; it must be at least 1"),
+        ("designs = 16", "designs = 1.5", r"plan\.designs is 1\.5; it must be a whole number"),
+        ("designs = 16", "designs = ", r"is not TOML"),
+        ("least = 60", "least = 80", r"the range of cam\.base_radius_mm from 80 to 80 is empty: least must be below"),
+        ("least = 60", "", r"cam\.base_radius_mm must vary either by values or from least to most"),
+        ("least = 60\nmost = 80", "values = []", r"cam\.base_radius_mm has no values to choose from"),
+        ("most = 80", "most = 800", r"--set cam\.base_radius_mm=800\.0: cam\.base_radius_mm is 800.*it must be"),
+        ("cam.base_radius_mm", "cam.base_radios_mm", r"did you mean cam\.base_radius_mm\?"),
+        ("cam.base_radius_mm", "replan.within_mm", r"replan\.within_mm varies, but no path is planned: add \[replan\]"),
+        ("worst_end_mm", "worst_end", r'objectives\.1 is "worst_end"; it must be "worst_end_mm", '),
+        ('["worst_end_mm", "disc_diameter_mm"]', "[]", r"objectives is empty: add at least one"),
+        ("[plan]", 'checks = ["round"]\n[plan]', r'checks names "round", which is no check'),
+        ("[plan]", 'base = "no_car"\n[plan]', r"there is no design file .*no_car"),
+        ("[plan]", 'set = ["cam.thickness_mm=0"]\n[plan]', r"--set cam\.thickness_mm=0: .*it must be"),
+        ("[[vary]]", '[[limits]]\nfigure = "drift_mm"\n[[vary]]', r"the limit on drift_mm has neither least nor most"),
+        (
+            "[[vary]]",
+            '[[limits]]\nfigure = "drift_mm"\nleast = 3\nmost = 2\n[[vary]]',
+            r"the limit on drift_mm from 3 to 2 is empty: exchange them",
+        ),
+        ('kind = "sobol"\ndesigns = 16', 'kind = "full_factorial"', r"cam\.base_radius_mm is a range, .*: add step"),
+        (
+            "least = 60\nmost = 80",
+            'values = [60.0, 70.0]\nalong = { "train.module_mm" = [0.5] }',
+            r"train\.module_mm changes along with cam\.base_radius_mm and has 1 values, but .* has 2",
+        ),
+        ("[plan]", 'profile = "best"\n[plan]', r'profile is "best"; it must be "actual"'),
+        ('kind = "sobol"', 'kind = "nsga2"', r"plan\.designs is 16, fewer than the 40 of one generation"),
+    ],
+)
+def test_a_wrong_study_is_refused_in_one_sentence(tmp_path, old, new, sentence):
+    assert old in TEXT
+    with pytest.raises(DesignError, match=sentence) as refused:
+        read(tmp_path, TEXT.replace(old, new))
+    assert "\n" not in str(refused.value)
+
+
+def test_a_right_study_is_taken_with_what_is_only_right_together(tmp_path):
+    both = TEXT.replace("cam.base_radius_mm", "cam.inner_face_mm").replace("60", "30").replace("80", "32")
+    read(tmp_path, both + '[[vary]]\nkey = "cam.mid_plane_mm"\nvalues = [33.0]\n' + "")
+
+
+def test_journals_of_others_are_refused(tmp_path, monkeypatch):
+    def opened(text: str, name: str = "study.toml") -> None:
+        file = tmp_path / name
+        file.write_text(text)
+        study, content = read_study(file)
+        open_journal(study, content, tmp_path).close()
+
+    opened(TEXT)
+    opened(TEXT + "# a comment changes nothing\n")
+    with pytest.raises(FileError, match=r"is of another study, or of another state of this one"):
+        opened(TEXT.replace("60", "61"))
+    monkeypatch.setattr("cadgen.exploration.run.__version__", "99.0")
+    with pytest.raises(FileError, match=r"was begun by cadgen .*, and this is 99\.0: end it with that version"):
+        opened(TEXT)
+    (tmp_path / "study.journal").write_text("something else, and longer than a header would ever be\n" * 200)
+    with pytest.raises(FileError, match="is no journal of cadgen explore"):
+        opened(TEXT)
+
+
+CHOICE = Variation("a", values=("x", "y", "z"))
+RANGE = Variation("b", least=1.0, most=3.0)
+STEPS = Variation("c", least=1.0, most=3.0, step=0.5)
+WHOLE = Variation("d", least=10, most=14, whole=True)
+
+
+def test_a_full_factorial_has_every_combination_once():
+    kinds = (CHOICE, STEPS, WHOLE)
+    count = plans.count("full_factorial", kinds, None)
+    plan = plans.plan("full_factorial", kinds, count, 1)
+    assert count == 3 * 5 * 5
+    assert len({plan(number) for number in range(count)}) == count
+    assert {plan(number)[1] for number in range(count)} == {1.0, 1.5, 2.0, 2.5, 3.0}
+    assert [plan(number)[2] for number in range(6)] == [10, 11, 12, 13, 14, 10]
+
+
+@pytest.mark.parametrize("kind", ["sobol", "latin_hypercube"])
+def test_a_plan_by_chance_spreads_evenly_and_repeats_by_its_seed(kind):
+    kinds = (CHOICE, RANGE, WHOLE)
+    plan, again, other = (plans.plan(kind, kinds, 60, seed) for seed in (1, 1, 2))
+    rows = [plan(number) for number in range(60)]
+    assert rows == [again(number) for number in range(60)] != [other(number) for number in range(60)]
+    assert all(1 <= row[1] <= 3 and isinstance(row[2], int) for row in rows)
+    for column, levels in ((0, 3), (2, 5)):
+        counts = Counter(row[column] for row in rows)
+        assert len(counts) == levels
+        assert max(abs(count - 60 / levels) for count in counts.values()) <= 4
+    assert np.abs(np.sort([row[1] for row in rows]) - np.linspace(1, 3, 60)).max() < 0.1
+
+
+@given(st.floats(0, 1, exclude_max=True))
+def test_a_place_of_the_unit_interval_is_a_value(place):
+    assert CHOICE.at(place) == CHOICE.values[int(3 * place)]
+    assert abs(RANGE.at(place) - (1 + 2 * place)) < 1e-5
+    assert STEPS.at(place) in (1.0, 1.5, 2.0, 2.5, 3.0)
+    assert WHOLE.at(place) in (10, 11, 12, 13, 14)
