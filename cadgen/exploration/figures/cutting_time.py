@@ -13,9 +13,10 @@ def _minutes(evaluated: Evaluated) -> float:
     """Passes times the length of the cutter's path: an offset by r of a closed curve is longer by 2 pi r (Steiner)."""
     plan = evaluated.plan
     machining, (inner, outer) = plan.design.machining, plan.design.cam.faces_mm
+    feed = machining.feed(plan.design.blank.material)
     passes = ceil((outer - inner + machining.break_through_mm) / machining.step_down_mm - _ROUNDING)
     length = plan.curve.length() + TURN * machining.cutter_diameter_mm / 2
-    return passes * length / machining.feed_mm_per_min
+    return passes * length / feed
 
 
 CUTTING_TIME = Figure(
