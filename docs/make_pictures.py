@@ -120,7 +120,6 @@ def pictures(folder: Path) -> Iterator[tuple[str, Any]]:
         _legend_above(axes)
         yield "second_run", picture
 
-
     with figure(7.2, 3.6) as picture:
         _laps(*picture.subplots(1, 2, sharex=True, sharey=True))
         yield "laps", picture
