@@ -1,0 +1,31 @@
+"""The last line of every command: PASS or FAIL, and the next step."""
+
+from pathlib import Path
+
+import pytest
+
+from cadgen.cli import cli
+from cadgen.cli.verdict import command, verdict
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.mark.parametrize("name", sorted(cli.commands))
+def test_every_command_prints_it(name):
+    """Each by the one function, and none by words of its own."""
+    source = (ROOT / "cadgen" / "cli" / f"{name}.py").read_text("utf-8")
+    assert "verdict(" in source
+    assert "PASS" not in source.replace("PASS or FAIL", "")
+
+
+@pytest.mark.parametrize("width", ["60", "80"])
+def test_it_fits_a_narrow_terminal(width, monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", width)
+    step = command("cam", "my_car.toml", "--profile optimized", overrides=["a=1"])
+    verdict(True, "every check holds, and each file in exports was read back", step)
+    printed = capsys.readouterr().out
+    assert max(map(len, printed.splitlines())) <= int(width)
+    assert " ".join(printed.split()) == (
+        "PASS: every check holds, and each file in exports was read back; next: cadgen cam my_car.toml "
+        "--profile optimized (with the same --set)"
+    )
