@@ -9,6 +9,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.design.section import listed
 from cadgen.deviations.friction import MEASURE_FRICTION
+from cadgen.deviations.transmission import WIND_UP
 from cadgen.expectation.outlook import WORSE, Outlook
 from cadgen.measurement.findings import (
     Candidate,
@@ -314,8 +315,16 @@ def sentence(built: Built) -> str:
         place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
     name = f"no {finding.effect}" if built.claim.absent else finding.effect
     signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.indices)).parameters)
+    if built.place == "noted" and repeats(finding):
+        place += '; it repeats with every turn of the cam: with place = "car" a new cam is made for it'
     of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
     return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
+
+
+def repeats(finding: Finding) -> bool:
+    """Whether an effect of the train is the same at each turn of the cam, so that a cam may take it out."""
+    turns = dict(finding.indices).get("turns_per_turn", 0.0)
+    return finding.effect == WIND_UP.name or (turns > 0 and turns == round(turns))
 
 
 def _number(value: float | None) -> str:
