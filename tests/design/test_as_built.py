@@ -64,8 +64,14 @@ def test_a_file_with_the_section_loads_and_says_the_same_again(written: Any, min
             ),
             "turns_per_turn is 2.5; it must be a whole number from 1",
         ),
-        (effect("transmission", "runout of shaft 2", "part", runout_cos_deg=0.1), 'place is "part"; it must be noted or car'),
-        (effect("transmission", "tooth mesh of stage 3", "car", mesh_cos_deg=0.1), 'place is "car"; it must be noted'),
+        (
+            effect("transmission", "runout of shaft 2", "part", runout_cos_deg=0.1),
+            'place is "part"; it must be noted or car',
+        ),
+        (
+            effect("transmission", "tooth mesh of stage 3", "car", mesh_cos_deg=0.1),
+            'place is "car"; it must be noted',
+        ),
     ],
 )
 def test_what_cannot_be_is_refused_with_a_sentence(wrong: dict[str, Any], words: str) -> None:

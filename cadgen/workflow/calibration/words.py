@@ -315,16 +315,23 @@ def sentence(built: Built) -> str:
         place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
     name = f"no {finding.effect}" if built.claim.absent else finding.effect
     signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.indices)).parameters)
-    if built.place == "noted" and repeats(finding):
-        place += '; it repeats with every turn of the cam: with place = "car" a new cam is made for it'
+    if built.place == "noted" and built.instead is None:
+        place = _of_train(finding) or place
     of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
     return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
 
 
-def repeats(finding: Finding) -> bool:
-    """Whether an effect of the train is the same at each turn of the cam, so that a cam may take it out."""
-    turns = dict(finding.indices).get("turns_per_turn", 0.0)
-    return finding.effect == WIND_UP.name or (turns > 0 and turns == round(turns))
+def _of_train(finding: Finding) -> str:
+    """Why an effect of the train is only noted, and what a cam can do about it; empty for another effect."""
+    turns = dict(finding.indices).get("turns_per_turn")
+    if turns is not None and turns != round(turns):
+        return "recorded only: it does not repeat with every turn of the cam, and no cam takes it out"
+    if turns is None and finding.effect != WIND_UP.name:
+        return ""
+    return (
+        'recorded only, as it may be the instrument\'s; it repeats with every turn of the cam, so with place = "car" '
+        "a new cam takes it out, and every wheel must then stay on its shaft and in mesh as it was measured"
+    )
 
 
 def _number(value: float | None) -> str:
