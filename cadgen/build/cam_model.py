@@ -135,7 +135,8 @@ def as_built(design: Design) -> AsBuilt:
             values = tuple(effect.numbers[p.name] * p.scale for p in known.parameters)
             sigma = (effect.values[0].sigma or 0.0) * known.parameters[0].scale
             placed.append(Placed(known, values, effect.place, sigma, effect.kind_of_data.rod_on))
-    return AsBuilt(tuple(placed))
+    nominal = design.follower.registered.build(design.follower.keys, design.seat)
+    return AsBuilt(tuple(placed), nominal if isinstance(nominal, LeaningRod) else None)
 
 
 def car(design: Design) -> Car:

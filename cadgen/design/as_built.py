@@ -151,15 +151,17 @@ class AsBuilt(Section):
     @model_validator(mode="after")
     def _each_thing_is_set_once(self) -> "AsBuilt":
         for name, effects in (("effects", self.effects), ("cut_for", self.cut_for)):
-            seen: dict[str, Effect] = {}
+            seen: dict[tuple[str, str], Effect] = {}
             for effect in effects:
+                # Gears on several shafts run out, each by itself.
+                own = effect.effect if effect.place == "car" and effect.known().indices else ""
                 for value in effect.values if effect.place == "car" else ():
-                    if value.name in seen:
-                        earlier = seen[value.name]
+                    if (value.name, own) in seen:
+                        earlier = seen[value.name, own]
                         raise ValueError(
                             f"as_built.{name} has {value.name} of the car twice, from {earlier.effect} of kind "
                             f'{earlier.kind} and from {effect.effect} of kind {effect.kind}: set place = "noted" '
                             "in one of them"
                         )
-                    seen[value.name] = effect
+                    seen[value.name, own] = effect
         return self

@@ -16,5 +16,6 @@
 | `usual`        | how much cars differ in what nobody has measured                                |
 | `catalogue`    | the effects of each kind of data, by the names that design files give them      |
 | `edges`        | cost at the finish of edges broken more than designed                            |
+| `lead`         | a camshaft ahead of its gears by the same at each turn, as a disc               |
 | `as_built`     | the car with its effects: what becomes of a disc, and what to cut for it        |
 """

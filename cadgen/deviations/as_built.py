@@ -27,7 +27,9 @@ from cadgen.deviations.disc import (
     ramped_reversal,
 )
 from cadgen.deviations.effect import Effect
+from cadgen.deviations.lead import led
 from cadgen.deviations.names import Place
+from cadgen.deviations.transmission import MESH
 from cadgen.errors import DesignError
 from cadgen.steering.car import Car
 
@@ -59,12 +61,23 @@ class Placed:
     sigma: float = 0.0
     on_track: bool = False
 
+    @property
+    def leads(self) -> bool:
+        """Whether the camshaft leads or lags its gears by it, the same at each turn."""
+        return self.effect.stage is MESH and self.place == "car"
+
 
 @dataclass(frozen=True)
 class AsBuilt:
-    """The effects of a car, in the order in which they act; none for a car as designed."""
+    """The effects of a car, in the order in which they act; none for a car as designed.
+
+    Attributes:
+        effects: of the car.
+        rod: as designed; None for another follower, which has none of these effects.
+    """
 
     effects: tuple[Placed, ...] = ()
+    rod: LeaningRod | None = None
 
     def car(self, nominal: Car) -> Car:
         """The car in plan view: offset of the drive wheel, steering zero, gain of the lever and slip."""
@@ -136,7 +149,10 @@ class AsBuilt:
     @property
     def shapes_discs(self) -> bool:
         """Whether a new disc comes out, or runs, other than it is cut."""
-        return any(placed.effect.stage is DISC and placed.place in ("process", "car") for placed in self.effects)
+        return any(
+            placed.leads or (placed.effect.stage is DISC and placed.place in ("process", "car"))
+            for placed in self.effects
+        )
 
     def unevenness(self, *, measured: bool) -> float:
         """Rises and falls of the lift that waves and steps of the outline may make, mm: they are no events of a path.
@@ -173,6 +189,7 @@ class AsBuilt:
                     "nose_number"
                 )
         disc = self._acted(disc, ("part", "process", "car"), 0.0, AXIS_REVERSAL.act)
+        disc = self._led(disc, self.phase, disc)
         contact = roll(_outline_of(disc), follower, cam_angle + self.phase)
         return replace(contact, cam_angle=cam_angle)
 
@@ -218,15 +235,24 @@ class AsBuilt:
         curvature = np.concatenate([jet.curvature for jet in jets])
         cut = disc
         for _ in range(_MOST_STEPS):
-            missing = points - self._of_new(cut, ramped_reversal, curvature).points
+            missing = points - self._of_new(cut, ramped_reversal, curvature, asking=disc).points
             cut = replace(cut, points=cut.points + missing)
             if np.abs(missing).max() < _CONVERGED:
                 break
         return moved(wanted, at, tuple(np.split(cut.points - points, np.cumsum([len(t) for t in at])[:-1])))
 
-    def _of_new(self, disc: Disc, reversal: _Act = lost_motion, at: Array | None = None) -> Disc:
-        """Deviations of a new disc in its making and on the shaft."""
-        return self._acted(disc, ("process", "car"), self.phase, reversal, at)
+    def _of_new(
+        self, disc: Disc, reversal: _Act = lost_motion, at: Array | None = None, asking: Disc | None = None
+    ) -> Disc:
+        """Deviations of a new disc in its making and on the shaft; `asking` as of `led`, its own lift if left out."""
+        finished = self._acted(disc, ("process", "car"), self.phase, reversal, at)
+        # The lift that asks the torque is the one that comes of it.
+        return self._led(finished, 0.0, asking or self._led(finished, 0.0, finished))
+
+    def _led(self, disc: Disc, ahead: float, asking: Disc) -> Disc:
+        """Let the shaft lead or lag; arguments as of `led`."""
+        leading = [(placed.effect, placed.values) for placed in self.effects if placed.leads]
+        return led(disc, leading, ahead, self.rod, asking) if leading and self.rod else disc
 
     def _acted(
         self, disc: Disc, places: tuple[Place, ...], turned: float, reversal: _Act, at: Array | None = None

@@ -100,7 +100,7 @@ _UNDULATIONS = Family(
 _RUNOUTS = Family(
     (runout("the camshaft", 1.0),),
     re.compile(r"runout of (the motor shaft|the camshaft|shaft \d{1,2})"),
-    lambda match, indices: runout(match[1], 1.0),
+    lambda match, indices: runout(match[1], float(indices.get("turns_per_turn", 1.0))),
 )
 _MESHES = Family(
     (tooth_mesh(1, 1.0),),

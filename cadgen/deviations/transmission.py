@@ -131,6 +131,7 @@ WIND_UP = Effect(
     stage=MESH,
     parameters=(_deg("wind_up_deg", "+: the camshaft lags where the cam is steepest up", 5.0),),
     act=_wind_up,
+    places=("noted", "car"),
     confused_with="runout of the camshaft",
     separated_by="lift the rod off the cam and measure again",
 )
@@ -146,6 +147,9 @@ def runout(shaft: str, order: float) -> Effect:
             _deg("runout_sin_deg", "+: where it has turned by 90°", 5.0),
         ),
         act=_periodic(order),
+        # Of a whole order it repeats with every turn of the cam, and a cam may take it out.
+        places=("noted", "car"),
+        indices=(("turns_per_turn", order),),
         twins=(f"eccentric encoder on {shaft}",),
         confused_with="an eccentric encoder on the same shaft",
         separated_by="put a dial on the gear's rim, or turn the encoder on its shaft and measure again",
@@ -178,7 +182,8 @@ def train_orders(ratios: tuple[float, ...], teeth: tuple[int, ...], highest: int
         teeth: of each stage's driven wheel; empty if unknown.
         highest: order that the data resolve.
     """
-    orders = [float(np.prod(ratios[k:])) for k in range(len(ratios) + 1)]
+    # Rounded, so that a whole order is whole.
+    orders = [round(float(np.prod(ratios[k:])), 9) for k in range(len(ratios) + 1)]
     names = ["the motor shaft", *(f"shaft {k}" for k in range(1, len(ratios))), "the camshaft"]
     effects = [rubbing(RETURN_ERROR, SLIDING_FRICTION, _rubbing, start) for start in (0.0, *FRICTIONS)]
     effects += [runout(n, o) for n, o in zip(names, orders, strict=True) if o <= highest]

@@ -28,6 +28,12 @@ def page() -> str:
     return _HEAD + "".join(map(_kind, kinds()))
 
 
+_INDICES = {
+    "nose_number": "which one, counted from 1 by polar angle",
+    "turns_per_turn": "turns of that shaft for one of the cam; only what is whole may be of the `car`",
+}
+
+
 def _kind(kind: Kind) -> str:
     head = (
         "| effect | numbers | places | cannot be told from | looks like | told apart by |\n|---|---|---|---|---|---|\n"
@@ -40,7 +46,7 @@ def _row(effect: Effect) -> str:
     for pattern, shown in _MANY:
         name = pattern.sub(shown, name)
     numbers = [_number(p) for p in effect.parameters]
-    numbers += [f"`{index}`: which one, counted from 1 by polar angle" for index, _ in effect.indices]
+    numbers += [f"`{index}`: {_INDICES[index]}" for index, _ in effect.indices]
     twins, places = ", ".join(effect.twins), ", ".join(effect.places)
     cells = (name, "<br>".join(numbers), places, twins, effect.confused_with, effect.separated_by)
     return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |\n"

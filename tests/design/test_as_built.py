@@ -58,6 +58,20 @@ def test_a_file_with_the_section_loads_and_says_the_same_again(written: Any, min
             effect("profile", "worn nose", "part", worn_depth_um=9.0, worn_width_deg=4.0, nose_number=1.5),
             "nose_number is 1.5; it must be a whole number from 1",
         ),
+        (
+            effect(
+                "transmission", "runout of shaft 2", "car", runout_cos_deg=0.1, runout_sin_deg=0.0, turns_per_turn=2.5
+            ),
+            "turns_per_turn is 2.5; it must be a whole number from 1",
+        ),
+        (
+            effect("transmission", "runout of shaft 2", "part", runout_cos_deg=0.1),
+            'place is "part"; it must be noted or car',
+        ),
+        (
+            effect("transmission", "tooth mesh of stage 3", "car", mesh_cos_deg=0.1),
+            'place is "car"; it must be noted',
+        ),
     ],
 )
 def test_what_cannot_be_is_refused_with_a_sentence(wrong: dict[str, Any], words: str) -> None:
@@ -71,6 +85,14 @@ def test_one_thing_of_the_car_is_set_once() -> None:
         track, zones
     )
     AsBuilt.model_validate({"effects": [track, {**zones, "place": "noted"}]})
+    # Gears on several shafts run out.
+    numbers = {"runout_cos_deg": 0.1, "runout_sin_deg": -0.1}
+    gears = [
+        effect("transmission", name, "car", **numbers, turns_per_turn=turns)
+        for name, turns in (("runout of shaft 2", 3.0), ("runout of the camshaft", 1.0))
+    ]
+    AsBuilt.model_validate({"effects": gears})
+    assert "has runout_cos_deg of the car twice" in refusal(gears[0], gears[0])
     # A disc may have one thing twice: the bore of the part, and the run-out of the shaft.
     part = effect("profile", "eccentric bore", "part", eccentric_x_um=30.0, eccentric_y_um=0.0)
     shaft = effect("lift", "eccentric bore", "car", eccentric_x_um=30.0, eccentric_y_um=0.0)

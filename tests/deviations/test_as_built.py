@@ -6,6 +6,7 @@ import pytest
 from cadgen.cam.contact import roll
 from cadgen.curves.closed import Outline
 from cadgen.deviations.as_built import AsBuilt, Placed
+from cadgen.deviations.transmission import WIND_UP, runout
 from cadgen.errors import DesignError
 from cadgen.measurement.kinds import kind_of
 
@@ -224,3 +225,41 @@ def test_an_unknown_name_names_the_nearest(kind, name, near):
     assert kind_of("transmission").named("runout of shaft 2").name == "runout of shaft 2"
     assert kind_of("transmission").named("tooth mesh of stage 3").name == "tooth mesh of stage 3"
     assert kind_of("lift").named("worn nose", {"nose_number": 3}).indices == (("nose_number", 3),)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("effects", "order", "lag"),
+    [
+        ([(runout("the camshaft", 1.0), (5e-3, -3e-3))], 1, 0.0),
+        ([(runout("shaft 2", 3.0), (4e-3, 3e-3))], 3, 0.0),
+        ([(runout("shaft 1", 15.0), (1.5e-3, -1e-3))], 15, 0.0),
+        ([(WIND_UP, (8e-3,))], 1, 8e-3),
+        ([(runout("shaft 2", 3.0), (4e-3, 3e-3)), (WIND_UP, (8e-3,))], 3, 8e-3),
+    ],
+    ids=["order 1", "order 3", "order 15", "wind-up", "both"],
+)
+def test_what_repeats_at_each_turn_is_taken_out(effects, order, lag, carbon_free_car, wanted):
+    """The shaft that the test turns ahead by its own formula; share of the lift error that is left, on the path."""
+    car, path = carbon_free_car, carbon_free_car.lift.blend_start > THETA
+    cosine, sine = effects[0][1] if effects[0][0] is not WIND_UP else (0.0, 0.0)
+    slope = car.lift.tan_beta(np.linspace(0.0, 2 * np.pi, 7200), nu=1)
+    asked = (car.lift.tan_beta(THETA, nu=1) - slope[0]) / np.abs(slope).max()
+    turned = THETA + cosine * (np.cos(order * THETA) - 1) + sine * np.sin(order * THETA) - lag * asked
+    built = AsBuilt(tuple(Placed(e, values, "car") for e, values in effects), car.follower)
+
+    def error(curve):
+        return (roll(curve.outline(STEP), car.follower, turned).lift - wanted)[path]
+
+    before, after = error(car.actual.curve), error(built.precompensated(car.actual.curve))
+    foretold = (built.roll_measured(car.actual.curve, car.follower, THETA, STEP).lift - wanted)[path]
+    left, wrong = (np.std(off) / np.std(before) for off in (after, foretold - before))
+    print(f"{1e3 * np.std(before):.1f} um rms; {100 * left:.2f} % left, {100 * wrong:.2f} % foretold wrong")
+    assert np.std(before) > 0.015
+    assert max(left, wrong) < (0.03 if lag else 0.005)
+
+
+def test_a_shaft_that_leads_by_too_much_is_refused(carbon_free_car):
+    built = AsBuilt((Placed(runout("the motor shaft", 45.0), (0.01, 0.0), "car"),), carbon_free_car.follower)
+    with pytest.raises(DesignError, match=r"gains and loses 103\.\d degrees .* set place to noted"):
+        built.precompensated(carbon_free_car.actual.curve)

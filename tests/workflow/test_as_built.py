@@ -116,6 +116,35 @@ def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path, m
 
 
 @pytest.mark.slow
+def test_run_out_of_the_train_is_taken_out_where_the_user_agrees(built, carbon_free_car):
+    """A gear that turns three times for one of the cam, by the generator's own formula, and where the run ends."""
+    cosine, sine = 0.3, -0.25
+
+    def design(place: str):
+        numbers = {"runout_cos_deg": cosine, "runout_sin_deg": sine, "turns_per_turn": 3.0}
+        return built(effect("transmission", "runout of shaft 2", place, **numbers), name=place)
+
+    stop = carbon_free_car.lift.blend_start
+    motor = np.arange(COUNT) * TURN / COUNT
+    ahead = np.radians(cosine * (np.cos(3 * motor) - 1) + sine * np.sin(3 * motor))
+
+    def end(curve) -> complex:
+        lift = roll(curve.outline(0.05), carbon_free_car.follower, motor + ahead).tan_beta
+        world = World(Table(lift), carbon_free_car.car, carbon_free_car.track)
+        return complex(Wheels().track(world, np.array([0.0, stop]))[-1])
+
+    goal = complex(*carbon_free_car.track.position(carbon_free_car.track.length * (1 - 12 / 360)))
+    plans = {place: plan_cam(design(place), "actual") for place in ("noted", "car")}
+    left = {place: abs(end(plan.curve) - goal) for place, plan in plans.items()}
+    print({place: f"{value:.2f} mm" for place, value in left.items()})
+    assert plans["car"].passed
+    assert left["noted"] > 20
+    assert left["car"] < 0.03 * left["noted"]
+    assert any("mark every wheel" in line for line in as_built_sentences(design("car"), stop))
+    assert not any("mark every wheel" in line for line in as_built_sentences(design("noted"), stop))
+
+
+@pytest.mark.slow
 def test_a_slipping_car_with_another_lever(built, carbon_free_car):
     """Slip and gain by the generator, with the actual profile; there is no play."""
     design = built(

@@ -11,6 +11,7 @@ from cadgen.design.load import load_design, packaged_designs
 from cadgen.errors import FileError
 from cadgen.measurement import kinds
 from cadgen.measurement.findings import Finding, Value
+from cadgen.measurement.together import Claim
 from cadgen.report.text import Heading, Table, plain
 from cadgen.workflow.calibration import plan
 from cadgen.workflow.calibration.as_built_file import as_built_text
@@ -184,3 +185,17 @@ def test_files_are_refused_before_more_are_read_than_can_be_judged(monkeypatch):
     monkeypatch.setattr(plan, "MOST_READ", 100)
     with pytest.raises(FileError, match=r"the 1 files up to track_a.csv .* 100 that can be judged in one command"):
         read(names, each=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "turns", "words"),
+    [
+        ("runout of shaft 2", 3.0, 'with place = "car" a new cam takes it out'),
+        ("runout of shaft 1", 2.5, "does not repeat with every turn of the cam"),
+    ],
+)
+def test_it_says_what_of_the_train_a_cam_takes_out(name, turns, words):
+    kind = kinds.kind_of("transmission")
+    numbers = tuple(Value(f"runout_{wave}_deg", 0.2, 0.01, "deg") for wave in ("cos", "sin"))
+    finding = Finding(name, numbers, (), (), (("turns_per_turn", turns),))
+    assert words in sentence(plan.Built(Claim("made.csv", kind, finding), "noted"))

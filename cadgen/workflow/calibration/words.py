@@ -9,6 +9,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.design.section import listed
 from cadgen.deviations.friction import MEASURE_FRICTION
+from cadgen.deviations.transmission import WIND_UP
 from cadgen.expectation.outlook import WORSE, Outlook
 from cadgen.measurement.findings import (
     Candidate,
@@ -314,8 +315,23 @@ def sentence(built: Built) -> str:
         place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
     name = f"no {finding.effect}" if built.claim.absent else finding.effect
     signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.indices)).parameters)
+    if built.place == "noted" and built.instead is None:
+        place = _of_train(finding) or place
     of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
     return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
+
+
+def _of_train(finding: Finding) -> str:
+    """Why an effect of the train is only noted, and what a cam can do about it; empty for another effect."""
+    turns = dict(finding.indices).get("turns_per_turn")
+    if turns is not None and turns != round(turns):
+        return "recorded only: it does not repeat with every turn of the cam, and no cam takes it out"
+    if turns is None and finding.effect != WIND_UP.name:
+        return ""
+    return (
+        'recorded only, as it may be the instrument\'s; it repeats with every turn of the cam, so with place = "car" '
+        "a new cam takes it out, and every wheel must then stay on its shaft and in mesh as it was measured"
+    )
 
 
 def _number(value: float | None) -> str:

@@ -24,7 +24,7 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
     lines = [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
     if noted:
         lines.append(f"Only noted: {_listed_effects(noted)}.")
-    lines += _friction_sentences(design)
+    lines += [*_lead_sentences(design), *_friction_sentences(design)]
     if abs(stop - stop_as_designed(design)) > _LEAST_SHIFT:
         turns = ""
         if design.train is not None:
@@ -92,6 +92,16 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
             )
         )
     return tuple(checks)
+
+
+def _lead_sentences(design: Design) -> list[str]:
+    """How to keep what the cam takes out of the train at its place, in words."""
+    if not any(placed.leads for placed in cam_model.as_built(design).effects):
+        return []
+    return [
+        "The cam takes out what its shaft leads or lags the gears by at each turn: mark every wheel, its shaft and the "
+        "teeth in mesh before you take the train apart, and put them together as they were measured."
+    ]
 
 
 def _friction_sentences(design: Design) -> list[str]:
