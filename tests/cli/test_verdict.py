@@ -10,7 +10,8 @@ from cadgen.cli.verdict import command, verdict
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.parametrize("name", sorted(cli.commands))
+# The editor goes on until it is stopped, and has no result.
+@pytest.mark.parametrize("name", sorted(cli.commands.keys() - {"edit"}))
 def test_every_command_prints_it(name):
     """Each by the one function, and none by words of its own."""
     source = (ROOT / "cadgen" / "cli" / f"{name}.py").read_text("utf-8")

@@ -48,6 +48,8 @@ class ForkModel:
     datum = ()
     slip = np.empty(0)
     floor = 1e-4
+    tangent = None
+    resolved = None
 
     def __init__(self, record, nominal):
         angle = np.radians(record["cam_angle_deg"])
