@@ -47,7 +47,9 @@ def _one(item: Any, schema: type[BaseModel]) -> str:
     if kind in _BOUNDS:
         words, bound = _BOUNDS[kind]
         return f"{name} is {_shown(value)}; it must be {words} {context[bound]:g}"
-    if kind == "too_short":
+    if kind == "tuple_type" and isinstance(value, dict):
+        return f"{name} is one section; it must be a list of them: write [[{name}]]"
+    if kind in ("too_short", "string_too_short"):
         return f"{name} is empty: add at least one"
     if kind == "string_pattern_mismatch":
         return f"{name} is {_shown(value)}; it must be letters, digits, _, - and points, the first a letter or digit"
