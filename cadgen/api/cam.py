@@ -17,9 +17,9 @@ from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError
 from cadgen.optimize.laps import Laps
 from cadgen.progress import Progress, silent
-from cadgen.workflow.cam.against import PAPER_PERCENT as PAPER_PERCENT
-from cadgen.workflow.cam.against import Against
 from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play, outlook_sentence
+from cadgen.workflow.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
+from cadgen.workflow.cam.comparison import PlayComparison
 from cadgen.workflow.cam.cures import Cures as Cures
 from cadgen.workflow.cam.cures import find_cures
 from cadgen.workflow.cam.manifest import cam_facts
@@ -204,9 +204,9 @@ class Cam:
         return outer - inner
 
     @property
-    def against(self) -> Against | None:
+    def comparison(self) -> PlayComparison | None:
         """Comparison of the profile with others under play; None if the profile is not for play."""
-        return self.computed.against
+        return self.computed.comparison
 
     @cached_property
     def cures(self) -> Cures:
@@ -248,14 +248,14 @@ class Cam:
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
-        design, against, laps = self.computed.design, self.computed.against, self.computed.laps
-        if against is None:
+        design, comparison, laps = self.computed.design, self.computed.comparison, self.computed.laps
+        if comparison is None:
             return (*field_notice(design), *as_built_sentences(design, self.computed.lift.blend_start))
         return (
             *field_notice(design),
             *assumed_play(design),
-            *as_built_sentences(design, against.task.lift.blend_start),
-            *(laps.sentences(against.run, against.before, against.chosen) if laps else ()),
+            *as_built_sentences(design, comparison.task.lift.blend_start),
+            *(laps.sentences(comparison.run, comparison.before, comparison.chosen) if laps else ()),
         )
 
     def facts(self) -> dict[str, Any]:

@@ -215,13 +215,13 @@ class Design:
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api import cam, runs
-        from cadgen.workflow.cam.plan import against_of, plan_cam
+        from cadgen.workflow.cam.plan import comparison_of, plan_cam
         from cadgen.workflow.cam.remedies import remedies
 
         design = self.complete()
         plan = plan_cam(design, "optimized", progress, all_trains=True)
-        against = against_of(plan)
-        return runs.Comparison(cam.Cam(plan), remedies(design, against, progress) if against.task.mechanics else ())
+        known = comparison_of(plan)
+        return runs.Comparison(cam.Cam(plan), remedies(design, known, progress) if known.task.mechanics else ())
 
     def tolerance(
         self,

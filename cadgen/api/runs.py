@@ -133,7 +133,7 @@ class Comparison:
     @property
     def compared(self) -> tuple[Evaluation, ...]:
         """Every method on every train, with its errors, mm and rad."""
-        return () if self.cam.against is None else self.cam.against.evaluations
+        return () if self.cam.comparison is None else self.cam.comparison.evaluations
 
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write pictures of events and tracks, all together or none.

@@ -42,7 +42,7 @@ def cam(
         show.document(plan.facts() if written is None else written.entry)
     else:
         show.checks(plan, cures)
-        show_play.against(plan)
+        show_play.comparison(plan)
         if written is not None:
             show.files(written, out)
         if plan.passed:

@@ -27,7 +27,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, a
         show.document(cam.facts())
     else:
         show.checks(cam, cures)
-        show_play.against(cam)
+        show_play.comparison(cam)
         if cam.passed:
             kept = ["--profile", profile] if profile else []
             verdict(True, "every check holds", command("cam", design, *kept, overrides=overrides))

@@ -72,8 +72,8 @@ def checks(cam: "Cam", cures: "Cures") -> None:
 
 def friction(cam: "Cam") -> None:
     """Print the effect that friction would have on the result, if it was computed without friction."""
-    if cam.against is not None and cam.against.rubbing:
-        Output().print(Text(cam.against.rubbing, "yellow"))
+    if cam.comparison is not None and cam.comparison.rubbing:
+        Output().print(Text(cam.comparison.rubbing, "yellow"))
 
 
 def failed(cam: "Cam") -> None:

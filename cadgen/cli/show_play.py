@@ -11,16 +11,16 @@ if TYPE_CHECKING:
     from cadgen.api.runs import BudgetSheet, Remedy, Simulation, Spread, ToleranceRun
 
 
-def against(cam: "Cam") -> None:
+def comparison(cam: "Cam") -> None:
     """Print the effect of the profile against play, beside that of the profile before."""
     console = Output()
     for text in cam.notes:
         console.print(text)
-    against = cam.against
-    if against is None:
+    comparison = cam.comparison
+    if comparison is None:
         return
-    chosen, before = against.chosen, against.before
-    low, high = against.band.ends
+    chosen, before = comparison.chosen, comparison.before
+    low, high = comparison.band.ends
     over = f"over the band of {degrees(low):.3f} to {degrees(high):.3f}°"
     if cam.computed.laps is not None:
         text = ""  # the notes say it
@@ -41,11 +41,11 @@ def methods(cam: "Cam") -> None:
     """Print every method compared, the bound, and the reasons."""
     from cadgen.api.cam import PAPER_PERCENT
 
-    against = cam.against
-    assert against is not None
+    comparison = cam.comparison
+    assert comparison is not None
     console = Output()
-    low, high = against.band.ends
-    measured = "" if against.band.measured is None else f", measured {degrees(against.band.measured):.3f}°"
+    low, high = comparison.band.ends
+    measured = "" if comparison.band.measured is None else f", measured {degrees(comparison.band.measured):.3f}°"
     errors = plain_table(
         f"\nreturn error {degrees(low):.3f} to {degrees(high):.3f}°{measured}; errors at the end of the run with the "
         "play that each is cut for, against the first profile with that play, and the worst over the band"
@@ -61,24 +61,24 @@ def methods(cam: "Cam") -> None:
     ):
         for head in heads:
             table.add_column(head, justify="left" if head == "profile" else "right")
-    several = len({evaluation.train for evaluation in against.evaluations}) > 1
+    several = len({evaluation.train for evaluation in comparison.evaluations}) > 1
     train = ""
-    for evaluation in against.evaluations:
+    for evaluation in comparison.evaluations:
         if several and evaluation.train != train:
             train = evaluation.train
             for table in (errors, costs):
                 table.add_row(train, style="dim")
         name = "cam as measured" if evaluation.measured else evaluation.profile.code.replace("smoothed+", "smoothed, ")
-        style = "bold" if evaluation is against.chosen else None
-        first = evaluation is against.before
+        style = "bold" if evaluation is comparison.chosen else None
+        first = evaluation is comparison.before
         errors.add_row(
             name,
             f"{degrees(evaluation.error.end_heading):.3f}°",
             f"{evaluation.error.end_distance:.1f} mm",
-            "" if first else _share(against.gain(evaluation)[1]),
+            "" if first else _share(comparison.gain(evaluation)[1]),
             f"{degrees(evaluation.band.worst_heading):.2f}°",
             f"{evaluation.band.worst_distance:.0f} mm",
-            "" if first else _share(against.worst_gain(evaluation.band.worst_distance)),
+            "" if first else _share(comparison.worst_gain(evaluation.band.worst_distance)),
             style=style,
         )
         # What is skipped and repeated on a compensated profile is meant to be, and no error.
@@ -90,26 +90,26 @@ def methods(cam: "Cam") -> None:
             f"{evaluation.deviation.distance.max():.0f} mm",
             f"{evaluation.worst_lift_error * 1e3:.0f} µm",
             f"{degrees(evaluation.deflection_sum):.3f}°" if summed else "",
-            _share(against.sum_gain(evaluation), 2) if summed and not first else "",
+            _share(comparison.sum_gain(evaluation), 2) if summed and not first else "",
             style=style,
         )
     # The bound is for a rod that slides without friction.
-    bounded = against.task.mechanics is None
+    bounded = comparison.task.mechanics is None
     if bounded:
-        worst = against.bound
+        worst = comparison.bound
         errors.add_row(
             "bound, same peaks",
             *("", "", ""),
             f"{degrees(worst.heading):.2f}°",
             f"{worst.distance:.0f} mm",
-            _share(against.worst_gain(worst.distance)),
+            _share(comparison.worst_gain(worst.distance)),
             style="dim",
         )
     console.print(errors)
     console.print(costs)
     for text in (
         *cam.notes,
-        *against.reasons,
+        *comparison.reasons,
         *(["The bound: no profile with the same peaks and valleys betters it, to first order."] if bounded else []),
         f"The paper's two methods together take {PAPER_PERCENT} % off its sum of deflection errors.",
     ):
@@ -144,10 +144,10 @@ def runs(simulation: "Simulation") -> None:
     """Print the events and the ends of the runs."""
     console = Output()
     friction(simulation.cam)
-    before, chosen = simulation.computed.against.before, simulation.computed.against.chosen
+    before, chosen = simulation.computed.comparison.before, simulation.computed.comparison.chosen
     for text in simulation.notes:
         console.print(text)
-    known = simulation.computed.against.task.mechanics
+    known = simulation.computed.comparison.task.mechanics
     forces = ""
     if known is not None:
         forces = f", friction {known.nominal.friction:.3g}, drag {known.nominal.drag:.3g} N·mm"

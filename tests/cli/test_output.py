@@ -115,7 +115,7 @@ def test_numbers_are_never_folded(capsys, monkeypatch, columns):
         wheel="",
         design=SimpleNamespace(name="car"),
         profile="actual",
-        against=None,
+        comparison=None,
         expected=None,
         checks=(check,),
         edges=check,
@@ -142,7 +142,7 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
     plan = SimpleNamespace(
         wheel="",
         design=SimpleNamespace(name="car[1]"),
-        against=None,
+        comparison=None,
         expected=None,
         profile="actual",
         checks=(check,),

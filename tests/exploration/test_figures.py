@@ -95,9 +95,9 @@ def test_a_figure_from_outside():
 @pytest.mark.long
 def test_figures_with_forces_and_cars():
     rubbing = evaluated_of(overrides=OVERRIDES)
-    against = rubbing.plan.against
+    comparison = rubbing.plan.comparison
     theta = np.linspace(0, 2 * pi, 20_000)
-    torque = against.task.mechanics.at(0.0, 0.0).torque(against.chosen.lift, theta).max()
+    torque = comparison.task.mechanics.at(0.0, 0.0).torque(comparison.chosen.lift, theta).max()
     # A drag of 1.25 times that torque, once round.
     assert kind_of("holding_energy_J").of(rubbing) == pytest.approx(1.25 * torque * 2 * pi * 1e-3, rel=1e-3)
     passed = kind_of("passed_percent").of(rubbing)

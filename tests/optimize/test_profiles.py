@@ -59,17 +59,17 @@ def test_a_profile_from_outside_is_planned_by_its_code(registered):
 
 @pytest.mark.slow
 def test_a_profile_from_outside_takes_part_in_the_choice(registered):
-    against = plan_cam(load_design("carbon_free_car"), "optimized").against
-    assert [str(one.profile) for one in against.evaluations] == [
+    comparison = plan_cam(load_design("carbon_free_car"), "optimized").comparison
+    assert [str(one.profile) for one in comparison.evaluations] == [
         "actual",
         "compensated",
         "smoothed",
         "smoothed+compensated",
         "late",
     ]
-    plain, late = against.evaluations[0], against.evaluations[-1]
+    plain, late = comparison.evaluations[0], comparison.evaluations[-1]
     assert late.error.end_distance == pytest.approx(plain.error.end_distance, rel=1e-9)
-    assert any(reason.startswith("late ") for reason in against.reasons)
+    assert any(reason.startswith("late ") for reason in comparison.reasons)
 
 
 @pytest.mark.slow
@@ -79,8 +79,8 @@ def test_a_profile_that_cannot_be_made_is_left_out_with_its_reason(registered):
 
     for code in ("vain", "vainer"):
         table.register(Profile(code=code, meaning="none", for_play=True, lift=refused))
-    against = plan_cam(load_design("carbon_free_car"), "optimized").against
-    assert [reason for reason in against.reasons if "vain" in reason] == [
+    comparison = plan_cam(load_design("carbon_free_car"), "optimized").comparison
+    assert [reason for reason in comparison.reasons if "vain" in reason] == [
         "vain refused: it cannot be made of this lift"
     ]
 

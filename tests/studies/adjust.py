@@ -22,7 +22,7 @@ from cadgen.cam.contact import roll
 from cadgen.design.load import load_design
 from cadgen.version import __version__
 from cadgen.workflow.adjustment.plan import Bench, Wanted
-from cadgen.workflow.cam.plan import against_of, plan_cam
+from cadgen.workflow.cam.plan import comparison_of, plan_cam
 from tests.studies.friction_truth import CELLS, DEG, TURN, FrictionCar, World
 
 DOCS = Path(__file__).parents[2] / "docs" / "studies"
@@ -49,8 +49,8 @@ class Field:
     def __init__(self, profile: str, division: float, name: str = "carbon_free_car") -> None:
         design = load_design(name)
         plan = plan_cam(design, profile, with_play=True)
-        self.against = against_of(plan)
-        task = self.against.task
+        self.comparison = comparison_of(plan)
+        task = self.comparison.task
         self.plan, self.rod, self.division = plan, task.follower, division
         self.world = World(SimpleNamespace(lift=plan.lift, follower=task.follower, car=task.car, track=plan.track))
         self.outline = plan.curve.outline(0.05)
@@ -84,7 +84,7 @@ class Field:
     def draw(self, rng: np.random.Generator) -> Hand:
         """A car within twice the tolerances, of any play of the band and any usual friction."""
         off = {key: 2 * half * rng.uniform(-1, 1) for key, half in self.half.items()}
-        low, high = np.degrees(self.against.band.ends)
+        low, high = np.degrees(self.comparison.band.ends)
         friction = 0.0 if rng.random() < 0.3 else rng.uniform(0.05, 0.30)
         car = FrictionCar(
             play=round(rng.uniform(low, high) * CELLS / 360),

@@ -119,7 +119,7 @@ def go_round(seed: int, number: int) -> Outcome:
             disc = SimpleNamespace(outline=lambda step: outline)
             bed = Bed(SimpleNamespace(actual=SimpleNamespace(curve=disc), follower=built.follower))
             goal = complex(*built.track.position(built.track.length * built.lift.blend_start / TURN))
-            stop = cam.against.task.lift.blend_start if cam.against else cam.lift.blend_start
+            stop = cam.comparison.task.lift.blend_start if cam.comparison else cam.lift.blend_start
             after = abs(_end(World(built, bed, drawn_form(rng)), car, stop, rng) - goal)
     return Outcome(
         number=number,

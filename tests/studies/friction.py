@@ -28,7 +28,7 @@ from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.remedies import holding, trims
 from cadgen.optimize.task import Task
 from cadgen.path.hermite import quintic_hermite
-from cadgen.workflow.cam.against import task_of
+from cadgen.workflow.cam.comparison import task_of
 
 ENDS = tuple(np.radians([0.512, 0.962]))
 PLAYS = np.radians([0.512, 0.737, 0.962])

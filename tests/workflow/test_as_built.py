@@ -92,12 +92,12 @@ def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path, m
     assert plan.passed
     out = tmp_path / "out"
     entry = write_cam(plan, out).entry
-    stop = plan.against.task.lift.blend_start
+    stop = plan.comparison.task.lift.blend_start
     wheels = Wheels(zero=np.radians(ZERO), radius=1 + RADIUS / 100, play=np.radians(PLAY))
     goal = complex(*carbon_free_car.track.position(carbon_free_car.track.length * (1 - 12 / 360)))
     before = abs(end_of_run(carbon_free_car.actual.curve.outline(0.05), wheels, carbon_free_car, stop) - goal)
-    print(f"before {before:.1f} mm, as reckoned {plan.against.before.error.end_distance:.1f} mm")
-    assert plan.against.before.error.end_distance == pytest.approx(before, rel=0.01)
+    print(f"before {before:.1f} mm, as reckoned {plan.comparison.before.error.end_distance:.1f} mm")
+    assert plan.comparison.before.error.end_distance == pytest.approx(before, rel=0.01)
     for suffix in ("arcs", "spline"):
         name = f"{plan.design.name}_optimized_{suffix}.dxf"
         outline = read_dxf(out / name, 0.05).profile
@@ -191,9 +191,9 @@ def test_files_of_a_precompensated_cam_are_judged_on_the_finished_disc(built, tm
     plan = plan_cam(design, "compensated")
     entry = write_cam(plan, tmp_path / "out").entry
     ends = {name: facts["end_position_mm"] for name, facts in entry["files"].items() if "end_position_mm" in facts}
-    print(ends, plan.against.before.error.end_distance)
+    print(ends, plan.comparison.before.error.end_distance)
     assert len(ends) == 8
-    assert max(ends.values()) < 0.02 * plan.against.before.error.end_distance
+    assert max(ends.values()) < 0.02 * plan.comparison.before.error.end_distance
 
 
 def test_the_key_takes_the_phase_out(built):
@@ -257,7 +257,7 @@ def test_tolerances_are_about_the_car_as_built(built):
         effect("track", "lever gain", "car", gain_percent=2.0),
     )
     run = run_tolerance(design, "compensated", 40, 1, 1)
-    nominal = run.plan.against.chosen.error.end_distance
+    nominal = run.plan.comparison.chosen.error.end_distance
     median = run.end_position.quantiles[0.5]
     print(f"{nominal:.2f} mm, median {median:.1f} mm")
     assert nominal < 10
@@ -282,7 +282,7 @@ def test_before_is_the_cam_that_was_measured(built, carbon_free_car):
     assert run.before_error.end_distance != pytest.approx(bare.before_error.end_distance, abs=5)
     assert run.after_error.end_distance == pytest.approx(bare.after_error.end_distance, abs=1e-6)
     theta = np.linspace(0, 6, 50)
-    np.testing.assert_array_equal(run.against.before.lift.tan_beta(theta), carbon_free_car.lift.tan_beta(theta))
+    np.testing.assert_array_equal(run.comparison.before.lift.tan_beta(theta), carbon_free_car.lift.tan_beta(theta))
 
 
 PHASE = effect("track", "cam phase", "car", phase_deg=0.8)

@@ -61,7 +61,7 @@ def test_with_play_the_course_is_judged_where_that_is_asked(plan):
     """The same figures with a limit: no second computation of the profile is needed to see it."""
     on = plan.course
     judged = replace(on, course=replace(on.course, judged="play"))
-    free, held = (one.played(plan.against, plan.against.chosen.band.plays[-1]).checks() for one in (on, judged))
+    free, held = (one.played(plan.comparison, plan.comparison.chosen.band.plays[-1]).checks() for one in (on, judged))
     assert [check.value for check in free] == [check.value for check in held]
     assert not of(held, CheckCode.COURSE_GATES_PLAY).passed
     assert of(held, CheckCode.COURSE_POST_PLAY).passed
@@ -69,11 +69,11 @@ def test_with_play_the_course_is_judged_where_that_is_asked(plan):
 
 def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     """Cars that differ in play and start alone, each driven exactly and judged by the sweep."""
-    against, planned = plan.against, plan.course.planned
-    fleet = watching(fleet_of(plan, [STEPS], None, against.chosen.play), planned)
+    comparison, planned = plan.comparison, plan.course.planned
+    fleet = watching(fleet_of(plan, [STEPS], None, comparison.chosen.play), planned)
     rng, column = np.random.default_rng(1), {name: k for k, name in enumerate(PARAMETERS)}
     deviations = np.zeros((12, len(PARAMETERS)))
-    low, high = against.band.ends
+    low, high = comparison.band.ends
     deviations[:, column["play"]] = rng.uniform(low, high, 12) - fleet.play
     for name, size in (("start_x", 2.0), ("start_y", 5.0), ("start_heading", 0.003)):
         deviations[:, column[name]] = rng.uniform(-size, size, 12)
@@ -81,12 +81,12 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     quick = least_margin(fleet.watches, poses.heading, poses.position, (fleet.planned.heading, fleet.planned.position))
     exact = []
     for row in deviations:
-        start = against.task.start
+        start = comparison.task.start
         ahead = np.exp(1j * start.heading) * (row[column["start_x"]] + 1j * row[column["start_y"]])
         heading = start.heading + row[column["start_heading"]]
         moved = replace(start, x=start.x + ahead.real, y=start.y + ahead.imag, heading=heading)
-        task = replace(against.task, start=moved)
-        run = plan.course.played(replace(against, task=task), fleet.play + row[column["play"]])
+        task = replace(comparison.task, start=moved)
+        run = plan.course.played(replace(comparison, task=task), fleet.play + row[column["play"]])
         gates = passages(run.poses, run.on.car, run.on.course.gates[:11])
         clear = [there.clearance for _, there in run.driven.approaches]
         exact.append(min([passage.margin for passage in gates] + clear))
@@ -143,7 +143,7 @@ def test_a_mirrored_car_has_the_same_cam_on_its_other_side():
     angle = np.linspace(0, 2 * np.pi, 1000)
     np.testing.assert_allclose(a.lift.tan_beta(angle), b.lift.tan_beta(angle), atol=1e-12)
     for wheel in ("drive_wheel", "front_wheel", "idle_wheel"):
-        runs = [getattr(each.against.chosen.run, wheel) for each in (a, b)]
+        runs = [getattr(each.comparison.chosen.run, wheel) for each in (a, b)]
         np.testing.assert_allclose(runs[0] * [1, -1], runs[1], atol=1e-6)
     # On the car the hub is on the outer face; files show the disc from the car's left, where that is behind.
     assert (b.blank.hub.side, b.made_blank.hub.side) == ("outer", "inner")

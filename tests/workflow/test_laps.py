@@ -160,10 +160,10 @@ def test_the_first_point_may_stand_at_the_end_again():
 @pytest.mark.slow
 def test_the_optimized_cam_keeps_its_laps_at_the_play_it_is_cut_for(plan):
     """At least 95 % less than the plain cam over ten laps, in position and heading; its band beside the bound."""
-    against = plan.against
-    play = against.chosen.made_for
-    plain, own = (plan.laps.of(against.run(each, play)) for each in (against.before, against.chosen))
-    worst, bound = against.chosen.band, against.bound
+    comparison = plan.comparison
+    play = comparison.chosen.made_for
+    plain, own = (plan.laps.of(comparison.run(each, play)) for each in (comparison.before, comparison.chosen))
+    worst, bound = comparison.chosen.band, comparison.bound
     print(
         f"ten laps at {degrees(play):.3f} deg: plain {plain.end[0]:.1f} mm {degrees(plain.end[1]):.2f} deg, "
         f"optimized {own.end[0]:.2f} mm {degrees(own.end[1]):.3f} deg; last lap {plain.furthest:.0f} -> "
@@ -192,7 +192,7 @@ def test_a_course_is_checked_on_every_lap(plan):
     (gates,) = (check for check in on_course.checks if check.code == CheckCode.COURSE_GATES)
     assert gates.passed
     assert gates.limit == 20
-    played = on_course.course.played(on_course.against, radians(1.0))
+    played = on_course.course.played(on_course.comparison, radians(1.0))
     gate = "course.gates.1, lap "
     margins = [where.margin for where in played.driven.passages if where.gate.key.startswith(gate)]
     print([round(margin, 1) for margin in margins])
@@ -210,12 +210,12 @@ def test_a_course_is_checked_on_every_lap(plan):
 def test_many_cars_drive_all_laps(plan):
     """The nominal car of a fleet and one with more play, against runs of their own."""
     more = radians(0.1)
-    fleet = fleet_of(plan, [36_000], None, plan.against.chosen.play)
+    fleet = fleet_of(plan, [36_000], None, plan.comparison.chosen.play)
     deviations = np.zeros((2, len(PARAMETERS)))
     deviations[1, list(PARAMETERS).index("play")] = more
     ends = run_fleet(fleet, deviations)
     for car, play in enumerate((0.0, more)):
-        found = plan.laps.of(plan.against.run(plan.against.chosen, plan.against.chosen.play + play))
+        found = plan.laps.of(plan.comparison.run(plan.comparison.chosen, plan.comparison.chosen.play + play))
         print(f"{degrees(ends.heading[car, -1]):.4f} deg, {abs(ends.position[car, -1]):.3f} mm")
         assert degrees(ends.heading[car, -1] - found.end[1]) == pytest.approx(0.0, abs=0.02)
         assert abs(ends.position[car, -1]) == pytest.approx(found.end[0], abs=0.5)

@@ -10,7 +10,7 @@ from cadgen.design.load import load_design
 from cadgen.errors import CheckError, DesignError
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.profiles.compensated import COMPENSATED
-from cadgen.workflow.cam.manifest import against_facts, remedy_facts
+from cadgen.workflow.cam.manifest import comparison_facts, remedy_facts
 from cadgen.workflow.cam.plan import plan_cam
 from cadgen.workflow.cam.remedies import remedies
 
@@ -35,27 +35,27 @@ def rubbing():
 @pytest.mark.slow
 def test_the_workshop_s_car_does_not_mind_its_play(workshop):
     assert workshop.passed
-    assert workshop.against.chosen.profile is ACTUAL
-    assert workshop.against.chosen.band.worst_distance < 1.0
-    assert workshop.against.rubbing == ""
+    assert workshop.comparison.chosen.profile is ACTUAL
+    assert workshop.comparison.chosen.band.worst_distance < 1.0
+    assert workshop.comparison.rubbing == ""
     checks = {check.name: check for check in workshop.checks}
     assert checks["cam runs ahead"].value == 0.0
     assert checks["cam holds"].value == pytest.approx(42.0 / 32.4, rel=5e-3)
     assert workshop.design.blank.edge_break_mm == 0.2
-    facts = against_facts(workshop.against)["mechanics"]
+    facts = comparison_facts(workshop.comparison)["mechanics"]
     assert facts["friction"] == [0.05, 0.20]
     assert facts["drag_Nmm"] == [42.0, 60.0]
 
 
 @pytest.mark.slow
 def test_a_cam_for_a_rod_that_rubs(rubbing):
-    against = rubbing.against
-    assert against.chosen.profile is COMPENSATED
-    assert against.chosen.band.worst_distance <= 510.0
-    assert against.chosen.band.worst.friction == pytest.approx(0.3)
+    comparison = rubbing.comparison
+    assert comparison.chosen.profile is COMPENSATED
+    assert comparison.chosen.band.worst_distance <= 510.0
+    assert comparison.chosen.band.worst.friction == pytest.approx(0.3)
     # The window of the dilation is not the play of the run that it is evaluated at.
-    assert against.chosen.made_for < against.chosen.play == pytest.approx(sum(against.band.ends) / 2)
-    assert any("a change by 0.01 moves the end of the run" in reason for reason in against.reasons)
+    assert comparison.chosen.made_for < comparison.chosen.play == pytest.approx(sum(comparison.band.ends) / 2)
+    assert any("a change by 0.01 moves the end of the run" in reason for reason in comparison.reasons)
     checks = {check.name: check for check in rubbing.checks}
     assert checks["cam runs ahead"].value > 20.0
     assert "cam holds" not in checks
@@ -63,7 +63,7 @@ def test_a_cam_for_a_rod_that_rubs(rubbing):
 
 @pytest.mark.slow
 def test_the_sheet_of_remedies(rubbing):
-    sheet = {remedy.name: remedy for remedy in remedies(rubbing.design, rubbing.against)}
+    sheet = {remedy.name: remedy for remedy in remedies(rubbing.design, rubbing.comparison)}
     ends = {name: remedy.worst_end for name, remedy in sheet.items()}
     assert ends["plain cam"] > ends["plain cam, reordered"] > ends["compensated for all"]
     assert ends["compensated for all"] <= 510.0
@@ -79,10 +79,10 @@ def test_the_sheet_of_remedies(rubbing):
 @pytest.mark.slow
 def test_a_design_that_says_nothing_of_friction_is_told_what_a_rod_would_make_of_it():
     plan = plan_cam(load_design("carbon_free_car"))
-    assert plan.against.chosen.made_for == plan.against.chosen.play  # as without friction
-    assert "up to 814 mm off" in plan.against.rubbing
-    assert "1207 mm" in plan.against.rubbing
-    assert against_facts(plan.against)["friction_note"] == plan.against.rubbing
+    assert plan.comparison.chosen.made_for == plan.comparison.chosen.play  # as without friction
+    assert "up to 814 mm off" in plan.comparison.rubbing
+    assert "1207 mm" in plan.comparison.rubbing
+    assert comparison_facts(plan.comparison)["friction_note"] == plan.comparison.rubbing
 
 
 @pytest.mark.slow
@@ -94,8 +94,8 @@ def test_hardware_that_the_design_allows():
     assert kept.drag == (50.0, 50.0)
     assert band(*FRICTION).drag == (0.0, 0.0)
     trimmed = plan_cam(load_design("carbon_free_car", [*FRICTION, 'optimize.hardware=["trim"]']), "optimized")
-    assert trimmed.against.chosen.profile is ACTUAL
-    assert any("after a trial run" in reason for reason in trimmed.against.reasons)
+    assert trimmed.comparison.chosen.profile is ACTUAL
+    assert any("after a trial run" in reason for reason in trimmed.comparison.reasons)
 
 
 def test_a_brake_that_the_program_dimensions_is_on_the_disc():
@@ -123,7 +123,7 @@ def test_with_a_measured_play_the_friction_is_not_known_either(rubbing):
 def test_a_remedy_that_cannot_be_built_is_no_number():
     small = ["cam.base_radius_mm=17", "blank.lightening=", "blank.keyway=", "blank.bore_diameter_mm=2"]
     plan = plan_cam(load_design("carbon_free_car", [*FRICTION, *small]), "optimized", all_trains=True)
-    facts = [remedy_facts(remedy) for remedy in remedies(plan.design, plan.against)]
+    facts = [remedy_facts(remedy) for remedy in remedies(plan.design, plan.comparison)]
     json.dumps(facts, allow_nan=False)
     (bearing,) = (fact for fact in facts if fact["remedy"].startswith("ball bearing"))
     assert bearing["worst_end_position_mm"] is None
@@ -134,8 +134,8 @@ def test_a_remedy_that_cannot_be_built_is_no_number():
 def test_friction_alone_is_never_counted_on(rubbing):
     steep = ["mechanics.friction_least=0.55", "mechanics.friction_greatest=0.6", "optimize.max_lift_error_um="]
     plan = plan_cam(load_design("carbon_free_car", steep), "optimized")
-    assert any("friction alone holds the cam" in reason for reason in plan.against.reasons)
-    assert not any("friction alone" in reason for reason in rubbing.against.reasons)
+    assert any("friction alone holds the cam" in reason for reason in plan.comparison.reasons)
+    assert not any("friction alone" in reason for reason in rubbing.comparison.reasons)
 
 
 def test_the_plain_profile_has_its_torques_too():

@@ -74,15 +74,15 @@ def test_they_keep_their_margin_by_a_sweep_of_its_own(name):
 
 @pytest.mark.slow
 def test_they_pass_every_check_with_every_play_of_the_band(plan):
-    band, name = plan.against.chosen.band, plan.design.name
+    band, name = plan.comparison.chosen.band, plan.design.name
     print(f"{name}: {band.worst_distance:.1f} mm, {degrees(band.worst_heading):.2f} deg")
     assert plan.passed, [check.name for check in plan.failed]
     distance, heading = WORST[name]
     assert band.worst_distance < distance
     assert degrees(band.worst_heading) < heading
     if name == "figure_eight":
-        assert degrees(plan.against.bound.heading) == pytest.approx(degrees(band.worst_heading), rel=0.01)
-        drift = plan.laps.of(plan.against.chosen.run)
+        assert degrees(plan.comparison.bound.heading) == pytest.approx(degrees(band.worst_heading), rel=0.01)
+        drift = plan.laps.of(plan.comparison.chosen.run)
         assert drift.end[0] < 0.05
         assert degrees(abs(drift.end[1])) < 0.01
     else:

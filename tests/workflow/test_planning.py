@@ -56,11 +56,11 @@ def test_the_papers_course_with_gates_of_50_mm():
     today = Design.load()
     planned = Design.load(None, GATES).plan(calm_as=today)
     assert planned.passed
-    band = planned.cam.against.chosen.band
+    band = planned.cam.comparison.chosen.band
     reordered = planned.design.with_({"optimize.order": "reordered"}).cam()
-    print(f"{band.worst_distance:.1f} mm, reordered {reordered.against.chosen.band.worst_distance:.1f} mm")
+    print(f"{band.worst_distance:.1f} mm, reordered {reordered.comparison.chosen.band.worst_distance:.1f} mm")
     assert band.worst_distance <= 173
-    assert reordered.against.chosen.band.worst_distance <= 130
+    assert reordered.comparison.chosen.band.worst_distance <= 130
     assert reordered.passed
     track, before = (cam_model.track(design.values) for design in (planned.design, today))
     slopes, most = (np.abs(each.curvature_jets[:, 1:]).max(axis=0) for each in (track, before))
@@ -77,7 +77,7 @@ def test_the_papers_path_improved_within_25_mm():
     """By a linear programme on the lateral shift it was 205 mm."""
     today = Design.load()
     planned = today.plan(today, 25)
-    distance = planned.cam.against.chosen.band.worst_distance
+    distance = planned.cam.comparison.chosen.band.worst_distance
     print(f"{distance:.1f} mm")
     assert distance <= 205
     new, old = (cam_model.track(design.values) for design in (planned.design, today))

@@ -14,8 +14,8 @@ from cadgen.motion.errors import run_error
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.profiles.compensated import COMPENSATED
-from cadgen.workflow.cam.manifest import against_facts
-from cadgen.workflow.cam.plan import against_of, plan_cam
+from cadgen.workflow.cam.manifest import comparison_facts
+from cadgen.workflow.cam.plan import comparison_of, plan_cam
 from cadgen.workflow.runs import tolerance
 from cadgen.workflow.runs.files import write_simulation
 from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
@@ -69,33 +69,34 @@ def signed(value, digits):
     return f"{value:.{digits}f}".replace("-", "−")
 
 
-def rows(against):
+def rows(comparison):
     """Lines of the table in docs/play.md."""
-    for one in against.evaluations:
+    for one in comparison.evaluations:
         cells = (
             f"{one.profile}, {one.train}",
             f"{degrees(one.play):.3f}°" if one.profile.dilated else "",
             f"{signed(degrees(one.error.end_heading), 3)}°, {one.error.end_distance:.1f} mm",
             f"{degrees(one.band.worst_heading):.2f}°, {one.band.worst_distance:.0f} mm",
-            "" if one is against.before else f"{signed(100 * against.worst_gain(one.band.worst_distance), 1)} %",
+            "" if one is comparison.before else f"{signed(100 * comparison.worst_gain(one.band.worst_distance), 1)} %",
             f"{one.deviation.end_distance:.0f} mm",
         )
         yield " | ".join(cells)
-    yield bound_row(against)
+    yield bound_row(comparison)
 
 
-def bound_row(against):
+def bound_row(comparison):
+    bound = comparison.bound
     return (
-        f"bound with the same peaks and valleys, {against.chosen.train} |  |  | {degrees(against.bound.heading):.2f}°, "
-        f"{against.bound.distance:.0f} mm | {100 * against.worst_gain(against.bound.distance):.1f} % | "
+        f"bound with the same peaks and valleys, {comparison.chosen.train} |  |  | {degrees(bound.heading):.2f}°, "
+        f"{bound.distance:.0f} mm | {100 * comparison.worst_gain(bound.distance):.1f} % | "
     )
 
 
 @pytest.mark.slow
 def test_the_documentation_has_the_figures_of_the_command(compared):
     """A regression: the tables are our own output."""
-    reordered = plan_cam(load_design("carbon_free_car", ["optimize.order=reordered"]), "compensated").against
-    true = {name: {*rows(plan.against)} for name, plan in compared.items()}
+    reordered = plan_cam(load_design("carbon_free_car", ["optimize.order=reordered"]), "compensated").comparison
+    true = {name: {*rows(plan.comparison)} for name, plan in compared.items()}
     true["carbon_free_car"].add(bound_row(reordered))
     text = (ROOT / "docs/play.md").read_text()
     table = text[text.index("| profile and train |") :].split("\n\n")[0].splitlines()[2:]
@@ -109,13 +110,13 @@ def test_the_documentation_has_the_figures_of_the_command(compared):
     assert told["appendix_car"] <= true["appendix_car"]
     assert len(told["appendix_car"]) >= 7
 
-    against = compared["carbon_free_car"].against
+    comparison = compared["carbon_free_car"].comparison
     readme = (ROOT / "README.md").read_text()
-    after = against.chosen.band
+    after = comparison.chosen.band
     for words in (
         f"optimized {degrees(after.worst_heading):.1f}°, {after.worst_distance / 1000:.2f} m: ",
-        f"{100 * against.worst_gain(after.worst_distance):.1f} % off (with the same peaks and valleys "
-        f"{100 * against.worst_gain(against.bound.distance):.1f} % at best, to first order; the paper 45.31 %)",
+        f"{100 * comparison.worst_gain(after.worst_distance):.1f} % off (with the same peaks and valleys "
+        f"{100 * comparison.worst_gain(comparison.bound.distance):.1f} % at best, to first order; the paper 45.31 %)",
     ):
         assert words in readme
 
@@ -123,11 +124,11 @@ def test_the_documentation_has_the_figures_of_the_command(compared):
 @pytest.mark.slow
 def test_each_row_is_compared_at_its_own_play(compared, carbon_free_car):
     """With the train reordered the actual profile is the same, so at one play nothing is off."""
-    against = compared["carbon_free_car"].against
-    found = {(one["profile"], one["train"]): one for one in against_facts(against)["compared"]}
+    comparison = compared["carbon_free_car"].comparison
+    found = {(one["profile"], one["train"]): one for one in comparison_facts(comparison)["compared"]}
     for train in ("as-given", "reordered"):
         assert found["actual", train]["position_percent_off"] == pytest.approx(0.0, abs=1e-9)
-    one = next(one for one in against.evaluations if one.name == "smoothed, reordered")
+    one = next(one for one in comparison.evaluations if one.name == "smoothed, reordered")
     built = carbon_free_car
     bare = run_error(
         drive(built.lift, built.car, built.track.length, play=one.play),
@@ -142,7 +143,9 @@ def test_each_row_is_compared_at_its_own_play(compared, carbon_free_car):
 def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
     """The unsmoothed profile's 0.738 degrees would leave 2243 mm."""
     both = next(
-        one for one in compared["carbon_free_car"].against.evaluations if one.name == "smoothed+compensated, as-given"
+        one
+        for one in compared["carbon_free_car"].comparison.evaluations
+        if one.name == "smoothed+compensated, as-given"
     )
     assert degrees(both.play) == pytest.approx(0.962, abs=5e-4)
     assert both.band.worst_distance < 2020
@@ -153,8 +156,8 @@ def test_smoothed_and_compensated_is_cut_for_its_own_best_play(compared):
     "overrides", [["play.least_deg=0", "play.greatest_deg=0"], ["play.measured_deg=0"]], ids=["band", "measured"]
 )
 def test_without_play_no_share_of_it_can_be_off(overrides):
-    against = plan_cam(load_design("carbon_free_car", overrides), "optimized").against
-    figures = {one["profile"]: one for one in against_facts(against)["compared"]}
+    comparison = plan_cam(load_design("carbon_free_car", overrides), "optimized").comparison
+    figures = {one["profile"]: one for one in comparison_facts(comparison)["compared"]}
     assert set(figures) == {"actual", "compensated", "smoothed", "smoothed+compensated"}
     for one in figures.values():
         assert one["heading_percent_off"] is one["position_percent_off"] is None
@@ -165,10 +168,12 @@ def test_without_play_no_share_of_it_can_be_off(overrides):
 @pytest.mark.slow
 def test_with_a_measured_play_limits_and_choice_go_by_the_errors_with_it(carbon_free_car):
     plan = plan_cam(with_play(0.74, "optimize.max_end_position_mm=100", "optimize.max_end_heading_deg=1"), "optimized")
-    assert plan.against.chosen.profile is COMPENSATED
-    assert any("least position error at the end with the measured play, 0.6" in text for text in plan.against.reasons)
+    assert plan.comparison.chosen.profile is COMPENSATED
+    assert any(
+        "least position error at the end with the measured play, 0.6" in text for text in plan.comparison.reasons
+    )
     # The band of other cars is told all the same.
-    assert plan.against.chosen.band.worst_distance > 300
+    assert plan.comparison.chosen.band.worst_distance > 300
     with pytest.raises(
         CheckError, match=r"compensated, has a position error at the end with the measured play of 0\.6"
     ):
@@ -188,12 +193,12 @@ def test_each_limit_is_for_the_figure_it_names(compared, carbon_free_car, limit,
     with pytest.raises(CheckError) as caught:
         plan_cam(load_design("carbon_free_car", [f"optimize.{limit}", "optimize.max_lift_error_um="]), "optimized")
     told = float(re.search(words, str(caught.value))[1])
-    against = compared["carbon_free_car"].against
-    made_for = against.chosen.play
+    comparison = compared["carbon_free_car"].comparison
+    made_for = comparison.chosen.play
     if "run" in limit:
         assert told == pytest.approx(end_of_compensated(carbon_free_car, made_for, made_for).distance.max(), abs=0.1)
     else:
-        ends = [end_of_compensated(carbon_free_car, made_for, play).end_heading for play in against.band.ends]
+        ends = [end_of_compensated(carbon_free_car, made_for, play).end_heading for play in comparison.band.ends]
         assert told == pytest.approx(degrees(max(map(abs, ends))), rel=1e-3)
 
 
@@ -204,7 +209,7 @@ def test_says_so_if_another_order_of_the_stages_keeps_the_limits():
         plan_cam(load_design("carbon_free_car", [limit]), "optimized")
     plan = plan_cam(load_design("carbon_free_car", [limit, "optimize.order=reordered"]), "optimized")
     assert plan.passed
-    assert plan.against.chosen.band.worst_distance < 250
+    assert plan.comparison.chosen.band.worst_distance < 250
 
 
 @pytest.mark.slow
@@ -219,7 +224,7 @@ def test_no_order_is_advised_that_does_not_help(name, limit):
 
 @pytest.mark.slow
 def test_simulates_with_the_play_that_is_asked_for(simulated, carbon_free_car):
-    made_for = simulated.against.chosen.play
+    made_for = simulated.comparison.chosen.play
     exact = end_of_compensated(carbon_free_car, made_for, radians(0.9))
     facts = simulation_facts(simulated)
     assert facts["after"]["end_position_mm"] == pytest.approx(exact.end_distance, abs=0.1)
@@ -247,7 +252,7 @@ def test_a_play_wider_than_events_are_apart_is_driven_and_what_is_lost_is_said()
     """Of 80 degrees of play one dip of the paper's lift is narrower."""
     found = simulate(load_design("carbon_free_car"), "compensated", 30.0)
     assert found.before_error.end_distance > 10_000
-    lost = simulate(with_play(80), "compensated").against
+    lost = simulate(with_play(80), "compensated").comparison
     assert len(lost.chosen.lost) == 1
     assert "narrower than the return error of 80.000° and cannot be driven" in lost.reasons[-1]
 
@@ -256,10 +261,12 @@ def test_a_play_wider_than_events_are_apart_is_driven_and_what_is_lost_is_said()
 def test_a_path_with_plateaus_and_short_rises():
     """Planned to be insensitive to play: a direct collocation's exact chain gave 146 mm over the band."""
     plan = plan_cam(load_design(TRIALS / "plateau100.toml"), "optimized")
-    against = against_of(plan)
+    comparison = comparison_of(plan)
     assert plan.passed
-    print(f"worst over the band {against.chosen.band.worst_distance:.1f} mm, bound {against.bound.distance:.1f} mm")
-    assert against.bound.distance < against.chosen.band.worst_distance < 146
+    print(
+        f"worst over the band {comparison.chosen.band.worst_distance:.1f} mm, bound {comparison.bound.distance:.1f} mm"
+    )
+    assert comparison.bound.distance < comparison.chosen.band.worst_distance < 146
 
 
 @pytest.mark.slow
@@ -268,12 +275,12 @@ def test_a_lift_without_peaks_gets_the_actual_profile_and_it_is_said():
     straight = [[1000.0 * k, 0.0] for k in range(9)]
     design = load_design("carbon_free_car", ["course=", f"path.waypoints_mm={straight}", "path.offset_mm=0"])
     plan = plan_cam(design)
-    against = against_of(plan)
+    comparison = comparison_of(plan)
     assert plan.passed
-    assert against.chosen.profile is ACTUAL
-    assert "no peak and no valley before its closing blend at 348.0°" in against.reasons[0]
-    assert against.chosen.band.worst_distance < 0.01
-    assert against_of(plan_cam(design, "compensated")).chosen.band.worst_distance < 0.01
+    assert comparison.chosen.profile is ACTUAL
+    assert "no peak and no valley before its closing blend at 348.0°" in comparison.reasons[0]
+    assert comparison.chosen.band.worst_distance < 0.01
+    assert comparison_of(plan_cam(design, "compensated")).chosen.band.worst_distance < 0.01
 
 
 @pytest.mark.slow

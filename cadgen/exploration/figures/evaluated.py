@@ -9,7 +9,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.design.schema import Design
 from cadgen.optimize.band import PlayBand
 from cadgen.path.track import Track
-from cadgen.workflow.cam.against import known_trains
+from cadgen.workflow.cam.comparison import known_trains
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
 from cadgen.workflow.runs.tolerance import ToleranceRun, tolerance_of
 

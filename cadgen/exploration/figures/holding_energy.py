@@ -4,14 +4,14 @@ from cadgen.errors import DesignError
 from cadgen.exploration.figures.evaluated import Evaluated
 from cadgen.exploration.figures.figure import Figure
 from cadgen.optimize.remedies import holding
-from cadgen.workflow.cam.plan import against_of
+from cadgen.workflow.cam.plan import comparison_of
 
 
 def _energy(evaluated: Evaluated) -> float:
-    against = against_of(evaluated.plan)
-    if against.task.mechanics is None:
+    comparison = comparison_of(evaluated.plan)
+    if comparison.task.mechanics is None:
         raise DesignError("the energy that holds the cam needs the rod's force: add [mechanics] with rod_force_N")
-    return holding(against.chosen.lift, against.task.mechanics).energy
+    return holding(comparison.chosen.lift, comparison.task.mechanics).energy
 
 
 HOLDING_ENERGY = Figure(

@@ -4,15 +4,15 @@ from math import degrees
 
 from cadgen.exploration.figures.evaluated import Evaluated
 from cadgen.exploration.figures.figure import Figure
-from cadgen.workflow.cam.plan import against_of
+from cadgen.workflow.cam.plan import comparison_of
 
 
 def _distance(evaluated: Evaluated) -> float:
-    return against_of(evaluated.plan).chosen.band.worst_distance
+    return comparison_of(evaluated.plan).chosen.band.worst_distance
 
 
 def _heading(evaluated: Evaluated) -> float:
-    return degrees(against_of(evaluated.plan).chosen.band.worst_heading)
+    return degrees(comparison_of(evaluated.plan).chosen.band.worst_heading)
 
 
 WORST_END = Figure(

@@ -29,7 +29,7 @@ class Charted:
 def charts_of(plan: CamPlan, simulation: Simulation | None) -> Charted:
     """Charts of a cam that is planned, and the marks of its lift."""
     theta = np.linspace(0.0, TURN, STATIONS + 1)
-    wanted = plan.curve if plan.against is None else plan.against.chosen.wanted.curve
+    wanted = plan.curve if plan.comparison is None else plan.comparison.chosen.wanted.curve
     contact, _ = roll_curve(wanted, plan.follower, theta[:-1])
     charts = [_lift(plan, theta, contact), _pressure(plan, theta, contact), _curvature(plan, wanted, theta, contact)]
     if simulation is not None:
@@ -46,8 +46,8 @@ def _closed(values: Array) -> Array:
 def _lift(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
     """Lift wanted, and the lift that the follower gets."""
     curves = [Curve(say("lift given"), _closed(contact.lift))]
-    if plan.against is not None:
-        wanted = plan.against.task.lift
+    if plan.comparison is not None:
+        wanted = plan.comparison.task.lift
         curves.append(Curve(say("lift wanted"), np.asarray(plan.rod.lift(wanted.tan_beta(theta % TURN))), dashed=True))
     return Chart("lift", say("Lift"), "mm", theta, tuple(curves))
 
@@ -93,7 +93,7 @@ def _off(simulation: Simulation) -> Chart:
     def along(values: Array) -> Array:
         return np.where(theta <= motor[-1] + 1e-9, np.interp(theta, motor, values), np.nan)
 
-    chosen, before = simulation.against.chosen, simulation.against.before
+    chosen, before = simulation.comparison.chosen, simulation.comparison.before
     curves = [Curve(say("this cam, with play"), along(simulation.after_error.distance))]
     if chosen is not before:
         label = "measured cam, with play" if before.measured else "plain profile, with play"
@@ -103,10 +103,10 @@ def _off(simulation: Simulation) -> Chart:
 
 def _torque(plan: CamPlan, theta: Array) -> Chart | None:
     """Torque by which the rod turns the cam ahead; None without [mechanics]."""
-    band = None if plan.against is None else plan.against.task.mechanics
-    if band is None or plan.against is None:
+    band = None if plan.comparison is None else plan.comparison.task.mechanics
+    if band is None or plan.comparison is None:
         return None
-    nominal, lift = band.nominal, plan.against.chosen.lift
+    nominal, lift = band.nominal, plan.comparison.chosen.lift
     values = nominal.torque(lift, theta % TURN)
     free = band.at(0.0, 0.0).torque(lift, theta % TURN)
     return Chart(

@@ -119,11 +119,11 @@ def plan_page(
     gears = _gears(design, plan_gears, refusals, progress)
     simulation, run = None, None
     further: tuple[Remedy, ...] = ()
-    if cam.against is not None:
+    if cam.comparison is not None:
         progress("running the car")
         simulation = simulated(cam)
-        if cam.against.task.mechanics is not None:
-            further = tuple(remedies(design, cam.against, progress))
+        if cam.comparison.task.mechanics is not None:
+            further = tuple(remedies(design, cam.comparison, progress))
         try:
             run = tolerance_of(cam, samples, 1, processes, progress)
         except DesignError as error:
@@ -157,7 +157,7 @@ def plan_edited(design: Design, make_gears: MakeGears, progress: Progress = sile
     cam = _cam(design, lambda: plan_cam(design, None, progress), refusals, progress)
     gears = _gears(design, make_gears, refusals, progress)
     progress("running the car")
-    simulation = None if cam.against is None else simulated(cam)
+    simulation = None if cam.comparison is None else simulated(cam)
     return PagePlan(cam, find_cures(cam, progress), gears, simulation, (), None, None, tuple(refusals), "edited")
 
 

@@ -28,7 +28,7 @@ _BESIDE = 1e-7  # rad, before a jump
 
 def rolled_lift_of(plan: CamPlan) -> LiftCurve:
     """Lift that the follower gets on the cam that is made."""
-    return plan.lift if plan.against is None else plan.against.chosen.rolled
+    return plan.lift if plan.comparison is None else plan.comparison.chosen.rolled
 
 
 def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[Text, ...]]:
@@ -47,7 +47,7 @@ def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[Text,
         follower=_rod(plan, bodies),
         base=float(plan.rod.base_radius),
         lift=Lift(lift=np.asarray(plan.rod.lift(tan_beta)), tan_beta=np.asarray(tan_beta)),
-        stop=plan.lift.blend_start if plan.against is None else plan.against.task.lift.blend_start,
+        stop=plan.lift.blend_start if plan.comparison is None else plan.comparison.task.lift.blend_start,
         goings=tuple(_goings(plan)),
         floor=floor_of(plan.design),
         car=_car(plan),
@@ -75,17 +75,17 @@ def _rod(plan: CamPlan, bodies: Bodies) -> RodShape | None:
 
 def _goings(plan: CamPlan) -> Iterator[Going]:
     """Runs: planned, this cam without and with play, the plain profile with play."""
-    lift, against, design = rolled_lift_of(plan), plan.against, plan.design
-    if against is None:
+    lift, comparison, design = rolled_lift_of(plan), plan.comparison, plan.design
+    if comparison is None:
         yield _going(plan, "free", say("this cam, without play"), follow(lift, 0.0), 0.0)
         return
-    chosen, before, task = against.chosen, against.before, against.task
+    chosen, before, task = comparison.chosen, comparison.before, comparison.task
     yield _going(plan, "planned", say("planned"), task.following(task.lift, 0.0), 0.0)
-    yield _going(plan, "free", say("this cam, without play"), against.following(chosen, 0.0), 0.0)
-    yield _going(plan, "played", say("this cam, with play"), against.following(chosen, chosen.play), chosen.play)
+    yield _going(plan, "free", say("this cam, without play"), comparison.following(chosen, 0.0), 0.0)
+    yield _going(plan, "played", say("this cam, with play"), comparison.following(chosen, chosen.play), chosen.play)
     if chosen is not before:
         known = say("plain profile, with play" if design.as_built is None else "measured cam, with play")
-        yield _going(plan, "before", known, against.following(before, chosen.play), chosen.play)
+        yield _going(plan, "before", known, comparison.following(before, chosen.play), chosen.play)
 
 
 def _going(plan: CamPlan, code: str, label: Text, following: Following, play: float) -> Going:

@@ -10,7 +10,7 @@ from cadgen.page.content.plan import PagePlan
 from cadgen.page.document import Cell, Section, State, Table, Text, Words, number
 from cadgen.page.sentences import generated
 from cadgen.page.words import named, say
-from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.comparison import PlayComparison
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.cam.remedies import Remedy
 from cadgen.workflow.runs.budget import shown_value
@@ -56,24 +56,24 @@ def _check(check: Check) -> tuple[Cell, ...]:
 
 def play_section(plan: PagePlan) -> Section:
     """Methods against play, runs, events, room on the course, remedies."""
-    against, simulation = plan.cam.against, plan.simulation
-    if against is None or simulation is None:
+    comparison, simulation = plan.cam.comparison, plan.simulation
+    if comparison is None or simulation is None:
         return Section("play", say("Play"), (say("no-play"),))
-    low, high = against.band.ends
+    low, high = comparison.band.ends
     lead = Words(
         f"The train gives a return error of {degrees(low):.3f}° to {degrees(high):.3f}° at the camshaft; the profile "
-        f"is cut for {degrees(against.chosen.made_for):.3f}°, and the runs have {degrees(simulation.play):.3f}°.",
+        f"is cut for {degrees(comparison.chosen.made_for):.3f}°, and the runs have {degrees(simulation.play):.3f}°.",
         f"轮系在凸轮轴上的回程误差为 {degrees(low):.3f}° 至 {degrees(high):.3f}°；轮廓按 "
-        f"{degrees(against.chosen.made_for):.3f}° 补偿，仿真运行取 {degrees(simulation.play):.3f}°。",
+        f"{degrees(comparison.chosen.made_for):.3f}° 补偿，仿真运行取 {degrees(simulation.play):.3f}°。",
     )
-    tables = [_methods(against), _runs(simulation)]
+    tables = [_methods(comparison), _runs(simulation)]
     if simulation.events:
         tables.append(_events(simulation))
     if simulation.on_course is not None:
         tables.append(_course(simulation))
     if plan.remedies:
         tables.append(_remedies(plan.remedies))
-    notes = tuple(map(generated, (*against.reasons, *filter(None, [against.rubbing]))))
+    notes = tuple(map(generated, (*comparison.reasons, *filter(None, [comparison.rubbing]))))
     return Section("play", say("Methods against play"), (lead, say("methods-lead")), tuple(tables), notes)
 
 
@@ -82,13 +82,13 @@ def profile_name(evaluation: Evaluation) -> Text:
     return say("cam as measured") if evaluation.measured else named(evaluation.profile.code)
 
 
-def _methods(against: Against) -> Table:
-    several = len({evaluation.train for evaluation in against.evaluations}) > 1
+def _methods(comparison: PlayComparison) -> Table:
+    several = len({evaluation.train for evaluation in comparison.evaluations}) > 1
     rows = []
-    for evaluation in against.evaluations:
-        chosen = evaluation is against.chosen
+    for evaluation in comparison.evaluations:
+        chosen = evaluation is comparison.chosen
         state: State = "strong" if chosen else ""
-        gain = None if evaluation is against.before else against.gain(evaluation)[1]
+        gain = None if evaluation is comparison.before else comparison.gain(evaluation)[1]
         name = profile_name(evaluation)
         cells = [Cell(name, state=state)]
         if several:
@@ -118,7 +118,7 @@ def _methods(against: Against) -> Table:
 
 
 def _runs(simulation: Simulation) -> Table:
-    chosen, before = simulation.against.chosen, simulation.against.before
+    chosen, before = simulation.comparison.chosen, simulation.comparison.before
     rows = [
         (
             Cell(say("measured cam, with play" if before.measured else "plain profile, with play")),

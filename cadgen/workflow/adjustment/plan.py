@@ -20,7 +20,7 @@ from cadgen.motion.friction import USUAL
 from cadgen.motion.mechanics import Mechanics
 from cadgen.progress import Progress, silent
 from cadgen.records.trials import read_trials, settings_line, trials_of
-from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
+from cadgen.workflow.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.workflow.runs.fleet import fleet_of
 
 WIDER = 2.0  # cars may be off by so many times their tolerances
@@ -248,13 +248,13 @@ class Bench:
         Deviations lie evenly within twice their tolerances. Friction is that of [mechanics], or anything from none to
         that of a greased rod: the nominal car stands in the middle of the bands.
         """
-        against = against_of(plan)
-        band = against.task.mechanics
-        low, high = against.band.ends
+        comparison = comparison_of(plan)
+        band = comparison.task.mechanics
+        low, high = comparison.band.ends
         play = (low + high) / 2
         if band is None:
             frictions: tuple[float, float] = (0.0, USUAL[1])
-            mechanics = Mechanics(follower=against.task.follower, friction=sum(frictions) / 2)
+            mechanics = Mechanics(follower=comparison.task.follower, friction=sum(frictions) / 2)
         else:
             frictions, mechanics = band.friction, band.nominal
         steps = 1 + ceil((frictions[1] - frictions[0]) / FRICTION_STEP - 1e-9)
@@ -312,7 +312,7 @@ class Bench:
 def _spreads(plan: CamPlan) -> dict[str, float]:
     """Standard deviations of what the car may differ by, but for play, friction and the start."""
     sigma = dict(_LEAST)
-    for name, width in variation.half_widths(plan.design, against_of(plan).task.mechanics).items():
+    for name, width in variation.half_widths(plan.design, comparison_of(plan).task.mechanics).items():
         if name in (*_OF_A_RUN, "play", "friction"):
             continue
         for part in DIRECTED.get(name, (name,)):

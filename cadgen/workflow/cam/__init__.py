@@ -4,7 +4,7 @@
 |-------------|---------------------------------------------------------------------------|
 | `plan`      | design -> lift, profile and checks                                        |
 | `cures`     | changes of one key that cure lost lift, each proved                       |
-| `against`   | a profile against play beside the plain profile, and the gain             |
+| `comparison` | a profile against play beside the plain profile, and the gain             |
 | `checking`  | the checks of profiles against play, each made once                       |
 | `choosing`  | the choice among profiles by limits and checks                            |
 | `play`      | design with play -> the profile that is best against it, with the reasons |

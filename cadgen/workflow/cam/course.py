@@ -25,7 +25,7 @@ from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.poses import poses_of
 from cadgen.path.track import Track
 from cadgen.steering.car import Car
-from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.comparison import PlayComparison
 
 _STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
 _MOST_STEPS = 40_000
@@ -127,15 +127,15 @@ class OnCourse:
         refuse_course(self.course, self.body, first)
         return self.run(driving)
 
-    def played(self, against: Against, play: float, mechanics: Mechanics | None = None) -> "CourseRun":
+    def played(self, comparison: PlayComparison, play: float, mechanics: Mechanics | None = None) -> "CourseRun":
         """Run of the chosen profile with play, held against the course.
 
         Args:
-            against: comparison of the profiles.
+            comparison: comparison of the profiles.
             play: return error, rad.
             mechanics: friction and drag; those of the nominal car if left out.
         """
-        task, chosen = against.task, against.chosen
+        task, chosen = comparison.task, comparison.chosen
         following = task.following(
             chosen.rolled, play, least_swing=chosen.least_swing, cut=chosen.lift, mechanics=mechanics
         )
@@ -154,12 +154,12 @@ class OnCourse:
 
         return replace(self.run(driving), play=play)
 
-    def with_play(self, against: Against) -> "tuple[CourseRun, ...]":
+    def with_play(self, comparison: PlayComparison) -> "tuple[CourseRun, ...]":
         """Runs of the chosen profile over the band of play, or with the measured play, and over friction and drag."""
-        task, measured = against.task, against.band.measured
-        plays = against.chosen.band.plays if measured is None else np.array([measured])
+        task, measured = comparison.task, comparison.band.measured
+        plays = comparison.chosen.band.plays if measured is None else np.array([measured])
         cases: tuple[Mechanics | None, ...] = task.mechanics.corners if task.mechanics else (None,)
-        return tuple(self.played(against, play, case) for play in plays.tolist() for case in cases)
+        return tuple(self.played(comparison, play, case) for play in plays.tolist() for case in cases)
 
 
 @dataclass(frozen=True)
@@ -354,7 +354,7 @@ def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:
     return None if course is None else OnCourse(design, track, lift, course)
 
 
-def course_checks(on: OnCourse | None, against: Against | None = None) -> tuple[Check, ...]:
+def course_checks(on: OnCourse | None, comparison: PlayComparison | None = None) -> tuple[Check, ...]:
     """Checks of the planned run, and of the worst over the band of play if the profile was compared under play.
 
     Raises:
@@ -363,13 +363,13 @@ def course_checks(on: OnCourse | None, against: Against | None = None) -> tuple[
     if on is None:
         return ()
     checks = on.planned.checks()
-    return checks if against is None else (*checks, *play_checks(on, against))
+    return checks if comparison is None else (*checks, *play_checks(on, comparison))
 
 
-def play_checks(on: OnCourse, against: Against) -> tuple[Check, ...]:
+def play_checks(on: OnCourse, comparison: PlayComparison) -> tuple[Check, ...]:
     """Checks of the worst run over the band of play."""
     worst: dict[str, Check] = {}
-    for run in on.with_play(against):
+    for run in on.with_play(comparison):
         for check in run.checks():
             known = worst.get(check.code)
             if known is None or _worse(check, known):

@@ -139,18 +139,18 @@ class _Job:
         return _Result(name, difference * 1e3, lift_limit_um, {**facts, **end})
 
     def _end_of_run(self, outline: Outline, contact: Contact, lift_limit_um: float) -> dict[str, float]:
-        against = self.plan.against
-        if against is None:
+        comparison = self.plan.comparison
+        if comparison is None:
             return {}
-        as_built = against.task.as_built
+        as_built = comparison.task.as_built
         if as_built.shapes_discs:
             rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
         else:
             rolled = contact.at(np.searchsorted(contact.cam_angle, self.cam_angle))
         # Rises and falls within the error allowed to the file are no events of the path.
-        least_swing = max(against.chosen.least_swing, lift_limit_um * 1e-3 / against.task.follower.inner)
+        least_swing = max(comparison.chosen.least_swing, lift_limit_um * 1e-3 / comparison.task.follower.inner)
         lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
-        heading, distance = against.end_of(lift, least_swing)
+        heading, distance = comparison.end_of(lift, least_swing)
         return {"end_heading_deg": degrees(heading), "end_position_mm": distance}
 
 
@@ -247,12 +247,12 @@ def _measured(job: _Job, result: _Result) -> dict[str, Any]:
 
 def _loss(job: _Job, result: _Result, refine: str) -> list[str]:
     """A warning if the file keeps its own tolerance, but loses the gain of the profile against play."""
-    against, end = job.plan.against, result.facts.get("end_position_mm")
-    if against is None or end is None or not against.loses(end):
+    comparison, end = job.plan.comparison, result.facts.get("end_position_mm")
+    if comparison is None or end is None or not comparison.loses(end):
         return []
     return [
         f"{result.name} gives away what the profile does against play, for with it the run ends {end:.1f} mm off, and "
-        f"{against.chosen.error.end_distance:.1f} mm with the exact profile: {refine}"
+        f"{comparison.chosen.error.end_distance:.1f} mm with the exact profile: {refine}"
     ]
 
 

@@ -11,8 +11,8 @@ from cadgen.design.schema import Design
 from cadgen.motion.mechanics import MechanicsBand
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.optimize.remedies import holding
-from cadgen.workflow.cam.against import PAPER_PERCENT, Against
 from cadgen.workflow.cam.as_built import stop_as_designed
+from cadgen.workflow.cam.comparison import PAPER_PERCENT, PlayComparison
 from cadgen.workflow.cam.cures import Cures
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.cam.remedies import Remedy
@@ -47,7 +47,7 @@ def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
         "track_length_mm": plan.track.length,
         **_turn_facts(plan),
         "profile_area_mm2": plan.area,
-        "play": None if plan.against is None else against_facts(plan.against),
+        "play": None if plan.comparison is None else comparison_facts(plan.comparison),
         "as_built": as_built_facts(plan.design, start),
     }
 
@@ -55,10 +55,10 @@ def cam_facts(plan: CamPlan, cures: Cures) -> dict[str, Any]:
 def _turn_facts(plan: CamPlan) -> dict[str, Any]:
     """Content of a turn of the cam: a path and a closing blend, or laps."""
     if plan.laps is not None:
-        against = plan.against
-        if against is None:
+        comparison = plan.comparison
+        if comparison is None:
             return {"laps": plan.laps.facts(None)}
-        return {"laps": plan.laps.facts(against.run, before=against.before, after=against.chosen)}
+        return {"laps": plan.laps.facts(comparison.run, before=comparison.before, after=comparison.chosen)}
     return {
         "blend": {
             "from_cam_angle_deg": degrees(plan.lift.blend_start),
@@ -99,37 +99,37 @@ def _extrema_facts(plan: CamPlan) -> list[dict[str, Any]]:
     ]
 
 
-def against_facts(against: Against) -> dict[str, Any]:
+def comparison_facts(comparison: PlayComparison) -> dict[str, Any]:
     """Facts on the profiles compared against play."""
-    low, high = against.band.ends
-    bound, measured = against.bound, against.band.measured
+    low, high = comparison.band.ends
+    bound, measured = comparison.bound, comparison.band.measured
     return {
         "return_error_deg": {
             "least": degrees(low),
             "greatest": degrees(high),
             "measured": None if measured is None else degrees(measured),
-            "cut_for": degrees(against.chosen.made_for),
+            "cut_for": degrees(comparison.chosen.made_for),
         },
-        "mechanics": mechanics_facts(against.task.mechanics, against.chosen.lift),
-        "friction_note": against.rubbing,
-        "before": _evaluation_facts(against, against.before),
-        "after": _evaluation_facts(against, against.chosen),
-        "compared": [_evaluation_facts(against, evaluation) for evaluation in against.evaluations],
-        "reasons": list(against.reasons),
+        "mechanics": mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
+        "friction_note": comparison.rubbing,
+        "before": _evaluation_facts(comparison, comparison.before),
+        "after": _evaluation_facts(comparison, comparison.chosen),
+        "compared": [_evaluation_facts(comparison, evaluation) for evaluation in comparison.evaluations],
+        "reasons": list(comparison.reasons),
         # For a rod that slides without friction.
         "bound_with_same_peaks_and_valleys": None
-        if against.task.mechanics
+        if comparison.task.mechanics
         else {
             "worst_end_heading_deg": degrees(bound.heading),
             "worst_end_position_mm": bound.distance,
-            "worst_position_percent_off": _percent(against.worst_gain(bound.distance)),
+            "worst_position_percent_off": _percent(comparison.worst_gain(bound.distance)),
         },
         "paper_percent_off": PAPER_PERCENT,
     }
 
 
-def _evaluation_facts(against: Against, evaluation: Evaluation) -> dict[str, Any]:
-    heading, distance = against.gain(evaluation)
+def _evaluation_facts(comparison: PlayComparison, evaluation: Evaluation) -> dict[str, Any]:
+    heading, distance = comparison.gain(evaluation)
     return {
         "profile": evaluation.profile.code,
         "as_measured": evaluation.measured,
@@ -142,7 +142,7 @@ def _evaluation_facts(against: Against, evaluation: Evaluation) -> dict[str, Any
         "position_percent_off": _percent(distance),
         "worst_end_heading_deg": degrees(evaluation.band.worst_heading),
         "worst_end_position_mm": evaluation.band.worst_distance,
-        "worst_position_percent_off": _percent(against.worst_gain(evaluation.band.worst_distance)),
+        "worst_position_percent_off": _percent(comparison.worst_gain(evaluation.band.worst_distance)),
         "greatest_position_on_run_mm": float(evaluation.error.distance.max()),
         "end_position_without_play_mm": evaluation.deviation.end_distance,
         "greatest_position_without_play_mm": float(evaluation.deviation.distance.max()),

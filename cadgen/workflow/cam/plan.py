@@ -28,9 +28,9 @@ from cadgen.optimize.task import TrainTask
 from cadgen.parts.blank import Blank
 from cadgen.path.track import Track
 from cadgen.progress import Progress, silent
-from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains, task_of
 from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
+from cadgen.workflow.cam.comparison import MeasuredCam, PlayComparison, known_trains, task_of
 from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
@@ -51,7 +51,7 @@ class CamPlan:
         trims: places where the envelope was trimmed.
         blank: features of the disc besides its profile.
         checks: every figure with its verdict.
-        against: comparison of the profile with the plain profile under play; None for a profile that is not for play.
+        comparison: of the profile with the plain profile under play; None for a profile that is not for play.
         course: course of the design with the car that is to keep it; None without [course].
         laps: laps of a closed path; None of an open one.
     """
@@ -65,7 +65,7 @@ class CamPlan:
     trims: tuple[Trim, ...]
     blank: Blank
     checks: tuple[Check, ...]
-    against: Against | None = None
+    comparison: PlayComparison | None = None
     course: OnCourse | None = None
     laps: Laps | None = None
 
@@ -98,7 +98,7 @@ class CamPlan:
     @cached_property
     def wheel(self) -> DriveWheel:
         """Drive wheel that the cam is for."""
-        wanted = self.lift if self.against is None else self.against.task.lift
+        wanted = self.lift if self.comparison is None else self.comparison.task.lift
         return drive_wheel(self.design, self.track, wanted)
 
     @property
@@ -208,8 +208,8 @@ def _plan_against_play(
     lift, rod, blank = cam_model.lift(design, track), cam_model.follower(design), cam_model.blank(design)
     progress(f"computing the {profile} profile")
     checks = ProfileChecks(design, task_of(design, track, lift, rod))
-    against = against_play(profile, checks, all_trains=all_trains, measured=measured, progress=progress)
-    chosen = against.chosen
+    comparison = against_play(profile, checks, all_trains=all_trains, measured=measured, progress=progress)
+    chosen = comparison.chosen
     progress("checking the profile")
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
     return CamPlan(
@@ -223,11 +223,11 @@ def _plan_against_play(
         blank,
         (
             *checks.of(chosen),
-            *course_checks(course, against),
+            *course_checks(course, comparison),
             *(laps.checks(chosen) if laps else ()),
             *outlook_checks(design),
         ),
-        against,
+        comparison,
         course,
         laps,
     )
@@ -249,24 +249,24 @@ def replanned_checks(plan: CamPlan, design: Design) -> tuple[Check, ...]:
     Raises:
         DesignError: as `plan_cam`.
     """
-    if plan.against is None:
+    if plan.comparison is None:
         return _plan(design, plan.profile, silent).checks
-    chosen, track = plan.against.chosen, cam_model.track(design)
+    chosen, track = plan.comparison.chosen, cam_model.track(design)
     task = task_of(design, track, cam_model.lift(design, track), cam_model.follower(design))
     work = TrainTask(task, chosen.train, known_trains(design)[chosen.train])
     return ProfileChecks(design, task).of(evaluate(work, chosen.profile))
 
 
-def against_of(plan: CamPlan) -> Against:
+def comparison_of(plan: CamPlan) -> PlayComparison:
     """Comparison of a plan's profile with the plain profile under play.
 
     Raises:
         DesignError: the profile is not for play.
     """
-    if plan.against is None:
+    if plan.comparison is None:
         choices = listed(codes(for_play=True), "or")
         raise DesignError(f'the profile "{plan.profile}" does nothing about play: choose {choices}')
-    return plan.against
+    return plan.comparison
 
 
 def _laps(design: Design, track: Track, lift: LiftCurve) -> Laps | None:

@@ -14,9 +14,9 @@ from cadgen.optimize.profiles.profile import Profile
 from cadgen.optimize.profiles.table import compared
 from cadgen.optimize.task import Task, TrainTask
 from cadgen.progress import Progress, silent
-from cadgen.workflow.cam.against import Against, MeasuredCam, known_trains
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.choosing import best_of
+from cadgen.workflow.cam.comparison import MeasuredCam, PlayComparison, known_trains
 from cadgen.workflow.cam.mechanics import border_sentences, joint_sentences, rubbing_sentence
 
 _LEAST_MISSED = 1e-4  # mm of lift; less is below what can be cut
@@ -29,7 +29,7 @@ def against_play(
     all_trains: bool = False,
     measured: MeasuredCam | None = None,
     progress: Progress = silent,
-) -> Against:
+) -> PlayComparison:
     """Compare a profile, or the best of all that keep the design's limits and the cam's checks, with the plain one.
 
     If no profile passes the checks, the best is chosen without them, so that its own checks show what fails. Limits and
@@ -76,7 +76,7 @@ def against_play(
     if measured is not None:
         before = evaluate_measured(work, measured.profile, measured.lift, measured.curve)
         evaluations = (before, *evaluations)
-    return Against(
+    return PlayComparison(
         task=task,
         band=work.band,
         before=before,

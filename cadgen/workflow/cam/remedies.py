@@ -20,7 +20,7 @@ from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
 from cadgen.optimize.task import Task
 from cadgen.progress import Progress, silent
-from cadgen.workflow.cam.against import Against, known_trains
+from cadgen.workflow.cam.comparison import PlayComparison, known_trains
 
 _ALLOWED_END = 100.0  # mm; error allowed to a trimmed car where [optimize] has no limit
 
@@ -90,30 +90,30 @@ class _Sheet:
         return Remedy(name=name, cut_for=cut_for, worst_end=ends.worst_distance, on_way=way, build=build)
 
 
-def remedies(design: Design, against: Against, progress: Progress = silent) -> tuple[Remedy, ...]:
+def remedies(design: Design, comparison: PlayComparison, progress: Progress = silent) -> tuple[Remedy, ...]:
     """Every remedy for the design's car, in the worst of its plays and frictions, and the design as it is.
 
     Remedies are compared without the brake that the design may have.
 
     Args:
         design: loaded design.
-        against: its profiles against play, with those of all its trains.
+        comparison: its profiles against play, with those of all its trains.
         progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: the design has no [mechanics].
     """
-    mechanics = against.task.mechanics
+    mechanics = comparison.task.mechanics
     if mechanics is None:
         raise DesignError("remedies against play go by the rod's force and friction: add [mechanics]")
     progress("comparing remedies against play")
-    sheet = _Sheet(design, against.task, against.band, mechanics)
+    sheet = _Sheet(design, comparison.task, comparison.band, mechanics)
     plain = next(
         evaluation
-        for evaluation in against.evaluations
+        for evaluation in comparison.evaluations
         if evaluation.profile is ACTUAL and evaluation.train == design.optimize.order and not evaluation.measured
     )
-    cases, chosen = sheet.known.cases, against.chosen
+    cases, chosen = sheet.known.cases, comparison.chosen
     rows = [
         sheet.row(f"this design: {chosen.profile}", chosen.lift, chosen.rolled, mechanics.cases),
         sheet.row("plain cam", plain.lift, plain.rolled, cases),

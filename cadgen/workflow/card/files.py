@@ -17,7 +17,7 @@ from cadgen.workflow.card.plan import Card
 
 def sentences(card: Card) -> list[str]:
     """The result in words, the most important first."""
-    lines = settings.sentences(card.drawn, None if card.cam.against is None else card.cam.against.band.ends)
+    lines = settings.sentences(card.drawn, None if card.cam.comparison is None else card.cam.comparison.band.ends)
     if card.cam.passed:
         return lines
     names = ", ".join(check.name for check in card.cam.failed)
@@ -26,7 +26,7 @@ def sentences(card: Card) -> list[str]:
 
 def facts(card: Card) -> dict[str, Any]:
     """The result in the units of its names."""
-    design, against = card.design, card.cam.against
+    design, comparison = card.design, card.cam.comparison
     return {
         "design": design.name,
         "design_sha256": design.content_hash,
@@ -40,7 +40,7 @@ def facts(card: Card) -> dict[str, Any]:
         "start_of": settings.planned_point(design),
         "worst_error_mm": card.worst.error,
         "worst_error_at_mm": card.worst.spacing,
-        "return_error_deg": None if against is None else [degrees(end) for end in against.band.ends],
+        "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
         "said": sentences(card),
         "settings": settings.rows(design, card.drawn),
     }

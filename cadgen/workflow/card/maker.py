@@ -23,7 +23,7 @@ from cadgen.draws.steering import Steering, moved_rod
 from cadgen.motion.drive import Pose, Run, drive
 from cadgen.motion.sampled import rolled_lift
 from cadgen.optimize.profiles.actual import ACTUAL
-from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.comparison import PlayComparison
 from cadgen.workflow.cam.course import CourseRun, OnCourse, play_checks
 from cadgen.workflow.cam.plan import CamPlan
 
@@ -84,7 +84,7 @@ class Maker:
     @property
     def _wanted(self) -> LiftCurve:
         """Lift wanted, without play."""
-        return self.cam.lift if self.cam.against is None else self.cam.against.task.lift
+        return self.cam.lift if self.cam.comparison is None else self.cam.comparison.task.lift
 
     @cached_property
     def _rod(self) -> LeaningRod:
@@ -93,7 +93,7 @@ class Maker:
     @cached_property
     def _plain(self) -> ClosedCurve:
         """Curve to be cut of the disc that gives the wanted lift without play."""
-        if self.cam.against is None:
+        if self.cam.comparison is None:
             return self.cam.curve
         return cam_model.as_built(self._design).precompensated(ACTUAL.curve(self._wanted, self._rod).curve)
 
@@ -130,13 +130,13 @@ class Maker:
         off = self._off(held.run, spacing)
         checks = [*held.checks(), steering_check(lift, self._nodes, target.car)]
         with_play = None
-        if self.cam.against is not None:
+        if self.cam.comparison is not None:
             contact = self._contact(self.cam.curve, rod)
             lift = rolled_lift(contact, self.cam.lift, blend_start=self._wanted.blend_start)
-            against = _moved(self.cam.against, lift, start, length)
-            with_play = self._end_with_play(against, spacing)
+            comparison = _moved(self.cam.comparison, lift, start, length)
+            with_play = self._end_with_play(comparison, spacing)
             if self._course.judged == "play":
-                checks += play_checks(on, against)
+                checks += play_checks(on, comparison)
         checks += riding_checks(lift, rod, contact, self.cam.blank, cam_model.check_limits(self._design))
         worst = int(np.argmax(off))
         place = planned_point(np.array([start.x + 1j * start.y]), np.array([start.heading]), target.offset)[0]
@@ -160,17 +160,17 @@ class Maker:
         wanted = draw_model.places(self._design, self.cam.track, self.draw, run.motor, spacing)
         return np.asarray(np.abs(place - wanted)[:judged])
 
-    def _end_with_play(self, against: Against, spacing: float) -> float:
+    def _end_with_play(self, comparison: PlayComparison, spacing: float) -> float:
         """Greatest distance of the end of the run from that of the path over the band of play, mm."""
-        measured, band = against.band.measured, against.chosen.band.plays
+        measured, band = comparison.band.measured, comparison.chosen.band.plays
         plays = band if measured is None else np.array([measured])
-        return max(float(self._off(against.run(against.chosen, play), spacing)[-1]) for play in plays.tolist())
+        return max(float(self._off(comparison.run(comparison.chosen, play), spacing)[-1]) for play in plays.tolist())
 
 
-def _moved(against: Against, rolled: LiftCurve, start: Pose, length: float) -> Against:
+def _moved(comparison: PlayComparison, rolled: LiftCurve, start: Pose, length: float) -> PlayComparison:
     """The comparison under play with the chosen profile on a disc that was moved, another wheel and another start."""
-    task = replace(against.task, start=start, length=length)
-    return replace(against, task=task, chosen=replace(against.chosen, rolled=rolled))
+    task = replace(comparison.task, start=start, length=length)
+    return replace(comparison, task=task, chosen=replace(comparison.chosen, rolled=rolled))
 
 
 def _wrong_places(run: CourseRun) -> list[float]:

@@ -15,12 +15,13 @@ def sentences(planned: PlannedPath) -> list[str]:
         return _refusal(planned)
     plan, cam = planned.plan, planned.cam
     lines = []
-    if cam.against is not None:
-        band = cam.against.chosen.band
-        low, high = (degrees(end) for end in cam.against.band.ends)
+    if cam.comparison is not None:
+        band = cam.comparison.chosen.band
+        low, high = (degrees(end) for end in cam.comparison.band.ends)
         lines.append(
             f"with play from {low:.3f} to {high:.3f} degrees the run ends at most {band.worst_distance:.0f} mm and "
-            f"{degrees(band.worst_heading):.2f} degrees off ({cam.against.chosen.profile} profile, by the exact chain)"
+            f"{degrees(band.worst_heading):.2f} degrees off ({cam.comparison.chosen.profile} profile, "
+            "by the exact chain)"
         )
     length = plan.path.cost.line.length
     lines.append(
@@ -32,8 +33,8 @@ def sentences(planned: PlannedPath) -> list[str]:
         )
     if cam.laps is not None:
         said = [cam.wheel.sentence()]
-        if cam.against is not None:
-            said += cam.laps.sentences(cam.against.run, cam.against.before, cam.against.chosen)
+        if cam.comparison is not None:
+            said += cam.laps.sentences(cam.comparison.run, cam.comparison.before, cam.comparison.chosen)
         lines += [sentence.removesuffix(".") for sentence in said]
     if planned.drawn:
         lines += [*settings.sentences(planned.drawn, None), "cadgen card has the settings for every spacing"]
@@ -63,7 +64,7 @@ def _refusal(planned: PlannedPath) -> list[str]:
 def facts(planned: PlannedPath) -> dict[str, Any]:
     """The result in the units of its names."""
     design, plan, cam = planned.design, planned.plan, planned.cam
-    against = None if cam is None else cam.against
+    comparison = None if cam is None else cam.comparison
     return {
         "design": design.name,
         "design_sha256": design.content_hash,
@@ -74,9 +75,9 @@ def facts(planned: PlannedPath) -> dict[str, Any]:
         "track_mm": plan.path.cost.line.length,
         "drive_wheel_radius_mm": planned.wheel_radius,
         "first_order_mm": plan.path.cost.distance,
-        "worst_end_position_mm": None if against is None else against.chosen.band.worst_distance,
-        "worst_end_heading_deg": None if against is None else degrees(against.chosen.band.worst_heading),
-        "return_error_deg": None if against is None else [degrees(end) for end in against.band.ends],
+        "worst_end_position_mm": None if comparison is None else comparison.chosen.band.worst_distance,
+        "worst_end_heading_deg": None if comparison is None else degrees(comparison.chosen.band.worst_heading),
+        "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
         "failed": [] if cam is None else [check.code for check in cam.failed],
         "settings": settings.rows(design, planned.drawn),
         "said": sentences(planned),

@@ -18,10 +18,10 @@ from cadgen.progress import Progress, silent
 from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
 from cadgen.report.lift import LiftPicture, draw_lift
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
-from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.comparison import PlayComparison
 from cadgen.workflow.cam.cures import Cures, find_cures
 from cadgen.workflow.cam.manifest import cam_facts
-from cadgen.workflow.cam.plan import CamPlan, against_of
+from cadgen.workflow.cam.plan import CamPlan, comparison_of
 from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
 from cadgen.workflow.runs.simulation import Simulation
 from cadgen.workflow.runs.tolerance import ToleranceRun
@@ -33,7 +33,7 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
     Raises:
         FileError: a file cannot be written, or holds something else when it is read back.
     """
-    against, design = simulation.against, simulation.plan.design
+    comparison, design = simulation.comparison, simulation.plan.design
     stem = f"{design.name}_{simulation.plan.profile}_simulation"
     runs = {"planned": simulation.planned, "before": simulation.before, "after": simulation.after}
     named = design.name if design.as_built is None else f"{design.name}, as built"
@@ -49,9 +49,11 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
                 TrackPanel(title="planned", run=simulation.planned),
                 *(
                     TrackPanel(
-                        title=f"{when}: {evaluation.title}, with play", run=runs[when], ends=_ends(against, evaluation)
+                        title=f"{when}: {evaluation.title}, with play",
+                        run=runs[when],
+                        ends=_ends(comparison, evaluation),
                     )
-                    for when, evaluation in (("before", against.before), ("after", against.chosen))
+                    for when, evaluation in (("before", comparison.before), ("after", comparison.chosen))
                 ),
             ],
             simulation.planned,
@@ -62,11 +64,11 @@ def write_simulation(simulation: Simulation, out: Path, progress: Progress = sil
         lines = [
             ErrorLine(label=f"{when}: {evaluation.title}", at_play=error, at_ends=_at_ends(simulation, evaluation))
             for when, evaluation, error in (
-                ("before", against.before, simulation.before_error),
-                ("after", against.chosen, simulation.after_error),
+                ("before", comparison.before, simulation.before_error),
+                ("after", comparison.chosen, simulation.after_error),
             )
         ]
-        names += draw_run_errors(title, lines, against.task.length, staging, f"{stem}_errors")
+        names += draw_run_errors(title, lines, comparison.task.length, staging, f"{stem}_errors")
         entry = {
             **simulation_facts(simulation),
             "versions": versions(),
@@ -88,42 +90,44 @@ def write_comparison(plan: CamPlan, out: Path, progress: Progress = silent, *, c
     Raises:
         FileError: a file cannot be written.
     """
-    against = against_of(plan)
+    comparison = comparison_of(plan)
     stem = f"{plan.design.name}_methods"
     with publishing(out) as staging:
         progress("drawing")
         bars = {
             f"{_name(evaluation)}, {evaluation.train}": evaluation.events
-            for evaluation in against.evaluations
+            for evaluation in comparison.evaluations
             if not evaluation.profile.dilated and evaluation.events
         }
         names = draw_events(f"{plan.design.name}: deflection error by event", bars, staging, f"{stem}_events")
-        planned = against.task.planned()
+        planned = comparison.task.planned()
         panels = [
             TrackPanel(
                 title=f"{_name(evaluation)}, {evaluation.train}",
                 run=evaluation.run,
-                ends=_ends(against, evaluation),
+                ends=_ends(comparison, evaluation),
             )
-            for evaluation in against.evaluations
+            for evaluation in comparison.evaluations
         ]
         names += draw_tracks(panels, planned, _field(plan.design), staging, f"{stem}_tracks")
-        names += draw_tracks(_alone(against), planned, _field(plan.design), staging, f"{stem}_tracks_by_event")
+        names += draw_tracks(_alone(comparison), planned, _field(plan.design), staging, f"{stem}_tracks_by_event")
         facts = cam_facts(plan, find_cures(plan, progress) if cures is None else cures)
         entry = {**facts, "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
         write_manifest(staging, stem, entry)
     return Written(stem, entry)
 
 
-def _alone(against: Against) -> list[TrackPanel]:
+def _alone(comparison: PlayComparison) -> list[TrackPanel]:
     """Tracks of the paper's methods at the greatest play with jumps alone, and with reverses alone."""
     return [
         TrackPanel(
             title=f"{_name(evaluation)}, {evaluation.train}: {kind}s alone, {degrees(evaluation.band.plays[-1]):.3f}°",
-            run=deflected(against.run(evaluation, 0.0), [event for event in evaluation.events if event.kind == kind]),
+            run=deflected(
+                comparison.run(evaluation, 0.0), [event for event in evaluation.events if event.kind == kind]
+            ),
         )
         for kind in ("jump", "reverse")
-        for evaluation in against.evaluations
+        for evaluation in comparison.evaluations
         if not evaluation.profile.dilated and evaluation.events
     ]
 
@@ -132,15 +136,15 @@ def lift_picture(simulation: Simulation) -> LiftPicture:
     """The lift before and after, close by the highest peak and the deepest valley."""
     jumps = [event for event in simulation.events if event.kind == "jump"]
     waits = [event for event in simulation.events if event.kind == "reverse"]
-    against = simulation.against
+    comparison = simulation.comparison
     return LiftPicture(
         title=simulation.plan.design.name + ("" if simulation.plan.design.as_built is None else ", as built"),
-        follower=against.task.follower,
-        wanted=against.task.lift,
-        before=against.following(against.before, simulation.play),
-        before_name=f"before: {against.before.title}",
-        after=against.following(against.chosen, simulation.play),
-        after_name=f"after: {against.chosen.title}",
+        follower=comparison.task.follower,
+        wanted=comparison.task.lift,
+        before=comparison.following(comparison.before, simulation.play),
+        before_name=f"before: {comparison.before.title}",
+        after=comparison.following(comparison.chosen, simulation.play),
+        after_name=f"after: {comparison.chosen.title}",
         play=simulation.play,
         peak=max(jumps, key=lambda event: event.lift).cam_angle if jumps else None,
         valley=min(waits, key=lambda event: event.lift).cam_angle if waits else None,
@@ -152,14 +156,13 @@ def _name(evaluation: Evaluation) -> str:
 
 
 def _at_ends(simulation: Simulation, evaluation: Evaluation) -> tuple[RunError, RunError]:
-    low, high = (
-        run_error(simulation.against.run(evaluation, play), simulation.planned) for play in simulation.against.band.ends
-    )
+    comparison = simulation.comparison
+    low, high = (run_error(comparison.run(evaluation, play), simulation.planned) for play in comparison.band.ends)
     return low, high
 
 
-def _ends(against: Against, evaluation: Evaluation) -> Array:
-    return np.array([against.run(evaluation, play).drive_wheel[-1] for play in evaluation.band.plays])
+def _ends(comparison: PlayComparison, evaluation: Evaluation) -> Array:
+    return np.array([comparison.run(evaluation, play).drive_wheel[-1] for play in evaluation.band.plays])
 
 
 def _field(design: Design) -> Field:

@@ -9,7 +9,7 @@ from cadgen.build import variation
 from cadgen.monte_carlo.fleet import Fleet, make_fleet
 from cadgen.motion.drive import STEPS
 from cadgen.motion.mechanics import Mechanics
-from cadgen.workflow.cam.plan import CamPlan, against_of
+from cadgen.workflow.cam.plan import CamPlan, comparison_of
 
 _OUTLINE_STEP = 0.06  # mm; rolling errs by 0.01 um of lift
 
@@ -27,7 +27,7 @@ def fleet_of(
         play: return error of the nominal car, rad.
         grid: cam angles of a turn on which the cars are integrated.
     """
-    task = against_of(plan).task
+    task = comparison_of(plan).task
     return make_fleet(
         task.as_built.roll_new(plan.curve, task.follower, np.linspace(0.0, TURN, grid, endpoint=False), _OUTLINE_STEP),
         task.follower,

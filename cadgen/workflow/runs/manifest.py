@@ -7,7 +7,7 @@ from cadgen.monte_carlo.budget import Budget
 from cadgen.motion.errors import RunError, deflection_sum
 from cadgen.version import __version__
 from cadgen.workflow.cam.manifest import as_built_facts, design_facts, mechanics_facts
-from cadgen.workflow.cam.plan import against_of
+from cadgen.workflow.cam.plan import comparison_of
 from cadgen.workflow.runs.budget import BudgetSheet, unit_of
 from cadgen.workflow.runs.simulation import Simulation
 from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
@@ -15,7 +15,7 @@ from cadgen.workflow.runs.tolerance import Spread, ToleranceRun
 
 def simulation_facts(simulation: Simulation) -> dict[str, Any]:
     """Facts on the runs with play."""
-    plan, against, laps = simulation.plan, simulation.against, simulation.plan.laps
+    plan, comparison, laps = simulation.plan, simulation.comparison, simulation.plan.laps
     runs = {"before": simulation.before, "after": simulation.after}
     return {
         **design_facts(plan.design),
@@ -23,11 +23,11 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
         "profile": plan.profile.code,
         "passed": plan.passed,
         "failed_checks": [check.name for check in plan.failed],
-        "method": against.chosen.profile.code,
+        "method": comparison.chosen.profile.code,
         "return_error_deg": degrees(simulation.play),
-        "cut_for_deg": degrees(against.chosen.made_for),
-        "mechanics": mechanics_facts(against.task.mechanics, against.chosen.lift),
-        "friction_note": against.rubbing,
+        "cut_for_deg": degrees(comparison.chosen.made_for),
+        "mechanics": mechanics_facts(comparison.task.mechanics, comparison.chosen.lift),
+        "friction_note": comparison.rubbing,
         "as_built": as_built_facts(plan.design, float(simulation.planned.motor[-1])),
         "events": [
             {
@@ -41,7 +41,7 @@ def simulation_facts(simulation: Simulation) -> dict[str, Any]:
         "deflection_sum_deg": degrees(deflection_sum(simulation.events)),
         "before": _end_facts(simulation.before_error),
         "after": _end_facts(simulation.after_error),
-        "after_without_play": _end_facts(against.chosen.deviation),
+        "after_without_play": _end_facts(comparison.chosen.deviation),
         **({} if laps is None else {"laps": laps.track_facts(planned=simulation.planned, **runs)}),
         "course": simulation.on_course
         and {
@@ -68,7 +68,7 @@ def tolerance_facts(run: ToleranceRun) -> dict[str, Any]:
         "drive_wheel": plan.wheel.facts(),
         "cadgen": __version__,
         "profile": plan.profile.code,
-        "friction_note": against_of(plan).rubbing,
+        "friction_note": comparison_of(plan).rubbing,
         "passed": plan.passed,
         "failed_checks": [check.name for check in plan.failed],
         "as_built": as_built_facts(design, plan.lift.blend_start),

@@ -8,9 +8,9 @@ from cadgen.design.schema import Design
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflections, run_error
 from cadgen.progress import Progress, silent
-from cadgen.workflow.cam.against import Against
+from cadgen.workflow.cam.comparison import PlayComparison
 from cadgen.workflow.cam.course import CourseRun
-from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
+from cadgen.workflow.cam.plan import CamPlan, comparison_of, plan_cam
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,7 @@ class Simulation:
 
     Attributes:
         plan: plan of the profile that is compared with the actual one.
-        against: comparison of the two profiles.
+        comparison: comparison of the two profiles.
         play: return error of the runs, rad.
         planned: planned run.
         before: run with play on the actual profile; of a car as built, on the cam that it was measured with.
@@ -28,7 +28,7 @@ class Simulation:
     """
 
     plan: CamPlan
-    against: Against
+    comparison: PlayComparison
     play: float
     planned: Run
     before: Run
@@ -43,7 +43,7 @@ class Simulation:
             DesignError: no car can keep the course.
         """
         course = self.plan.course
-        return None if course is None else (course.planned, course.played(self.against, self.play))
+        return None if course is None else (course.planned, course.played(self.comparison, self.play))
 
     @cached_property
     def before_error(self) -> RunError:
@@ -85,11 +85,11 @@ def simulated(plan: CamPlan, play_deg: float | None = None, progress: Progress =
     Raises:
         DesignError: the profile was not compared under play, or the play is negative.
     """
-    against = against_of(plan)
-    play = against.chosen.play if play_deg is None else radians(play_deg)
-    task = against.task
+    comparison = comparison_of(plan)
+    play = comparison.chosen.play if play_deg is None else radians(play_deg)
+    task = comparison.task
     progress("running the car")
-    before, after = (against.run(evaluation, play) for evaluation in (against.before, against.chosen))
-    leads = against.following(against.before, play).leads if task.mechanics else None
-    events = deflections(against.before.lift, task.follower, task.car, task.length, play, leads=leads)
-    return Simulation(plan, against, play, task.planned(), before, after, events)
+    before, after = (comparison.run(evaluation, play) for evaluation in (comparison.before, comparison.chosen))
+    leads = comparison.following(comparison.before, play).leads if task.mechanics else None
+    events = deflections(comparison.before.lift, task.follower, task.car, task.length, play, leads=leads)
+    return Simulation(plan, comparison, play, task.planned(), before, after, events)

@@ -15,7 +15,7 @@ from cadgen.monte_carlo.fleet import Fleet
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.motion.drive import STEPS, turns_of
 from cadgen.progress import Progress, silent
-from cadgen.workflow.cam.plan import CamPlan, against_of, plan_cam
+from cadgen.workflow.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet
 from cadgen.workflow.runs.fleet import fleet_of
 from cadgen.workflow.runs.watched import watching
@@ -113,8 +113,8 @@ class ToleranceRun:
     def half_width(self, name: str) -> float:
         """Half of the zone of a tolerance, or of the band of play, mm or rad."""
         if name != "play":
-            return variation.half_widths(self.plan.design, against_of(self.plan).task.mechanics)[name]
-        low, high = against_of(self.plan).band.ends
+            return variation.half_widths(self.plan.design, comparison_of(self.plan).task.mechanics)[name]
+        low, high = comparison_of(self.plan).band.ends
         return (high - low) / 2
 
 
@@ -171,7 +171,7 @@ def tolerance_of(
         FileError: the memory does not suffice for so many cars.
     """
     design = plan.design
-    tolerances = variation.tolerances(design, against_of(plan).task.mechanics)
+    tolerances = variation.tolerances(design, comparison_of(plan).task.mechanics)
     fleet = _fleet(plan)
     progress("finding sensitivities")
     ranked = sensitivities(fleet, tolerances)
@@ -196,9 +196,9 @@ def tolerance_of(
 
 
 def _fleet(plan: CamPlan) -> Fleet:
-    against = against_of(plan)
-    mechanics = None if against.task.mechanics is None else against.task.mechanics.nominal
-    fleet = fleet_of(plan, _gates(plan), mechanics, against.chosen.play)
+    comparison = comparison_of(plan)
+    mechanics = None if comparison.task.mechanics is None else comparison.task.mechanics.nominal
+    fleet = fleet_of(plan, _gates(plan), mechanics, comparison.chosen.play)
     return fleet if plan.course is None else watching(fleet, plan.course.planned)
 
 

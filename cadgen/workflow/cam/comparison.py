@@ -36,7 +36,7 @@ class MeasuredCam:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Against:
+class PlayComparison:
     """A profile against play, beside the plain profile.
 
     Attributes:
