@@ -119,7 +119,7 @@ def _refuse_unusable(each: Variation, study: Study, values: dict[str, Any]) -> N
         study: the study.
         values: raw values of the base design.
     """
-    for key, value in [change for value in each.some for change in each.changes(value)]:
+    for key, value in [change for some in each.some for change in each.changes(some)]:
         if key.startswith(REPLAN):
             continue
         change = override_of(key, value)
