@@ -63,7 +63,7 @@ def test_a_path_that_takes_too_long_is_a_row(tmp_path):
 
 def test_the_packaged_study_is_read():
     study, _ = read_study(packaged_studies()["paper_car"])
-    values = [plan("sobol", study.variations, study.count, 1)(number) for number in range(study.count)]
+    values = list(map(plan("sobol", study.variations, study.count, 1), range(study.count)))
     assert study.count == 2000
     assert len({path_key(study, each) for each in values}) == 8
     assert len(set(values)) == 2000

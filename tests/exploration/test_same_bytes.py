@@ -61,17 +61,17 @@ def test_shards_in_any_order_are_the_whole(study, known, tmp_path):
 
 
 def test_many_shards_need_no_more_memory_than_one_and_are_merged(study, known, tmp_path, monkeypatch):
-    for k in range(1, 41):
-        journal = explore(study, tmp_path, executor=map, shard=f"{k}/40").computed.journals[0]
-        assert len(journal.places) <= 8
+    for k in range(1, 17):
+        journal = explore(study, tmp_path, executor=map, shard=f"{k}/16").computed.journals[0]
+        assert len(journal.places) <= 16
         journal.close()
     limits: list[tuple[int, int]] = []
-    monkeypatch.setattr("resource.getrlimit", lambda _: (100, 10_000))
+    monkeypatch.setattr("resource.getrlimit", lambda _: (70, 10_000))
     monkeypatch.setattr("resource.setrlimit", lambda _, both: limits.append(both))
     assert cheap.digest(merge([tmp_path, tmp_path])) == known
-    assert limits == [(104, 10_000)]
-    monkeypatch.setattr("resource.getrlimit", lambda _: (100, 100))
-    with pytest.raises(FileError, match=r"these are 40 journals, and this computer lets a program open 100 files"):
+    assert limits == [(80, 10_000)]
+    monkeypatch.setattr("resource.getrlimit", lambda _: (70, 70))
+    with pytest.raises(FileError, match=r"these are 16 journals, and this computer lets a program open 70 files"):
         merge([tmp_path])
 
 
