@@ -14,7 +14,8 @@
 | `tolerance` | `cadgen tolerance`: many cars within the tolerances                |
 | `calibrate` | `cadgen calibrate`: measured files -> effects missing in the design |
 | `adjust`    | `cadgen adjust`: trial runs -> what to set before the next         |
-| `explore`   | `cadgen explore`, `cadgen merge`: studies of many designs          |
+| `explore`   | `cadgen explore`: studies of many designs                          |
+| `merge`     | `cadgen merge`: the shards of a study put together                 |
 | `report`    | `cadgen report`: a page with model, curves and tables            |
 | `edit`      | `cadgen edit`: a design changed on its page in the browser       |
 | `verify`    | `cadgen verify`: a folder against its manifest                     |
@@ -55,8 +56,9 @@ from cadgen.cli.card import card
 from cadgen.cli.check import check
 from cadgen.cli.draw import draw
 from cadgen.cli.edit import edit
-from cadgen.cli.explore import explore, merge
+from cadgen.cli.explore import explore
 from cadgen.cli.gears import gears
+from cadgen.cli.merge import merge
 from cadgen.cli.new import new
 from cadgen.cli.optimize import optimize
 from cadgen.cli.plan import plan

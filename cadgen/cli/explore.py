@@ -1,6 +1,7 @@
-"""`cadgen explore` and `cadgen merge`: studies of many designs."""
+"""`cadgen explore`: studies of many designs."""
 
 import os
+import sys
 from pathlib import Path
 
 import click
@@ -40,10 +41,12 @@ def explore(
     """Compute thousands of designs: which are the best, and what it depends on.
 
     STUDY is a TOML file with base design, keys that vary, limits and objectives (docs/how-to/explore.md), or a packaged
-    study, paper_car. Every result is kept in a journal at once; the same command again goes on where it was.
+    study, paper_car. Every result is kept in a journal at once; the same command again goes on where it was. The exit
+    code is 1 if no design keeps all limits and checks.
     """
     from cadgen.api import exploration
     from cadgen.cli import show, show_exploration
+    from cadgen.cli.verdict import verdict
 
     if jobs is not None and cluster is None:
         raise click.UsageError("--jobs is the number of jobs of --cluster: give that too, or leave it out")
@@ -52,6 +55,8 @@ def explore(
             raise click.UsageError("--cluster only writes a script: leave out --scheduler and --shard")
         file, command = exploration.write_script(study, out, cluster, jobs or 10, processes)
         show_exploration.script(file, command, as_json=as_json)
+        if not as_json:
+            verdict(True, "a script is written and nothing computed", "read it, and hand it in")
         return
     interrupt.resumable()
     with show.progress(not as_json) as progress:
@@ -60,18 +65,10 @@ def explore(
         )
         written = computed.write(progress=progress) if computed.complete else None
     show_exploration.results(computed, written, out, as_json=as_json)
-
-
-@click.command()
-@click.argument("folders", nargs=-1, required=True, type=click.Path(path_type=Path))
-@out_option(required=True, help="Folder for the results.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
-def merge(folders: tuple[Path, ...], out: Path, as_json: bool) -> None:
-    """Put the shards of a study together: FOLDERS are those that cadgen explore --shard wrote to."""
-    from cadgen.api import exploration
-    from cadgen.cli import show, show_exploration
-
-    with show.progress(not as_json) as progress:
-        computed = exploration.merge(folders)
-        written = computed.write(out, progress=progress)
-    show_exploration.results(computed, written, out, as_json=as_json)
+    if not computed.complete:
+        if not as_json:
+            verdict(True, "every design of this shard has its row", "the other shards, then cadgen merge")
+        return
+    if not as_json:
+        verdict(*show_exploration.outcome(computed, out))
+    sys.exit(0 if computed.summary.front else 1)

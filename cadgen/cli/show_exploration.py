@@ -43,11 +43,19 @@ def results(computed: "Exploration", written: "Written | None", out: Path, *, as
     summary = computed.summary
     states = [f"{count} {_STATES[state]}" for state, count in summary.states.items()]
     console.print(f"{computed.name}: {computed.computed.count} designs, {', '.join(states)}.")
-    if not summary.front:
-        console.print("No design keeps all limits and checks: see the columns failed and sentence of the table.")
-    else:
+    if summary.front:
         _front(computed)
     show.files(written, out)
+
+
+def outcome(computed: "Exploration", out: Path) -> tuple[bool, str, str]:
+    """Whether any design keeps all limits and checks, the result in words, and the next step."""
+    name, count = computed.name, len(computed.summary.front)
+    if not count:
+        reasons = f"the columns failed and sentence of {out / name}.csv say what is in the way"
+        return False, "no design keeps all limits and checks", reasons
+    best = f"cadgen cam {out / name}_best_1.toml" if computed.computed.study.file.best else "raise best in the study"
+    return True, f"every design has its row; on the front: {count}", best
 
 
 def script(file: Path, command: str, *, as_json: bool) -> None:

@@ -16,7 +16,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import CadgenError, brief
 from cadgen.exploration.figures.evaluated import Evaluated
 from cadgen.exploration.figures.figure import Figure
-from cadgen.exploration.guard import limit_memory, within
+from cadgen.exploration.guard import TooLongError, limit_memory, within
 from cadgen.exploration.plans import Values
 from cadgen.exploration.study import ALL, LimitKeys, Study
 from cadgen.exploration.variation import REPLAN, Variation
@@ -134,6 +134,8 @@ class Job:
             sentence = ""
         except CadgenError as error:
             state, sentence = "refused", str(error)
+        except TooLongError as error:
+            state, sentence = "crashed", str(error)
         except MemoryError:
             state, sentence = "crashed", "it ran out of memory (each.memory_mb)"
         except Exception as error:

@@ -28,10 +28,19 @@ _BOUNDS = {
 
 def sentence(error: ValidationError, schema: type[BaseModel]) -> str:
     """The first fault, and how many more there are."""
-    errors = error.errors(include_url=False)
+    every = error.errors(include_url=False)
+    # A list with a faulty item also counts as one that is too short.
+    errors = [each for each in every if each["type"] != "too_short" or not any(_holds(each, other) for other in every)]
     first = min(errors, key=lambda item: item["type"] != "extra_forbidden")
-    more = f" (and {len(errors) - 1} more faults)" if len(errors) > 1 else ""
+    rest = len(errors) - 1
+    more = f" (and {rest} more fault{'s' if rest > 1 else ''})" if rest else ""
     return f"{_one(first, schema)}{more}"
+
+
+def _holds(outer: Any, inner: Any) -> bool:
+    """Whether the place of a fault holds that of another."""
+    depth = len(outer["loc"])
+    return len(inner["loc"]) > depth and inner["loc"][:depth] == outer["loc"]
 
 
 def _one(item: Any, schema: type[BaseModel]) -> str:
@@ -47,7 +56,9 @@ def _one(item: Any, schema: type[BaseModel]) -> str:
     if kind in _BOUNDS:
         words, bound = _BOUNDS[kind]
         return f"{name} is {_shown(value)}; it must be {words} {context[bound]:g}"
-    if kind == "too_short":
+    if kind == "tuple_type" and isinstance(value, dict):
+        return f"{name} is one section; it must be a list of them: write [[{name}]]"
+    if kind in ("too_short", "string_too_short"):
         return f"{name} is empty: add at least one"
     if kind == "string_pattern_mismatch":
         return f"{name} is {_shown(value)}; it must be letters, digits, _, - and points, the first a letter or digit"

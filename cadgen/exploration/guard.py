@@ -9,13 +9,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
 
-from cadgen.errors import CadgenError
-
 _HARD = 2.0  # times the limit, of processor time: then the process ends, whatever library it is in
 
 
-class TooLongError(CadgenError):
-    """The computation took longer than it may."""
+class TooLongError(BaseException):
+    """The computation took longer than it may; no `Exception`, so that nothing below handles it."""
 
 
 @contextmanager

@@ -15,6 +15,9 @@ from pathlib import Path
 from typing import Any, BinaryIO
 from zlib import crc32
 
+import numpy as np
+from numpy.typing import NDArray
+
 from cadgen.errors import FileError, brief
 from cadgen.exploration.evaluate import Row
 from cadgen.exploration.paths import PlannedText
@@ -60,9 +63,9 @@ class Journal:
     Attributes:
         file: its path.
         header: its first line.
-        places: place of each design's row in the file, by its number; `_ABSENT` for one that is not there.
+        places: place in the file of the row of each design of the shard in turn, the first, the n-th after it and so
+            on for one of n shards; `_ABSENT` for one that is not there.
         paths: place of each planned path, by its key.
-        damaged: number of lines that were passed over.
         seconds: processor time of all its designs, s.
     """
 
@@ -71,7 +74,6 @@ class Journal:
     stream: BinaryIO
     places: "array[int]" = field(default_factory=lambda: array("q"))
     paths: dict[str, int] = field(default_factory=dict)
-    damaged: int = 0
     seconds: float = 0.0
     count: int = 0
 
@@ -132,7 +134,21 @@ class Journal:
             unlock(self.stream.fileno())
 
     def __contains__(self, number: int) -> bool:
-        return number < len(self.places) and self.places[number] != _ABSENT
+        turn = self._turn(number)
+        return turn is not None and turn < len(self.places) and self.places[turn] != _ABSENT
+
+    @property
+    def numbers(self) -> NDArray[np.int64]:
+        """Numbers of all designs that are there, in order."""
+        part, parts = self.header.shard
+        there = np.frombuffer(self.places, dtype=np.int64) != _ABSENT if len(self.places) else np.zeros(0, dtype=bool)
+        return np.flatnonzero(there) * parts + part - 1
+
+    def _turn(self, number: int) -> int | None:
+        """Which design of the shard a number is, counted from 0; None for one of another shard."""
+        part, parts = self.header.shard
+        turn, other = divmod(number - part + 1, parts)
+        return None if other else turn
 
     def add_rows(self, results: Sequence[tuple[Row, float]]) -> None:
         """Write rows of designs, with the processor time of each, s; one that is there already is left out.
@@ -158,7 +174,7 @@ class Journal:
 
     def row(self, number: int) -> Row:
         """Row of a design that is there."""
-        return Row.of(self._at(self.places[number])["row"])
+        return Row.of(self._at(self.places[number // self.header.shard[1]])["row"])
 
     def times(self) -> Iterator[float]:
         """Processor time of each design, s, in the order of their numbers."""
@@ -174,29 +190,28 @@ class Journal:
         return content
 
     def _note(self, number: int, place: int, seconds: float) -> None:
-        if number >= len(self.places):
-            self.places.extend([_ABSENT] * max(number + 1 - len(self.places), len(self.places)))
-        if self.places[number] == _ABSENT:
+        turn = self._turn(number)
+        if turn is None:
+            return
+        if turn >= len(self.places):
+            self.places.extend([_ABSENT] * max(turn + 1 - len(self.places), len(self.places)))
+        if self.places[turn] == _ABSENT:
             self.count += 1
             self.seconds += seconds
-        self.places[number] = place
+        self.places[turn] = place
 
     def _read(self, place: int) -> int:
         """Note all lines from a place on; where the last sound one ends."""
         good = place
         for line in iter(lambda: self.stream.readline(_LONGEST_LINE), b""):
             content = _content(line)
-            if content is None:
-                self.damaged += 1
-            else:
+            if content is not None:
                 if "row" in content:
                     self._note(content["row"][0], place, content["seconds"])
                 elif "path" in content:
                     self.paths[content["path"][0]] = place
                 good = place + len(line)
             place += len(line)
-        if place > good and not line_ends(self.stream, place):
-            self.damaged -= 1  # a torn last line is what a killed run leaves
         return good
 
     def _truncate(self, place: int) -> None:
@@ -217,12 +232,6 @@ class Journal:
                 "again, and the study goes on where it was"
             ) from error
         return place
-
-
-def line_ends(stream: BinaryIO, size: int) -> bool:
-    """Whether the last byte of a file of some size ends a line."""
-    stream.seek(max(size - 1, 0))
-    return stream.read(1) == b"\n"
 
 
 def journal_name(name: str, shard: tuple[int, int]) -> str:
@@ -249,7 +258,10 @@ def _header(content: Any, file: Path) -> Header:
         if content["format"] != FORMAT:
             raise ValueError
         known = {name: content[name] for name in Header.__dataclass_fields__}
-        return Header(**{**known, "shard": tuple(known["shard"])})
+        part, parts = known["shard"]
+        if not 1 <= part <= parts:
+            raise ValueError
+        return Header(**{**known, "shard": (part, parts)})
     except (KeyError, TypeError, ValueError):
         raise FileError(f"{brief(str(file))} is no journal of cadgen explore: choose another folder") from None
 
@@ -264,4 +276,9 @@ def _refuse_other(old: Header, new: Header, file: Path) -> None:
         raise FileError(
             f"{brief(str(file))} is of another study, or of another state of this one: choose another folder, or "
             "remove it"
+        )
+    if old.shard != new.shard:
+        raise FileError(
+            f"{brief(str(file))} is of shard {old.shard[0]}/{old.shard[1]}: name it "
+            f"{journal_name(old.name, old.shard)} again"
         )

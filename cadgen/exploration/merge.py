@@ -1,5 +1,6 @@
 """Results of a study from the journals of its shards."""
 
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -8,6 +9,8 @@ from cadgen.exploration.journal import ENDING, Journal
 from cadgen.exploration.read import study_of
 from cadgen.exploration.results import Results
 from cadgen.version import __version__
+
+_OTHER_FILES = 64  # that a process holds open besides the journals
 
 
 def merged(folders: Sequence[Path]) -> Results:
@@ -19,9 +22,10 @@ def merged(folders: Sequence[Path]) -> Results:
     Raises:
         FileError: no journal, journals of several studies or versions, or designs without a result.
     """
-    files = [file for folder in folders for file in _journals(folder)]
+    files = list(dict.fromkeys(file for folder in folders for file in _journals(folder)))
     if not files:
         raise FileError("there is no journal of cadgen explore in these folders: name those of the shards")
+    _allow_open(len(files))
     journals = tuple(Journal.read(file) for file in files)
     first = journals[0].header
     for journal in journals:
@@ -32,8 +36,8 @@ def merged(folders: Sequence[Path]) -> Results:
             )
         if journal.header.fingerprint != first.fingerprint:
             raise FileError(
-                f"{brief(str(journal.file))} is of another study than {brief(str(journals[0].file))}: name the folders "
-                "of one study"
+                f"{brief(str(journal.file))} is of another study than {brief(str(journals[0].file))}: name the "
+                "folders, or the journals, of one study"
             )
     study = study_of(first.study, first.text, first.source, first.name)
     count = sum(journal.count for journal in journals) if study.searches else study.count
@@ -54,3 +58,25 @@ def _shards(journals: Sequence[Journal], number: int) -> str:
 
 def _journals(folder: Path) -> list[Path]:
     return sorted(folder.glob(f"*{ENDING}")) if folder.is_dir() else [folder]
+
+
+def _allow_open(count: int) -> None:
+    """Have this process allowed to hold so many journals open at once: many systems begin with 1024 files.
+
+    Raises:
+        FileError: this computer does not allow so many.
+    """
+    if sys.platform == "win32":
+        return
+    import resource
+
+    usual, most = resource.getrlimit(resource.RLIMIT_NOFILE)
+    needed = count + _OTHER_FILES
+    if usual == resource.RLIM_INFINITY or needed <= usual:
+        return
+    if most != resource.RLIM_INFINITY and needed > most:
+        raise FileError(
+            f"these are {count} journals, and this computer lets a program open {most} files at once: raise that limit "
+            "(ulimit -n), or take fewer shards"
+        )
+    resource.setrlimit(resource.RLIMIT_NOFILE, (needed, most))

@@ -11,6 +11,7 @@ from cadgen.build import cam_model
 from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
 from cadgen.exploration.evaluate import override_of
+from cadgen.exploration.guard import TooLongError, limit_memory, within
 from cadgen.exploration.plans import Values
 from cadgen.exploration.study import ANY, Study
 from cadgen.exploration.variation import REPLAN
@@ -43,6 +44,7 @@ class Planner:
         text, source: base design.
         overrides: of the base.
         within_mm, seeds: where they do not vary.
+        seconds, memory_mb: limits for one path, those of one design.
     """
 
     text: str
@@ -50,6 +52,8 @@ class Planner:
     overrides: tuple[str, ...]
     within_mm: float | str
     seeds: int
+    seconds: float
+    memory_mb: float | None
 
     @classmethod
     def of(cls, study: Study) -> "Planner | None":
@@ -57,10 +61,15 @@ class Planner:
         replan = study.file.replan
         if replan is None:
             return None
-        return cls(study.text, study.source, study.file.overrides, replan.within_mm, replan.seeds)
+        each = study.file.each
+        return cls(
+            study.text, study.source, study.file.overrides, replan.within_mm, replan.seeds, each.seconds, each.memory_mb
+        )
 
     def __call__(self, keys: Sequence[str]) -> list[tuple[PlannedText, float]]:
         """Planned paths by their keys, each with its processor time, s."""
+        if self.memory_mb is not None:
+            limit_memory(self.memory_mb)
         results = []
         for key in keys:
             begun = thread_time()
@@ -70,16 +79,21 @@ class Planner:
     def planned(self, key: str) -> PlannedText:
         """One planned path by its key."""
         changed: dict[str, Any] = dict(json.loads(key))
-        within = changed.pop(f"{REPLAN}within_mm", self.within_mm)
+        most = changed.pop(f"{REPLAN}within_mm", self.within_mm)
         seeds = int(changed.pop(f"{REPLAN}seeds", self.seeds))
         overrides = (*self.overrides, *(override_of(name, value) for name, value in changed.items()))
         try:
-            design, drawn = course_of(self.text, Path(self.source), overrides)
-            own = cam_model.track(design) if drawn else None
-            near = Wanted(seeds=seeds) if within == ANY else Wanted(own, float(within), own, seeds)
-            plan = plan_design(design, self.text, own, near)
+            with within(self.seconds):
+                design, drawn = course_of(self.text, Path(self.source), overrides)
+                own = cam_model.track(design) if drawn else None
+                near = Wanted(seeds=seeds) if most == ANY else Wanted(own, float(most), own, seeds)
+                plan = plan_design(design, self.text, own, near)
         except CadgenError as error:
             return PlannedText(key, "", brief(str(error)))
+        except TooLongError as error:
+            return PlannedText(key, "", f"its path: {error}")
+        except MemoryError:
+            return PlannedText(key, "", "its path ran out of memory (each.memory_mb)")
         except Exception as error:
             return PlannedText(key, "", brief(f"a fault in cadgen while planning ({type(error).__name__}: {error})"))
         return PlannedText(key, plan.text, "" if plan.text else brief(f"no path was planned: {sentences(plan)[0]}"))
@@ -99,6 +113,7 @@ def path_key(study: Study, values: Values) -> str | None:
         return None
     changed: dict[str, Any] = {}
     for each in study.variations:
-        if each.key.startswith(_WITH_A_PATH) or each.key in replan.planned_for:
+        keys = (each.key, *(key for key, _ in each.along))
+        if any(key.startswith(_WITH_A_PATH) or key in replan.planned_for for key in keys):
             changed.update(each.changes(varied[each.key]))
     return json.dumps(changed)

@@ -1,5 +1,6 @@
 """A study from its file: read, checked against its base design, and refused in one sentence."""
 
+from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
@@ -7,8 +8,8 @@ from pydantic import ValidationError
 
 from cadgen.design.load import design_of, packaged_designs, packaged_studies, read_design
 from cadgen.design.names import usable_name
-from cadgen.design.override import key_at
-from cadgen.design.parse import parse
+from cadgen.design.override import key_at, override
+from cadgen.design.parse import DeepError, parse
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
 from cadgen.exploration.evaluate import override_of
@@ -74,6 +75,8 @@ def _content(text: str, name: str) -> StudyFile:
         return StudyFile.model_validate(parse(text))
     except ValidationError as error:
         raise DesignError(f"{name}: {sentence(error, StudyFile)}") from None
+    except DeepError:
+        raise DesignError(f"{name} nests keys or brackets more deeply than any study does: correct it") from None
     except ValueError as error:
         raise DesignError(f"{name} is not TOML ({brief(str(error))}): correct it") from None
 
@@ -82,10 +85,12 @@ def _study(content: StudyFile, base: str, source: str, named: str, stem: str) ->
     values = parse(base)
     try:
         design_of(base, Path(source), content.overrides)
+        for change in content.overrides:
+            override(values, change)
         variations = tuple(_variation(each, values) for each in content.vary)
         study = Study(content, content.name or stem, base, source, variations)
         for each in variations:
-            _refuse_unusable(each, study)
+            _refuse_unusable(each, study, values)
         study.count  # noqa: B018 - refuses a plan that is too large
     except DesignError as error:
         raise DesignError(f"{named}: {error}") from None
@@ -106,18 +111,22 @@ def _variation(given: Vary, values: dict[str, Any]) -> Variation:
     return made
 
 
-def _refuse_unusable(each: Variation, study: Study) -> None:
-    """Refuse a value that the key cannot have in the base design, where it varies alone."""
-    if each.key.startswith(REPLAN):
-        return
-    for value in dict.fromkeys(map(_frozen, each.some)):
+def _refuse_unusable(each: Variation, study: Study, values: dict[str, Any]) -> None:
+    """Refuse a value that its key cannot have in the base design, where it varies alone.
+
+    Args:
+        each: what varies.
+        study: the study.
+        values: raw values of the base design.
+    """
+    for key, value in [change for some in each.some for change in each.changes(some)]:
+        if key.startswith(REPLAN):
+            continue
+        change = override_of(key, value)
+        override(deepcopy(values), change)  # refuses a key, or an item of a list, that is not there
         try:
-            design_of(study.text, Path(study.source), (*study.file.overrides, override_of(each.key, value)))
+            design_of(study.text, Path(study.source), (*study.file.overrides, change))
         except DesignError as error:
             # What only other keys forbid may be right together with what they vary to.
-            if f"{each.key} is " in str(error) and "; it must be " in str(error):
+            if f"{key} is " in str(error) and "; it must be " in str(error):
                 raise
-
-
-def _frozen(value: Any) -> Any:
-    return tuple(map(_frozen, value)) if isinstance(value, list) else value

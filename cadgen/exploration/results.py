@@ -2,6 +2,10 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.errors import FileError
 from cadgen.exploration.evaluate import Row
@@ -27,7 +31,7 @@ class Results:
     @property
     def missing(self) -> Iterator[int]:
         """Numbers of designs without a row."""
-        return (number for number in range(self.count) if self._journal(number) is None)
+        return iter(np.flatnonzero(self._holders < 0).tolist())
 
     def row(self, number: int) -> Row:
         """Row of a design.
@@ -49,7 +53,17 @@ class Results:
         return next(journal for journal in self.journals if key in journal.paths).path(key)
 
     def _journal(self, number: int) -> Journal | None:
-        return next((journal for journal in self.journals if number in journal), None)
+        place = int(self._holders[number])
+        return None if place < 0 else self.journals[place]
+
+    @cached_property
+    def _holders(self) -> NDArray[np.int32]:
+        """Place of the journal that has the row of each design; -1 for none."""
+        holders = np.full(self.count, -1, dtype=np.int32)
+        for place in reversed(range(len(self.journals))):
+            numbers = self.journals[place].numbers
+            holders[numbers[numbers < self.count]] = place
+        return holders
 
 
 def sampled(count: int, most: int) -> range:

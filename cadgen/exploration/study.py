@@ -4,21 +4,23 @@ from dataclasses import dataclass
 from functools import cached_property
 from hashlib import sha256
 from json import dumps
+from math import isfinite
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field, Strict, field_validator, model_validator
 
 from cadgen.check import CheckCode
 from cadgen.design.section import HERE, OneOf, Section
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, brief
 from cadgen.exploration import plans, search
 from cadgen.exploration.figures import table
 from cadgen.exploration.figures.figure import Figure
-from cadgen.exploration.variation import REPLAN, Variation
+from cadgen.exploration.variation import REPLAN, ROUNDING, Variation
 from cadgen.optimize.profiles.table import codes as profile_codes
 
 MOST_DESIGNS = 1_000_000
-MOST_WITHIN_MM = 1000.0
+_MOST_VALUES = 1000  # of a key, each of which is tried in the base design before anything is computed
+MOST_WITHIN_MM, _MOST_SEEDS = 1000.0, 100
 ALL = "all"
 Codes = Annotated[tuple[str, ...], Strict(False)]
 ANY = "any"
@@ -78,7 +80,12 @@ class Vary(Section):
             raise ValueError(f"{self.key} must vary either by values or from least to most: give one of the two")
         if self.values is not None and not self.values:
             raise ValueError(f"{self.key} has no values to choose from: add some")
+        _refuse_values(self.key, self.values or ())
+        for place, value in enumerate(self.values or ()):
+            if value in self.values[:place]:  # type: ignore[index]
+                raise ValueError(f"{self.key} has the value {brief(repr(value), 60)} twice: remove one")
         for key, values in self.along.items():
+            _refuse_values(key, values)
             if len(values) != len(self.values or ()):
                 raise ValueError(
                     f"{key} changes along with {self.key} and has {len(values)} values, but {self.key} has "
@@ -90,7 +97,35 @@ class Vary(Section):
             raise ValueError(
                 f"the range of {self.key} from {self.least:g} to {self.most:g} is empty: least must be below most"
             )
+        if ranged and self.step is not None:
+            self._refuse_step((self.most or 0.0) - (self.least or 0.0), self.step)
         return self
+
+    def _refuse_step(self, width: float, step: float) -> None:
+        if step > width * (1 + ROUNDING):
+            raise ValueError(f"the step of {self.key} is {step:g}, more than its range is wide: lower it")
+        if width / step > MOST_DESIGNS:
+            raise ValueError(
+                f"the step of {self.key} is {step:g}, which makes more than {MOST_DESIGNS} values: raise it"
+            )
+
+
+def _refuse_values(key: str, values: tuple[Any, ...]) -> None:
+    """Refuse more values than can be tried, and those that no key of a design has."""
+    if len(values) > _MOST_VALUES:
+        raise ValueError(f"{key} has {len(values)} values; it can have at most {_MOST_VALUES}: give a range instead")
+    for value in values:
+        if not _is_plain(value):
+            raise ValueError(
+                f"{key} has the value {brief(repr(value), 60)}; it must be a finite number, a text, true or false, or "
+                "a list of these"
+            )
+
+
+def _is_plain(value: object) -> bool:
+    if isinstance(value, list):
+        return all(map(_is_plain, value))
+    return isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value))
 
 
 class LimitKeys(Section):
@@ -133,7 +168,7 @@ class ReplanKeys(Section):
         default=25.0,
         description='how far from the base\'s path, 0 to 1000, where 0 keeps that; or "any" path on the course',
     )
-    seeds: int = Field(default=1, ge=1, le=100, description="searches for each path")
+    seeds: int = Field(default=1, ge=1, le=_MOST_SEEDS, description="searches for each path")
     planned_for: Codes = Field(
         default=(), description="varied keys for whose value a path is planned, besides replan, path and course"
     )
@@ -182,6 +217,12 @@ class StudyFile(Section):
                         _within(value)
                     except ValueError as error:
                         raise ValueError(str(error).replace(HERE, each.key)) from None
+            if each.key == f"{REPLAN}seeds":
+                for value in each.values or (each.least, each.most):
+                    if isinstance(value, bool | str | list) or not 1 <= value <= _MOST_SEEDS or value != round(value):
+                        raise ValueError(
+                            f"{each.key} is {brief(repr(value), 60)}; it must be a whole number from 1 to {_MOST_SEEDS}"
+                        )
         for key in self.replan.planned_for if self.replan else ():
             if key not in keys:
                 raise ValueError(f"replan.planned_for names {key}, which does not vary: remove it")
@@ -241,7 +282,8 @@ class Study:
             return self.generations * self.file.plan.population
         count = plans.count(self.file.plan.kind, self.variations, self.file.plan.designs)
         if count > MOST_DESIGNS:
-            raise DesignError(f"the plan has {count} designs; it can have at most {MOST_DESIGNS}: use larger steps")
+            many = str(count) if count < 10**15 else "more than 10^15"
+            raise DesignError(f"the plan has {many} designs; it can have at most {MOST_DESIGNS}: use larger steps")
         return count
 
     @property
@@ -256,6 +298,6 @@ class Study:
 
     @cached_property
     def fingerprint(self) -> str:
-        """SHA-256 of everything that the results depend on, but the version of the program."""
-        content = {"study": self.file.model_dump(mode="json"), "name": self.name, "base": self.text}
+        """SHA-256 of everything that the rows depend on, but the version of the program."""
+        content = {"study": self.file.model_dump(mode="json", exclude={"best"}), "name": self.name, "base": self.text}
         return sha256(dumps(content, sort_keys=True).encode()).hexdigest()

@@ -8,7 +8,7 @@ from cadgen.errors import DesignError
 
 REPLAN = "replan."  # keys of the study itself, which vary as the design's do
 _DIGITS = 6  # of a value in a range: more would only lengthen the files
-_ROUNDING = 1e-9
+ROUNDING = 1e-9  # of the number of steps in a range
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Variation:
         if self.values:
             return len(self.values)
         step = self._step
-        return floor((self.most - self.least) / step + _ROUNDING) + 1 if step else None
+        return floor((self.most - self.least) / step + ROUNDING) + 1 if step else None
 
     @property
     def levels(self) -> int:

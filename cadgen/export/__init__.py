@@ -9,6 +9,7 @@
 | `gcode`        | the program that mills the outline                                          |
 | `gcode_tabs`   | tabs that hold the disc until it is clamped                                 |
 | `drilling`     | the programs that drill the holes                                           |
+| `program_time` | time that these programs take at their feeds                                |
 | `gcode_words`  | words and comments of programs                                              |
 | `gcode_machine`| an interpreter of programs                                                  |
 | `gcode_reader` | the outline and the tabs that a program leaves                              |

@@ -88,6 +88,25 @@ def point_length(diameter: float, drilling: Drilling) -> float:
     return diameter / 2 / tan(radians(drilling.point_angle_deg) / 2)
 
 
+def drill_feed(diameter: float, drilling: Drilling, material: DiscMaterial | None) -> tuple[float, float]:
+    """Speed of the spindle, turns a minute, and feed downwards, mm/min, of a drill by its diameter, mm."""
+    speed = _SLOWEST if material is None else _SPEEDS[material]
+    spindle = drilling.spindle_rpm or round(1000 * speed / (pi * diameter))
+    return spindle, drilling.feed_mm_per_min or round(_FEED_PER_TURN * diameter * spindle, 1)
+
+
+def pecks(top: float, bottom: float, peck: float) -> list[float]:
+    """Z at the end of each peck of a hole from its top to its bottom, mm; none is deeper than `peck`, but for the last.
+
+    That takes what a step would leave of less than a hundredth.
+    """
+    floors, at = [], top
+    while at > bottom:
+        at = bottom if at - peck < bottom + 0.01 * peck else at - peck
+        floors.append(at)
+    return floors
+
+
 def write_drilling(
     path: Path,
     drill: Drill,
@@ -110,9 +129,7 @@ def write_drilling(
         notes: further comments for the shop.
     """
     diameter = drill.diameter
-    speed = _SLOWEST if material is None else _SPEEDS[material]
-    spindle = drilling.spindle_rpm or round(1000 * speed / (pi * diameter))
-    feed = drilling.feed_mm_per_min or round(_FEED_PER_TURN * diameter * spindle, 1)
+    spindle, feed = drill_feed(diameter, drilling, material)
     top = max(hole.top for hole in drill.holes)
     height = machining.safe_height_mm + top
     below = point_length(diameter, drilling) + machining.break_through_mm
@@ -138,15 +155,14 @@ def write_drilling(
     for hole in drill.holes:
         x, y = hole.place
         lines += [f"G0 {words(X=x, Y=y)}", f"G0 {words(Z=hole.top + machining.approach_mm)}"]
-        floor, at = hole.bottom - below, hole.top
-        while at > floor:
+        at = hole.top
+        for floor in pecks(hole.top, hole.bottom - below, peck):
             if at < hole.top:
                 lines += [
                     f"G0 {words(Z=hole.top + machining.approach_mm)}",
                     f"G0 {words(Z=at + machining.approach_mm)}",
                 ]
-            # The last peck takes what a step would leave of less than a hundredth.
-            at = floor if at - peck < floor + 0.01 * peck else at - peck
+            at = floor
             lines.append(f"G1 {words(Z=at)} F{feed:g}")
         lines.append(f"G0 {words(Z=height)}")
     lines += ["M5", "M30"]

@@ -81,9 +81,8 @@ def write_gcode(
     Raises:
         DesignError: the tabs have no room.
     """
-    depth = thickness + machining.break_through_mm
-    passes = ceil(depth / machining.step_down_mm - 1e-9)
-    levels = [-depth * number / passes for number in range(1, passes + 1)]
+    levels = levels_of(machining, thickness)
+    passes = len(levels)
     slot = slot_with_tabs(centre, machining)
     height = machining.safe_height_mm + (hub.height if hub else 0.0)
     program = _Rounds(slot, machining, machining.feed(material), height)
@@ -108,6 +107,13 @@ def write_gcode(
         lines += [f"(tabs, pass {number} of {len(below)})", *program.once(floor, level, level)]
     lines += ["M5", "M30"]
     path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
+
+
+def levels_of(machining: Machining, thickness: float) -> list[float]:
+    """Z of each pass through a disc of some thickness, equal steps down, mm."""
+    depth = thickness + machining.break_through_mm
+    passes = ceil(depth / machining.step_down_mm - 1e-9)
+    return [-depth * number / passes for number in range(1, passes + 1)]
 
 
 def _head(

@@ -49,9 +49,11 @@ def test_figures_of_the_disc_by_its_polygon(paper):
     assert kind_of("disc_diameter_mm").of(paper) == pytest.approx(
         2 * max(hypot(x, y) for x, y in points.tolist()), abs=1e-3
     )
-    # The cutter's centre runs at its radius from the outline; passes of 1 mm through 3.3 mm are 4, at 240 mm/min.
+    # The cutter's centre runs at its radius from the outline, with quarters of 3 mm before and after; passes of 1 mm
+    # through 3.3 mm are 4, at 240 mm/min, and down 1 mm above each, at 60.
     centre = disc.buffer(2.0, quad_segs=64).exterior.length
-    assert kind_of("cutting_time_min").of(paper) == pytest.approx(4 * centre / 240, rel=1e-3)
+    minutes = 4 * (centre + 3 * pi) / 240 + (3.3 + 4) / 60
+    assert kind_of("cutting_time_min").of(paper) == pytest.approx(minutes, rel=1e-3)
     # Bore 8 mm with a keyway 3 x 1.4 mm into its wall, and six holes of 18 mm.
     bore = shapely.Point(0, 0).buffer(4.0, quad_segs=256).union(shapely.box(-1.5, 0, 1.5, 5.4))
     area = disc.area - bore.area - 6 * pi * 81

@@ -6,7 +6,7 @@ from cadgen.api.design import Design
 from cadgen.api.exploration import explore
 from cadgen.design.load import packaged_studies
 from cadgen.exploration.figures.table import kind_of
-from cadgen.exploration.paths import path_key
+from cadgen.exploration.paths import Planner, path_key
 from cadgen.exploration.plans import plan
 from cadgen.exploration.read import read_study
 from tests.exploration.test_figures import evaluated_of
@@ -44,9 +44,26 @@ def test_designs_share_the_path_that_they_do_not_change(tmp_path):
     }
 
 
+def test_a_path_is_planned_for_what_changes_along(tmp_path):
+    file = tmp_path / "study.toml"
+    file.write_text(STUDY + 'along = { "path.offset_mm" = [10.0, 12.0] }\n')
+    study, _ = read_study(file)
+    assert path_key(study, (3.0, "as-given", 75.0)) == (
+        '{"replan.within_mm": 3.0, "cam.base_radius_mm": 75.0, "path.offset_mm": 12.0}'
+    )
+
+
+def test_a_path_that_takes_too_long_is_a_row(tmp_path):
+    file = tmp_path / "study.toml"
+    file.write_text(STUDY + "[each]\nseconds = 0.01\n")
+    study, _ = read_study(file)
+    planned = Planner.of(study).planned('{"replan.within_mm": 3.0}')
+    assert (planned.text, planned.fault) == ("", "its path: it took longer than 0.01 s (each.seconds)")
+
+
 def test_the_packaged_study_is_read():
     study, _ = read_study(packaged_studies()["paper_car"])
-    values = [plan("sobol", study.variations, study.count, 1)(number) for number in range(study.count)]
+    values = list(map(plan("sobol", study.variations, study.count, 1), range(study.count)))
     assert study.count == 2000
     assert len({path_key(study, each) for each in values}) == 8
     assert len(set(values)) == 2000

@@ -60,6 +60,21 @@ def test_shards_in_any_order_are_the_whole(study, known, tmp_path):
         merge([tmp_path / "part1", tmp_path / "part3"])
 
 
+def test_many_shards_need_no_more_memory_than_one_and_are_merged(study, known, tmp_path, monkeypatch):
+    for k in range(1, 17):
+        journal = explore(study, tmp_path, executor=map, shard=f"{k}/16").computed.journals[0]
+        assert len(journal.places) <= 16
+        journal.close()
+    limits: list[tuple[int, int]] = []
+    monkeypatch.setattr("resource.getrlimit", lambda _: (70, 10_000))
+    monkeypatch.setattr("resource.setrlimit", lambda _, both: limits.append(both))
+    assert cheap.digest(merge([tmp_path, tmp_path])) == known
+    assert limits == [(80, 10_000)]
+    monkeypatch.setattr("resource.getrlimit", lambda _: (70, 70))
+    with pytest.raises(FileError, match=r"these are 16 journals, and this computer lets a program open 70 files"):
+        merge([tmp_path])
+
+
 @pytest.mark.parametrize("share", [0.02, 0.3, 0.61, 0.98])
 def test_a_torn_journal_goes_on(study, known, tmp_path, share):
     explore(study, tmp_path, executor=map)
@@ -139,6 +154,7 @@ def test_a_design_that_takes_too_long_is_a_row(tmp_path):
     rows = list(explore(file, tmp_path, executor=map).computed.rows())
     late = [row for row in rows if row.state != "kept"]
     assert [row.sentence for row in late] == ["it took longer than 0.2 s (each.seconds)"] * len(late)
+    assert {row.state for row in late} == {"crashed"}
     assert [row for row in rows if 66 < row.values[0] < 67] == late != []
 
 

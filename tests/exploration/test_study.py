@@ -66,6 +66,50 @@ def read(folder: Path, text: str) -> None:
         ),
         ("[plan]", 'profile = "best"\n[plan]', r'profile is "best"; it must be "actual"'),
         ('kind = "sobol"', 'kind = "nsga2"', r"plan\.designs is 16, fewer than the 40 of one generation"),
+        (
+            "least = 60\nmost = 80",
+            "values = [2020-01-01]",
+            r"has the value datetime\.date.*; it must be a finite",
+        ),
+        (
+            "least = 60\nmost = 80",
+            "values = [nan]",
+            r"cam\.base_radius_mm has the value nan; it must be",
+        ),
+        ("least = 60\nmost = 80", "values = [{ a = 1 }]", r"has the value \{'a': 1\}; it must be a finite number"),
+        ("least = 60\nmost = 80", "values = [60, 60.0]", r"has the value 60\.0 twice: remove one$"),
+        (
+            "least = 60\nmost = 80",
+            f"values = {[60 + k / 1e4 for k in range(1001)]}",
+            r"has 1001 values; it can have",
+        ),
+        (
+            "least = 60\nmost = 80",
+            'values = [60.0, 70.0]\nalong = { "train.module_mm" = [0.5, "x"] }',
+            r"train\.module_mm is \"x\"; it must be a number",
+        ),
+        ("most = 80", "most = 80\nstep = 30", r"the step of cam\.base_radius_mm is 30, more than its range is wide"),
+        ("most = 80", "most = 80\nstep = 1e-310", r"is 1e-310, which makes more than 1000000 values: raise it"),
+        ("cam.base_radius_mm", "path.waypoints_mm.99.1", r"there is no item 99: the list has 12"),
+        ("cam.base_radius_mm", "...", r"write it as key=value"),
+        ("cam.base_radius_mm", "", r"vary\.1\.key is empty"),
+        ("[[vary]]", "[vary]", r"vary is one section; it must be a list of them: write \[\[vary\]\]"),
+        ("[plan]", f"profile = {'[' * 5000}\n[plan]", r"nests keys or brackets more deeply than any study does"),
+        (
+            'cam.base_radius_mm"\nleast = 60\nmost = 80',
+            'replan.seeds"\nvalues = ["x"]\n[replan]',
+            r"replan\.seeds is 'x'; it must be a whole number from 1 to 100",
+        ),
+        (
+            'cam.base_radius_mm"\nleast = 60\nmost = 80',
+            'replan.seeds"\nleast = 0\nmost = 5\n[replan]',
+            r"replan\.seeds is 0\.0; it must be a whole number from 1 to 100",
+        ),
+        (
+            'cam.base_radius_mm"\nleast = 60',
+            'train.stages.1.driver.teeth"\nleast = 10.5',
+            r"train\.stages\.1\.driver\.teeth takes whole numbers",
+        ),
     ],
 )
 def test_a_wrong_study_is_refused_in_one_sentence(tmp_path, old, new, sentence):
@@ -89,8 +133,14 @@ def test_journals_of_others_are_refused(tmp_path, monkeypatch):
 
     opened(TEXT)
     opened(TEXT + "# a comment changes nothing\n")
+    opened("best = 9  # changes no row\n" + TEXT)
     with pytest.raises(FileError, match=r"is of another study, or of another state of this one"):
         opened(TEXT.replace("60", "61"))
+    (tmp_path / "study.toml").write_text(TEXT)
+    (tmp_path / "study.journal").rename(tmp_path / "study.1of2.journal")
+    with pytest.raises(FileError, match=r"is of shard 1/1: name it study\.journal again"):
+        open_journal(*read_study(tmp_path / "study.toml"), tmp_path, (1, 2))
+    (tmp_path / "study.1of2.journal").rename(tmp_path / "study.journal")
     monkeypatch.setattr("cadgen.exploration.run.__version__", "99.0")
     with pytest.raises(FileError, match=r"was begun by cadgen .*, and this is 99\.0: end it with that version"):
         opened(TEXT)

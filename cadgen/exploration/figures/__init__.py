@@ -11,6 +11,6 @@
 | `disc_diameter`  | diameter of the circle about the disc                                        |
 | `disc_mass`      | mass of the disc                                                             |
 | `holding_energy` | energy that the drag takes which holds the cam                               |
-| `cutting_time`   | time along the outline in milling                                            |
+| `cutting_time`   | time that the programs for the mill move at a feed                           |
 | `passed`         | share of random cars that keep the course                                    |
 """

@@ -1,27 +1,20 @@
-"""Time that the cutter is in the cut along the outline, at the feed of [machining]; rapid and plunging moves apart."""
+"""Time that the programs for the mill move at a feed: cuts, leads, plunges, tabs and drills, by their own moves."""
 
-from math import ceil
-
-from cadgen.arrays import TURN
 from cadgen.exploration.figures.evaluated import Evaluated
 from cadgen.exploration.figures.figure import Figure
-
-_ROUNDING = 1e-9
+from cadgen.export.program_time import drilling_minutes, milling_minutes
 
 
 def _minutes(evaluated: Evaluated) -> float:
-    """Passes times the length of the cutter's path: an offset by r of a closed curve is longer by 2 pi r (Steiner)."""
     plan = evaluated.plan
-    machining, (inner, outer) = plan.design.machining, plan.design.cam.faces_mm
-    feed = machining.feed(plan.design.blank.material)
-    passes = ceil((outer - inner + machining.break_through_mm) / machining.step_down_mm - _ROUNDING)
-    length = plan.curve.length() + TURN * machining.cutter_diameter_mm / 2
-    return passes * length / feed
+    machining, (inner, outer), material = plan.design.machining, plan.design.cam.faces_mm, plan.design.blank.material
+    milled = milling_minutes(plan.curve.length(), machining, outer - inner, material)
+    return milled + drilling_minutes(plan.made_blank, machining, outer - inner, material)
 
 
 CUTTING_TIME = Figure(
     code="cutting_time_min",
-    meaning="time in the cut along the outline, milled",
+    meaning="time that the programs for the mill move at a feed",
     of=_minutes,
     resolution=0.01,
 )
