@@ -79,13 +79,13 @@ def _edited(text: str, name: str, values: dict[str, Any], edit: Callable[[str], 
 def _spans(written: str) -> list[tuple[int, int]]:
     """Begin and end of each pair in a list of pairs of numbers, as it is written."""
     spans, begin, depth = [], 0, 0
-    for found in _COMMENT_OR_BRACKET.finditer(written):
-        if found[0] == "[":
+    for mark in _COMMENT_OR_BRACKET.finditer(written):
+        if mark[0] == "[":
             depth += 1
-            begin = found.start()
-        elif found[0] == "]":
+            begin = mark.start()
+        elif mark[0] == "]":
             if depth == 2:
-                spans.append((begin, found.end()))
+                spans.append((begin, mark.end()))
             depth -= 1
     return spans
 
@@ -112,7 +112,7 @@ def _without(written: str, index: int) -> str:
     """A list of pairs without one of them and its comma; a line that is empty then goes, too."""
     begin, end = _spans(written)[index]
     # The last pair may have no comma; that before it may then stay, as TOML has it.
-    comma = next(found for found in _COMMENT_OR_COMMA.finditer(written, end) if found[0][0] != "#")
+    comma = next(mark for mark in _COMMENT_OR_COMMA.finditer(written, end) if mark[0][0] != "#")
     if comma[0] == ",":
         beside = not written[end : comma.start()].strip(" \t")
         written = written[: end if beside else comma.start()] + written[comma.end() :]

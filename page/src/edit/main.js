@@ -9,6 +9,7 @@ const root = document.documentElement;
 
 let state = null; // of the server's design, after the last change that it took
 let whole = null; // data of the last whole result: a preview has the cam alone
+const visit = Math.random().toString(36).slice(2); // moves of another page, or of this one before it was opened anew, are others
 let pending = null; // change that waits for the one before
 let sending = false;
 let posted = Promise.resolve(); // the last request that acts: they go one after the other
@@ -95,7 +96,7 @@ function flush() {
     if (!now) return true;
     place = now.where;
     try {
-      if (Object.keys(now.changes).length) take(await ask("change", { changes: now.changes, gesture: now.gesture }));
+      if (Object.keys(now.changes).length) take(await ask("change", { changes: now.changes, gesture: `${visit} ${now.gesture}` }));
       return true;
     } catch (error) {
       fail(error, now.where);
