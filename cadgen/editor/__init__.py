@@ -6,6 +6,7 @@
 | `controls`  | numbers of a design that can be changed, each with its range              |
 | `points`    | points on the floor that can be moved                                     |
 | `text`      | a change of a design file's text, comments kept                           |
+| `lists`     | a point put into a list of points, or taken out of it, comments kept      |
 | `saving`    | the file: read once, written in one step, never over another's changes    |
 | `session`   | one design being edited: changes, undo and redo, saving                   |
 | `job`       | a version to compute, and the answer                                      |

@@ -93,9 +93,14 @@ def _inside(value: object, place: Place) -> Iterator[tuple[str, Place, float]]:
         return
     if isinstance(value, dict):
         for name, inner in value.items():
+            if name == "heading_tolerance_deg" and value.get("heading_deg") is None:
+                continue  # it is about no heading
             yield from _inside(inner, (*place, name))
-    elif isinstance(value, list) and all(isinstance(item, dict) for item in value) and place[0] == "train":
+    elif isinstance(value, list) and all(isinstance(item, dict) for item in value):
         for number, inner in enumerate(value):
+            yield from _inside(inner, (*place, number))
+    elif isinstance(value, list | tuple) and place[-1] == "size_mm":
+        for number, inner in enumerate(value):  # width and height
             yield from _inside(inner, (*place, number))
     elif isinstance(value, int | float) and not isinstance(value, bool):
         yield dotted(*(part + 1 if isinstance(part, int) else part for part in place)), place, value

@@ -53,5 +53,10 @@ def refusal(state: State, sentence: str, **more: Any) -> Result:
 
 def fault(error: Exception) -> Result:
     """Result of a computation that failed in a way that is none of the design's."""
+    return refusal("fault", fault_sentence(error))
+
+
+def fault_sentence(error: Exception) -> str:
+    """Sentence on an error that no design or request should cause."""
     summary = brief(f"{type(error).__name__}: {error}", 400)
-    return refusal("fault", f"a fault in cadgen, please report it with your design file ({summary})")
+    return f"a fault in cadgen, please report it with your design file ({summary})"

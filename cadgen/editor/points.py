@@ -1,6 +1,6 @@
-"""Points on the floor that can be moved on the page: those of the path, gates, posts, walls, zones, start, finish."""
+"""Points on the floor that can be moved on the page: of path, gates, start, finish, posts, walls, zones and field."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +13,7 @@ _LISTS = ("line_mm", "outline_mm")
 # Lists and sections of [course] by the group that is moved together.
 _ON_COURSE = {
     "gates": ("gates", "start", "finish"),
-    "posts": ("posts", "walls", "zones"),
+    "posts": ("posts", "walls", "zones", "field"),
 }
 
 
@@ -27,6 +27,8 @@ class MovablePoint:
         label: name.
         x: place, mm.
         y: place, mm.
+        listed: dotted key of the list of points that it stands in, which others can be put into; else empty.
+        closed: whether the last point of that list is followed by its first.
     """
 
     key: str
@@ -34,6 +36,8 @@ class MovablePoint:
     label: Words
     x: float
     y: float
+    listed: str = ""
+    closed: bool = False
 
 
 def points_of(design: Design) -> tuple[MovablePoint, ...]:
@@ -45,7 +49,8 @@ def _points(values: dict[str, Any]) -> Iterator[MovablePoint]:
     path = values["path"]
     for name in ("waypoints_mm", "control_points_mm"):
         for number, (x, y) in enumerate(path.get(name, ()), 1):
-            yield _point(f"path.{name}.{number}", "path", name, number, "", (x, y))
+            closed = bool(path.get("closed", False))
+            yield _point(f"path.{name}", number, "path", point_words(name, number, ""), (x, y), closed)
     course = values.get("course", {})
     for layer, names in _ON_COURSE.items():
         for name in names:
@@ -60,13 +65,14 @@ def _points(values: dict[str, Any]) -> Iterator[MovablePoint]:
 def _of_item(item: dict[str, Any], key: str, layer: str, kind: str, number: int) -> Iterator[MovablePoint]:
     for name in _PLACES:
         if name in item:
-            yield _point(f"{key}.{name}", layer, kind, number, name, item[name])
+            x, y = item[name]
+            yield MovablePoint(f"{key}.{name}", layer, point_words(kind, number, name), float(x), float(y))
     for name in _LISTS:
         for place, at in enumerate(item.get(name, ()), 1):
-            yield _point(f"{key}.{name}.{place}", layer, kind, number, str(place), at)
+            label = point_words(kind, number, str(place))
+            yield _point(f"{key}.{name}", place, layer, label, at, name == "outline_mm")
 
 
-def _point(
-    key: str, layer: str, kind: str, number: int, part: str, at: tuple[float, float] | list[float]
-) -> MovablePoint:
-    return MovablePoint(key, layer, point_words(kind, number, part), float(at[0]), float(at[1]))
+def _point(listed: str, number: int, layer: str, label: Words, at: Sequence[float], closed: bool) -> MovablePoint:
+    """A point of a list of points, by its number in it from 1."""
+    return MovablePoint(f"{listed}.{number}", layer, label, float(at[0]), float(at[1]), listed, closed)

@@ -1,6 +1,7 @@
 """The file of a design that is edited: written in one step, in its own folder alone, never over another's changes."""
 
 import os
+import secrets
 import shutil
 from contextlib import suppress
 from dataclasses import dataclass
@@ -47,19 +48,35 @@ class Origin:
 
         Raises:
             DesignError: there is no such file yet: a name is needed.
-            FileError: the file was changed by another program, or cannot be written.
+            FileError: the file was changed by another program, is read-only, or cannot be written.
         """
         if self.file is None:
             raise DesignError("this is a copy of a design that stays as it is: save it under a name of its own")
-        with suppress(OSError, ValueError):  # a file that was removed is written again
-            if _read(self.file) != self.content:
-                raise FileError(
-                    f"{brief(self.file.name)} was changed by another program since it was opened: save under another "
-                    "name, or open the design again"
-                )
+        if not self._unchanged(self.file):
+            raise FileError(
+                f"{brief(self.file.name)} was changed by another program since it was opened: save under another "
+                "name, or open the design again"
+            )
         content = (_MARK if self.content.startswith(_MARK) else b"") + text.encode()
         _write(self.file, content)
         return Origin(self.folder, self.file, content)
+
+    def _unchanged(self, file: Path) -> bool:
+        """Whether a file is as it was last read or written, or was removed: then it is written again.
+
+        Raises:
+            FileError: the file is read-only.
+        """
+        try:
+            if file.is_symlink() or _read(file) != self.content:
+                return False
+        except FileNotFoundError:
+            return True
+        except (OSError, ValueError):  # another program has put something else there
+            return False
+        if not os.access(file, os.W_OK):
+            raise FileError(f"{brief(file.name)} is read-only: save under another name, or allow writing to it")
+        return True
 
     def save_as(self, name: str, text: str) -> "Origin":
         """Write a new file in the design's folder.
@@ -107,9 +124,10 @@ def _read(file: Path) -> bytes:
 
 def _write(file: Path, content: bytes) -> None:
     """Write a file so that it has, whatever happens, either its old content or the new one."""
-    staging = file.with_name(f".{file.name}.{os.getpid()}.saving")
+    # A name that nobody can foresee, and a file that was not there: a link put in its place is not written through.
+    staging = file.with_name(f".{file.name}.{secrets.token_hex(8)}.saving")
     try:
-        with open(staging, "wb") as stream:
+        with open(staging, "xb") as stream:
             stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())

@@ -5,6 +5,8 @@
 | `GET /`                         | the page, empty                                                     |
 | `GET /state`                    | revision, numbers, points, what can be undone                       |
 | `POST /change`                  | `{"changes": {key: number or [x, y]}, "gesture": text}` -> state    |
+| `POST /insert`                  | `{"key": key, "at": [x, y]}` -> state                               |
+| `POST /remove`                  | `{"key": key}` -> state                                             |
 | `POST /undo`, `POST /redo`      | state                                                               |
 | `POST /save`                    | `{}` or `{"name": text}` -> state                                   |
 | `GET /result?stage=&revision=`  | HTML and data of `preview` or `whole`; 409 once a newer one is there |
@@ -14,7 +16,7 @@ Every refusal is `{"error": sentence}`: 4xx, with the sentences of the command l
 
 import json
 from collections.abc import Callable
-from threading import Lock
+from threading import Condition
 from typing import Any
 
 from starlette.applications import Starlette
@@ -25,9 +27,9 @@ from starlette.routing import Route
 from starlette.types import ASGIApp
 
 from cadgen.editor.guard import Address, Guard, refused
-from cadgen.editor.job import Job, Result, Stage
+from cadgen.editor.job import Job, Result, Stage, fault_sentence
 from cadgen.editor.session import Session
-from cadgen.editor.text import read_changes
+from cadgen.editor.text import read_changes, read_point
 from cadgen.editor.words import CHANGE, NO_SCRIPT
 from cadgen.editor.worker import Worker
 from cadgen.errors import CadgenError, DesignError
@@ -45,7 +47,8 @@ class Service:
         self.session = session
         self.workers: dict[Stage, Worker] = workers or {"preview": Worker(), "whole": Worker()}
         self._known: dict[Stage, tuple[int, Result]] = {}
-        self._waiting: dict[Stage, Lock] = {stage: Lock() for stage in self.workers}
+        self._computing: set[Stage] = set()
+        self._turns: dict[Stage, Condition] = {stage: Condition() for stage in self.workers}
 
     def start(self) -> None:
         """Begin the processes before the page asks."""
@@ -67,22 +70,38 @@ class Service:
         action()
         for worker in self.workers.values():
             worker.supersede(self.session.revision)
+        for turn in self._turns.values():
+            with turn:
+                turn.notify_all()
         return self.session.state()
 
     def result(self, stage: Stage, revision: int) -> Result:
-        """Result of a version; computed once, however many pages ask."""
-        with self._waiting[stage]:
+        """Result of a version; computed once, however many pages ask.
+
+        A request that waits for its turn is answered as soon as its version is superseded: a browser has six
+        connections to a server, and those that wait would keep the next change from being sent.
+        """
+        turn = self._turns[stage]
+        with turn:
+            turn.wait_for(lambda: stage not in self._computing or self.session.revision != revision)
             known = self._known.get(stage)
             if known is not None and known[0] == revision:
                 return known[1]
             now, text, file = self.session.job()
             if now != revision:
                 return Result("superseded")
+            self._computing.add(stage)
+        result = Result("superseded")
+        try:
             self.workers[stage].supersede(revision)
             result = self.workers[stage].run(Job(revision, stage, text, file))
-            if result.state in ("done", "refused"):
-                self._known[stage] = (revision, result)
-            return result
+        finally:
+            with turn:
+                self._computing.discard(stage)
+                if result.state in ("done", "refused"):
+                    self._known[stage] = (revision, result)
+                turn.notify_all()
+        return result
 
 
 def application(service: Service, address: Address) -> ASGIApp:
@@ -127,9 +146,19 @@ def application(service: Service, address: Address) -> ASGIApp:
         Route("/state", state),
         Route("/result", result),
         Route("/change", action(lambda body: _change(session, body)), methods=["POST"]),
+        Route(
+            "/insert",
+            action(lambda body: session.insert(_text(body, "key"), read_point(body.get("at")))),
+            methods=["POST"],
+        ),
+        Route("/remove", action(lambda body: session.remove(_text(body, "key"))), methods=["POST"]),
         Route("/undo", action(lambda body: session.undo()), methods=["POST"]),
         Route("/redo", action(lambda body: session.redo()), methods=["POST"]),
-        Route("/save", action(lambda body: session.save(_name(body))), methods=["POST"]),
+        Route(
+            "/save",
+            action(lambda body: session.save(_text(body, "name") if body.get("name") is not None else None)),
+            methods=["POST"],
+        ),
     ]
 
     async def not_there(request: Request, error: Exception) -> Response:
@@ -138,7 +167,11 @@ def application(service: Service, address: Address) -> ASGIApp:
     async def not_so(request: Request, error: Exception) -> Response:
         return refused(405, "this address is asked in another way")
 
-    return Guard(Starlette(routes=routes, exception_handlers={404: not_there, 405: not_so}), address)
+    async def failed(request: Request, error: Exception) -> Response:
+        return refused(500, fault_sentence(error))
+
+    handlers: dict[Any, Any] = {404: not_there, 405: not_so, Exception: failed}
+    return Guard(Starlette(routes=routes, exception_handlers=handlers), address)
 
 
 def _change(session: Session, body: dict[str, Any]) -> None:
@@ -148,8 +181,8 @@ def _change(session: Session, body: dict[str, Any]) -> None:
     session.change(read_changes(body.get("changes")), gesture)
 
 
-def _name(body: dict[str, Any]) -> str | None:
-    name = body.get("name")
-    if name is not None and not isinstance(name, str):
-        raise DesignError("the name must be a text")
-    return name
+def _text(body: dict[str, Any], name: str) -> str:
+    value = body.get(name)
+    if not isinstance(value, str):
+        raise DesignError(f"the {name} must be a text")
+    return value

@@ -11,6 +11,7 @@ from cadgen.design.load import design_of
 from cadgen.design.parse import parse
 from cadgen.design.schema import Design
 from cadgen.editor.controls import groups_of
+from cadgen.editor.lists import inserted, removed
 from cadgen.editor.points import points_of
 from cadgen.editor.saving import Origin, refuse_name
 from cadgen.editor.text import Value, applied, changed
@@ -61,6 +62,7 @@ class Session:
         self._undo: list[Version] = []
         self._redo: list[Version] = []
         self._gesture: str | None = None
+        self._name: str | None = None  # under which the design was last saved as another one
         self.revision = 1
         if overrides:
             self._step(Version(*applied(text, self._file, list(overrides))))
@@ -109,6 +111,36 @@ class Session:
                 self._step(version)
             self._gesture = gesture
 
+    def insert(self, key: str, at: tuple[float, float]) -> None:
+        """Put a point into a list of points, as a step of its own.
+
+        Args:
+            key: key that it gets: that of the point that then follows it, or one more than the last.
+            at: x and y, mm.
+
+        Raises:
+            DesignError: there is no such list of points here, or the result is no design; nothing has changed then.
+        """
+        with self._lock:
+            lists = [point.listed for point in points_of(self._now.design) if point.listed]
+            known = {f"{name}.{number}" for name in set(lists) for number in range(1, lists.count(name) + 2)}
+            if key not in known:
+                raise DesignError(f"{brief(key, 60)} is no place for a point: choose one of a path, wall or outline")
+            self._step(Version(*inserted(self._now.text, self._file, key, at)))
+            self._gesture = None
+
+    def remove(self, key: str) -> None:
+        """Take a point out of a list of points, as a step of its own.
+
+        Raises:
+            DesignError: there is no such point here, or the result is no design; nothing has changed then.
+        """
+        with self._lock:
+            if key not in {point.key for point in points_of(self._now.design) if point.listed}:
+                raise DesignError(f"{brief(key, 60)} cannot be removed here: remove it in a text editor")
+            self._step(Version(*removed(self._now.text, self._file, key)))
+            self._gesture = None
+
     def undo(self) -> None:
         """Take the last change back; nothing without one."""
         with self._lock:
@@ -134,13 +166,11 @@ class Session:
                 self._origin = self._origin.save(self._now.text)
             else:
                 refuse_name(name)
-                version = self._now
-                if "name" in parse(version.text):
-                    version = Version(*applied(version.text, self._file, [f'name="{name}"']))
+                version = _renamed(self._now, name)
                 self._origin = self._origin.save_as(name, version.text)
-                self._file = self._origin.folder / f"{name}.toml"
-                if version.text != self._now.text:
-                    self._now = Version(version.text, design_of(version.text, self._file))
+                self._file, self._name = self._origin.folder / f"{name}.toml", name
+                if version is not self._now:
+                    self._now = version
                     self.revision += 1
             self._saved = self._now
             self._gesture = None
@@ -171,7 +201,24 @@ class Session:
 
     def _back(self, source: list[Version], target: list[Version]) -> None:
         if source:
+            # Saving under another name is no change that can be taken back.
+            version = source[-1] if self._name is None else _renamed(source[-1], self._name)
+            source.pop()
             target.append(self._now)
-            self._now = source.pop()
+            self._now = version
             self._gesture = None
             self.revision += 1
+
+
+def _renamed(version: Version, name: str) -> Version:
+    """The same design under another name, whether its text has a name or leaves it to the file.
+
+    Raises:
+        DesignError: the name cannot be written into the text.
+    """
+    if version.design.name == name:
+        return version
+    file = Path(f"{name}.toml")
+    if "name" in parse(version.text):
+        return Version(*applied(version.text, file, [f'name="{name}"']))
+    return Version(version.text, design_of(version.text, file))

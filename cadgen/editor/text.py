@@ -28,12 +28,24 @@ def read_changes(raw: object) -> dict[str, Value]:
     return {key: _value(key, value) for key, value in raw.items()}
 
 
+def read_point(raw: object) -> tuple[float, float]:
+    """The coordinates of a point as a request has them.
+
+    Raises:
+        DesignError: they are no pair of numbers.
+    """
+    if isinstance(raw, list) and len(raw) == 2 and all(map(_number, raw)):
+        return (float(raw[0]), float(raw[1]))
+    raise DesignError("a point must be a pair [x, y] of numbers")
+
+
 def _value(key: str, value: object) -> Value:
     if _number(value):
         return value  # type: ignore[return-value]
-    if isinstance(value, list) and len(value) == 2 and all(map(_number, value)):
-        return (float(value[0]), float(value[1]))
-    raise DesignError(f"{brief(key, 60)} must be a number, or a pair [x, y] of numbers")
+    try:
+        return read_point(value)
+    except DesignError:
+        raise DesignError(f"{brief(key, 60)} must be a number, or a pair [x, y] of numbers") from None
 
 
 def _number(value: object) -> bool:
@@ -56,20 +68,52 @@ def changed(text: str, file: Path, changes: Mapping[str, Value]) -> tuple[str, D
 
 def applied(text: str, file: Path, overrides: list[str]) -> tuple[str, Design]:
     """Text of a design with overrides written into it, and the design that it is; as `changed`."""
-    import tomlkit  # only here: opening a design writes none
-
     values = parse(text)
-    document: Any = tomlkit.parse(text)
     for change in overrides:
         override(values, change)
-        override(document, change)
-    result = str(document.as_string())
-    if parse(result) != values:
+    result = _rewritten(text, overrides)
+    return checked(result, file, values)
+
+
+def checked(result: str | None, file: Path, values: dict[str, Any]) -> tuple[str, Design]:
+    """A changed text and its design, once the text has been read back.
+
+    Args:
+        result: text; None if there is none.
+        file: path of the file, for messages.
+        values: raw values that the text must have.
+
+    Raises:
+        DesignError: there is no text with these values, or they are no design.
+    """
+    if result is None or values_of(result) != values:
         raise DesignError(
             f"{brief(file.name)}: this change cannot be written into the file as it is laid out; make it in a text "
             "editor, and open the design again"
         )
     return result, design_of(result, file)
+
+
+def _rewritten(text: str, overrides: list[str]) -> str | None:
+    """Text with overrides written into it; None if the library that keeps comments does not manage it."""
+    import tomlkit  # only here: opening a design writes none
+    from tomlkit.exceptions import TOMLKitError
+
+    try:
+        document: Any = tomlkit.parse(text)
+        for change in overrides:
+            override(document, change)
+        return str(document.as_string())
+    except (DesignError, TOMLKitError, LookupError, TypeError, ValueError):
+        return None  # the same overrides have been applied to plain values: these are the library's own limits
+
+
+def values_of(text: str) -> dict[str, Any] | None:
+    """Raw values of a text; None if it is not TOML."""
+    try:
+        return parse(text)
+    except ValueError:
+        return None
 
 
 def _written(value: Value) -> str:

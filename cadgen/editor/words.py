@@ -9,7 +9,8 @@ from cadgen.page.document import Words
 GROUPS = (
     ("car", Words("Car", "小车"), ("car",)),
     ("cam", Words("Cam and follower", "凸轮与从动件"), ("cam", "follower")),
-    ("path", Words("Path and course", "路径与赛道"), ("path", "course")),
+    ("path", Words("Path", "路径"), ("path",)),
+    ("course", Words("Course and field", "赛道与场地"), ("course", "field")),
     ("blank", Words("Disc", "凸轮盘"), ("blank",)),
     ("gears", Words("Gears", "齿轮"), ("train",)),
     ("play", Words("Play and friction", "间隙与摩擦"), ("play", "mechanics")),
@@ -46,7 +47,7 @@ _ZH = {
     "driven": "从动轮",
     "driver": "主动轮",
     "edge break": "倒棱",
-    "finish": "终点",
+    "field": "场地",
     "friction greatest": "最大摩擦系数",
     "friction least": "最小摩擦系数",
     "from": "起始",
@@ -89,6 +90,7 @@ _ZH = {
     "min wall": "最小壁厚",
     "module": "模数",
     "nominal": "名义值",
+    "obstacle radius": "障碍半径",
     "offset": "路径偏距",
     "outer face": "外端面",
     "outline": "外形",
@@ -104,7 +106,6 @@ _ZH = {
     "set screw": "紧定螺钉",
     "smoothing": "平滑量",
     "spacing": "间距",
-    "start": "起点",
     "step": "步长",
     "teeth": "齿数",
     "thickness": "厚度",
@@ -128,6 +129,7 @@ _POINTS = {
     "zones": Words("zone", "禁区"),
     "start": Words("start", "起点"),
     "finish": Words("finish", "终点"),
+    "field": Words("field", "场地"),
 }
 _PLACES = {
     "at_mm": Words("", ""),
@@ -147,6 +149,15 @@ def key_words(key: str) -> Words:
         if part == "stages" and parts:
             number = parts.pop(0)
             names.append(Words(f"stage {number}", f"第 {number} 级"))
+            continue
+        if part in _POINTS and parts and parts[0].isdecimal():
+            names.append(point_words(part, int(parts.pop(0)), ""))
+            continue
+        if part in ("start", "finish"):
+            names.append(_POINTS[part])
+            continue
+        if part == "size_mm":
+            names.append(Words("width", "宽度") if parts.pop(0) == "1" else Words("height", "高度"))
             continue
         name = without_unit(part).replace("_", " ") if part[1:2] != "_" else without_unit(part)
         names.append(Words(name, _ZH.get(name, name)))

@@ -83,7 +83,8 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     good = shown.evaluate(disc)
     shown.locator("#point-bar input").first.fill("1510")
     shown.locator("#point-bar input").last.fill("210")
-    shown.keyboard.press("Tab")
+    with shown.expect_response(lambda answer: "[1510,210]" in (answer.request.post_data or "")):
+        shown.keyboard.press("Tab")
     shown.wait_for_selector("html[data-state=fault]", state="attached")
     assert shown.locator("#course-figure .fault").inner_text()
     assert shown.evaluate(disc) == good
@@ -94,6 +95,33 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
         assert session.state()["undo"] == steps - 1
     current(shown, session)
     assert not shown.locator("#course-figure .fault").inner_text()
+
+    # A point is added by a double click halfway, is the chosen one, and is removed by its key.
+    first, second = (shown.locator(f'.handle[data-key="path.waypoints_mm.{n}"]').bounding_box() for n in (4, 5))
+    with shown.expect_response("**/insert"):
+        shown.mouse.dblclick(
+            (first["x"] + second["x"] + first["width"]) / 2, (first["y"] + second["y"] + first["height"]) / 2
+        )
+    shown.wait_for_selector('.handle.chosen[data-key="path.waypoints_mm.5"]')
+    points = session.now.design.path.keys.waypoints_mm
+    assert len(points) == 6
+    assert points[4] == pytest.approx((4750.0, 1250.0), abs=10)
+    shown.locator('.handle[data-key="path.waypoints_mm.5"]').focus()
+    with shown.expect_response("**/remove"):
+        shown.keyboard.press("Delete")
+    shown.wait_for_selector('.handle.chosen[data-key="path.waypoints_mm.5"]:focus')
+    assert len(session.now.design.path.keys.waypoints_mm) == 5
+    current(shown, session)
+
+    # What is typed is saved, although the field has not been left, and Ctrl+Z takes it back.
+    wheelbase = shown.locator("#control-car-wheelbase_mm")
+    wheelbase.fill("168")
+    with shown.expect_response("**/save"):
+        wheelbase.press("Control+s")
+    assert "wheelbase_mm = 168   # L" in file.read_text()
+    with shown.expect_response("**/undo"):
+        wheelbase.press("Control+z")
+    assert session.now.design.car.wheelbase_mm == 167.0
 
     # A number that the schema refuses is refused at its field.
     number = shown.locator("#control-cam-thickness_mm")

@@ -2,14 +2,18 @@
 
 import random
 import re
+import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
 from cadgen.api.design import Design
 from cadgen.editor import guard
 from cadgen.editor.guard import Address
+from cadgen.editor.job import Result
+from cadgen.editor.server import Service, application
 from cadgen.page.html import policy
-from tests.editor.conftest import TEXT
+from tests.editor.conftest import TEXT, Here
 
 JSON = {"content-type": "application/json"}
 
@@ -108,6 +112,12 @@ def test_a_body_that_is_too_long_is_refused_whatever_its_header_says(client, ses
         ("change", b'{"changes": {"path.waypoints_mm.2": [1, 2, 3]}}', 422),
         ("change", b'{"changes": {"car.wheelbase_mm=1\\nname": 170}}', 422),
         ("change", b'{"changes": {"car.wheelbase_mm": 170}, "gesture": 5}', 422),
+        ("insert", b"{}", 422),
+        ("insert", b'{"key": "path.waypoints_mm.2", "at": [1, 2, 3]}', 422),
+        ("insert", b'{"key": "path.waypoints_mm.2", "at": [NaN, 2]}', 422),
+        ("insert", b'{"key": "path.waypoints_mm.99", "at": [1, 2]}', 422),
+        ("remove", b'{"key": 5}', 422),
+        ("remove", b'{"key": "course.posts.1"}', 422),
         ("save", b'{"name": 5}', 422),
         ("save", b'{"name": "../x"}', 422),
         ("state", b"{}", 405),
@@ -130,6 +140,50 @@ def test_a_result_is_asked_for_by_stage_and_revision(client, query):
 def test_an_old_revision_is_superseded(client):
     client.post("change", json={"changes": {"car.wheelbase_mm": 170.0}})
     assert client.get("result?stage=preview&revision=1").status_code == 409
+
+
+def test_a_point_is_added_and_removed(client, session):
+    state = client.post("insert", json={"key": "path.waypoints_mm.2", "at": [700.0, 20.0]}).json()
+    points = {point["key"]: point for point in state["points"]}
+    assert (points["path.waypoints_mm.2"]["x"], points["path.waypoints_mm.2"]["listed"]) == (700.0, "path.waypoints_mm")
+    assert points["course.posts.1.at_mm"]["listed"] == ""
+    assert len(client.post("remove", json={"key": "path.waypoints_mm.2"}).json()["points"]) == len(points) - 1
+    assert session.now.text == TEXT
+
+
+def test_a_request_that_waits_is_answered_when_it_is_superseded(session):
+    """One computation does not end; the requests for it and after it do, so that the page can go on asking."""
+    begun, end = threading.Event(), threading.Event()
+
+    class Endless(Here):
+        def run(self, job):
+            begun.set()
+            end.wait(60)
+            return Result("superseded")
+
+    service = Service(session, {"preview": Here(), "whole": Endless()})
+    with ThreadPoolExecutor(3) as pool:
+        first = pool.submit(service.result, "whole", 1)
+        begun.wait(60)
+        waits = pool.submit(service.result, "whole", 1)
+        service.act(lambda: session.change({"car.wheelbase_mm": 170.0}))
+        assert waits.result(60).state == "superseded"
+        assert not first.done()
+        end.set()
+        assert first.result(60).state == "superseded"
+
+
+def test_a_fault_is_a_sentence_too(service, address):
+    testclient = pytest.importorskip("starlette.testclient")
+    service.act = lambda _: {}["of its own"]
+    own = f"http://{address.host}"
+    client = testclient.TestClient(
+        application(service, address), f"{own}/{address.token}/", raise_server_exceptions=False
+    )
+    response = client.post("undo", json={}, headers={"origin": own})
+    assert response.status_code == 500
+    assert "please report it" in sentence(response)
+    assert response.headers["cache-control"] == "no-store"
 
 
 def figures(html):
@@ -175,7 +229,8 @@ def test_two_hundred_random_actions_without_a_fault(client, service, session, fi
         state = client.get("state").json()
         controls = [control for group in state["groups"] for control in group["controls"]]
         control, point = rng.choice(controls), rng.choice(state["points"])
-        kind = rng.choice(["slide", "slide", "drag", "drag", "drag", "far", "undo", "redo", "save", "name", "result"])
+        kinds = ["slide", "drag", "drag", "far", "insert", "remove", "undo", "redo", "save", "name", "result"]
+        kind = rng.choice(kinds)
         if kind == "slide":
             value = rng.uniform(control["low"], control["high"])
             value = round(value) if control["whole"] else value
@@ -187,6 +242,8 @@ def test_two_hundred_random_actions_without_a_fault(client, service, session, fi
             foolish = rng.choice([0, -1, 1e-12, 1e6, -1e6, 1e14, 0.1])
             key, value = rng.choice([(control["key"], foolish), (point["key"], [foolish, foolish])])
             response = client.post("change", json={"changes": {key: value}})
+        elif kind in ("insert", "remove"):
+            response = client.post(kind, json={"key": point["key"], "at": [point["x"] + 50.0, point["y"]]})
         elif kind == "result":
             if number % 4:  # they take long
                 continue

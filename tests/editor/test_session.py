@@ -194,3 +194,139 @@ def test_controls_and_points_of_the_packaged_designs(name):
     assert session.now.design.content_hash == load_design(name).content_hash
     session.undo()
     assert session.now.text == text
+
+
+def test_the_sizes_of_posts_and_field_can_be_changed(session, file):
+    session.change({"course.posts.1.radius_mm": 30.0})
+    assert "radius_mm = 30.0" in session.now.text
+    labels = {c["key"]: c["label"][0] for g in session.state()["groups"] for c in g["controls"]}
+    assert labels["course.posts.1.radius_mm"] == "post 1, radius"
+    fielded = Session("s_course")
+    fielded.change({"course.field.size_mm.2": 2100.0, "course.field.corner_mm": (10.0, 0.0)})
+    assert fielded.now.design.values()["course"]["field"]["size_mm"] == [7500.0, 2100.0]
+
+
+@pytest.mark.parametrize(
+    ("number", "before", "after"),
+    [
+        (1, "    [0.0, 0.0], [", "    [7.0, 8.5],\n    [0.0, 0.0], ["),
+        (2, "[0.0, 0.0], [15", "[0.0, 0.0], [7.0, 8.5], [15"),
+        (3, "    [2600.0, 1200.0],  # the turn", "    [7.0, 8.5],\n    [2600.0, 1200.0],  # the turn"),
+        (6, "[5500.0, 1000.0],\n", "[5500.0, 1000.0], [7.0, 8.5],\n"),
+    ],
+)
+def test_a_point_is_put_into_the_path_and_comments_stay(session, number, before, after):
+    session.insert(f"path.waypoints_mm.{number}", (7.0, 8.5))
+    assert session.now.text == TEXT.replace(before, after)
+    assert session.now.design.path.keys.waypoints_mm[number - 1] == (7.0, 8.5)
+    session.undo()
+    assert session.now.text == TEXT
+
+
+@pytest.mark.parametrize(
+    ("number", "before", "after"),
+    [
+        (1, "    [0.0, 0.0], [", "    ["),
+        (3, "[2600.0, 1200.0],  # the turn", "# the turn"),
+        (5, "0.0], [5500.0, 1000.0],\n", "0.0],\n"),
+    ],
+)
+def test_a_point_is_taken_out_of_the_path_and_comments_stay(session, number, before, after):
+    session.remove(f"path.waypoints_mm.{number}")
+    assert session.now.text == TEXT.replace(before, after)
+    session.undo()
+    assert session.now.text == TEXT
+
+
+@pytest.mark.parametrize("layout", ["[[0,0],[1_500,2e2],[2600,1200],[4000,1500],[5500,1000]]", "# [9\n[ # ]\r\n[0,0]"])
+def test_lists_in_any_layout_and_twice_the_same(file, layout):
+    """The path is found although a comment and a wall have the same points."""
+    points = [[0.0, 0.0], [1500.0, 200.0], [2600.0, 1200.0], [4000.0, 1500.0], [5500.0, 1000.0]]
+    if layout.startswith("#"):
+        layout = "[ # ]\r\n" + "".join(f"  # [9\r\n  {point}\r\n  ,\r\n" for point in points) + "]"
+    head, _, tail = TEXT.partition("waypoints_mm = [")
+    text = head + f"waypoints_mm = {layout}" + tail.partition("\n]")[2]
+    same = text.replace("[path]", f"# was {layout if chr(10) not in layout else ''}\n[path]")
+    file.write_bytes((same + f"\n[[course.walls]]\nline_mm = {layout}\n").encode())
+    session = Session(file)
+    for number in range(1, 7):
+        session.insert(f"path.waypoints_mm.{number}", (7.0, 8.0))
+        now = [list(point) for point in session.now.design.path.keys.waypoints_mm]
+        assert now == [*points[: number - 1], [7.0, 8.0], *points[number - 1 :]]
+        session.remove(f"path.waypoints_mm.{number}")
+        assert [list(point) for point in session.now.design.path.keys.waypoints_mm] == points
+    session.remove("course.walls.1.line_mm.5")
+    assert session.now.text.count("#") == same.count("#") + layout.count("#")
+
+
+@pytest.mark.parametrize(
+    "key", ["path.waypoints_mm.7", "path.waypoints_mm.0", "path.waypoints_mm", "course.posts.1", "course.posts.1.at_mm"]
+)
+def test_only_lists_of_points_grow_and_shrink(session, key):
+    for refused in (lambda: session.insert(key, (1.0, 2.0)), lambda: session.remove(key)):
+        with pytest.raises(DesignError, match=r"no place for a point|cannot be removed here"):
+            refused()
+    session.remove("path.waypoints_mm.5")
+    with pytest.raises(DesignError, match="it needs at least 4"):
+        session.remove("path.waypoints_mm.1")
+    assert session.state()["undo"] == 1
+
+
+def test_a_new_name_stays_when_older_changes_are_undone(session, file):
+    session.change({"car.wheelbase_mm": 170.0})
+    session.save("other")
+    session.undo()
+    assert (session.name, session.unsaved) == ("other", True)
+    session.save()
+    assert (file.parent / "other.toml").read_text() == TEXT.replace('"small"', '"other"')
+    session.redo()
+    assert (session.name, session.now.design.car.wheelbase_mm) == ("other", 170.0)
+
+
+def test_a_design_without_a_name_has_that_of_its_file(file):
+    file.write_text(TEXT.replace('name = "small"\n', ""))
+    session = Session(file)
+    session.change({"car.wheelbase_mm": 170.0})
+    session.save("other")
+    assert (session.name, session.state()["name"], session.unsaved) == ("other", "other", False)
+    session.undo()
+    assert session.name == "other"
+    assert "name" not in session.now.text
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links and modes of POSIX")
+def test_what_another_program_has_put_in_the_place_of_the_file_stays(session, file, tmp_path):
+    session.change({"car.wheelbase_mm": 171.0})
+    aside = tmp_path / "aside"
+    file.rename(aside)
+    for put in (lambda: file.write_bytes(b"#" * 600_000), lambda: file.symlink_to(aside), file.mkdir):
+        put()
+        with pytest.raises(FileError, match="changed by another program"):
+            session.save()
+        assert aside.read_text() == TEXT
+        file.rmdir() if file.is_dir() else file.unlink()
+    session.save()  # a file that was removed is written again
+    assert "171.0" in file.read_text()
+
+
+def test_a_file_that_is_read_only_stays(session, file, monkeypatch):
+    session.change({"car.wheelbase_mm": 171.0})
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    with pytest.raises(FileError, match="read-only: save under another name"):
+        session.save()
+    assert file.read_text() == TEXT
+
+
+@pytest.mark.parametrize("error", [KeyError, TypeError, ValueError])
+def test_what_the_library_cannot_write_is_a_sentence(session, monkeypatch, error):
+    def broken(_):
+        raise error("its own")
+
+    monkeypatch.setattr("tomlkit.parse", broken)
+    for change in (
+        lambda: session.change({"car.wheelbase_mm": 171.0}),
+        lambda: session.insert("path.waypoints_mm.2", (1.0, 2.0)),
+    ):
+        with pytest.raises(DesignError, match="make it in a text editor"):
+            change()
+    assert session.now.text == TEXT

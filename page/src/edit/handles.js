@@ -2,11 +2,11 @@
 const { element, pick, shapeStages, translated } = globalThis.cadgenPage;
 
 const FARTHEST = 1e6; // mm, as of the schema
-const [STEP, FINE] = [10, 1]; // mm, of an arrow key
+const [ARROW, FINE] = [10, 1]; // mm, of an arrow key
 const REST = 350; // ms after the last key until the whole is computed
-const LAYERS = { path: ["Path", "路径"], gates: ["Gates", "赛道门"], posts: ["Posts, walls, zones", "立柱、墙、禁区"] };
+const LAYERS = { path: ["Path", "路径"], gates: ["Gates", "赛道门"], posts: ["Posts, walls, zones, field", "立柱、墙、禁区、场地"] };
 
-export function handles(figure, change) {
+export function handles(figure, change, step) {
   const box = figure.querySelector("#course-box");
   const overlay = element("div", { class: "stage", id: "handles", role: "group", label: ["Points that can be moved", "可移动的点"] });
   box.append(overlay);
@@ -18,10 +18,19 @@ export function handles(figure, change) {
   });
   const name = element("b", { id: "point-name" });
   const fault = element("p", { class: "fault", role: "alert" });
-  const bar = element("div", { id: "point-bar" }, name, " x ", fields[0], " y ", fields[1], element("small", {}, "mm"));
+  const [add, drop] = [
+    element("button", { type: "button", id: "add-point", text: ["Add a point", "添加点"], label: ["Add a point after this one (Insert)", "在此点后添加点（Insert）"] }),
+    element("button", { type: "button", id: "remove-point", text: ["Remove", "删除"], label: ["Remove this point (Delete)", "删除此点（Delete）"] }),
+  ];
+  add.addEventListener("click", () => addAfter(point(chosen)));
+  drop.addEventListener("click", () => remove(point(chosen)));
+  const bar = element("div", { id: "point-bar" }, name, " x ", fields[0], " y ", fields[1], element("small", {}, "mm"), add, drop);
   const help = element("p", {
     class: "hint",
-    text: ["Drag a point, or move it by the arrow keys (10 mm, with Shift 1 mm); Page Up and Page Down choose another.", "拖动点，或用方向键移动（10 mm，按住 Shift 为 1 mm）；Page Up 和 Page Down 切换点。"],
+    text: [
+      "Drag a point, or move it by the arrow keys (10 mm, with Shift 1 mm); Page Up and Page Down choose another. A double click beside the points of the path adds one, Delete removes the chosen one.",
+      "拖动点，或用方向键移动（10 mm，按住 Shift 为 1 mm）；Page Up 和 Page Down 切换点。在路径点旁双击可添加点，按 Delete 删除所选的点。",
+    ],
   });
   box.after(layers, bar, fault, help);
 
@@ -60,6 +69,7 @@ export function handles(figure, change) {
     bar.hidden = !one;
     if (!one) return;
     name.textContent = pick(one.label);
+    add.hidden = drop.hidden = !one.listed;
     fields.forEach((field, i) => {
       if (document.activeElement !== field) field.value = i ? one.y : one.x;
     });
@@ -73,6 +83,51 @@ export function handles(figure, change) {
     }
     name_();
   }
+
+  const numbered = (one, number) => `${one.listed}.${number}`;
+  const number = (one) => Number(one.key.slice(one.listed.length + 1));
+
+  /** Puts a point into a list of points, and chooses it. */
+  async function insert(like, at, [x, y]) {
+    const [before, key] = [chosen, numbered(like, at)];
+    chosen = key;
+    if (!(await step("insert", { key, at: [short(x), short(y)] }, where))) choose(before);
+  }
+
+  /** Adds a point halfway to the next one; behind the last as far again as it is from the one before. */
+  function addAfter(one) {
+    if (!one?.listed) return;
+    const at = number(one);
+    const next = point(numbered(one, at + 1)) ?? (one.closed ? point(numbered(one, 1)) : null);
+    const last = point(numbered(one, at - 1));
+    const middle = next ? [(one.x + next.x) / 2, (one.y + next.y) / 2] : [2 * one.x - last.x, 2 * one.y - last.y];
+    insert(one, at + 1, middle);
+  }
+
+  function remove(one) {
+    if (one?.listed) step("remove", { key: one.key }, where);
+  }
+
+  /** Adds a point where the floor is clicked twice: between the two points of its list whose line is nearest. */
+  box.addEventListener("dblclick", (event) => {
+    if (!frame || event.target.closest(".handle")) return;
+    const { left, top, width, height } = overlay.getBoundingClientRect();
+    const x = frame.left + ((event.clientX - left) / width) * frame.width;
+    const y = frame.top - ((event.clientY - top) / height) * frame.height;
+    let nearest = null;
+    for (const one of points.filter((each) => each.layer === layer && each.listed)) {
+      const next = point(numbered(one, number(one) + 1)) ?? (one.closed ? point(numbered(one, 1)) : null);
+      if (!next) continue;
+      const [dx, dy] = [next.x - one.x, next.y - one.y];
+      const along = ((x - one.x) * dx + (y - one.y) * dy) / (dx * dx + dy * dy || 1);
+      const t = Math.max(0, Math.min(1, along));
+      const away = Math.hypot(x - one.x - t * dx, y - one.y - t * dy);
+      if (nearest && away >= nearest.away) continue;
+      const [first, last] = [number(one) === 1 && !one.closed && along < 0, !one.closed && along > 1 && !point(numbered(one, number(one) + 2))];
+      nearest = { one, away, at: number(one) + (first ? 0 : last ? 2 : 1) };
+    }
+    if (nearest) insert(nearest.one, nearest.at, [x, y]);
+  });
 
   function typed() {
     const one = point(chosen);
@@ -110,17 +165,18 @@ export function handles(figure, change) {
   let rest = 0;
   let run = "";
   function keyed(event, one) {
-    const step = event.shiftKey ? FINE : STEP;
-    const by = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[event.key];
+    const length = event.shiftKey ? FINE : ARROW;
+    const by = { ArrowLeft: [-length, 0], ArrowRight: [length, 0], ArrowUp: [0, length], ArrowDown: [0, -length] }[event.key];
     const to = { PageUp: -1, PageDown: 1 }[event.key];
-    if (!by && !to) return;
+    const edit = { Insert: addAfter, Delete: remove }[event.key];
+    if (!by && !to && !edit) return;
     event.preventDefault();
+    if (edit) return edit(one);
     if (to) {
       const keys = [...buttons.keys()];
       const next = keys[(keys.indexOf(one.key) + to + keys.length) % keys.length];
       choose(next);
-      buttons.get(next).focus();
-      return;
+      return buttons.get(next).focus();
     }
     if (!rest) run = `keys ${(gestures += 1)}`;
     clearTimeout(rest);
@@ -133,6 +189,7 @@ export function handles(figure, change) {
 
   function build() {
     const here = points.filter((one) => one.layer === layer);
+    const focused = overlay.contains(document.activeElement);
     buttons.clear();
     for (const { key } of here) {
       const button = element("button", { type: "button", class: `handle ${layer}`, "data-key": key });
@@ -145,7 +202,10 @@ export function handles(figure, change) {
       buttons.set(key, button);
     }
     overlay.replaceChildren(...buttons.values());
-    choose(buttons.has(chosen) ? chosen : (here[0]?.key ?? null));
+    // Of a point that was the last of its list and was removed, the one before.
+    const beside = chosen?.replace(/\d+$/, (digits) => digits - 1);
+    choose([chosen, beside].find((key) => buttons.has(key)) ?? here[0]?.key ?? null);
+    if (focused) buttons.get(chosen)?.focus();
     here.forEach(set);
   }
 

@@ -9,8 +9,10 @@ const root = document.documentElement;
 
 let state = null; // of the server's design, after the last change that it took
 let whole = null; // data of the last whole result: a preview has the cam alone
+const visit = Math.random().toString(36).slice(2); // moves of another page, or of this one before it was opened anew, are others
 let pending = null; // change that waits for the one before
 let sending = false;
+let posted = Promise.resolve(); // the last request that acts: they go one after the other
 let place = null; // shows a sentence where the last change was made
 const shown = { preview: 0, whole: 0 }; // revisions
 const faults = new Set(); // functions that take a sentence away
@@ -27,9 +29,9 @@ const STATES = {
   ],
 };
 
-const bar = toolbar({ act, saved: (name) => act("save", name ? { name } : {}) });
+const bar = toolbar({ step, saved: (name) => act("save", name ? { name } : {}) });
 const panel = controls(document.getElementById("edit"), change);
-const floor = handles(document.getElementById("course-figure"), change);
+const floor = handles(document.getElementById("course-figure"), change, step);
 const general = element("p", { id: "general-fault", class: "fault", role: "alert" });
 document.getElementById("edit").prepend(general);
 let status = "computing";
@@ -73,45 +75,67 @@ function inGeneral(sentence) {
  * `settled` ends a move: the whole result is then computed, too. `where` shows a sentence at its place.
  */
 async function change({ changes, gesture, settled, where }) {
-  pending = { changes: { ...pending?.changes, ...changes }, gesture, settled, where };
+  pending = { changes: { ...pending?.changes, ...changes }, gesture, settled: settled || Boolean(pending?.settled), where };
   if (sending) return;
   sending = true;
   while (pending) {
     const now = pending;
-    pending = null;
-    place = now.where;
-    let taken = true;
-    try {
-      if (Object.keys(now.changes).length) take(await ask("change", { changes: now.changes, gesture: now.gesture }));
-    } catch (error) {
-      taken = false;
-      fail(error, now.where);
-    }
+    const taken = await flush();
     const preview = taken ? show("preview") : null;
-    if (now.settled) {
-      if (!taken && state) take(state);
-      show("whole");
-    }
+    if (now.settled) show("whole");
     await preview;
   }
   sending = false;
 }
 
-/** Undoes, redoes or saves. */
+/** Sends the change that waits; returns whether the server has taken it. */
+function flush() {
+  return post(async () => {
+    const now = pending;
+    pending = null;
+    if (!now) return true;
+    place = now.where;
+    try {
+      if (Object.keys(now.changes).length) take(await ask("change", { changes: now.changes, gesture: `${visit} ${now.gesture}` }));
+      return true;
+    } catch (error) {
+      fail(error, now.where);
+      if (now.settled && state) take(state);
+      return false;
+    }
+  });
+}
+
+/** Does something after what was begun before it. */
+function post(work) {
+  const done = posted.then(work);
+  posted = done.catch(() => undefined);
+  return done;
+}
+
+/** Undoes, redoes, saves, adds or removes a point; returns a sentence if that is refused. */
 async function act(what, body = {}) {
+  const before = state.revision;
+  await flush();
   try {
-    const before = state.revision;
-    take(await ask(what, body));
+    await post(async () => take(await ask(what, body)));
     place = null;
     if (state.revision !== before) {
       clearFaults();
-      await results();
+      results();
     }
     return null;
   } catch (error) {
     if (error.status === undefined) fail(error, null);
     return error.message;
   }
+}
+
+/** The same, where nobody else shows the sentence. */
+async function step(what, body, where) {
+  const sentence = await act(what, body);
+  if (sentence && root.dataset.state !== "gone") complain(sentence, where);
+  return !sentence;
 }
 
 const results = () => Promise.all([show("preview"), show("whole")]);
@@ -139,7 +163,13 @@ async function show(stage) {
     if (stage === "whole") delete root.dataset.stale;
     tell(stage);
   } catch (error) {
-    if (error.status === 409 || revision !== state.revision) return;
+    if (revision !== state.revision) return;
+    if (error.status === 409) {
+      // Another page has changed the design.
+      take(await ask("state"));
+      if (revision !== state.revision) results();
+      return;
+    }
     if (error.floor && !shown.preview && !shown.whole) {
       lay({ "course-box": error.floor });
       shapeStages();

@@ -1,14 +1,14 @@
 // Undo, redo, save, and what the program is doing.
 const { element, pick, translated } = globalThis.cadgenPage;
 
-export function toolbar({ act, saved }) {
+export function toolbar({ step, saved }) {
   const make = (id, text, label, run) => {
     const button = element("button", { type: "button", id, text, label });
     button.addEventListener("click", run);
     return button;
   };
-  const undo = make("undo", ["Undo", "撤销"], ["Undo (Ctrl+Z)", "撤销（Ctrl+Z）"], () => act("undo"));
-  const redo = make("redo", ["Redo", "重做"], ["Redo (Ctrl+Y)", "重做（Ctrl+Y）"], () => act("redo"));
+  const undo = make("undo", ["Undo", "撤销"], ["Undo (Ctrl+Z)", "撤销（Ctrl+Z）"], () => step("undo"));
+  const redo = make("redo", ["Redo", "重做"], ["Redo (Ctrl+Y)", "重做（Ctrl+Y）"], () => step("redo"));
   const save = make("save", ["Save", "保存"], ["Save (Ctrl+S)", "保存（Ctrl+S）"], () => store());
   const saveAs = make("save-as", ["Save as …", "另存为……"], ["Save under another name", "以其他名称保存"], () => ask());
   document.querySelector(".tools").prepend(undo, redo, save, saveAs);
@@ -24,19 +24,25 @@ export function toolbar({ act, saved }) {
     return sentence ? dialog.open(state, sentence) : undefined;
   };
 
+  let typed = null; // field with letters that are not sent yet
+  addEventListener("input", ({ target }) => (typed = target.type === "range" ? null : target));
+  addEventListener("change", () => (typed = null));
   addEventListener("keydown", (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || document.querySelector("dialog[open]")) return;
     const key = event.key.toLowerCase();
-    const typing = event.target.matches?.("input[type=number], input[type=text]");
+    const typing = typed === event.target; // its own undo is the browser's
     if (key === "s") {
       event.preventDefault();
+      if (typing) event.target.dispatchEvent(new Event("change", { bubbles: true })); // what is typed is saved, too
       store();
     } else if (!typing && (key === "y" || (key === "z" && event.shiftKey))) {
       event.preventDefault();
-      act("redo");
+      event.preventDefault();
+      step("redo");
     } else if (!typing && key === "z") {
       event.preventDefault();
-      act("undo");
+      event.preventDefault();
+      step("undo");
     }
   });
 
