@@ -62,13 +62,23 @@ def test_the_face_of_the_editor(file):
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C of a child is another thing there")
 def test_it_serves_until_it_is_interrupted(file):
     command = [sys.executable, "-u", "-m", "cadgen", "edit", str(file), "--no-browser", "--set", "cam.thickness_mm=3.2"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as served:
-        address = served.stdout.readline().split()[0]
-        assert address.startswith("http://127.0.0.1:")
-        with urlopen(address) as answer:
-            assert b"connect-src" in answer.read()
-        with pytest.raises(HTTPError, match="403"):
-            urlopen(address.rsplit("/", 2)[0] + "/")
-        served.send_signal(signal.SIGINT)
-        out, err = served.communicate(timeout=60)
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=_heed_interrupts
+    ) as served:
+        try:
+            address = served.stdout.readline().split()[0]
+            assert address.startswith("http://127.0.0.1:")
+            with urlopen(address) as answer:
+                assert b"connect-src" in answer.read()
+            with pytest.raises(HTTPError, match="403"):
+                urlopen(address.rsplit("/", 2)[0] + "/")
+            served.send_signal(signal.SIGINT)
+            out, err = served.communicate(timeout=60)
+        finally:
+            served.kill()
     assert (served.returncode, out, err) == (0, "ended; changes that were not saved are gone\n", "")
+
+
+def _heed_interrupts():
+    """A process that a shell starts in the background ignores Ctrl-C, and so do its children; this one does not."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
