@@ -97,7 +97,7 @@ def assert_the_manifest_has_the_keys_of_its_page(file: Path) -> None:
 
 def curves(svg: str) -> dict[str, list[float]]:
     """Points of the curves that the script names."""
-    found = re.findall(r'<g id="(curve-\w+)">\s*<path d="([^"]*)"', svg)
+    found = re.findall(r'<g id="(curve-[\w-]+)">\s*<path d="([^"]*)"', svg)
     return {name: [float(number) for number in re.findall(r"-?[\d.]+", path)] for name, path in found}
 
 
