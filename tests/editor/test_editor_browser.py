@@ -66,6 +66,8 @@ def dragged(page, key, right, down):
 @pytest.mark.slow
 @pytest.mark.long
 def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
+    from playwright.sync_api import expect
+
     disc, key = "document.querySelector('#cam-box .disc').getAttribute('d')", "path.waypoints_mm.3"
     before, camera = shown.evaluate(disc), shown.locator("#scene canvas").count()
     dragged(shown, key, 6, -4)
@@ -122,6 +124,7 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     with shown.expect_response("**/undo"):
         wheelbase.press("Control+z")
     assert session.now.design.car.wheelbase_mm == 167.0
+    expect(wheelbase).to_have_value("167")
 
     # A number that the schema refuses is refused at its field.
     number = shown.locator("#control-cam-thickness_mm")

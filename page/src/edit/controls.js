@@ -71,7 +71,11 @@ class Control {
       this.held = false;
       this.send(this.slider.value, true);
     });
+    // What is being typed stays, whatever arrives meanwhile.
+    this.typing = false;
+    this.number.addEventListener("input", () => (this.typing = true));
     this.number.addEventListener("change", () => {
+      this.typing = false;
       this.gesture = `${key} ${(gestures += 1)}`;
       if (this.number.value !== "") this.send(this.number.value, true);
       else this.show(this.control);
@@ -101,6 +105,6 @@ class Control {
     }
     Object.assign(this.slider, { min: low, max: high, step });
     this.slider.value = value;
-    if (document.activeElement !== this.number || Number(this.number.value) !== value) this.number.value = value;
+    if (!this.typing && this.number.value !== String(value)) this.number.value = value;
   }
 }
