@@ -19,6 +19,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
+from unittest.mock import patch
 
 from cadgen import __version__
 from cadgen.api.exploration import explore
@@ -117,8 +118,8 @@ def case(number: int, seed: int, study: Path, known: dict[str, str], seconds: fl
 
 def run(cases: int, seed: int) -> list[Outcome]:
     """All cases."""
-    files.draw_exploration = lambda *content: []
-    with tempfile.TemporaryDirectory() as folder, cheap.registered():
+    no_pictures = patch.object(files, "draw_exploration", lambda *content: [])
+    with tempfile.TemporaryDirectory() as folder, cheap.registered(), no_pictures:
         study, out = Path(folder, "cheap.toml"), Path(folder, "known")
         study.write_text(cheap.study_text(DESIGNS, record=RECORD))
         explore(study, Path(folder, "first"), executor=map).write()  # loads all modules before the forks
