@@ -67,7 +67,8 @@ def explore(
     show_exploration.results(computed, written, out, as_json=as_json)
     if not computed.complete:
         if not as_json:
-            verdict(True, "every design of this shard has its row", "the other shards, then cadgen merge")
+            part, parts = computed.shard
+            verdict(True, f"shard {part} of {parts} is done", f"when all are, cadgen merge {out} --out {out}")
         return
     if not as_json:
         verdict(*show_exploration.outcome(computed, out))

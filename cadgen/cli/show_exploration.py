@@ -21,7 +21,7 @@ _STATES = {
 
 
 def results(computed: "Exploration", written: "Written | None", out: Path, *, as_json: bool) -> None:
-    """Print counts, front and files; of a shard the number of its designs.
+    """Print counts, front and files; of a shard, which has none of these yet, only JSON.
 
     Args:
         computed: results.
@@ -32,15 +32,9 @@ def results(computed: "Exploration", written: "Written | None", out: Path, *, as
     if as_json:
         show.document(computed.facts() if written is None else written.entry)
         return
-    console = Output()
     if written is None:
-        part, parts = computed.shard
-        console.print(
-            f"Shard {part} of {parts} of {computed.name} is done. When all are: cadgen merge {out} --out {out}",
-            soft_wrap=True,
-        )
         return
-    summary = computed.summary
+    console, summary = Output(), computed.summary
     states = [f"{count} {_STATES[state]}" for state, count in summary.states.items()]
     console.print(f"{computed.name}: {computed.computed.count} designs, {', '.join(states)}.")
     if summary.front:

@@ -246,7 +246,7 @@ class AsBuilt:
     ) -> Disc:
         """Deviations of a new disc in its making and on the shaft; `asking` as of `led`, its own lift if left out."""
         finished = self._acted(disc, ("process", "car"), self.phase, reversal, at)
-        # The lift that asks the torque is the one that comes of it.
+        # The torque follows the lift on the shaft as it leads, found here in one step.
         return self._led(finished, 0.0, asking or self._led(finished, 0.0, finished))
 
     def _led(self, disc: Disc, ahead: float, asking: Disc) -> Disc:

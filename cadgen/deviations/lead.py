@@ -33,7 +33,7 @@ def led(
         effects: of the train on the camshaft's angle, with their values, rad.
         ahead: angle by which the disc stands ahead on its shaft, rad.
         rod: that follows, as designed.
-        asking: disc whose lift on a true shaft asks the torque that winds the train up.
+        asking: disc whose lift on a true shaft sets the torque that winds the train up.
 
     Raises:
         DesignError: the lead changes too fast for this.

@@ -20,7 +20,7 @@ def write_best(results: Results, rows: Sequence[Row], folder: Path) -> list[str]
         folder: folder for the files.
 
     Raises:
-        FileError: a file read back is another design than the one that was computed.
+        FileError: a file that was read back is not the design that was computed.
     """
     study, job, names = results.study, Job.of(results.study), []
     digits = len(str(len(rows)))

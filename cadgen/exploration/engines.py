@@ -183,7 +183,7 @@ def mapping(executor: Any) -> Callable[..., Iterable[Any]] | None:
 
 
 def _begin(inherited: int | None) -> None:
-    """Prepare a new process: it ends when the one that made it does, even if that was killed."""
+    """Prepare a worker process, which ends with its parent process, even if the parent was killed."""
     if inherited is not None:
         with suppress(OSError):
             os.close(inherited)

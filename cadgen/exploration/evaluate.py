@@ -47,9 +47,10 @@ class Row:
     failed: tuple[str, ...] = ()
     sentence: str = ""
 
-    def text(self) -> str:
-        """The row as JSON."""
-        return json.dumps([self.number, self.values, self.state, self.figures, self.failed, self.sentence])
+    @property
+    def content(self) -> list[Any]:
+        """The row as it is written as JSON."""
+        return [self.number, self.values, self.state, self.figures, self.failed, self.sentence]
 
     @classmethod
     def of(cls, content: Sequence[Any]) -> "Row":

@@ -157,7 +157,7 @@ class Journal:
             FileError: the disk is full or cannot be written.
         """
         new = [(row, seconds) for row, seconds in results if row.number not in self]
-        lines = [_line({"seconds": round(seconds, 6), "row": json.loads(row.text())}) for row, seconds in new]
+        lines = [_line({"seconds": round(seconds, 6), "row": row.content}) for row, seconds in new]
         place = self._append(b"".join(lines))
         for (row, seconds), line in zip(new, lines, strict=True):
             self._note(row.number, place, seconds)

@@ -1,7 +1,7 @@
 """Tasks in batches through an engine: every task gives one result, whatever dies on the way.
 
 Batches are as long as some seconds of work. One that is lost with its process is computed again, and if that is
-lost too, its tasks one by one with nothing beside them, so that the one that kills its process is known.
+lost too, its tasks are computed one by one with nothing beside them, which shows the task that ends its process.
 """
 
 from collections import deque

@@ -24,7 +24,7 @@ _DAMPED, _MORE, _LESS = 0.03, 30.0, 0.1  # damping after a first step too far, a
 def settled(
     half: Callable[[Array], float], normal: Callable[[Array], tuple[Array, Array]], start: Array, bounds: Array
 ) -> tuple[Array, Array, bool]:
-    """Values of least squares, and what the data say of them.
+    """Values of least squares, and the curvature of the sum of squares there.
 
     Args:
         half: of values, shape (k,): half the sum of squares of the residual, of unit variance.

@@ -5,6 +5,7 @@
 runs a study with them, as `cadgen explore` does with those of the program.
 """
 
+import json
 import os
 import signal
 import sys
@@ -126,7 +127,7 @@ def digest(computed: Exploration) -> str:
     """Hash of all rows, from which all files are made."""
     whole = sha256()
     for row in computed.computed.rows():
-        whole.update(row.text().encode())
+        whole.update(json.dumps(row.content).encode())
     return whole.hexdigest()
 
 
