@@ -135,9 +135,34 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     assert "faces" in refused.inner_text()
     assert session.now.design.cam.thickness_mm == 3
 
+    # The sentence stays, whatever was being computed meanwhile, until a change is taken.
+    held = []
+    shown.route("**/result?stage=whole*", lambda request: held.append(request))
+    wheelbase.fill("169")
+    with shown.expect_response("**/change"):
+        wheelbase.press("Enter")
+    number.fill("61")
+    number.press("Enter")
+    refused.wait_for(state="visible")
+    assert held
+    for request in held:
+        request.continue_()
+    shown.unroute("**/result?stage=whole*")
+    current(shown, session)
+    assert "faces" in refused.inner_text()
+    with shown.expect_response("**/change"):
+        number.fill("3.5")
+        number.press("Enter")
+    refused.wait_for(state="hidden")
+    for value in (169.0, 167.0):
+        with shown.expect_response("**/undo"):
+            shown.locator("#undo").click()
+        assert session.now.design.car.wheelbase_mm == value
+    current(shown, session)
+
     shown.keyboard.press("Control+s")
     shown.wait_for_selector("#save:not(.due)")
     assert shown.title().startswith("small")
     assert file.read_text() == TEXT.replace("[2600.0, 1200.0]", f"[{x!r}, {y!r}]")
-    # Refusals are statuses, which the browser reports; nothing else is.
-    assert all("422" in text for text in shown.said), shown.said
+    # Refusals and superseded results are statuses, which the browser reports; nothing else is.
+    assert all("422" in text or "409" in text for text in shown.said), shown.said

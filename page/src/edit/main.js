@@ -15,7 +15,9 @@ let sending = false;
 let posted = Promise.resolve(); // the last request that acts: they go one after the other
 let place = null; // shows a sentence where the last change was made
 const shown = { preview: 0, whole: 0 }; // revisions
-const faults = new Set(); // functions that take a sentence away
+// Functions that take a sentence away. A refusal stays until a change is taken: a result that was on its way
+// when the change was refused says nothing of it. A fault of a result stays until there is a result.
+const said = { refusal: new Set(), fault: new Set() };
 
 const STATES = {
   computing: ["computing …", "计算中……"],
@@ -54,15 +56,17 @@ function take(answer) {
   if (state.revision > shown.whole) root.dataset.stale = "";
 }
 
-function clearFaults() {
-  for (const clear of faults) clear();
-  faults.clear();
+function unsay(...kinds) {
+  for (const kind of kinds) {
+    for (const clear of said[kind]) clear();
+    said[kind].clear();
+  }
 }
 
 /** Shows a sentence where the change was made, or above the controls. */
-function complain(sentence, where) {
-  clearFaults();
-  faults.add((where ?? inGeneral)(sentence));
+function complain(kind, sentence, where) {
+  unsay("fault", ...(kind === "refusal" ? [kind] : []));
+  said[kind].add((where ?? inGeneral)(sentence));
 }
 
 function inGeneral(sentence) {
@@ -97,9 +101,10 @@ function flush() {
     place = now.where;
     try {
       if (Object.keys(now.changes).length) take(await ask("change", { changes: now.changes, gesture: `${visit} ${now.gesture}` }));
+      unsay("refusal");
       return true;
     } catch (error) {
-      fail(error, now.where);
+      fail("refusal", error, now.where);
       if (now.settled && state) take(state);
       return false;
     }
@@ -121,12 +126,12 @@ async function act(what, body = {}) {
     await post(async () => take(await ask(what, body)));
     place = null;
     if (state.revision !== before) {
-      clearFaults();
+      unsay("refusal", "fault");
       results();
     }
     return null;
   } catch (error) {
-    if (error.status === undefined) fail(error, null);
+    if (error.status === undefined) fail("refusal", error, null);
     return error.message;
   }
 }
@@ -134,7 +139,7 @@ async function act(what, body = {}) {
 /** The same, where nobody else shows the sentence. */
 async function step(what, body, where) {
   const sentence = await act(what, body);
-  if (sentence && root.dataset.state !== "gone") complain(sentence, where);
+  if (sentence && root.dataset.state !== "gone") complain("refusal", sentence, where);
   return !sentence;
 }
 
@@ -159,7 +164,7 @@ async function show(stage) {
     floor.place();
     root.dataset[stage] = revision;
     if (revision !== state.revision) return;
-    clearFaults();
+    unsay("fault");
     if (stage === "whole") delete root.dataset.stale;
     tell(stage);
   } catch (error) {
@@ -175,7 +180,7 @@ async function show(stage) {
       shapeStages();
       floor.place();
     }
-    fail(error, where);
+    fail("fault", error, where);
   }
 }
 
@@ -199,14 +204,14 @@ function lay(pieces) {
   document.getElementById("failures")?.setAttribute("tabindex", "0"); // it scrolls, by keys too
 }
 
-function fail(error, where) {
+function fail(kind, error, where) {
   if (error.status === undefined) {
     tell("gone");
-    complain(pick(STATES.gone), null);
+    complain("refusal", pick(STATES.gone), null);
     return;
   }
   tell(shown.preview || shown.whole ? "fault" : "none");
-  complain(error.message, where);
+  complain(kind, error.message, where);
 }
 
 addEventListener("beforeunload", (event) => {
@@ -217,4 +222,4 @@ tell("computing");
 ask("state").then((answer) => {
   take(answer);
   results();
-}, (error) => fail(error, null));
+}, (error) => fail("fault", error, null));
