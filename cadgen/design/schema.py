@@ -50,7 +50,7 @@ class Car(Section):
     that is driven at the middle of its axle has A1 = 0 for a fork axis above that.
     """
 
-    wheelbase_mm: float = Field(gt=0, le=2000, description="L, front fork axis to rear axle")
+    wheelbase_mm: float = Field(ge=1, le=2000, description="L, front fork axis to rear axle")
     drive_wheel_offset_mm: float = Field(
         ge=-1000, le=1000, description="A1, fork axis to the driven wheel, along the axle, positive to the left"
     )

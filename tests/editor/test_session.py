@@ -64,7 +64,7 @@ def test_undo_and_redo_step_by_moves(session):
 @pytest.mark.parametrize(
     ("changes", "sentence"),
     [
-        ({"car.wheelbase_mm": -1.0}, "must be greater than 0"),
+        ({"car.wheelbase_mm": -1.0}, "must be at least 1"),
         ({"cam.thickness_mm": 60.0}, "faces"),
         ({"name": 1.0}, "cannot be changed here"),
         ({"path.waypoints_mm.99": (1.0, 2.0)}, "cannot be changed here"),
