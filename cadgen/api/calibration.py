@@ -13,6 +13,7 @@ from cadgen.progress import Progress, silent
 if TYPE_CHECKING:
     from cadgen.api.advice import Advice, Predictions
     from cadgen.report.text import Block
+    from cadgen.workflow.calibration import places
     from cadgen.workflow.calibration import plan as calibrations
 
 _REPORT_WIDTH = 110
@@ -61,7 +62,7 @@ class Calibration(Generic[D]):
         return {kind: verdict for kind, verdict in self.verdicts.items() if verdict not in SOUND}
 
     @property
-    def effects(self) -> "tuple[calibrations.Built, ...]":
+    def effects(self) -> "tuple[places.Built, ...]":
         """Everything claimed, with its place in the design as built.
 
         `claim.finding.effect` is its name, `claim.finding.values` its numbers with standard deviations, in the unit

@@ -123,13 +123,17 @@ class Effect(Section):
 class Outlook(Section):
     """Expected run of the car on the new cam, from all measurements; written by `cadgen calibrate`."""
 
-    old_mm: float = Field(ge=0, le=1e7, description="mean distance from the planned end of the run, on the old cam")
+    old_mm: float = Field(ge=0, le=1e7, description="median distance from the planned end of the run, on the old cam")
     new_mm: float = Field(ge=0, le=1e7, description="the same on a new cam made for `effects`")
     least_mm: float = Field(ge=0, le=1e7, description="the new one is nearer with a chance of 5 %")
     most_mm: float = Field(ge=0, le=1e7, description="the new one is farther off with a chance of 5 %")
     chance_worse: float = Field(ge=0, le=1, description="that the new one is farther off than the old one")
     explained: bool | None = Field(
         default=None, description="whether the effects explain the measured track; left out if none was measured"
+    )
+    places: Annotated[tuple[Place, ...], Strict(False)] = Field(
+        default=(),
+        description="of the `effects`, in their order, with which it is so expected; left out, those they have",
     )
 
 
@@ -141,12 +145,22 @@ class AsBuilt(Section):
         description="of the cam that was on the car when it was measured, made from this design with `cut_for` in the "
         "place of `effects`",
     )
-    outlook: Outlook | None = None
+    outlook: Outlook | None = Field(default=None, description="with the places that `cadgen calibrate` gave")
+    outlook_agreed: Outlook | None = Field(
+        default=None, description="with every effect that a cam can take out once you agree, by `car` as its place"
+    )
     sources: Annotated[tuple[Source, ...], Strict(False)] = ()
     effects: Annotated[tuple[Effect, ...], Strict(False)] = ()
     cut_for: Annotated[tuple[Effect, ...], Strict(False)] = Field(
         default=(), description="effects that the measured cam was made for already; none for the first cam of a car"
     )
+
+    @property
+    def expected(self) -> Outlook | None:
+        """The outlook with the places that the effects have; None if none was reckoned with them."""
+        places = tuple(effect.place for effect in self.effects)
+        known = filter(None, (self.outlook, self.outlook_agreed))
+        return next((outlook for outlook in known if outlook.places in ((), places)), None)
 
     @model_validator(mode="after")
     def _each_thing_is_set_once(self) -> "AsBuilt":

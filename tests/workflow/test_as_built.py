@@ -145,6 +145,44 @@ def test_run_out_of_the_train_is_taken_out_where_the_user_agrees(built, carbon_f
 
 
 @pytest.mark.slow
+def test_run_out_and_play_are_taken_out_together(built, carbon_free_car):
+    """The generator lets the lift fall within the play ahead of where the gears ask, and these gain and lose."""
+    cosine, sine, steps = 0.3, -0.25, round(PLAY * COUNT / 360)
+    stop = carbon_free_car.lift.blend_start
+    motor = np.arange(COUNT) * TURN / COUNT
+    asked = np.rint((motor + np.radians(cosine * (np.cos(3 * motor) - 1) + sine * np.sin(3 * motor))) / TURN * COUNT)
+
+    def end(curve) -> complex:
+        table = roll(curve.outline(0.05), carbon_free_car.follower, motor).tan_beta
+        cam, now = [], 0
+        for least in asked.astype(int):
+            now = max(now, least)
+            while now < least + steps and table[(now + 1) % COUNT] < table[now % COUNT]:
+                now += 1
+            cam.append(now % COUNT)
+        world = World(Table(table[cam]), carbon_free_car.car, carbon_free_car.track)
+        return complex(Wheels().track(world, np.array([0.0, stop]))[-1])
+
+    goal = complex(*carbon_free_car.track.position(carbon_free_car.track.length * (1 - 12 / 360)))
+    numbers = {"runout_cos_deg": cosine, "runout_sin_deg": sine, "turns_per_turn": 3.0}
+    left = {}
+    for place in ("noted", "car"):
+        design = built(
+            effect("track", "backlash", "car", return_error_deg=PLAY),
+            effect("transmission", "runout of shaft 2", place, **numbers),
+            name=place,
+        )
+        plan = plan_cam(design, "compensated")
+        assert plan.passed
+        left[place] = abs(end(plan.curve) - goal)
+    left["neither"] = abs(end(carbon_free_car.actual.curve) - goal)
+    print({place: f"{value:.1f} mm" for place, value in left.items()})
+    assert left["neither"] > 1000
+    assert left["noted"] > 100
+    assert left["car"] < 5  # the generator steps the cam by a twentieth of a degree
+
+
+@pytest.mark.slow
 def test_a_slipping_car_with_another_lever(built, carbon_free_car):
     """Slip and gain by the generator, with the actual profile; there is no play."""
     design = built(
@@ -330,3 +368,27 @@ def test_a_cam_that_may_be_worse_is_refused_and_the_outlook_comes_first(built):
     assert [check.code for check in outlook_checks(unsure) if not check.passed] == [CheckCode.CHANCE_WORSE]
     assert [check.code for check in outlook_checks(rest) if not check.passed] == [CheckCode.RUNS_EXPLAINED]
     assert CheckCode.RUNS_EXPLAINED in [check.code for check in plan_cam(rest, "actual").failed]
+
+
+def test_the_outlook_is_of_the_places_that_the_effects_have(built):
+    numbers = {"runout_cos_deg": 0.3, "runout_sin_deg": 0.1, "turns_per_turn": 3.0}
+
+    def outlook(name: str, new: float, *places: str) -> str:
+        return (
+            f"[as_built.{name}]\nold_mm = 900.0\nnew_mm = {new}\nleast_mm = 1.0\nmost_mm = 200.0\n"
+            f"chance_worse = 0.0\nplaces = {json.dumps(places)}\n"
+        )
+
+    def sentence(zero: str, runout: str) -> str:
+        design = built(
+            outlook("outlook", 121.0, "car", "noted"),
+            outlook("outlook_agreed", 4.6, "car", "car"),
+            effect("track", "steering zero", zero, steering_zero_deg=0.3),
+            effect("transmission", "runout of shaft 2", runout, **numbers),
+        )
+        assert [check.passed for check in outlook_checks(design)] == [True]
+        return outlook_sentence(design)
+
+    assert sentence("car", "noted").startswith("The new cam is expected to end the run 121.0 mm off")
+    assert sentence("car", "car").startswith("The new cam is expected to end the run 4.6 mm off")
+    assert sentence("noted", "car").startswith("What the new cam is expected to do is not known")

@@ -16,6 +16,7 @@ from cadgen.report.text import Heading, Table, plain
 from cadgen.workflow.calibration import plan
 from cadgen.workflow.calibration.as_built_file import as_built_text
 from cadgen.workflow.calibration.files import write_calibration
+from cadgen.workflow.calibration.places import Built, agreed_places
 from cadgen.workflow.calibration.plan import calibrate, read, stated_form_error
 from cadgen.workflow.calibration.words import sentence, shown, sizes
 from cadgen.workflow.cam.as_built import assumed_play
@@ -188,14 +189,16 @@ def test_files_are_refused_before_more_are_read_than_can_be_judged(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("name", "turns", "words"),
+    ("name", "turns", "words", "agreed"),
     [
-        ("runout of shaft 2", 3.0, 'with place = "car" a new cam takes it out'),
-        ("runout of shaft 1", 2.5, "does not repeat with every turn of the cam"),
+        ("runout of shaft 2", 3.0, 'with place = "car" a new cam takes it out', "car"),
+        ("runout of shaft 1", 2.5, "does not repeat with every turn of the cam", "noted"),
     ],
 )
-def test_it_says_what_of_the_train_a_cam_takes_out(name, turns, words):
+def test_it_says_what_of_the_train_a_cam_takes_out(name, turns, words, agreed):
     kind = kinds.kind_of("transmission")
     numbers = tuple(Value(f"runout_{wave}_deg", 0.2, 0.01, "deg") for wave in ("cos", "sin"))
     finding = Finding(name, numbers, (), (), (("turns_per_turn", turns),))
-    assert words in sentence(plan.Built(Claim("made.csv", kind, finding), "noted"))
+    noted = Built(Claim("made.csv", kind, finding), "noted")
+    assert words in sentence(noted)
+    assert agreed_places([noted]) == [agreed]

@@ -3,6 +3,7 @@
 | module          | what it holds                                                                   |
 |-----------------|---------------------------------------------------------------------------------|
 | `plan`          | measured files -> one verdict for each kind of data, and what they say together |
+| `places`        | places of claims in the as-built design                                         |
 | `new_cam`       | what a new cam is expected to do                                                |
 | `advice`        | what to measure next, in words too                                              |
 | `prediction`    | runs that were not used, predicted with what was found, in words too            |

@@ -1,10 +1,14 @@
 """The design file with what was measured: comments kept, overrides applied, and a table [as_built] at its end."""
 
+from collections.abc import Sequence
 from math import isfinite
 from typing import Any
 
 from cadgen.design.override import override
+from cadgen.deviations.names import Place
+from cadgen.expectation.outlook import Outlook
 from cadgen.measurement.findings import Value
+from cadgen.workflow.calibration.places import agreed_places
 from cadgen.workflow.calibration.plan import Calibration
 from cadgen.workflow.calibration.words import sentence, shown
 
@@ -40,17 +44,13 @@ def _table(calibration: Calibration) -> str:
         "# Written by cadgen calibrate: what this car was measured to be. Every command takes it into account.",
         f'profile = "{calibration.profile}"',
     ]
-    if (o := calibration.outlook) is not None:
-        lines += [
-            "",
-            f"[{_TABLE}.outlook]",
-            f"old_mm = {o.old:.1f}",
-            f"new_mm = {o.new:.1f}",
-            f"least_mm = {o.least:.1f}",
-            f"most_mm = {o.most:.1f}",
-            f"chance_worse = {o.worse:.4f}",
-            *([] if o.explained is None else [f"explained = {str(o.explained).lower()}"]),
-        ]
+    places = [built.place for built in calibration.built]
+    for name, outlook, reckoned in (
+        ("outlook", calibration.outlook, places),
+        ("outlook_agreed", calibration.outlook_agreed, agreed_places(calibration.built)),
+    ):
+        if outlook is not None:
+            lines += ["", f"[{_TABLE}.{name}]", *_outlook(outlook, reckoned)]
     for source in calibration.sources:
         lines += [
             "",
@@ -70,6 +70,18 @@ def _table(calibration: Calibration) -> str:
         values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.indices)]
         lines += _effect("effects", finding.effect, built.claim.kind.code, built.place, values, sentence(built))
     return "\n".join(lines) + "\n"
+
+
+def _outlook(outlook: Outlook, places: Sequence[Place]) -> list[str]:
+    return [
+        f"old_mm = {outlook.old:.1f}",
+        f"new_mm = {outlook.new:.1f}",
+        f"least_mm = {outlook.least:.1f}",
+        f"most_mm = {outlook.most:.1f}",
+        f"chance_worse = {outlook.worse:.4f}",
+        *([] if outlook.explained is None else [f"explained = {str(outlook.explained).lower()}"]),
+        f"places = [{', '.join(map(_text, places))}]",
+    ]
 
 
 def _effect(table: str, effect: str, kind: str, place: str, values: list[str], words: str = "") -> list[str]:

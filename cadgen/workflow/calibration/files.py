@@ -19,7 +19,8 @@ from cadgen.progress import Progress, silent
 from cadgen.report.calibration import draw_record
 from cadgen.report.text import plain
 from cadgen.workflow.calibration.as_built_file import as_built_text
-from cadgen.workflow.calibration.plan import Built, Calibration, Source
+from cadgen.workflow.calibration.places import Built
+from cadgen.workflow.calibration.plan import Calibration, Source
 from cadgen.workflow.calibration.words import report, summary
 from cadgen.workflow.calibration.zone_means import ZoneMeans
 
@@ -48,6 +49,7 @@ def document(calibration: Calibration) -> dict[str, Any]:
         "shared": [_shared(quantity) for quantity in c.shared],
         "as_built": [_built(built) for built in c.built],
         "outlook": c.outlook and _outlook(c.outlook),
+        "outlook_agreed": c.outlook_agreed and _outlook(c.outlook_agreed),
         "versions": versions(),
     }
 

@@ -26,12 +26,13 @@ from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
-from cadgen.measurement.together import Claim, Shared, at_work, claims, no_friction, no_play, shared
+from cadgen.measurement.together import Claim, Shared, claims, no_friction, no_play, shared
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.progress import Progress, silent
 from cadgen.records.load import digest, load
 from cadgen.workflow.calibration.new_cam import expected_of
+from cadgen.workflow.calibration.places import Built, agreed_places, placed
 from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
 from cadgen.workflow.cam.plan import plan_cam
 
@@ -60,23 +61,6 @@ class Source:
         return self.record.kind
 
 
-@dataclass(frozen=True, slots=True)
-class Built:
-    """A claim with its place in the as-built design.
-
-    Attributes:
-        claim: with the mean of all that agree, if it stands for several.
-        place: what becomes of it.
-        instead: the claim that stands for the same thing in its stead.
-        mean_of: sources of the records whose mean it has; empty if it has its own values.
-    """
-
-    claim: Claim
-    place: Place
-    instead: Claim | None = None
-    mean_of: tuple[str, ...] = ()
-
-
 @dataclass(frozen=True, kw_only=True)
 class Calibration:
     """Calibration of a car by measured files.
@@ -92,6 +76,7 @@ class Calibration:
         claims: what the verdicts claim, and that there is no play where that was seen.
         warnings: what does not fit, but was let pass.
         outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
+        outlook_agreed: the same once the user agrees to all that a cam can take out; None where nothing waits for that.
         nominal: the design as data of its kinds were judged against it; None without such data.
         holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
             show a car without play.
@@ -110,22 +95,13 @@ class Calibration:
     warnings: tuple[str, ...]
     holds: tuple[float, float] | None = None
     outlook: Outlook | None = None
+    outlook_agreed: Outlook | None = None
     nominal: Nominal | None = None
 
     @cached_property
     def built(self) -> tuple[Built, ...]:
         """Everything claimed, each physical quantity at work once."""
-        built = []
-        for claim in self.claims:
-            alike = [other for other in self.claims if other.quantity == claim.quantity]
-            best, taken = at_work(alike)
-            if best is not claim:
-                built.append(Built(claim, "noted", best))
-                continue
-            built.append(
-                Built(taken, _place(taken, alike), mean_of=() if taken is best else tuple(c.source for c in alike))
-            )
-        return tuple(built)
+        return placed(self.claims)
 
     @cached_property
     def shared(self) -> tuple[Shared, ...]:
@@ -249,8 +225,13 @@ def calibrate(
     )
     if known is None:
         return calibration
-    placed = [(built.claim, built.place) for built in calibration.built]
-    return replace(calibration, outlook=expected_of(design, known, calibration.diagnoses, placed))
+
+    def expected(places: Sequence[Place]) -> Outlook | None:
+        claimed = [(built.claim, place) for built, place in zip(calibration.built, places, strict=True)]
+        return expected_of(design, known, calibration.diagnoses, claimed)
+
+    given, agreed = [built.place for built in calibration.built], agreed_places(calibration.built)
+    return replace(calibration, outlook=expected(given), outlook_agreed=None if agreed == given else expected(agreed))
 
 
 def calibrate_each(
@@ -334,19 +315,6 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
     elif zones is not None and tabled is not None and zones.judgement.verdict in SOUND:
         found.append(no_play(zones.source, zones.kind, zones.finding, degrees(tabled)))
     return [claim for claim in found if claim is not None]
-
-
-def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
-    """Default place of a claim: none for an effect that may be the instrument's in all kinds of data that show it."""
-    if all(_instruments(other) for other in alike):
-        return "noted"
-    return claim.kind.named(claim.finding.effect, dict(claim.finding.indices)).places[0]
-
-
-def _instruments(claim: Claim) -> bool:
-    """Whether data cannot tell a claim from an effect of their instrument."""
-    twins = (claim.kind.catalogue.named(name) for name in claim.finding.twins)
-    return any(twin is not None and twin.instrument for twin in twins)
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:

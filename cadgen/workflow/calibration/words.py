@@ -24,7 +24,8 @@ from cadgen.measurement.findings import (
 )
 from cadgen.measurement.together import at_work
 from cadgen.report.text import Block, Heading, Table
-from cadgen.workflow.calibration.plan import Built, Calibration, Source
+from cadgen.workflow.calibration.places import Built
+from cadgen.workflow.calibration.plan import Calibration, Source
 from cadgen.workflow.calibration.zone_means import ZoneMeans
 
 SIGNS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
@@ -291,7 +292,18 @@ def _together(c: Calibration) -> list[Block]:
 def _built(c: Calibration) -> list[Block]:
     if not c.built:
         return [Heading("as built"), "Nothing is claimed, so there is no as-built design."]
-    return [Heading("as built"), *map(sentence, c.built), *_held(c)]
+    return [Heading("as built"), *map(sentence, c.built), *_waiting(c), *_held(c)]
+
+
+def _waiting(c: Calibration) -> list[Block]:
+    """Sentence on what is expected once the user agrees to all that a new cam can take out."""
+    if (o := c.outlook_agreed) is None:
+        return []
+    names = listed([f"{b.claim.finding.effect}, from {b.claim.kind.code}" for b in c.built if b.waits], "and")
+    return [
+        f'With place = "car" for {names}, the run is expected to end {_length(o.new)} mm off ({_length(o.least)} to '
+        f"{_length(o.most)} mm in 90 %), the new cam to be worse with a chance of {o.worse:.1%}."
+    ]
 
 
 def _held(c: Calibration) -> list[Block]:

@@ -10,6 +10,10 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 
 _SIGNS = {"deg": "°", "um": " µm", "%": " %", "mm": " mm", "s": " s", "": ""}
+_OTHER_PLACES = (
+    "What the new cam is expected to do is not known: [as_built.outlook] is of other places than the effects have now. "
+    "Calibrate again, or give the effects those places."
+)
 _LEAST_SHIFT = radians(0.005)  # of the run's end: less than a hundredth of a degree is not worth a sentence
 
 
@@ -47,9 +51,9 @@ def as_built_sentences(design: Design, stop: float) -> list[str]:
 
 def outlook_sentence(design: Design) -> str:
     """Expected run of the car on the new cam; empty if no measurement predicts it."""
-    outlook = design.as_built and design.as_built.outlook
+    outlook = design.as_built and design.as_built.expected
     if not outlook:
-        return ""
+        return _OTHER_PLACES if design.as_built and design.as_built.outlook else ""
     return (
         f"The new cam is expected to end the run {outlook.new_mm:.1f} mm off ({outlook.least_mm:.1f} to "
         f"{outlook.most_mm:.1f} mm in 90 %), the old one {outlook.old_mm:.1f} mm; it is worse with a chance of "
@@ -59,7 +63,7 @@ def outlook_sentence(design: Design) -> str:
 
 def outlook_checks(design: Design) -> tuple[Check, ...]:
     """Whether a new cam is worth its cutting, by what was measured of the car: nothing without [as_built.outlook]."""
-    outlook = design.as_built and design.as_built.outlook
+    outlook = design.as_built and (design.as_built.expected or design.as_built.outlook)
     if not outlook:
         return ()
     # Only here: it needs the models of all kinds of data, and most designs have no outlook.
