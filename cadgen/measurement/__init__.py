@@ -17,6 +17,7 @@
 | `evidence`   | likelihood of a residual with noise, datum and form error accounted for                         |
 | `hypothesis` | a subset of effects, fitted exactly and scored                                                  |
 | `settle`     | least squares within bounds, ended when the values move by less than their errors               |
+| `columns`    | linearised responses of effects                                                                 |
 | `search`     | all small subsets, linearised; the best are fitted                                              |
 | `verdict`    | what the rivals and what is left allow to be claimed                                            |
 | `friction`   | play and friction of one car: whether the data part them, and what is known of the play         |

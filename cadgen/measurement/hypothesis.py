@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from math import log
+from math import inf, log
 
 import numpy as np
 from numpy.typing import NDArray
@@ -137,6 +137,7 @@ def fit(
     start: Active,
     search: Search,
     known: Mapping[str, tuple[float, float]] | None = None,
+    level: float = inf,
 ) -> Hypothesis:
     """Fit a subset and the datum exactly, with the form error as a random effect.
 
@@ -146,6 +147,7 @@ def fit(
         start: values to begin from; effects without one begin at their own start.
         search: for the penalty.
         known: value and standard deviation of effects' first numbers by the effects' keys, from other measurements.
+        level: -2 log L above which the subset is out of the running, and need not be fitted to the end.
     """
     begin = {effect.key: values for effect, values in start}
     problem = _Problem(joint, (*joint.datum, *effects), known or {})
@@ -162,7 +164,7 @@ def fit(
         fits = []
         for size in np.unique(joint.beside[allowed])[::-1]:
             spectrum = _least(misfit, allowed & (joint.beside == size))
-            x, covariance, fitting = problem.settled(x, spectrum)
+            x, covariance, fitting = problem.settled(x, spectrum, level)
             misfit = problem.misfit(x)
             fits.append((float(misfit[allowed].min()), spectrum, x, covariance, misfit))
             if not fitting:
@@ -173,7 +175,7 @@ def fit(
             before, spectrum = spectrum, _least(misfit, allowed)
             if spectrum == before or not fitting:
                 break
-            x, covariance, fitting = problem.settled(x, spectrum)
+            x, covariance, fitting = problem.settled(x, spectrum, level)
             misfit = problem.misfit(x)
         if stepwise.any():
             x, variance = _tried(problem.misfit, x, stepwise, bounds, _FINE)
@@ -211,7 +213,7 @@ class _Problem:
         """-2 log L for every spectrum."""
         return self._joint.misfit(self.active(values))
 
-    def settled(self, x: Array, spectrum: int) -> tuple[Array, Array, bool]:
+    def settled(self, x: Array, spectrum: int, level: float) -> tuple[Array, Array, bool]:
         """Values of least squares for one spectrum, their covariance, and whether they settled."""
 
         def half(values: Array) -> float:
@@ -229,7 +231,8 @@ class _Problem:
             return H, g
 
         inside = self.bounds + np.outer([1, -1], _AT_BOUND * (self.bounds[1] - self.bounds[0]))
-        x, H, done = settled(half, normal, np.clip(x, *inside), inside)
+        useless = (level - float(self._joint.constant[spectrum])) / 2
+        x, H, done = settled(half, normal, np.clip(x, *inside), inside, useless)
         return x, np.asarray(np.linalg.pinv(H), dtype=float), done
 
 

@@ -9,7 +9,7 @@ After each round the catalogue is linearised anew about the best exact fit, unti
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import combinations, pairwise
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect, causes
 from cadgen.errors import DesignError
+from cadgen.measurement.columns import Columns, of_shapes, side_by_side, tangents
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.joint import Joint
 
@@ -37,20 +38,15 @@ CHANCE = 3.0
 PARTED = 0.02
 # Values that are better than those fitted by this much, in -2 log L, lie in another valley.
 BETTER = 1.0
+# A subset that stays behind the best one by so much of the criterion is not fitted to the end.
+HOPELESS = 100.0
 # Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
 COLLINEAR = 0.99999
+# Share of a column's square that is left of it, less than which is rounding.
+_HIDDEN = 1e-12
 
 
-@dataclass(frozen=True)
-class Columns:
-    """Linearised responses of candidate effects: `spans[i]` are the columns of `effects[i]`."""
-
-    effects: tuple[Effect, ...]
-    spans: tuple[slice, ...]
-    values: Array
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Rated:
     """A subset with its linearised score and estimate, internal units; columns of the free ones first."""
 
@@ -73,12 +69,21 @@ class Numerous:
             for sort in sorted(set(sorts))
         ]
 
-    def _group(self, width: int, which: Index) -> tuple[int, Index, Index, Array]:
-        """Effects that have so many columns, the columns, shape (k, width), and their products (g, k, width, width)."""
+    def _group(self, width: int, which: Index) -> tuple[int, Index, Index, Array, Array]:
+        """Effects that have so many columns.
+
+        Returns:
+            Number of columns of each, the effects, their columns, shape (k, width), the products of these, shape
+            (g, k, width, width), and the columns' sizes, shape (g, k, width).
+        """
         columns = np.array([self.spans[i].start for i in which], dtype=np.intp)[:, None] + np.arange(width)
         own = np.einsum("nki,nkj->kij", self.white[:, columns], self.white[:, columns])
         taken = np.einsum("gqki,gqkj->gkij", self.halves[:, :, columns], self.halves[:, :, columns])
-        return width, which, columns, own - taken
+        whole = np.einsum("kii->ki", own)
+        left = np.maximum(whole - np.einsum("gkii->gki", taken), 0.0)
+        # What the discrepancy hides but for rounding is of no size that anything could be measured against.
+        size = np.where(left > _HIDDEN * whole, np.sqrt(left), np.inf)
+        return width, which, columns, own - taken, size
 
 
 @dataclass(frozen=True)
@@ -110,7 +115,7 @@ def find(joint: Joint) -> list[Hypothesis]:
     fitted = {none.key: none}
     best = none
     # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
-    many = Numerous(joint, _joined(_tangents(joint, named, none), _shape_columns(joint)))
+    many = Numerous(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
     for _ in range(ROUNDS):
         _fit_new(joint, _promising(joint, best, core, many, search), fitted, search)
         leader = min(fitted.values(), key=lambda h: h.score)
@@ -129,7 +134,8 @@ def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hy
         key = frozenset(e.key for e in effects)
         try:
             if key not in fitted or _misfit(joint, start) < fitted[key].misfit[fitted[key].within] - BETTER:
-                anew = fit(joint, effects, start, search)
+                level = min(h.score for h in fitted.values()) + HOPELESS
+                anew = fit(joint, effects, start, search, level=level)
                 fitted[key] = min(fitted.get(key, anew), anew, key=lambda h: h.score)
         except DesignError:
             # On its way the fit met a disc that no rod can follow: no such part was measured.
@@ -176,7 +182,7 @@ def _promising(
     """The subsets of least linearised score about the best one so far, with estimates to begin from."""
     # Numerous effects that have entered combine freely from now on.
     core = core + tuple(e for e in best.effects if e.numerous)
-    free = _tangents(joint, core, best)
+    free = tangents(joint, core, best)
     datum = joint.slopes(joint.datum, best.active)
     # What the residual would be without the active effects follows from their own tangents.
     known = [_value_in(best, e)[: s.stop - s.start] for e, s in zip(free.effects, free.spans, strict=True)]
@@ -290,10 +296,10 @@ def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> It
     left = np.swapaxes(right, 1, 2)
     target = this.cross[:, -1] - np.einsum("gkm,gk->gm", this.cross[:, held], solved[:, :, -1])
     square = this.products[:, -1, -1] - np.einsum("gk,gk->g", right[:, :, -1], solved[:, :, -1])
-    for width, which, columns, own in many.groups:
+    for width, which, columns, own, size in many.groups:
         a, b = columns[:, :, None], columns[:, None, :]
         taken = own - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
-        score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, own)
+        score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, size)
         for row in np.argsort(np.where(sound, score, np.inf))[:3]:
             effects = (*base.effects, many.effects[which[row]])
             tail = effects[-1].start.copy()
@@ -305,17 +311,15 @@ def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> It
                 yield Rated(float(score[row]) + penalty, effects, values, base.columns)
 
 
-def _solve(
-    gram: Array, right: Array, base: Array, scale: Array | None = None
-) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _solve(gram: Array, right: Array, base: Array, size: Array | None = None) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Least misfit over spectra, estimate there, and whether the columns can be told apart; one row a subset.
 
-    Columns are measured against `scale` (their products before others were taken out).
+    Columns are measured against `size`, which they had before others were taken out; left out, against their own.
     """
     if not gram.shape[-1]:
         return np.full(gram.shape[1], base.min()), np.empty((gram.shape[1], 0)), np.ones(gram.shape[1], dtype=bool)
-    diagonal = np.einsum("gsii->gsi", gram if scale is None else scale)
-    size = np.sqrt(np.maximum(diagonal, 1e-300))
+    if size is None:
+        size = np.sqrt(np.maximum(np.einsum("gsii->gsi", gram), 1e-300))
     cosine = gram / size[..., :, None] / size[..., None, :]
     scaled = (right / size)[..., None]
     estimate = np.linalg.solve(cosine + 1e-10 * np.eye(gram.shape[-1]), scaled)
@@ -324,39 +328,6 @@ def _solve(
     rows = np.arange(gram.shape[1])
     smallest = np.linalg.eigvalsh(cosine[least, rows])[:, 0]
     return misfit[least, rows], (estimate[..., 0] / size)[least, rows], smallest > 1 - COLLINEAR
-
-
-def _tangents(joint: Joint, effects: tuple[Effect, ...], best: Hypothesis) -> Columns:
-    values = joint.slopes(effects, best.active)
-    ends = np.cumsum([0, *(len(e.parameters) for e in effects)])
-    # A second parameter that does nothing yet (a width at no depth) has no column of its own.
-    alive = np.linalg.norm(values, axis=0) > 0
-    kept = np.concatenate([[0], np.cumsum(alive)])
-    spans = tuple(slice(int(kept[a]), int(kept[b])) for a, b in pairwise(ends))
-    useful = [i for i, s in enumerate(spans) if s.stop > s.start]
-    return Columns(tuple(effects[i] for i in useful), tuple(spans[i] for i in useful), values[:, alive])
-
-
-def _shape_columns(joint: Joint) -> Columns:
-    """Shapes act on the reading alone and in proportion to their size, so their columns are read off."""
-    columns: list[Array] = []
-    spans = []
-    for shape in joint.shapes:
-        first = len(columns)
-        for k, step in enumerate(shape.steps):
-            values = shape.start.copy()
-            values[k] += step
-            column = joint.shape_column(shape, values) / step
-            if np.any(column):
-                columns.append(column)
-        spans.append(slice(first, len(columns)))
-    return Columns(joint.shapes, tuple(spans), np.stack(columns, axis=1) if columns else np.empty((joint.rows, 0)))
-
-
-def _joined(one: Columns, two: Columns) -> Columns:
-    shift = one.values.shape[1]
-    moved = tuple(slice(s.start + shift, s.stop + shift) for s in two.spans)
-    return Columns(one.effects + two.effects, one.spans + moved, np.hstack([one.values, two.values]))
 
 
 def _range(span: slice) -> Index:

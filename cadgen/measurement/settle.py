@@ -7,6 +7,7 @@ do not offer, and past which they go on for most of their steps.
 """
 
 from collections.abc import Callable
+from math import inf
 
 import numpy as np
 
@@ -17,12 +18,18 @@ from cadgen.errors import DesignError
 _MOST_STEPS = 12
 # Gain, in half the sum of squares, after which no further step is taken; relative where values fit badly.
 _CONTENT, _RELATIVE = 1e-3, 1e-6
+# After so many steps a fit is given up whose cost would not come down to a level by so many times the gain expected.
+_EARLY, _GENEROUS = 4, 20.0
 _SINGULAR = 1e-12  # relative; keeps columns that are alike, or nothing, from a division by nothing
 _DAMPED, _MORE, _LESS = 0.03, 30.0, 0.1  # damping after a first step too far, and its changes
 
 
 def settled(
-    half: Callable[[Array], float], normal: Callable[[Array], tuple[Array, Array]], start: Array, bounds: Array
+    half: Callable[[Array], float],
+    normal: Callable[[Array], tuple[Array, Array]],
+    start: Array,
+    bounds: Array,
+    level: float = inf,
 ) -> tuple[Array, Array, bool]:
     """Values of least squares, and the curvature of the sum of squares there.
 
@@ -31,6 +38,7 @@ def settled(
         normal: of values: H, shape (k, k), and g, shape (k,).
         start: values to begin from, within the bounds, shape (k,).
         bounds: least and greatest values, shape (2, k).
+        level: half the sum of squares above which the values are of no use, so that they need not settle.
 
     Returns:
         Values, shape (k,); H of the last step, shape (k, k); whether it settled.
@@ -40,9 +48,11 @@ def settled(
     """
     x, cost, damping = start, half(start), 0.0
     H, g = normal(start)
-    for _ in range(_MOST_STEPS):
+    for number in range(_MOST_STEPS):
         step, expected = _step(H, g, x, bounds, damping)
         content = expected < max(_CONTENT, _RELATIVE * cost)
+        if number >= _EARLY and not content and cost - _GENEROUS * expected > level:
+            break
         trial = np.clip(x + step, *bounds)
         try:
             after = half(trial)

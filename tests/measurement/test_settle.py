@@ -75,3 +75,28 @@ def test_it_says_when_it_did_not_settle():
     residual = lambda v: np.concatenate([1e3 * (v - 5), [1.0]])  # noqa: E731
     _, _, done = settled(*_squares(residual, lambda v: np.array([[3e4], [0.0]])), np.zeros(1), FREE[:, :1])
     assert not done
+
+
+def test_a_fit_that_stays_behind_a_level_is_given_up():
+    """Rosenbrock's crooked valley, 1000 higher: no gain that is expected brings it down to the level."""
+    asked = []
+
+    def residual(x):
+        return np.array([10 * (x[1] - x[0] ** 2), 1 - x[0], np.sqrt(2000.0)])
+
+    def half(x):
+        asked.append(x)
+        return float(residual(x) @ residual(x)) / 2
+
+    def normal(x):
+        J = np.array([[-20 * x[0], 10.0], [-1.0, 0.0], [0.0, 0.0]])
+        return J.T @ J, J.T @ residual(x)
+
+    start, bounds = np.array([-1.2, 1.0]), np.array([[-5.0, -5.0], [5.0, 5.0]])
+    free = settled(half, normal, start, bounds)
+    whole = len(asked)
+    given_up = settled(half, normal, start, bounds, level=100.0)
+    assert len(asked) - whole < whole
+    assert not given_up[2]
+    reached = settled(half, normal, start, bounds, level=1005.0)
+    assert np.array_equal(reached[0], free[0])

@@ -1,11 +1,13 @@
-"""The uncertainty of a size over all spectra of what repeats, against integration by a grid."""
+"""Sizes: their uncertainty over all spectra of what repeats, against a grid, and columns that are hidden."""
 
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from cadgen.measurement.columns import Columns
 from cadgen.measurement.hypothesis import Hypothesis, sized
+from cadgen.measurement.search import Numerous
 
 
 def test_a_size_has_the_uncertainty_of_every_spectrum_by_its_chance():
@@ -41,3 +43,18 @@ def test_a_size_has_the_uncertainty_of_every_spectrum_by_its_chance():
         left = residual[:, None] + response[:, None] * off  # slopes are those of measured less expected, turned round
         density += np.exp(-(np.sum(left * np.linalg.solve(c, left), axis=0) + np.linalg.slogdet(c)[1]) / 2)
     assert variance == pytest.approx(density @ off**2 / density.sum(), rel=1e-6)
+
+
+def test_a_column_that_the_discrepancy_hides_is_no_candidate():
+    """All but rounding of it is in the random part: nothing can be measured against such a size."""
+    effect = SimpleNamespace(parts=())
+    near, hidden = np.array([3.0, 4.0, 0.0]), np.array([1e5, 0.0, 0.0])
+    joint = SimpleNamespace(
+        whiten=lambda columns: columns,
+        halves=lambda white: np.array([[[0.6 * white[0, 0], (1 - 1e-16) * white[0, 1]]]]),
+    )
+    columns = Columns((effect, effect), (slice(0, 1), slice(1, 2)), np.stack([near, hidden], axis=1))
+    ((width, which, _, own, size),) = Numerous(joint, columns).groups
+    assert (width, which.tolist(), own.shape) == (1, [0, 1], (1, 2, 1, 1))
+    assert size[0, 0] == pytest.approx(np.sqrt(25 - 1.8**2))
+    assert np.isinf(size[0, 1])
