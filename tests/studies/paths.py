@@ -225,7 +225,9 @@ def _founded(check: CheckCode, truth: Truth) -> bool:
     if check is CheckCode.CUTTER_RADIUS:
         # Where the curvature has kinks, the rod's own section rounds the hollow corner.
         corner = truth.kind == "cubic" and truth.rod < CUTTER and truth.hollow_corner() > 4e-3
-        return hollow + truth.rod < CUTTER * 1.1 or corner
+        # And where lift is lost, what the rod's own section has cut is left of the flanks.
+        lost = truth.rod < CUTTER and truth.lost_lift() * 1e3 > LOST_LIMIT_UM
+        return hollow + truth.rod < CUTTER * 1.1 or corner or lost
     if check is CheckCode.CONVEX_RADIUS_PROFILE:
         return 0 < convex < truth.rod + 0.6
     if check in LOST_LIFT or check is CheckCode.CONVEX_RADIUS_THEORY:
