@@ -29,8 +29,8 @@ def settled(
     Args:
         half: of values, shape (k,): half the sum of squares of the residual, of unit variance.
         normal: of values: H, shape (k, k), and g, shape (k,).
-        start: values to begin from, within the bounds, shape (k,).
-        bounds: least and greatest values, shape (2, k).
+        start: parameters to begin from, within the bounds, shape (k,).
+        bounds: least and greatest parameters, shape (2, k).
 
     Returns:
         Values, shape (k,); H of the last step, shape (k, k); whether it settled.
