@@ -129,7 +129,7 @@ def without_unit(every: list[Function]) -> list[str]:
         for name, annotation in function.arguments.items()
         if QUANTITY.fullmatch(annotation)
         and not NAMED.search(name)
-        and not UNIT.search(function.listed.get(name, function.doc))
+        and not UNIT.search(function.listed.get(name, "") if function.listed else function.doc)
         and not ELSEWHERE.search(function.doc)
     ]
 

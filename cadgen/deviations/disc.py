@@ -91,8 +91,8 @@ def _reversal(disc: Disc, p: Array, at: object) -> Disc:
 def lost_motion(disc: Disc, p: Array, at: object) -> Disc:
     """The same as the machine does it: a turned axis stands until its command has gone back by all of the lost motion.
 
-    p holds the lost motions of the x and the y axis, mm. Beside the quadrants this is `_reversal`, which jumps there and
-    is what a record is compared with.
+    p holds the lost motions of the x and the y axis, mm. Beside the quadrants this is `_reversal`, which jumps there
+    and is what a record is compared with.
     """
     axes = [_dragged(values, width) for values, width in zip(disc.points.T, p, strict=True)]
     return replace(disc, points=np.stack(axes, axis=1))

@@ -46,18 +46,19 @@ def assert_made_and_proved(folder, parts, wheel_bytes):
 
 @pytest.mark.slow
 def test_the_paper_s_train_has_the_paper_s_figures(cadgen, tmp_path):
-    result = cadgen("gears", "--order", "reordered", code=0)
+    result = cadgen("gears", "--order", "reordered", "--formats", "csv", "--out", "out", code=0)
     print(result.stdout)
     assert max(map(len, result.stdout.splitlines())) <= 80
     for figure in ("0.724°", "0.962°", "-24.74 %", "b_r = 52 µm", "43 µm"):
         assert figure in result.stdout
-    assert contents(tmp_path) == set()
+    assert contents(tmp_path / "out") == {"carbon_free_car_reordered_parts.csv", "manifest.json"}
 
 
 # Two stages, 24/60 and 24/48, on the blanks of the paper's train with smaller holes: webs, rims, hubs, a keyway.
 WEBBED = ["train.stages.3=", *(f"train.stages.{number}.driver.teeth=24" for number in (1, 2))]
 WEBBED += ["train.stages.1.driven.teeth=60", "train.stages.1.centre_distance_mm=21"]
 WEBBED += ["train.stages.2.driven.teeth=48", "train.stages.2.centre_distance_mm=18"]
+WEBBED += ["train.drive.hub.diameter_mm=9"]
 WEBBED += [f"train.{place}.lightening.hole_diameter_mm=2" for place in ("intermediate", "output")]
 
 

@@ -40,8 +40,9 @@ def opened(browser, address):
 @pytest.fixture
 def shown(opened):
     """The page at the start of the run, with play; no test may make it say or ask for anything."""
-    opened.check("#with-play")
+    opened.set_checked("#with-play", True)
     slide(opened, 0.0)
+    opened.evaluate("() => document.activeElement.blur()")
     yield opened
     assert opened.said == []
 
