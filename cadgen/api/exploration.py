@@ -204,6 +204,9 @@ def write_script(
 def shard_of(shard: str | tuple[int, int] | None) -> tuple[int, int]:
     """Number of a part and number of parts.
 
+    Args:
+        shard: part `k/n`, or both numbers; 1 of 1 if left out.
+
     Raises:
         DesignError: it is not k/n with k from 1 to n.
     """

@@ -35,7 +35,12 @@ class Pool(Protocol):
     """Anything with a `map`: `concurrent.futures`, `multiprocessing`, mpi4py, dask."""
 
     def map(self, function: Callable[[int], Array], numbers: Iterable[int], /) -> Iterable[Array]:
-        """The function's results in order, computed anywhere."""
+        """The function's results in order, computed anywhere.
+
+        Args:
+            function: function of a number, which can be pickled.
+            numbers: numbers to compute it for.
+        """
 
 
 @dataclass(frozen=True, eq=False, repr=False)

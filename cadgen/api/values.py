@@ -23,7 +23,7 @@ def real(
     Args:
         name: name of the argument.
         value: value of the argument.
-        least, most: bounds of the range, which belong to it.
+        least, most: bounds of the range, in its unit, which belong to it.
         unit: unit of the number, for the message.
         above: whether the number must be greater than `least`, which then does not belong to the range.
 
@@ -41,7 +41,17 @@ def real(
 
 
 def feature(name: str, value: object, most: float, *, or_none: bool = False) -> float:
-    """Require the length of a feature that can be made, mm, or 0 for none where that is allowed, and return it."""
+    """Require the length of a feature that can be made, mm, or 0 for none where that is allowed, and return it.
+
+    Args:
+        name: name of the argument.
+        value: value of the argument, mm.
+        most: greatest length allowed, mm.
+        or_none: whether 0 is allowed.
+
+    Raises:
+        DesignError: the value is no such length.
+    """
     if or_none and isinstance(value, Real) and not isinstance(value, bool) and value == 0:
         return 0.0
     try:
@@ -87,7 +97,7 @@ def numbers(name: str, value: ArrayLike, unit: str) -> Array:
 
     Args:
         name: name of the argument.
-        value: value of the argument.
+        value: numbers in the unit, any shape.
         unit: unit of the numbers, for the message.
 
     Raises:

@@ -75,6 +75,12 @@ def span_jets(lift: LiftCurve, theta: Array, start: float, stop: float) -> tuple
 
 
 def turned(radial: Array, around: Array, ray: tuple[Array, Array]) -> Array:
-    """Components along and across rays, given by cosine and sine, as points of the cam frame, shape (n, 2)."""
+    """Turn components along and across rays into points of the cam frame, shape (n, 2), mm.
+
+    Args:
+        radial: components along the rays, shape (n,), mm.
+        around: components across them, shape (n,), mm.
+        ray: cosine and sine of the rays' angles, each of shape (n,).
+    """
     c, s = ray
     return np.stack([radial * c - around * s, radial * s + around * c], axis=1)

@@ -6,7 +6,7 @@ from cadgen.arrays import Array
 
 
 def cam_place(theta: float) -> str:
-    """A cam angle in words."""
+    """A cam angle theta, rad, in words."""
     return f"cam angle {np.degrees(theta):.2f}°"
 
 

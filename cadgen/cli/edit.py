@@ -20,8 +20,8 @@ def edit(design: str | None, overrides: tuple[str, ...], port: int, no_browser: 
 
     The page is that of cadgen report. It is served to this computer alone, at an address with a random token. The
     actual cam follows each move, the cam of cadgen check soon after; what cannot be computed is said, and the last good
-    part stays. Saving writes the design's file, where comments stay; a packaged design is a copy, which is saved under
-    a name of its own in the current folder.
+    part stays. Saving writes the design's file, where comments stay. Of a packaged design a copy is edited, which is
+    saved under a name of its own in the current folder.
 
     Ctrl-C ends it. It needs the extra cadgen[edit].
     """

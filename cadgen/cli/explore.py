@@ -21,10 +21,10 @@ _CLUSTERS = ("slurm", "kubernetes")
     default=lambda: min(2, os.cpu_count() or 1),
     help="Number of processes that run at once; the results do not depend on it.  [default: 2]",
 )
-@click.option("--scheduler", metavar="ADDRESS", help="A dask scheduler that computes the designs, or its file.")
+@click.option("--scheduler", metavar="ADDRESS", help="Have a dask scheduler compute: its address or its file.")
 @click.option("--shard", metavar="K/N", help="Compute the K-th of N parts only, for cadgen merge.")
 @click.option(
-    "--cluster", type=click.Choice(_CLUSTERS), help="Write a job script for --jobs shards, and compute nothing."
+    "--cluster", type=click.Choice(_CLUSTERS), help="Write a script that runs --jobs shards there; compute nothing."
 )
 @click.option("--jobs", type=click.IntRange(1, 10_000), default=None, help="Jobs of --cluster.  [default: 10]")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of tables.")
@@ -38,7 +38,7 @@ def explore(
     jobs: int | None,
     as_json: bool,
 ) -> None:
-    """Compute thousands of designs: which are the best, and what it depends on.
+    """Compute thousands of designs: which are the best, and what that depends on.
 
     STUDY is a TOML file with base design, keys that vary, limits and objectives (docs/how-to/explore.md), or a packaged
     study, paper_car. Every result is kept in a journal at once; the same command again goes on where it was. The exit

@@ -60,7 +60,7 @@ def plan(
     as_json: bool,
     out: Path | None,
 ) -> None:
-    """Plan the path of a course that the play of the gears turns least off.
+    """Plan the path of a course on which the play of the gears moves the car least.
 
     COURSE is a design with [course]: gates, posts, walls, zones and field, start and finish; it may have no path.
     The path keeps all of them and the limits of steering and cam, and is then run through every check of cadgen check.

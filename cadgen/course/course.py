@@ -27,7 +27,7 @@ class Shape:
 
     @classmethod
     def disc(cls, centre: Point, radius: float) -> "Shape":
-        """A disc."""
+        """A disc about a centre, with a radius in mm."""
         return cls((centre,), reach=radius)
 
 

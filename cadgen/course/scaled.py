@@ -49,7 +49,7 @@ class Draw:
         )
 
     def seen(self, stated: Course, factor: float) -> Course:
-        """The course at so many times the stated spacing, made as much smaller again: what moves is where it was."""
+        """The course at so many times (a factor) the stated spacing, made smaller by it: what moves is where it was."""
         moved = self.course(stated, factor * self.stated)
         whole = replace(self, kinds=frozenset(get_args(Scaled)))
         return whole.course(moved, self.stated / factor)

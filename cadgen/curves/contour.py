@@ -137,7 +137,7 @@ class Side:
 
 
 def circle(center: ArrayLike, radius: float) -> Contour:
-    """A circle, run counterclockwise as two half circles from its point of greatest x."""
+    """A circle of a radius in mm, run counterclockwise as two half circles from its point of greatest x."""
     x, y = np.asarray(center, dtype=float)
     return Contour(np.array([[x + radius, y], [x - radius, y]]), np.ones(2))
 

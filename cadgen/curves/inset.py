@@ -72,7 +72,7 @@ class Strip:
     inner: Piece
 
     def within(self, t: Array) -> Array:
-        """Parameters of `inner` for those of `outer`."""
+        """Parameters of `inner` for parameters t of `outer`."""
         share = (t - self.outer.start) / (self.outer.stop - self.outer.start)
         return np.asarray(self.inner.start + share * (self.inner.stop - self.inner.start))
 

@@ -46,7 +46,7 @@ class CornerArc:
     stop: float
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by the angle, and curvature."""
+        """Point (mm), velocity by the angle t (rad), and curvature."""
         out = np.stack([np.cos(t), np.sin(t)], axis=1)
         around = np.stack([-out[:, 1], out[:, 0]], axis=1)
         return Jet(self.center + self.radius * out, self.radius * around, np.full(len(t), 1 / self.radius))

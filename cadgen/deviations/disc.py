@@ -91,7 +91,8 @@ def _reversal(disc: Disc, p: Array, at: object) -> Disc:
 def lost_motion(disc: Disc, p: Array, at: object) -> Disc:
     """The same as the machine does it: a turned axis stands until its command has gone back by all of the lost motion.
 
-    Beside the quadrants this is `_reversal`, which jumps there and is what a record is compared with.
+    p holds the lost motions of the x and the y axis, mm. Beside the quadrants this is `_reversal`, which jumps there
+    and is what a record is compared with.
     """
     axes = [_dragged(values, width) for values, width in zip(disc.points.T, p, strict=True)]
     return replace(disc, points=np.stack(axes, axis=1))
@@ -257,7 +258,7 @@ def undulation(order: int) -> Effect:
 
 
 def local(disc: Disc, centre: float, depth: float, width: float) -> Disc:
-    """Move the outline by depth exp(-((phi - centre) / width)^2 / 2) along its normal."""
+    """Move the outline by depth exp(-((phi - centre) / width)^2 / 2) along its normal: a depth in mm, angles in rad."""
     off = (disc.angle - centre + np.pi) % (2 * np.pi) - np.pi
     return disc.moved(depth * np.exp(-((off / width) ** 2) / 2))
 
@@ -299,7 +300,7 @@ def worn_nose(number: int, width_deg: float) -> Effect:
 
 
 def nominal_disc(curve: ClosedCurve, step: float = OUTLINE_STEP) -> Disc:
-    """The outline as points with normals, joints twice."""
+    """The outline as points no further apart than `step` mm or so, with normals, joints twice."""
     outline = curve.outline(step)
     normals = []
     for number, piece in enumerate(curve.pieces):

@@ -238,7 +238,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
 
 
 def side_of(points: list[tuple[float, float]], side: float) -> Array:
-    """Points above the axis, or mirrored below it."""
+    """Points (mm) above the axis, or mirrored below it: side is a factor, 1 or -1."""
     return np.array(points) * [1.0, side]
 
 

@@ -61,7 +61,7 @@ class ScrewHole:
         return [piece for piece in pieces if isinstance(piece, shapely.Polygon) and not piece.is_empty]
 
     def section(self, angle: float) -> Iterator[Closed | Stroke]:
-        """Its edges in that section: those beyond the plane, or before it as a phantom."""
+        """Its edges in the section at `angle`, rad: those beyond the plane, or before it as a phantom."""
         half, height = self.hole.diameter / 2, self.hole.height
         up = cos(self.hole.angle - angle)
         if self._in_plane(angle):

@@ -40,7 +40,7 @@ class Target:
     rim: float = 1.0
 
     def start(self, values: Array) -> Pose:
-        """Pose of the drive wheel at the start, with some settings."""
+        """Pose of the drive wheel at the start, mm and rad, with settings of shape (6,)."""
         heading = self.heading + float(values[HEADING])
         place = complex(self.places[0]) + complex(values[X], values[Y]) + 1j * self.offset * np.exp(1j * heading)
         return Pose(x=place.real, y=place.imag, heading=heading)
@@ -55,7 +55,7 @@ class Target:
         return np.asarray(planned_point(place, heading, self.offset) - self.places)
 
     def derivatives(self, values: Array, errors: Complex, knobs: Knobs) -> Complex:
-        """Derivatives of the errors by the settings, shape (n + 1, 6); 0 for what cannot be set."""
+        """Derivatives of the errors (mm) by the settings, shape (n + 1, 6); 0 for what cannot be set."""
         bounds, by = knobs.bounds, np.zeros((len(errors), COUNT), dtype=complex)
         for number in range(COUNT):
             low, high = bounds[number]

@@ -35,7 +35,7 @@ class Knob:
         return self.high > self.low
 
     def near(self, value: float) -> tuple[float, ...]:
-        """Values that can be set, on either side of a value."""
+        """Values that can be set, on either side of a value, in the knob's unit: mm or rad."""
         if self.step == 0:
             return (value,)
         parts = (self.origin + value) / self.step
@@ -117,13 +117,13 @@ class Knobs:
         return np.array(ranges)
 
     def near(self, number: int, value: float) -> tuple[float, ...]:
-        """Values of one of them that can be set, on either side of a value."""
+        """Values of a knob that can be set, on either side of a value, mm or rad."""
         if number == TRAVEL:
             return tuple(TURN * radius * ratio for radius, ratio in self.wheels.near(value))
         return self._plain(number).near(value)
 
     def division(self, number: int, value: float) -> float:
-        """How far apart the values are, about one, that can be set; 0 where any can be, or where there is no choice."""
+        """Distance of settings about a value, mm or rad; 0 where any can be made, or where there is no choice."""
         low, high = self.bounds[number]
         if high <= low or (number == TRAVEL and self.wheels.free):
             return 0.0
@@ -169,7 +169,7 @@ class Setting:
 
 
 def setting_of(values: Array, wheels: Wheels) -> Setting:
-    """Setting of a vector, whose travel can be had."""
+    """Setting of a vector of shape (6,), mm and rad, with the wheel whose travel can be had."""
     travel = float(values[TRAVEL])
     radius, ratio = (travel / (TURN * wheels.ratios[0]), wheels.ratios[0])
     if not wheels.free:

@@ -51,11 +51,11 @@ class Minimax:
         self.cuts = np.vstack([self._bounds_of(places, np.full(len(places), d)) for d in directions])
 
     def predicted(self, values: Array) -> Complex:
-        """Weighted errors with some settings, shape (n,)."""
+        """Weighted errors with settings of shape (6,), mm, shape (n,)."""
         return np.asarray(self.weights * (self.errors + self.by @ (values - self.at)))
 
     def worst(self, values: Array) -> float:
-        """Greatest weighted error with some settings."""
+        """Greatest weighted error with settings of shape (6,), mm."""
         return float(np.abs(self.predicted(values)).max())
 
     def best(self, fixed: dict[int, float]) -> Array:

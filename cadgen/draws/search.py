@@ -40,7 +40,7 @@ def first_guess(knobs: Knobs, middle: float, travel: float, factor: float) -> Ar
         knobs: what can be set.
         middle: distance of the disc's middle from the fork axis, mm.
         travel: travel in a turn of the cam at the stated spacing, mm.
-        factor: spacing by the stated one.
+        factor: ratio of the spacing to the stated one.
     """
     values = np.zeros(COUNT)
     values[DISC], values[TRAVEL] = middle * (factor - 1), travel * factor
@@ -54,7 +54,7 @@ def best_setting(target: Target, knobs: Knobs, begin: Array, weights: Array | No
     Args:
         target: path and car.
         knobs: what can be set.
-        begin: settings to begin with, shape (6,).
+        begin: settings to begin with, shape (6,), mm and rad.
         weights: what the distance counts at each node, shape (n,); 1 if left out.
     """
     weights = np.ones(len(target.nodes)) if weights is None else weights

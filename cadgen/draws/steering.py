@@ -63,7 +63,12 @@ class Steering:
         return cls(rod, discs, heads, np.array(lifts))
 
     def tan_beta(self, disc: float, head: float) -> Array:
-        """Steering at the stations, shape (n,)."""
+        """Tangent of the steering angle at the stations, shape (n,).
+
+        Args:
+            disc: disc moved away from the fork axis, mm.
+            head: displacement of the rod by the micrometer head, mm.
+        """
         weights = np.outer(_weights(self.discs, disc), _weights(self.heads, head))
         return np.asarray(np.tensordot(weights, self.lifts, axes=2) / (self.rod.inner + disc))
 

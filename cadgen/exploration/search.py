@@ -52,8 +52,9 @@ class Search:
         """Take the results of a generation.
 
         Args:
-            objectives: objectives, less of which is better, shape (population, objectives); NaN where none was found.
-            violations: by how much each design violates its limits, shape (population,); 0 if it keeps them.
+            objectives: objectives, each in the unit of its figure, less of which is better, shape (population,
+                objectives); NaN where none was found.
+            violations: shares by which each design violates its limits, shape (population,); 0 if it keeps them.
         """
         from pymoo.core.evaluator import Evaluator
         from pymoo.problems.static import StaticProblem

@@ -134,7 +134,14 @@ def _kept(before: BoolArray, holds: BoolArray, limits: SearchLimits, cure: str) 
 
 
 def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float) -> Fit:
-    """Where pairs may stand, with both gears as cut in their blanks, and which clear the shafts beside them."""
+    """Where pairs may stand, with both gears as cut in their blanks, and which clear the shafts beside them.
+
+    Args:
+        pairs: pairs of gears.
+        limits: limits of the search.
+        blanks: bores, hubs and webs by place in the train.
+        clearance: least gap between parts, mm.
+    """
     stages, form = limits.stages, limits.pattern.form
     wheel, pinion = (pairs.module * (teeth / 2 + form.addendum_factor) for teeth in (pairs.driven, pairs.driver))
     shafts = [blanks.drive, *[blanks.intermediate] * (stages - 1), blanks.output]
@@ -207,7 +214,15 @@ def _places(pairs: Pairs, limits: SearchLimits, blanks: Blanks) -> BoolArray:
 
 
 def form_of(limits: SearchLimits, teeth: int, module: float, width: float, x_E: float = 0.0) -> GearForm:
-    """A searched gear, cut with the generating profile shift x_E."""
+    """A searched gear, cut with the generating profile shift x_E.
+
+    Args:
+        limits: limits of the search, with the pattern of its gears.
+        teeth: number of teeth.
+        module: normal module, mm.
+        width: face width, mm.
+        x_E: generating profile shift, in modules: a pure number.
+    """
     pattern = limits.pattern.form
     deviation = x_E * 2 * module * tan(pattern.normal_pressure_angle)
     return replace(

@@ -63,7 +63,7 @@ class ZoneSum:
         return replace(self, low=self.low * factor, high=self.high * factor)
 
     def cdf(self, value: ArrayLike) -> Array:
-        """Probability that the sum is at most `value`.
+        """Probability that the sum is at most `value`, in the unit of the summands.
 
         The sum lives on a range of length W, so the Fourier series of its density with period W is exact:
         F(mean + y) = 1/2 + y/W + Σ_k φ(2πk/W) sin(2πk y/W) / (πk), with the product φ of the contributions'
@@ -138,6 +138,6 @@ QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 
 
 def quantiles(spread: ZoneSum, scale: float) -> dict[str, dict[str, float]]:
-    """Quantiles of a sum, times a scale."""
+    """Quantiles of a sum, each times a scale factor, by their probability as text."""
     values = scale * spread.quantile(QUANTILES)
     return {"quantiles": dict(zip(map(str, QUANTILES), values.tolist(), strict=True))}

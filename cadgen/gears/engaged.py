@@ -20,7 +20,7 @@ class Engaged(Protocol):
     """Both wheels' outlines, the driver's axis at 0 and the driven wheel's on x; angles are the wheels', rad."""
 
     def middle(self, driver_angle: float) -> float:
-        """Angle of the driven wheel midway between the driver's flanks; of no use without flanks."""
+        """Angle of the driven wheel midway between the driver's flanks, rad, at an angle of the driver, rad."""
 
     def overlap(self, driver_angle: float, driven_angle: float) -> float:
         """Common area, mm²."""

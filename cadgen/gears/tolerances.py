@@ -135,12 +135,12 @@ def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", s
 
 
 def centre_distance_deviation(centre_distance: ArrayLike, grade: int) -> Array:
-    """f_a of the centre distance a ± f_a: half of IT6 (grades 3-4), 7 (5-6), 8 (7-8), 9 (9-10) or 11."""
+    """f_a (mm) of the centre distance a ± f_a: half of IT6 (grades 3-4), 7 (5-6), 8 (7-8), 9 (9-10) or 11."""
     return standard_tolerance(centre_distance, CENTRE_DISTANCE_GRADES[_checked(grade)], "centre distance", "f_a") / 2
 
 
 def cutting_feed_tolerance(diameter: ArrayLike, grade: int) -> Array:
-    """b_r: IT7 for grade 3, 1.26 IT7 for 4, IT8 for 5, 1.26 IT8 for 6, IT9 for 7, and so on."""
+    """b_r (mm): IT7 for grade 3, 1.26 IT7 for 4, IT8 for 5, 1.26 IT8 for 6, IT9 for 7, and so on."""
     step, coarser = divmod(_checked(grade) - GRADES[0], 2)
     return standard_tolerance(diameter, 7 + step, "reference diameter", "b_r") * (1.26 if coarser else 1.0)
 

@@ -88,7 +88,17 @@ def doubted(
     after: Array,
     chance: float = 1.0,
 ) -> Judgement:
-    """A judgement less what the data cannot bear, with what they cannot show said; `chance` is that of `unfit`."""
+    """A judgement less what the data cannot bear, with what they cannot show said.
+
+    Args:
+        judgement: judgement by the evidence alone.
+        record: record that it is about.
+        model: model of the record.
+        noise: noise of the record.
+        best: effects that were chosen.
+        after: residual with these, in the record's unit, shape (n, m).
+        chance: probability of such a misfit, as of `unfit`.
+    """
     form = np.mean(model.form**2, axis=0) @ TYPICAL.variance(model.order, model.floor)
     allowed = float(np.sqrt(noise.rms**2 + form))
     left = float(np.sqrt(np.mean(after**2)))

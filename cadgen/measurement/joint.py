@@ -93,7 +93,7 @@ class Part:
         Args:
             effects: which, under the names that they have here.
             active: effects with values, likewise.
-            residual: with these.
+            residual: residual with these, in the record's unit, shape (n,).
         """
         steps = np.concatenate([np.empty(0), *(e.steps for e, _ in active)])
         values = np.concatenate([np.empty(0), *(v for _, v in active)])
@@ -207,7 +207,7 @@ class Joint:
         return part.names[effect.key].name
 
     def shape_column(self, shape: Effect, step: Array) -> Array:
-        """Reading of a form without a name, which acts in one part alone, shape (n,)."""
+        """Reading of a form without a name, which acts in one part alone and has parameters `step`, shape (n,)."""
         out = np.zeros(self.rows)
         for part, span in zip(self.parts, self.spans, strict=True):
             if shape.key in part.names:

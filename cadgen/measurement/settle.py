@@ -36,9 +36,9 @@ def settled(
     Args:
         half: of values, shape (k,): half the sum of squares of the residual, of unit variance.
         normal: of values: H, shape (k, k), and g, shape (k,).
-        start: values to begin from, within the bounds, shape (k,).
-        bounds: least and greatest values, shape (2, k).
-        level: half the sum of squares above which the values are of no use, so that they need not settle.
+        start: parameters to begin from, within the bounds, shape (k,).
+        bounds: least and greatest parameters, shape (2, k).
+        level: half the sum of squares above which the parameters are of no use, so that they need not settle.
 
     Returns:
         Values, shape (k,); H of the last step, shape (k, k); whether it settled.

@@ -25,7 +25,7 @@ def _size(name: str, unit: str) -> Parameter:
 
 
 def harmonic(order: float, unit: str) -> Effect:
-    """p0 cos(n theta) + p1 sin(n theta)."""
+    """Harmonic of an order n: p0 cos(n theta) + p1 sin(n theta)."""
 
     def act(reading: Array, p: Array, at: Rows) -> Array:
         return np.asarray(reading + p[0] * np.cos(order * at.place) + p[1] * np.sin(order * at.place))
@@ -68,7 +68,7 @@ def sector(centre_deg: float, half_deg: float, unit: str) -> Effect:
 
 
 def step(run: int, when: float, unit: str) -> Effect:
-    """A jump of the zero within one run, at a place -1/2 to 1/2 of it."""
+    """A jump of the zero within one run, at a share `when` of it, counted from its middle: -1/2 to 1/2."""
 
     def act(reading: Array, p: Array, at: Rows) -> Array:
         return np.asarray(reading + p[0] * ((at.run == run) & (at.elapsed >= when)))

@@ -130,13 +130,13 @@ class MeasuredPair:
 
 
 def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> Section:
-    """Section of a wheel from its exact curves."""
+    """Section of a wheel from its exact curves, by chords no further off than `chord_tolerance`, mm."""
     outline = wheel.outline
     return Section(outline.polygon(chord_tolerance).reshape(outline.repeats, -1))
 
 
 def measured_pair(stage: Stage, centre_distance: float | None = None) -> MeasuredPair:
-    """A stage by its exact curves, as cut, at its own centre distance or at another one."""
+    """A stage by its exact curves, as cut, at its own centre distance or at another one, mm."""
     apart = stage.centre_distance if centre_distance is None else centre_distance
     driver, driven = stage.wheels
     return MeasuredPair(section_of(driver), section_of(driven), apart)

@@ -60,7 +60,7 @@ class OtherEdge:
         """Cam angles at which cars ride on this edge, and the angle by which it turns the rod.
 
         Args:
-            deviations: deviations in `PARTS`, shape (m, 3).
+            deviations: deviations in `PARTS`, mm, shape (m, 3).
             columns: indices of cam angles, shape (j,).
 
         Returns:

@@ -245,7 +245,7 @@ class MechanicsBand:
     behind: float = 0.0
 
     def at(self, friction: float, drag: float) -> Mechanics:
-        """One car of the band."""
+        """One car of the band, with a friction coefficient and a drag in N mm."""
         return Mechanics(
             follower=self.follower,
             rod_force=self.rod_force,

@@ -49,7 +49,7 @@ class Line:
     end: complex
 
     def point(self, t: ArrayLike) -> Points:
-        """Points at t."""
+        """Points (mm) at parameters t."""
         return np.asarray(self.start + (self.end - self.start) * np.asarray(t), dtype=np.complex128)
 
     def tangent(self, t: ArrayLike) -> Points:
@@ -80,7 +80,7 @@ class Arc:
         return _share(self.start, self.start + self.sweep, t)
 
     def point(self, t: ArrayLike) -> Points:
-        """Points at t."""
+        """Points (mm) at parameters t."""
         return self.centre + self.radius * _unit(self._angle(t))
 
     def tangent(self, t: ArrayLike) -> Points:
@@ -112,7 +112,7 @@ class Involute:
     roll_end: float
 
     def point(self, t: ArrayLike) -> Points:
-        """Points at t."""
+        """Points (mm) at parameters t."""
         roll = self.hand * _share(self.roll_start, self.roll_end, t)
         return self.base_radius * _unit(self.origin + roll) * (1 - 1j * roll)
 
@@ -164,7 +164,7 @@ class Trochoid:
         return _unit(self.origin + self.hand * rolled)
 
     def point(self, t: ArrayLike) -> Points:
-        """Points at t."""
+        """Points (mm) at parameters t."""
         q = self._q(t)
         along = self.centre_depth * np.sinh(q) + self.tip_radius * np.tanh(q)
         outward = self.reference_radius - self.centre_depth - self.tip_radius / np.cosh(q)

@@ -23,9 +23,9 @@ def quintic_hermite(x: Array, jets: Array, *, periodic: bool = False) -> PPoly:
     """Return the piecewise quintic with the values, slopes and second derivatives of the jets at the nodes.
 
     Args:
-        x: nodes, not decreasing, shape (n,). A node that stands twice marks a kink: the piece before it ends on the
-            first jet, the piece after it starts on the second.
-        jets: value, first and second derivative at each node, shape (n, 3) or (n, 3, m).
+        x: parameters of the nodes, not decreasing, shape (n,). A node that stands twice marks a kink: the piece before
+            it ends on the first jet, the piece after it starts on the second.
+        jets: value, first and second derivative by the parameter at each node, shape (n, 3) or (n, 3, m).
         periodic: whether the result is evaluated modulo its length.
 
     Returns:

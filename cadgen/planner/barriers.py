@@ -161,7 +161,7 @@ class Clearances:
         return parts_of(self.vehicle)
 
     def rows(self, points: Array) -> list[Rows]:
-        """Constraints of the barriers on a path by its control points, shape (n, 2)."""
+        """Constraints of the barriers on a path by its control points, shape (n, 2), mm."""
         if not self.barriers:
             return []
         motion = Motion(self.basis.even(_EACH), points, self.vehicle.path_offset)
@@ -279,7 +279,7 @@ def _from_line(points: Array, line: Array) -> tuple[Array, Array]:
 
 
 def polygon_holds(points: Array, corners: Array) -> NDArray[np.bool_]:
-    """Whether points are inside a polygon, by the crossings of a ray."""
+    """Whether points, shape (m, 2), mm, are inside a polygon of corners in mm, by the crossings of a ray."""
     x, y = points[..., 0], points[..., 1]
     inside = np.zeros(len(points), dtype=bool)
     for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):

@@ -31,7 +31,7 @@ class Places:
     count: int
 
     def jets(self, points: Array) -> Array:
-        """Position and four derivatives by u of a path by its control points, shape (5, m, 2)."""
+        """Position and four derivatives by u of a path by its control points in mm, shape (5, m, 2)."""
         return np.asarray(np.einsum("oml,mlc->omc", self.values, points[self.columns]))
 
     def __getitem__(self, which: NDArray[np.intp] | NDArray[np.bool_]) -> "Places":

@@ -112,7 +112,7 @@ class Passing:
     margin: float = 0.0
 
     def rows(self, points: Array) -> list[Rows]:
-        """Constraints of the gates on a path by its control points, shape (n, 2)."""
+        """Constraints of the gates on a path by its control points, shape (n, 2), mm."""
         fine = Motion(self.basis.even(_EACH), points, self.vehicle.path_offset)
         u = passing_places(fine, self.gates, self.vehicle)
         passed = [(gate, at, False) for gate, at in zip(self.gates, u.tolist(), strict=True)]

@@ -79,7 +79,7 @@ class Motion:
         """Derivative of such a point along directions, by the control points of each place, shape (m, 12).
 
         Args:
-            direction: vectors, shape (m, 2).
+            direction: unit vectors, shape (m, 2).
             x: distance of the point ahead of the planned point, mm.
             y: distance to its left, mm.
         """

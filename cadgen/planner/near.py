@@ -43,7 +43,7 @@ class Near:
         return np.stack([-along[:, 1], along[:, 0]], axis=1)
 
     def rows(self, points: Array) -> list[Rows]:
-        """Constraints of nearness on a path by its control points, shape (n, 2)."""
+        """Constraints of nearness on a path by its control points, shape (n, 2), mm."""
         motion = Motion(self.basis.even(_EACH), points, self.offset)
         _, number = self._tree.query(motion.track)
         normal = self._normals[number]

@@ -76,7 +76,7 @@ class Search:
     loose: str = ""
 
     def path(self, points: Array) -> Path:
-        """A path by its control points, shape (n, 2)."""
+        """A path by its control points, shape (n, 2), mm."""
         vehicle, limits = self.task.vehicle, self.task.limits
         motion = Motion(self.basis.even(EACH), points, vehicle.path_offset)
         line = Line(motion, vehicle)

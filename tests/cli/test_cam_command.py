@@ -107,12 +107,13 @@ def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
 @pytest.mark.slow
 def test_a_cutter_too_large_leaves_out_only_the_program(cadgen, tmp_path):
     too_large = ("--set", "machining.cutter_diameter_mm=20")
-    result = cadgen("cam", "--profile", "actual", *too_large, "--out", "out", "--force", code=0)
+    formats = ("--formats", "nc,dxf,csv")
+    result = cadgen("cam", "--profile", "actual", *too_large, *formats, "--out", "out", "--force", code=0)
     assert "G-code left out: machining.cutter_diameter_mm is 20" in result.stdout
-    part = parts(tmp_path / "out")["carbon_free_car_actual"]
+    (part,) = parts(tmp_path / "out").values()
     assert "choose a smaller cutter" in part["omitted"]["G-code"]
-    assert "carbon_free_car_actual.nc" not in contents(tmp_path / "out")
-    assert len(part["files"]) == 7
+    assert set(part["files"]) == {f"carbon_free_car_actual{end}" for end in ("_arcs.dxf", "_spline.dxf", ".csv")}
+    assert contents(tmp_path / "out") == {*part["files"], "manifest.json"}
 
 
 @pytest.mark.slow
@@ -133,12 +134,16 @@ def test_the_published_profile(cadgen, tmp_path):
 
 @pytest.mark.slow
 def test_parts_share_a_manifest_and_edited_files_drop_out(made, cadgen, tmp_path):
+    """The run that comes after them writes its table alone, anew at its second time."""
     _, both, _ = made
     out = shutil.copytree(both, tmp_path / "out")
     assert set(parts(out)) == {"carbon_free_car_theoretical", "carbon_free_car_actual"}
     (out / "carbon_free_car_theoretical.nc").write_text("edited by hand")
-    cadgen("cam", "--profile", "actual", "--out", "out", code=0)
-    assert set(parts(out)) == {"carbon_free_car_actual"}
+    table = ("cam", "--profile", "actual", "--formats", "csv", "--out", "out", "--force")
+    cadgen(*table, code=0)
+    assert set(parts(out)) == {"carbon_free_car_actual", "carbon_free_car_actual_csv"}
+    cadgen(*table, code=0)
+    assert set(parts(out)) == {"carbon_free_car_actual", "carbon_free_car_actual_csv"}
 
 
 @pytest.mark.slow

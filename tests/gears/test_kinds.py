@@ -123,6 +123,7 @@ def gears(forks, discs, tmp_path):
     return run
 
 
+@pytest.mark.slow
 def test_the_command_takes_it_from_the_design_to_its_files(gears, tmp_path):
     result = gears()
     assert result.returncode == 0, result.stdout + result.stderr

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from itertools import permutations, product
 from math import degrees, inf, prod, radians
 
@@ -67,30 +68,40 @@ def brute_force(limits: SearchLimits) -> list[tuple[float, tuple[GearPair, ...]]
                 )
                 if keeps_the_limits_in_mesh(made, limits):
                     candidates.append(made)
-    plays = {stage: stage_play(stage).B_max for stage in candidates}
+    teeth = [(stage.driver.form.teeth, stage.driven.form.teeth) for stage in candidates]
     found = []
-    for stages in product(candidates, repeat=limits.stages):
-        wheels = prod(stage.driven.form.teeth for stage in stages) * limits.ratio.denominator
-        pinions = prod(stage.driver.form.teeth for stage in stages) * limits.ratio.numerator
+    for chain in product(range(len(candidates)), repeat=limits.stages):
+        wheels = prod([teeth[number][1] for number in chain]) * limits.ratio.denominator
+        pinions = prod([teeth[number][0] for number in chain]) * limits.ratio.numerator
         if wheels == pinions or abs(wheels / pinions - 1) <= limits.ratio_tolerance:
+            stages = tuple(candidates[number] for number in chain)
             lag = 0.0
             for stage in stages:
-                lag = lag / float(stage.ratio) + plays[stage]
+                lag = lag / float(stage.ratio) + play_of(stage).B_max
             found.append((lag, stages))
     return sorted(found, key=lambda entry: entry[0])
 
 
+play_of = cache(stage_play)  # many of the limits below allow the same pairs
+
+
+@cache
+def mesh_figures(made: GearPair) -> tuple[float, float]:
+    """Contact ratio and greatest missing profile shift of a pair as cut."""
+    play = play_of(made)
+    cut = with_deviations(made, *((role.E_sns + role.E_sni) / 2 for role in (play.driver, play.driven)))
+    return contact_ratio(cut), max(missing_shift(gear.form) for gear in (cut.driver, cut.driven))
+
+
 def keeps_the_limits_in_mesh(made: GearPair, limits: SearchLimits) -> bool:
     """By the tooth curves of the one pair, as cut."""
-    play = stage_play(made)
+    play = play_of(made)
     if made.normal_backlash(made.centre_distance - play.f_a, play.driver.E_sns + play.driven.E_sns) <= 0:
         return False
     if (limits.contact_ratio, limits.undercut) == (0.0, inf):
         return True
-    cut = with_deviations(made, *((role.E_sns + role.E_sni) / 2 for role in (play.driver, play.driven)))
-    return contact_ratio(cut) >= limits.contact_ratio and all(
-        missing_shift(gear.form) <= limits.undercut for gear in (cut.driver, cut.driven)
-    )
+    overlap, undercut = mesh_figures(made)
+    return overlap >= limits.contact_ratio and undercut <= limits.undercut
 
 
 def within(**changes) -> SearchLimits:

@@ -106,6 +106,7 @@ def test_one_record_keeps_its_catalogue(models):
     assert merged.names == ({e.key: e for e in (*model.catalogue, *model.shapes, *model.datum)},)
 
 
+@pytest.mark.slow
 def test_effects_of_disc_and_train_move_the_track_as_the_generator_has_it(synthetic_car, nominal):
     """A bore off by 40 um, and a gear that runs out by 0.3 degrees three times a turn, by the studies' own stepping."""
     world = World(synthetic_car.built, synthetic_car, np.zeros(1))

@@ -34,6 +34,7 @@ def off(evaluation, reference):
     return 1 - evaluation.error.end_distance / reference.error.end_distance
 
 
+@pytest.mark.slow
 def test_every_profile_meets_every_train(evaluations):
     profiles = ("actual", "smoothed", "compensated", "smoothed+compensated")
     assert set(evaluations) == {(profile, train) for profile in profiles for train in TRAINS}

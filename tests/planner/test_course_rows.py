@@ -92,6 +92,7 @@ def test_clearances_are_those_of_shapely(seed, paper_points, vehicle):
     assert compared > 30
 
 
+@pytest.mark.slow
 def test_derivatives_of_clearances_and_gates(paper_points, vehicle):
     random = np.random.default_rng(8)
     basis = Basis(len(paper_points))

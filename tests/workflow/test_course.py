@@ -33,6 +33,7 @@ def of(checks, code):
     return found
 
 
+@pytest.mark.slow
 def test_the_papers_car_passes_its_gates_as_planned_and_misses_some_with_play(plan):
     """Eleven within 1.6 mm before the blend, the last within 5 by it; with play the figures are shown, not judged."""
     planned = plan.course.planned
@@ -122,6 +123,7 @@ def test_without_a_radius_the_wheel_is_that_of_the_whole_turn(plan):
     assert wheel.blend.off < 10
 
 
+@pytest.mark.slow
 def test_a_mirrored_car_has_the_same_cam_on_its_other_side():
     """Path, wheels and cam mirrored: the lift is the same, and the run with play the mirror image."""
     plain = load_design(None, ["course="])

@@ -85,13 +85,13 @@ class LeaningRod(RodGeometry, Follower):
         return tuple(np.where(under, _clearing(u, h, face), -np.inf) for face in self.planes)
 
     def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
-        """Bound over all points within `off`, from a point at x + off and |y| - off."""
+        """Bound over all points within `off` (mm), from a point at x + off and |y| - off (mm)."""
         near, h = _under(np.maximum(np.abs(y) - off, 0.0), self.radius)
         u = x - self.base_radius + off
         return tuple(np.where(near, _clearing(u, h, face), -np.inf) for face in self.planes)
 
     def pressure_angle(self, tan_beta: Array, across: Array) -> Array:
-        """The axis moves horizontally and the force is square to it, so its sine is y / r."""
+        """Pressure angle, rad: the axis moves horizontally and the force is square to it, so its sine is y / r."""
         return np.asarray(np.arcsin(np.clip(across / self.radius, -1.0, 1.0)))
 
     def distance(self, tan_beta: Array, face: Array) -> Array:

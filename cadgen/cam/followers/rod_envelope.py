@@ -56,7 +56,7 @@ class EnvelopePiece(Swept):
         return eta
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by cam angle, and curvature; on a swallowtail the velocity points backwards."""
+        """Point (mm), velocity by cam angle t (rad), and curvature; on a swallowtail the velocity points backwards."""
         d, d1, d2, A, A1, A2 = section = self._section(t)
         r = self.follower.radius
         eta = self._touch(section)
@@ -98,7 +98,7 @@ class RodArc(Section):
     follower: RodGeometry
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by t, and curvature (negative: the disc is hollow here)."""
+        """Point (mm), velocity by the parameter t, and curvature (negative: the disc is hollow here)."""
         A, r = self.half_width, self.follower.radius
         c, s = np.cos(t), np.sin(t)
         ray = np.cos(self.theta), np.sin(self.theta)

@@ -48,6 +48,13 @@ class RodGeometry:
 
 
 def rod_half_width(radius: float, T: Array, T1: Array, T2: Array) -> tuple[Array, Array, Array]:
-    """The section's semi-axis r / cos(beta) = r sqrt(1 + T^2) with two derivatives."""
+    """The section's semi-axis r / cos(beta) = r sqrt(1 + T^2), mm, with two derivatives.
+
+    Args:
+        radius: radius r of the rod, mm.
+        T: tan(beta), shape (n,).
+        T1: its first derivative by the cam angle, 1/rad.
+        T2: its second derivative, 1/rad².
+    """
     root = np.sqrt(1.0 + T**2)
     return radius * root, radius * T * T1 / root, radius * (T1**2 / root**3 + T * T2 / root)

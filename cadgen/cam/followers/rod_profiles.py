@@ -29,7 +29,7 @@ class PolarPiece:
     stop: float
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by polar angle, and curvature."""
+        """Point (mm), velocity by the polar angle t (rad), and curvature."""
         T, T1, T2 = span_jets(self.lift, t, self.start, self.stop)
         A, A1, A2 = rod_half_width(self.rod_radius, T, T1, T2)
         R = self.base_radius + self.face * T - A

@@ -27,6 +27,6 @@ class Figure:
     cheap: bool = False
 
     def aim(self, value: float) -> float:
-        """The figure, rounded to its resolution, with the sign by which less is better."""
+        """A value in the figure's own unit, rounded to its resolution, with the sign by which less is better."""
         seen = round(value / self.resolution) * self.resolution if self.resolution else value
         return -seen if self.more else seen

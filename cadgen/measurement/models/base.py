@@ -193,7 +193,7 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Arr
 
 
 def moved(effect: Effect, values: Array, number: int, by: float) -> Array:
-    """Values of which one is moved, as far as its bounds let it."""
+    """Values of an effect of which one is moved by `by`, in its unit (rad, mm), as far as its bounds let it."""
     there, (lower, upper) = values.copy(), effect.bounds
     there[number] = np.clip(there[number] + by, lower[number], upper[number])
     return there

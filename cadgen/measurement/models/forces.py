@@ -31,7 +31,7 @@ class Forces:
         """Where the cam leads with a sliding friction; remembered, since most differences leave friction alone.
 
         Args:
-            friction: between rod and disc.
+            friction: friction coefficient between rod and disc.
             back: of a cam that is turned back, by the angle that it has turned back.
             lift: that the disc gives, where that is not the one it was cut for.
         """

@@ -98,7 +98,7 @@ class TrackModel:
         return complex(self.at(active, np.array([self._lift.blend_start]))[0])
 
     def at(self, active: Active, motor: Array) -> NDArray[np.complex128]:
-        """The same at any motor positions."""
+        """The same at any motor positions, rad."""
         run = through(RUNNING, self._nominal, active, self._grid)
         lift = self.rolled.lift(active, self.rows)
         nodes, following = self._grid, None

@@ -48,7 +48,7 @@ class Maker:
     tries: int = TRIES
 
     def drawn(self, spacing: float) -> Drawn:
-        """The setting with the least error that keeps the course; if none does, the setting nearest to keeping it."""
+        """Setting for a spacing (mm) with the least error that keeps the course; else the one nearest to keeping it."""
         design, track = self._design, self.cam.track
         target = draw_model.target(design, track, self.draw, spacing, self._nodes, self._steering)
         knobs = draw_model.knobs(design, track, self._start(spacing))
