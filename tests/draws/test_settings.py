@@ -110,7 +110,8 @@ def test_least_greatest_error_is_that_of_the_linear_programme(seed):
             bounds=[*box, (0, None)],
         ).fun
         chosen = problem.best(fixed)
-        assert (box[:, 0] - 1e-12 <= chosen).all() and (chosen <= box[:, 1] + 1e-12).all()
+        assert (box[:, 0] - 1e-12 <= chosen).all()
+        assert (chosen <= box[:, 1] + 1e-12).all()
         assert least * (1 - 1e-9) <= problem.worst(chosen) <= least * 1.002
 
 
