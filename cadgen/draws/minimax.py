@@ -75,7 +75,7 @@ def _exchanged(base: Complex, slopes: Complex, low: Array, high: Array) -> Array
     worst = int(np.argmax(size))
     reached = size[worst]
     if len(best) == 0 or reached == 0:
-        return best
+        return np.asarray(best)
     # Rows (slopes of the settings, -1 for z) of the bounds row @ (settings, z) <= right; the last is that of an error.
     towards = errors[worst].conjugate() / reached
     slope = (towards * slopes[worst]).real
@@ -111,4 +111,4 @@ def _exchanged(base: Complex, slopes: Complex, low: Array, high: Array) -> Array
             break
         out = int(np.argmin(np.where(leaves, shares / np.where(leaves, parts, 1.0), np.inf)))
         rows[out], right[out] = row, limit
-    return best
+    return np.asarray(best)
