@@ -24,7 +24,7 @@ from cadgen.workflow.cam.cures import Cures as Cures
 from cadgen.workflow.cam.cures import find_cures
 from cadgen.workflow.cam.manifest import cam_facts
 from cadgen.workflow.cam.plan import CamPlan
-from cadgen.workflow.cam.wheel import field_notice
+from cadgen.workflow.cam.wheel import field_notice, sense_notice
 
 if TYPE_CHECKING:
     from cadgen.report.style import Figure
@@ -249,10 +249,11 @@ class Cam:
     def notes(self) -> tuple[str, ...]:
         """Sentences on what was assumed of the car, and what was measured."""
         design, comparison, laps = self.computed.design, self.computed.comparison, self.computed.laps
+        said = (*field_notice(design), *sense_notice(design))
         if comparison is None:
-            return (*field_notice(design), *as_built_sentences(design, self.computed.lift.blend_start))
+            return (*said, *as_built_sentences(design, self.computed.lift.blend_start))
         return (
-            *field_notice(design),
+            *said,
             *assumed_play(design),
             *as_built_sentences(design, comparison.task.lift.blend_start),
             *(laps.sentences(comparison.run, comparison.before, comparison.chosen) if laps else ()),

@@ -12,7 +12,7 @@ from cadgen.api.values import name_or_path, optional, plain_text, whole, word
 from cadgen.design import load
 from cadgen.design.schema import Design as DesignValues
 from cadgen.design.schema import TrainDesign
-from cadgen.errors import DesignError, brief
+from cadgen.errors import brief
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -94,6 +94,7 @@ class Design:
         layer: str | None = None,
         gate_radius_mm: float = 50.0,
         field_mm: tuple[float, float] | None = None,
+        closed: bool = False,
         changes: Mapping[str, Any] | Iterable[str] = (),
     ) -> "Design":
         """Begin a design: write a commented file with the paper's mechanism and a path, and load it.
@@ -102,18 +103,16 @@ class Design:
             name, folder: name of the design and, with .toml, of its file; folder for that.
             points, layer: file of the path's points, CSV, TXT or DXF; layer of the polyline in a DXF with several.
             gate_radius_mm, field_mm: radius of the gates at the points; width and height of the field.
+            closed: whether the path is a lap.
             changes: changes as for `with_`, written into the file.
 
         Raises:
             DesignError, FileError: values that are not allowed; points that cannot be read, a file that is there.
         """
-        from cadgen.design.begin import begin, write_new
-        from cadgen.records.points import read_points
+        from cadgen.design.begin import begin, points_of, write_new
 
-        path = None if points is None else read_points(Path(points), layer)
-        if path is None and layer is not None:
-            raise DesignError("a layer is named, but no DXF with points: give the DXF too, or leave the layer out")
-        text, file = begin(name, path, overrides_of(changes), gate_radius_mm, field_mm), Path(folder) / f"{name}.toml"
+        path, changed = points_of(points, layer, closed=closed), overrides_of(changes)
+        text, file = begin(name, path, changed, gate_radius_mm, field_mm, closed), Path(folder) / f"{name}.toml"
         write_new(text, file)
         return cls._checked(text, file, (), False)
 

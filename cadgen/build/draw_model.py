@@ -172,7 +172,7 @@ def places(design: Design, track: Track, spacings: Draw, motor: Array, spacing: 
         design: loaded design.
         track: track of the drive wheel as stated.
         spacings: what is drawn.
-        motor: motor positions, shape (n,), rad.
+        motor: motor positions, shape (n,), rad; on a closed path those of later turns are as on the first.
         spacing: spacing drawn, mm.
 
     Returns:
@@ -180,6 +180,7 @@ def places(design: Design, track: Track, spacings: Draw, motor: Array, spacing: 
     """
     if design.as_built is None:
         arc = motor / TURN * track.turn
+        arc = np.mod(arc, track.length) if track.closed else arc
     else:
         arc = np.interp(motor, cam_model.cam_angle(design, track, track.arc), track.arc)
     planned = track.planned(arc)
@@ -187,7 +188,9 @@ def places(design: Design, track: Track, spacings: Draw, motor: Array, spacing: 
     return np.asarray(x + 1j * y)
 
 
-def target(design: Design, track: Track, spacings: Draw, spacing: float, nodes: Array, steering: Steering) -> Target:
+def target(
+    design: Design, track: Track, spacings: Draw, spacing: float, nodes: Array, motor: Array, steering: Steering
+) -> Target:
     """The path of a spacing with the car that is to drive it.
 
     Args:
@@ -195,12 +198,14 @@ def target(design: Design, track: Track, spacings: Draw, spacing: float, nodes: 
         track: track of the drive wheel as stated.
         spacings: what is drawn.
         spacing: spacing drawn, mm.
-        nodes: motor positions between which the car is driven, shape (n + 1,), rad.
+        nodes: cam angles between which the car is driven, shape (n + 1,), rad.
+        motor: motor positions at which it is held against the path, shape (m,), rad.
         steering: steering that the disc gives.
     """
     return Target(
         nodes=nodes,
-        places=places(design, track, spacings, nodes, spacing),
+        motor=motor,
+        places=places(design, track, spacings, motor, spacing),
         heading=start_of(spacings, track, spacing / spacings.stated)[2],
         offset=design.path.offset_mm,
         car=cam_model.car(design),

@@ -269,3 +269,20 @@ def _hub(keys: GearHub) -> Hub:
     diameter, length = keys.set_screw_mm, keys.length_mm
     screw = SetScrew(diameter=diameter, height=length / 2) if diameter else None
     return Hub(diameter=keys.diameter_mm, length=length, set_screw=screw)
+
+
+def sense_note(design: TrainDesign, stages: int) -> tuple[str, ...]:
+    """Sentence on a train that turns the cam the other way round; none if it does not, or has no cam to turn.
+
+    The cam turns against the drive wheel of a car that drives forwards, and each stage turns the sense round.
+
+    Args:
+        design: loaded design.
+        stages: number of stages, all of them of external gears.
+    """
+    if design.cam is None or stages % 2:
+        return ()
+    return (
+        f"with {stages} stages the camshaft turns the same way as the drive wheel, but the cam is made to turn against "
+        "it: put the disc on its shaft turned over, a hub with it, or add a stage",
+    )

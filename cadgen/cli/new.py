@@ -31,6 +31,12 @@ from cadgen.cli.options import Number, out_option, overrides_option
     default=None,
     help="Size of the field, from [0, 0].",
 )
+@click.option(
+    "--closed",
+    is_flag=True,
+    help="The path is a lap that is driven again and again, such as a figure 8: from its last point it goes on to the "
+    "first. The polyline of a DXF is closed, too.",
+)
 @overrides_option
 @out_option(default=Path(), show_default=False, help="Folder for the file.  [default: this one]")
 def new(
@@ -39,6 +45,7 @@ def new(
     layer: str | None,
     gate_radius_mm: float,
     field_mm: tuple[float, float] | None,
+    closed: bool,
     overrides: tuple[str, ...],
     out: Path,
 ) -> None:
@@ -50,6 +57,13 @@ def new(
     from cadgen.cli.verdict import verdict
 
     design = Design.new(
-        name, out, points=points, layer=layer, gate_radius_mm=gate_radius_mm, field_mm=field_mm, changes=overrides
+        name,
+        out,
+        points=points,
+        layer=layer,
+        gate_radius_mm=gate_radius_mm,
+        field_mm=field_mm,
+        closed=closed,
+        changes=overrides,
     )
     verdict(True, f"{design.file} begins the design", f"cadgen check {design.file}")

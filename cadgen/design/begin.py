@@ -1,6 +1,7 @@
 """From points of a path and changes of keys to a commented design file."""
 
 from collections.abc import Sequence
+from os import PathLike
 from pathlib import Path
 
 import tomlkit
@@ -9,9 +10,9 @@ from cadgen.design.course import MOST_OF_A_KIND
 from cadgen.design.load import design_of
 from cadgen.design.names import name_fault
 from cadgen.design.override import override
-from cadgen.design.template import EXAMPLE, GATE_RADIUS, text_of
+from cadgen.design.template import EXAMPLE, GATE_RADIUS, LAP, text_of
 from cadgen.errors import DesignError, FileError, brief
-from cadgen.records.points import Points
+from cadgen.records.points import Points, read_points
 
 _CAR = ("car.drive_wheel_offset_mm=", "car.idle_wheel_offset_mm=")
 _EXAMPLE_FIELD = (7000.0, 3000.0)
@@ -23,6 +24,7 @@ def begin(
     changes: Sequence[str] = (),
     gate_radius: float = GATE_RADIUS,
     field: tuple[float, float] | None = None,
+    closed: bool = False,
 ) -> str:
     """Text of a new design, which loads.
 
@@ -32,6 +34,7 @@ def begin(
         changes: `key=value` each, as with `--set`.
         gate_radius: radius of the gates at the points, mm.
         field: width and height of the field, mm.
+        closed: whether the path is a lap that ends as it starts.
 
     Raises:
         DesignError: a name that files cannot have, or values that cannot be.
@@ -39,7 +42,10 @@ def begin(
     if fault := name_fault(name):
         raise DesignError(f'the name is "{brief(name[:80])}"; it must {fault}')
     if points is None:
-        points, field = Points(EXAMPLE, (1.0,) * len(EXAMPLE)), field or _EXAMPLE_FIELD
+        example = LAP if closed else EXAMPLE
+        points, field = Points(example, (1.0,) * len(example)), field or _EXAMPLE_FIELD
+    elif closed and points.places[0] == points.places[-1]:  # once is enough, and one gate
+        points = Points(points.places[:-1], points.weights[:-1])
     count = sum(weight > 0 for weight in points.weights)
     if count > MOST_OF_A_KIND:
         raise DesignError(
@@ -47,7 +53,7 @@ def begin(
             "weight of 0 to those that only lead the path"
         )
     # The middle of the car is to drive the path, unless the changes say where it runs.
-    document = tomlkit.parse(text_of(name, points.places, points.weights, 0.0, gate_radius, field))
+    document = tomlkit.parse(text_of(name, points.places, points.weights, 0.0, gate_radius, field, closed=closed))
     for change in changes:
         override(document, change)
     car = document["car"]
@@ -58,6 +64,25 @@ def begin(
     text = tomlkit.dumps(document)
     design_of(text, Path(f"{name}.toml"))
     return text
+
+
+def points_of(file: str | PathLike[str] | None, layer: str | None, *, closed: bool) -> Points | None:
+    """Points of a path from a file; None without one.
+
+    Args:
+        file: CSV, TXT or DXF.
+        layer: layer of the polyline in a DXF with several.
+        closed: whether the path is a lap.
+
+    Raises:
+        DesignError: a layer of no file.
+        FileError: points that cannot be read.
+    """
+    if file is not None:
+        return read_points(Path(file), layer, closed=closed)
+    if layer is not None:
+        raise DesignError("a layer is named, but no DXF with points: give the DXF too, or leave the layer out")
+    return None
 
 
 def write_new(text: str, file: Path) -> None:

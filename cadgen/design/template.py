@@ -4,6 +4,11 @@ from collections.abc import Sequence
 
 # Where the example's path goes, mm.
 EXAMPLE = ((500.0, 700.0), (2000.0, 900.0), (3100.0, 1900.0), (4500.0, 2200.0), (6000.0, 1700.0))
+# A figure 8 that is driven again and again, mm.
+LAP = (
+    *((3500.0, 1500.0), (4700.0, 2300.0), (5800.0, 1500.0), (4700.0, 700.0)),
+    *((3500.0, 1500.0), (2300.0, 2300.0), (1200.0, 1500.0), (2300.0, 700.0)),
+)
 GATE_RADIUS = 50.0
 
 _TEXT = """\
@@ -14,7 +19,7 @@ name = "{name}"
 
 [path]
 spline = "quintic"                 # a smooth curve through all waypoints
-# How far it runs to the right of the drive wheel; by this the middle of the car drives it.
+{closed}# How far it runs to the right of the drive wheel; by this the middle of the car drives it.
 offset_mm = {offset}
 waypoints_mm = [
 {waypoints}
@@ -34,8 +39,7 @@ wheelbase_mm = 167.0               # L, fork axis to rear axle
 drive_wheel_offset_mm = 37.0       # A1, fork axis to the driven wheel; positive to the left
 idle_wheel_offset_mm = 201.0       # A2, fork axis to the other wheel; positive to the right
 max_steering_angle_deg = 35.0      # stop of the fork
-# drive_wheel_radius_mm = 64.0     # R_h; with it (and [train]) the whole path is driven before the closing blend
-
+{wheel}
 [car.outline]                      # from above; posts, walls, zones and the edge keep clear of it
 length_mm = 290.0
 width_mm = 260.0
@@ -49,8 +53,7 @@ base_radius_mm = 70.0              # a, camshaft to fork axis
 mid_plane_mm = 25.0                # e, fork axis to the disc's middle
 thickness_mm = 3.0                 # C
 # side = "right"                   # of the fork axis on which the disc is; left out, left
-blend_deg = 12.0                   # the last part of the turn leads back to the start
-
+{blend}
 [follower]
 radius_mm = 2.5                    # r_t, of the rod
 length_mm = 40.0                   # fork axis to the rod's end
@@ -79,6 +82,21 @@ friction_greatest = 0.20
 # driven = {{ teeth = 150 }}
 """
 
+_OPEN = {
+    "closed": "",
+    "wheel": "# drive_wheel_radius_mm = 64.0     # R_h; with it (and [train]) the whole path is driven before the "
+    "closing blend\n",
+    "blend": "blend_deg = 12.0                   # the last part of the turn leads back to the start\n",
+}
+_CLOSED = {
+    "closed": """\
+closed = true                      # a lap: from the last waypoint the path goes on to the first
+# laps_per_turn = 1                # laps in a turn of the cam; the drive wheel's radius follows from it
+# laps = 10                        # of a run, which the course is asked of
+""",
+    "wheel": "",
+    "blend": "",
+}
 _FIELD = """\
 [course.field]
 size_mm = [{width}, {height}]        # corner_mm is [0, 0] unless it is given
@@ -96,6 +114,8 @@ def text_of(
     offset: float,
     gate_radius: float,
     field: tuple[float, float] | None,
+    *,
+    closed: bool,
 ) -> str:
     """Text of a design file.
 
@@ -106,6 +126,7 @@ def text_of(
         offset: how far the path runs to the right of the drive wheel, mm.
         gate_radius: radius of a gate of weight 1, mm.
         field: width and height of the field, mm; None if it is not known.
+        closed: whether the path is a lap.
     """
     gates = [
         f"    {{ at_mm = [{_number(x)}, {_number(y)}], radius_mm = {_number(gate_radius / weight)} }},"
@@ -113,6 +134,7 @@ def text_of(
         if weight > 0
     ]
     return _TEXT.format(
+        **(_CLOSED if closed else _OPEN),
         name=name,
         offset=_number(offset),
         waypoints="\n".join(f"    [{_number(x)}, {_number(y)}]," for x, y in places),

@@ -10,7 +10,7 @@ what is left.
 | `knobs`    | what can be set, within which range and to which division                 |
 | `steering` | steering of one disc at any place on its shaft and any setting of the head |
 | `error`    | how far the car leaves the scaled path with some setting                  |
-| `minimax`  | the least greatest error to first order, by cutting planes                |
+| `minimax`  | the least greatest error to first order, by exchange                      |
 | `search`   | the best setting for a spacing                                            |
 | `drawn`    | a spacing with its setting, its errors and its checks                     |
 """

@@ -1,26 +1,26 @@
-"""The least greatest error to first order, by cutting planes.
+"""The least greatest error to first order, by exchange.
 
     minimise z  subject to  weight_j |error_j + derivatives_j (p - p0)| <= z,  low <= p <= high
 
-The length of an error is no less than its part along any direction, so each place and direction gives a linear bound;
-the worst places of the last solution give the next ones (Kelley, J. SIAM 8 (1960) 703). Bounds that were found serve
-all problems of one linearisation, whatever is fixed in them.
+The length of an error is no less than its part along any direction, so each place and direction gives a linear bound on
+z. With k settings that are free, k + 1 bounds, of errors and of ranges, determine a solution. It begins in a corner of
+the ranges; then the bound at the place of the greatest error takes the place of one of them, as in the simplex method
+on the dual problem, until the greatest error is that of the bounds (Remez' exchange; Watson, Approximation Theory and
+Numerical Methods, 1980, ch. 1 and 5).
 """
 
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linprog
 
 from cadgen.arrays import Array
 
 Complex = NDArray[np.complex128]
-_FIRST_PLACES, _FIRST_DIRECTIONS = 24, 8
-_ADDED = 6  # places that give new bounds in a round
-_MOST_ROUNDS = 40
+_MOST_EXCHANGED = 200
 _GAP = 1e-3  # of the error, between the bound from below and what was reached
+_PAST = 1e-9  # mm of error, past the end of a range
+_PIVOT = 1e-12  # of the greatest: less is 0
 
 
 @dataclass(eq=False)
@@ -33,7 +33,6 @@ class Minimax:
         at: p0, shape (k,).
         bounds: least and greatest value of each setting, shape (k, 2).
         weights: what an error counts at each place, shape (n,).
-        cuts: linear bounds found so far, as right side and slopes by scaled settings, shape (m, 1 + k).
     """
 
     errors: Complex
@@ -41,22 +40,16 @@ class Minimax:
     at: Array
     bounds: Array
     weights: Array
-    cuts: Array = field(init=False)
 
     def __post_init__(self) -> None:
         most = np.abs(self.by).max(axis=0)
         self._scale = np.where(most > 0, 1 / np.maximum(most, 1e-300), 1.0)
-        places = np.unique(np.linspace(0, len(self.errors) - 1, _FIRST_PLACES).astype(int))
-        directions = np.exp(2j * np.pi * np.arange(_FIRST_DIRECTIONS) / _FIRST_DIRECTIONS)
-        self.cuts = np.vstack([self._bounds_of(places, np.full(len(places), d)) for d in directions])
-
-    def predicted(self, values: Array) -> Complex:
-        """Weighted errors with settings of shape (6,), mm, shape (n,)."""
-        return np.asarray(self.weights * (self.errors + self.by @ (values - self.at)))
+        self._base = self.weights * self.errors
+        self._slopes = self.weights[:, None] * self.by * self._scale
 
     def worst(self, values: Array) -> float:
         """Greatest weighted error with settings of shape (6,), mm."""
-        return float(np.abs(self.predicted(values)).max())
+        return float(np.abs(self._base + self._slopes @ ((values - self.at) / self._scale)).max())
 
     def best(self, fixed: dict[int, float]) -> Array:
         """Settings with the least greatest error, shape (k,).
@@ -67,33 +60,55 @@ class Minimax:
         low, high = ((self.bounds[:, side] - self.at) / self._scale for side in (0, 1))
         for number, value in fixed.items():
             low[number] = high[number] = (value - self.at[number]) / self._scale[number]
-        box: Any = np.vstack([np.stack([low, high], axis=1), [0.0, np.inf]])
-        objective = np.append(np.zeros(len(self.at)), 1.0)
-        best = self.at + np.clip(0.0, low, high) * self._scale
-        for _ in range(_MOST_ROUNDS):
-            above = np.column_stack([self.cuts[:, 1:], -np.ones(len(self.cuts))])
-            result = linprog(objective, A_ub=above, b_ub=-self.cuts[:, 0], bounds=box, method="highs-ds")
-            if result.x is None:
-                break
-            values = np.asarray(self.at + result.x[:-1] * self._scale)
-            if self.worst(values) < self.worst(best):
-                best = values
-            if self.worst(best) <= float(result.x[-1]) * (1 + _GAP) + 1e-9:
-                break
-            self._cut(values)
+        free = np.flatnonzero(high > low)
+        base, slopes = self._base + self._slopes @ np.where(high > low, 0.0, low), self._slopes[:, free]
+        chosen = low.copy()
+        chosen[free] = _exchanged(base, slopes, low[free], high[free])
+        return np.asarray(self.at + chosen * self._scale)
+
+
+def _exchanged(base: Complex, slopes: Complex, low: Array, high: Array) -> Array:
+    """Settings within their ranges with the least greatest |base + slopes @ settings|, shape (k,)."""
+    best = np.clip(0.0, low, high)
+    errors = base + slopes @ best
+    size = np.abs(errors)
+    worst = int(np.argmax(size))
+    reached = size[worst]
+    if len(best) == 0 or reached == 0:
         return np.asarray(best)
-
-    def _cut(self, values: Array) -> None:
-        """Add bounds at the worst places, far from each other."""
-        errors = self.predicted(values)
-        size = np.abs(errors)
-        inner = np.r_[True, size[1:] >= size[:-1]] & np.r_[size[:-1] >= size[1:], True]
-        peaks = np.flatnonzero(inner)
-        places = peaks[np.argsort(size[peaks])[-_ADDED:]]
-        directions = errors[places] / np.maximum(size[places], 1e-12)
-        self.cuts = np.vstack([self.cuts, self._bounds_of(places, directions)])
-
-    def _bounds_of(self, places: NDArray[np.intp], directions: Complex) -> Array:
-        towards = (self.weights[places] * directions.conj())[:, None]
-        parts = towards * np.column_stack([self.errors[places], self.by[places] * self._scale])
-        return np.asarray(parts.real)
+    # Rows (slopes of the settings, -1 for z) of the bounds row @ (settings, z) <= right; the last is that of an error.
+    towards = errors[worst].conjugate() / reached
+    slope = (towards * slopes[worst]).real
+    falls = slope > 0  # where the error falls with the setting, that is at its least value
+    rows = np.zeros((len(best) + 1, len(best) + 1))
+    rows[:-1, :-1] = np.diag(np.where(falls, -1.0, 1.0))
+    rows[-1] = np.append(slope, -1.0)
+    right = np.append(np.where(falls, -low, high), -(towards * base[worst]).real)
+    ends = np.vstack([np.eye(len(best)), -np.eye(len(best))])
+    limits = np.concatenate([high, -low])
+    for _ in range(_MOST_EXCHANGED):
+        inverse = np.linalg.inv(rows)
+        corner = inverse @ right
+        values, bound = corner[:-1], corner[-1]
+        past = ends @ values - limits
+        number = int(np.argmax(past))
+        if past[number] > _PAST:
+            row, limit = np.append(ends[number], 0.0), limits[number]
+        else:
+            errors = base + slopes @ values
+            size = np.abs(errors)
+            worst = int(np.argmax(size))
+            if size[worst] < reached:
+                best, reached = np.clip(values, low, high), size[worst]
+            if reached <= bound * (1 + _GAP) + 1e-9:
+                break
+            towards = errors[worst].conjugate() / size[worst]
+            row, limit = np.append((towards * slopes[worst]).real, -1.0), -(towards * base[worst]).real
+        # Shares of the bounds in the objective, and in the new bound; the first that would become negative leaves.
+        shares, parts = -inverse[-1], row @ inverse
+        leaves = parts > _PIVOT * np.abs(parts).max()
+        if not leaves.any():
+            break
+        out = int(np.argmin(np.where(leaves, shares / np.where(leaves, parts, 1.0), np.inf)))
+        rows[out], right[out] = row, limit
+    return np.asarray(best)

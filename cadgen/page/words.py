@@ -253,8 +253,8 @@ _LONG = {
     ),
     "even-stages": Words(
         "With this number of stages the camshaft turns in the same sense as the drive wheel; the cam turns against it "
-        "in a car that drives forwards. Mount the train on the other side or add a stage.",
-        "按此级数，凸轮轴与驱动轮同向转动；而前进时凸轮应反向转动。请将轮系装到另一侧，或增加一级。",
+        "in a car that drives forwards. Put the disc on its shaft turned over, a hub with it, or add a stage.",
+        "按此级数，凸轮轴与驱动轮同向转动；而前进时凸轮应反向转动。请将凸轮盘（连同轮毂）翻面安装，或增加一级。",
     ),
     "place-car": Words("the car", "小车"),
     "place-process": Words("discs made this way", "此工艺的凸轮盘"),

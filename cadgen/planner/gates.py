@@ -100,13 +100,15 @@ class Passing:
     Attributes:
         basis: B-splines of the path.
         gates: gates in their order.
-        finish: where the run must end, if not at a fixed pose; None if that is fixed or free.
+        start: where the run must start, if not at a fixed place; None if that is fixed or free.
+        finish: where it must end, likewise.
         vehicle: the car.
         margin: distance to keep from the edges of the gates, mm.
     """
 
     basis: Basis
     gates: tuple[Gate, ...]
+    start: Gate | None
     finish: Gate | None
     vehicle: Vehicle
     margin: float = 0.0
@@ -116,8 +118,9 @@ class Passing:
         fine = Motion(self.basis.even(_EACH), points, self.vehicle.path_offset)
         u = passing_places(fine, self.gates, self.vehicle)
         passed = [(gate, at, False) for gate, at in zip(self.gates, u.tolist(), strict=True)]
-        if self.finish is not None:
-            passed.append((self.finish, self.basis.stop, True))
+        for end, at in ((self.start, 0.0), (self.finish, self.basis.stop)):
+            if end is not None:
+                passed.append((end, at, True))
         rows = []
         for gate, at, ends in passed:
             motion = Motion(self.basis.at(np.array([at])), points, self.vehicle.path_offset)
@@ -126,7 +129,7 @@ class Passing:
 
 
 def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, ends: bool) -> list[Rows]:
-    """Limits of one gate at the place where it is passed; a run that ends there is held in every direction."""
+    """Limits of one gate at the place where it is passed; where a run starts or ends it is held in every direction."""
     x, y = planned_place(gate, vehicle)
     track, along = motion.point(x, y)[0], _along(motion, x, y)
     rows = []

@@ -22,6 +22,9 @@ from cadgen.planner.task import Task, Vehicle
 _SPAN = 320.0  # mm of the path to a span of the B-spline
 _SPANS_A_STOP = 4
 _LEAST_SPANS, _MOST_SPANS = 16, 110
+# Of the path that a search begins with. Through sharp corners of the route the usual one has turns that no step widens;
+# a calmer one misses the gates, and is drawn to them.
+_CALMNESS = (1.0, 10.0, 40.0)
 UNEVEN = ("fast", "slow")  # limits that serve the search alone
 KEPT = 2e-3  # of a limit, or mm of a gate or a clearance: what a search may leave
 
@@ -82,19 +85,27 @@ def _searched(task: Task, begin: Array | None, report: Callable[[str], None] | N
     vehicle, course = task.vehicle, task.course
     start, finish = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
     if begin is not None:
-        points, basis = begin, Basis(len(begin), vehicle.closed)
+        basis, begins = Basis(len(begin), vehicle.closed), [begin]
     elif task.near is None:
         route = route_of(course, vehicle, seed)
-        spans = max(route.length / _SPAN, _SPANS_A_STOP * (route.stops - 1))
-        basis = _basis(spans, vehicle)
-        points = smooth_path(basis, route.places, route.is_stop, start, finish)
+        basis = _basis(max(route.length / _SPAN, _SPANS_A_STOP * (route.stops - 1)), vehicle)
+        first = seed % len(_CALMNESS)
+        begins = [
+            smooth_path(basis, route.places, route.is_stop, start, finish, calmness)
+            for calmness in (*_CALMNESS[first:], *_CALMNESS[:first])
+        ]
     else:
         points, basis = _from_track(task.near, vehicle)
+        begins = [points]
     if task.near is not None:
-        start, finish = _ends_of(basis, points)
-    search = _search(task, basis, start, finish)
+        start, finish = _ends_of(basis, begins[0])
+    search, plans = _search(task, basis, start, finish), []
     words = None if report is None else (lambda cost: report(f"end of the run {cost:.0f} mm"))
-    return Plan(search.best(points, words), task, points)
+    for points in begins:
+        plans.append(Plan(search.best(points, words), task, points))
+        if not plans[-1].missed:
+            break
+    return min(plans, key=_merit)
 
 
 def search_of(task: Task, count: int, loose: str = "") -> Search:
@@ -111,7 +122,7 @@ def search_of(task: Task, count: int, loose: str = "") -> Search:
 
 
 def _search(task: Task, basis: Basis, start: End, finish: End) -> Search:
-    return Search(task, basis, _fixed(basis, start, finish), _course_rows(task, basis, finish))
+    return Search(task, basis, _fixed(basis, start, finish), _course_rows(task, basis, start, finish))
 
 
 def _basis(spans: float, vehicle: Vehicle) -> Basis:
@@ -141,10 +152,11 @@ def _fixed(basis: Basis, start: End, finish: End) -> Fixed:
     return fixed_start(basis, ends[0]) if basis.closed else fixed_ends(basis.count, *ends)
 
 
-def _course_rows(task: Task, basis: Basis, finish: End) -> Callable[[Array], list[Rows]]:
+def _course_rows(task: Task, basis: Basis, start: End, finish: End) -> Callable[[Array], list[Rows]]:
     course, vehicle = task.course, task.vehicle
+    first = course.start if start.place is None else None
     last = course.finish if finish.place is None and not basis.closed else None
-    passing = Passing(basis, course.gates, last, vehicle, task.gate_margin)
+    passing = Passing(basis, course.gates, first, last, vehicle, task.gate_margin)
     clearances = Clearances(basis, vehicle, barriers_of(course, vehicle.body, task.draw))
     near = None if task.near is None else Near(basis, vehicle.path_offset, task.near, task.within)
 

@@ -32,7 +32,9 @@ class End:
     heading: float | None = None
 
 
-def smooth_path(basis: Basis, route: Array, is_stop: NDArray[np.bool_], start: End, finish: End) -> Array:
+def smooth_path(
+    basis: Basis, route: Array, is_stop: NDArray[np.bool_], start: End, finish: End, calmness: float = 1.0
+) -> Array:
     """Control points of a smooth path that passes near the points of a route, shape (n, 2), mm.
 
     Args:
@@ -41,10 +43,12 @@ def smooth_path(basis: Basis, route: Array, is_stop: NDArray[np.bool_], start: E
         is_stop: which of them are stops, that the path passes more closely, shape (k,).
         start: start, whose place and heading the path keeps.
         finish: finish, likewise.
+        calmness: so many times as much a bend counts; with more than 1 stops count like other places.
     """
     points = np.zeros((basis.count, 2))
-    for stop in _STOPS:
-        points, swing = _settled(basis, route, np.where(is_stop, 1 / stop, 1 / _PLACE), (start, finish))
+    for stop in _STOPS if calmness == 1 else _STOPS[-1:]:
+        weight = np.where(is_stop, 1 / stop, 1 / _PLACE) / calmness
+        points, swing = _settled(basis, route, weight, (start, finish))
         if swing <= _MOST_SWING:
             break
     return points

@@ -28,13 +28,14 @@ class Points:
     weights: tuple[float, ...]
 
 
-def read_points(path: Path, layer: str | None = None) -> Points:
+def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -> Points:
     """Read the points of a path.
 
     Args:
         path: file of rows `X Y [weight]` in mm, with spaces, tabs, commas or semicolons between, after a line of words
-            if need be; or a DXF with one open polyline.
+            if need be; or a DXF with one polyline.
         layer: layer of the polyline, if the DXF has several.
+        closed: whether the path is closed, and so the polyline.
 
     Raises:
         FileError: no such file, a row that is no point, or not exactly one polyline.
@@ -48,7 +49,7 @@ def read_points(path: Path, layer: str | None = None) -> Points:
         reason = error.strerror if isinstance(error, OSError) else error
         raise FileError(f"{name} cannot be read ({reason}): give a file of points, or a DXF") from None
     if path.suffix.lower() == ".dxf":
-        return _polyline(content, name, layer)
+        return _polyline(content, name, layer, closed)
     if layer is not None:
         raise FileError(f"{name} has no layers, which only a DXF has: remove --layer")
     try:
@@ -88,7 +89,7 @@ def _enough(points: Points, name: str) -> Points:
     return points
 
 
-def _polyline(content: bytes, name: str, layer: str | None) -> Points:
+def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Points:
     from io import BytesIO
 
     import ezdxf
@@ -101,16 +102,16 @@ def _polyline(content: bytes, name: str, layer: str | None) -> Points:
     unit = drawing.header.get("$INSUNITS", 0)
     if unit not in _UNITS:
         raise FileError(f"{name} is in a unit that is not known ($INSUNITS {unit}): draw it in mm, cm, m or inches")
-    lines = [line for line in drawing.modelspace().query("LWPOLYLINE POLYLINE") if not _closed(line)]
+    lines = [line for line in drawing.modelspace().query("LWPOLYLINE POLYLINE") if _closed(line) == closed]
     layers = sorted({line.dxf.layer for line in lines})
     if layer is not None:
         lines = [line for line in lines if line.dxf.layer == layer]
     if len(lines) != 1:
         where = "" if layer is None else f" on layer {escaped(layer)}"
-        names = ", ".join(map(escaped, layers)) or "none"
+        names, kind = ", ".join(map(escaped, layers)) or "none", "closed" if closed else "open"
         raise FileError(
-            f"{name} has {len(lines)} open polylines{where} (layers with one: {names}); the path must be one: join its "
-            "parts, or name its layer with --layer"
+            f"{name} has {len(lines)} {kind} polylines{where} (layers with one: {names}); the path must be one: join "
+            "its parts, or name its layer with --layer"
         )
     places = tuple((x * _UNITS[unit], y * _UNITS[unit]) for x, y in _corners(lines[0], _SAG / _UNITS[unit]))
     return _enough(Points(places, (1.0,) * len(places)), name)

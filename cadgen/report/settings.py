@@ -25,16 +25,18 @@ _COLUMNS = (
 )
 
 
-def sentences(drawn: Sequence[Drawn], band: tuple[float, float] | None) -> list[str]:
+def sentences(drawn: Sequence[Drawn], band: tuple[float, float] | None, laps: int | None = None) -> list[str]:
     """The settings in words, the most important first.
 
     Args:
         drawn: settings in the order of their spacings.
         band: least and greatest return error, rad; None where it is not known.
+        laps: laps of a run on a closed path; None of an open one.
     """
     worst, wrong = max(drawn, key=lambda each: each.error), [each for each in drawn if each.failed]
     reach = f"posts {drawn[0].spacing:g} to {drawn[-1].spacing:g} mm apart"
-    off = (
+    off = "" if laps is None else f"in {laps} laps " if laps > 1 else "in a lap "
+    off += (
         f"the car leaves the scaled path by at most {worst.error:.1f} mm, with posts {worst.spacing:g} mm apart, "
         f"{worst.error_at:.0f} mm along"
     )
@@ -53,10 +55,11 @@ def sentences(drawn: Sequence[Drawn], band: tuple[float, float] | None) -> list[
     ends = [(each.end_with_play, each.spacing) for each in drawn if each.end_with_play is not None]
     if ends and band is not None:
         low, high = (degrees(end) for end in band)
-        lines.append(
-            f"with play from {low:.3f} to {high:.3f} degrees the run ends at most {max(ends)[0]:.0f} mm off the "
-            f"path's end, with posts {max(ends)[1]:g} mm apart"
-        )
+        most, spacing = max(ends)
+        off = f"the run ends at most {most:.0f} mm off the path's end"
+        if laps is not None:
+            off = f"the car is on the last lap at most {most:.0f} mm off the path"
+        lines.append(f"with play from {low:.3f} to {high:.3f} degrees {off}, with posts {spacing:g} mm apart")
     return lines
 
 

@@ -2,9 +2,11 @@
 
 import tomllib
 
+import ezdxf
 import pytest
 from click.testing import CliRunner
 
+from cadgen import Design
 from cadgen.cli import cli
 from cadgen.design.load import load_design
 from cadgen.errors import CadgenError
@@ -54,6 +56,30 @@ def test_points_become_waypoints_and_gates_by_their_weights(tmp_path):
     ]
     assert design.path.offset_mm == -119.0
     assert design.course.field.size_mm == (5000.0, 4000.0)
+
+
+def test_a_lap_goes_on_from_its_last_point_to_its_first(tmp_path):
+    """The example, a file that ends with its first point, and a closed polyline of a DXF; an open one is none."""
+    assert new(tmp_path, "eight", "--closed").exit_code == 0
+    text = (tmp_path / "eight.toml").read_text()
+    assert "blend_deg" not in text
+    cam = Design.load(tmp_path / "eight.toml").cam("actual")
+    assert cam.passed
+    gates = next(check for check in cam.checks if check.code == "course-gates")
+    assert gates.value == 10 * 8  # ten laps of eight gates
+    corners = [(0, 0), (2000, 200), (2600, 2000), (300, 1800)]
+    (tmp_path / "p.csv").write_text("".join(f"{x},{y}\n" for x, y in [*corners, corners[0]]))
+    drawing = ezdxf.new(units=4)
+    drawing.modelspace().add_lwpolyline(corners, close=True)
+    drawing.saveas(tmp_path / "p.dxf")
+    for suffix in ("csv", "dxf"):
+        assert new(tmp_path, suffix, "--closed", "--points", str(tmp_path / f"p.{suffix}")).exit_code == 0
+        design = load_design(tmp_path / f"{suffix}.toml")
+        assert design.path.closed
+        assert design.path.waypoints_mm == tuple(map(tuple, corners))
+        assert len(design.course.gates) == 4
+    refused = new(tmp_path, "open", "--points", str(tmp_path / "p.dxf")).exception
+    assert "has 0 open polylines" in str(refused)
 
 
 @pytest.mark.parametrize("arguments", [("con",), ("a b",), ("x", "--layer", "A"), ("x", "--set", "car.wheelbase=3")])

@@ -2,13 +2,16 @@
 
 import csv
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from cadgen import Design
 from cadgen.errors import DesignError
+from cadgen.report import settings as settings_words
 from tests.studies import draws
+from tests.studies import draws_truth as truth
 
 S_COURSE = draws.DATA / "s_course.toml"
 STEPS = {"disc_moved_mm": 0.05, "head_moved_mm": 0.005, "wheel_radius_mm": 0.05, "start_x_mm": 1.0}
@@ -76,6 +79,55 @@ def test_card_as_files(s_course, tmp_path):
     entry = json.loads((tmp_path / "manifest.json").read_text())["parts"]["s_draw_card"]
     assert entry["passed"]
     assert entry["worst_error_mm"] == max(each.error for each in card.computed.drawn)
+
+
+@pytest.mark.slow
+def test_laps_have_the_errors_of_a_car_that_is_driven_all_of_them_by_other_code():
+    """Three laps of the packaged figure 8, with a wheel that is off by up to a tenth of a millimetre: it drifts."""
+    settings = {
+        "course.spacing": {"from_mm": 380, "to_mm": 420, "step_mm": 40},
+        "settings": {
+            "disc_from_mm": -2,
+            "disc_to_mm": 2,
+            "disc_step_mm": 0.05,
+            "head_from_mm": -1,
+            "head_to_mm": 1,
+            "wheel_from_mm": 50,
+            "wheel_to_mm": 70,
+            "wheel_step_mm": 0.2,
+            "start_within_mm": 20,
+        },
+    }
+    keys = [f"{section}.{key}={value}" for section, values in settings.items() for key, value in values.items()]
+    card = Design.load("figure_eight", [*keys, "path.laps=3", "course.judged=planned"]).card("actual")
+    assert card.passed
+    assert "in 3 laps the car leaves the scaled path by at most" in card.sentences[0]
+    played = [replace(each, end_with_play=each.spacing / 100) for each in card.computed.drawn]
+    said = "the car is on the last lap at most 4 mm off the path, with posts 420 mm apart"
+    assert said in settings_words.sentences(played, (0.01, 0.02), 3)[-1]
+    design, cam = card.computed.design, card.computed.cam
+    car, given = design.car, design.cam
+    angles = np.radians(360 / truth.STEPS) * np.arange(truth.STEPS)
+    for row in card.settings:
+        planes = np.array([-0.5, 0.5]) * given.thickness_mm + row["disc_middle_mm"]
+        tangent = truth.steering(
+            cam.curve.outline(0.01).points, row["base_radius_mm"], design.follower.radius_mm, planes, angles
+        )
+        heading, offset = np.radians(row["start_heading_deg"]), design.path.offset_mm
+        start = row["start_x_mm"] + 1j * row["start_y_mm"] + 1j * offset * np.exp(1j * heading)
+        wheel, turned = truth.run(
+            np.append(np.tile(tangent, 3), tangent[0]),
+            angles[1],
+            2 * np.pi * row["wheel_radius_mm"] * row["ratio"],
+            (start, heading),
+            (car.wheelbase_mm, car.drive_wheel_offset_mm),
+        )
+        planned = cam.track.planned(np.append(np.tile(angles[::2], 3), 0.0) / (2 * np.pi) * cam.track.length) @ [1, 1j]
+        off = np.abs(wheel - 1j * offset * np.exp(1j * turned) - row["spacing_mm"] / 400 * planned)
+        print(row["spacing_mm"], row["error_mm"], off.max(), row["end_error_mm"], off[-1])
+        assert off.max() == pytest.approx(row["error_mm"], abs=0.05)
+        assert off[-1] == pytest.approx(row["end_error_mm"], abs=0.05)
+        assert off[-1] > 0.3  # laps of a wheel to its division add up
 
 
 @pytest.mark.slow

@@ -4,6 +4,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from scipy.optimize import linprog
 
 from cadgen import Design
 from cadgen.build import draw_model
@@ -84,6 +85,34 @@ def test_least_greatest_error_of_a_plane():
     assert problem.worst(held) == pytest.approx(
         min(np.abs(points - 6 - 1j * y).max() for y in np.linspace(0, 9, 9001)), 2e-3
     )
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_least_greatest_error_is_that_of_the_linear_programme(seed):
+    """HiGHS on tangents in 96 directions: each length is at most 1 / cos(pi / 96) of the greatest of its parts."""
+    random = np.random.default_rng(seed)
+    t = np.linspace(0, 1, 301)
+    waves = np.exp(2j * np.pi * np.outer(t, np.arange(5)) * random.uniform(0.2, 1))
+    errors, *slopes = (waves @ random.normal(size=(5, 7)) + 1j * waves @ random.normal(size=(5, 7))).T
+    by = np.stack(slopes, axis=1) * 10 ** random.uniform(-2, 2, 6)
+    bounds = np.stack([-random.uniform(0.01, 3, 6), random.uniform(0.01, 3, 6)], axis=1)
+    bounds[2] = 0.0  # what cannot be set
+    weights = np.where(np.abs(t - 0.3) < 0.04, 2.0, 1.0)
+    problem = Minimax(errors, by, np.zeros(6), bounds, weights)
+    towards = np.multiply.outer(np.exp(-2j * np.pi * np.arange(96) / 96), weights)
+    rows = (towards[..., None] * by).real.reshape(-1, 6)
+    for fixed in ({}, {1: 0.005}, {0: bounds[0, 0], 3: 0.0}):
+        box = np.array([[fixed.get(k, low), fixed.get(k, high)] for k, (low, high) in enumerate(bounds)])
+        least = linprog(
+            np.append(np.zeros(6), 1),
+            A_ub=np.column_stack([rows, -np.ones(len(rows))]),
+            b_ub=-(towards * errors).real.ravel(),
+            bounds=[*box, (0, None)],
+        ).fun
+        chosen = problem.best(fixed)
+        assert (box[:, 0] - 1e-12 <= chosen).all()
+        assert (chosen <= box[:, 1] + 1e-12).all()
+        assert least * (1 - 1e-9) <= problem.worst(chosen) <= least * 1.002
 
 
 def test_what_can_be_set_on_either_side():

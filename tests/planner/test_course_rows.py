@@ -113,7 +113,7 @@ def test_derivatives_of_clearances_and_gates(paper_points, vehicle):
         Gate(key="line", place=Shape((tuple(a), tuple(b)))),
         gates[2],
     )
-    passing = Passing(basis, gates, None, vehicle)
+    passing = Passing(basis, gates, None, None, vehicle)
     change = random.normal(size=paper_points.shape)
     flat = change.T.ravel()
     for source in (clearances, passing):

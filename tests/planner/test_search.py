@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from cadgen.course.course import Course, Gate, Obstacle, Shape
+from cadgen.planner.gates import planned_place
 from cadgen.planner.plan import plan
 from cadgen.planner.reasons import reasons
 from cadgen.planner.task import Task
@@ -46,6 +47,43 @@ def test_a_plan_is_reproducible_and_more_searches_are_no_worse(task):
     assert not one.missed
     np.testing.assert_array_equal(one.path.points, again.path.points)
     assert more.path.cost.cost <= one.path.cost.cost
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "place",
+    [Shape(((0.0, -400.0), (0.0, 300.0))), Shape.disc((0.0, 100.0), 150.0)],
+    ids=["on a line", "in a disc"],
+)
+def test_a_start_that_is_no_point_is_kept_and_used(task, place):
+    """The path starts on the line or in the disc, and where it costs least there."""
+    start = Gate(key="course.start", place=place, heading=0.0)
+    found = plan(replace(task, course=replace(task.course, start=start)))
+    assert not found.missed
+    wheel = found.path.cost.line.motion
+    middle = wheel.point(*planned_place(start, task.vehicle))[0]
+    print(middle)
+    if len(place.points) == 2:
+        assert abs(middle[0]) < 0.01
+        assert -400 < middle[1] < 300
+    else:
+        assert np.hypot(*(middle - place.points[0])) <= 150
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_hairpin_whose_route_has_a_sharp_corner_is_driven(task):
+    """Back by 124 degrees with 1.8 m for it, where the fork holds turns of 0.3 m; it was said that none can."""
+    course = Course(
+        start=disc("course.start", 600, 600, 1.0, 0.0),
+        gates=tuple(
+            disc(f"course.gates.{k}", x, y, r)
+            for k, (x, y, r) in enumerate([(2500, 1500, 50), (4000, 2000, 50), (5500, 1500, 20)], 1)
+        ),
+        finish=disc("course.finish", 5000, 3200, 60),
+    )
+    found = plan(replace(task, course=course))
+    assert not found.missed
 
 
 @pytest.mark.parametrize(

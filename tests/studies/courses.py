@@ -357,12 +357,13 @@ def main() -> int:
     options.add_argument("--broken", type=int, default=20)
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--seeds", type=int, default=1)
+    options.add_argument("--processes", type=int, default=2)
     options.add_argument("--record", action="store_true")
     options.add_argument("--only", type=int)
     given = options.parse_args()
     numbers = range(given.cases) if given.only is None else [given.only]
     courses = [case(given.seed, number) for number in numbers] + [broken(given.seed, k) for k in range(given.broken)]
-    with ProcessPoolExecutor(2) as pool:
+    with ProcessPoolExecutor(given.processes) as pool:
         rows = []
         for course, row in zip(courses, pool.map(planned, courses, [given.seeds] * len(courses)), strict=True):
             rows.append((course, *row))

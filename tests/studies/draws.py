@@ -196,6 +196,7 @@ def main() -> None:
     parser.add_argument("--step", type=float, default=10.0)
     parser.add_argument("--tries", type=int, default=3000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--record", action="store_true")
     given = parser.parse_args()
     lines = [
@@ -203,7 +204,7 @@ def main() -> None:
         "",
         f"    python -m tests.studies.draws --step {given.step:g} --tries {given.tries} --seed {given.seed}",
     ]
-    with ProcessPoolExecutor(2) as pool:
+    with ProcessPoolExecutor(given.processes) as pool:
         results = [pool.submit(judged, name, given.step, given.tries, given.seed) for name in NAMES]
         for result in results:
             name, said, table = result.result()

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.build import cam_model, variation
+from cadgen.build import cam_model, gear_model, variation
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.schema import Design
 from cadgen.motion.drive import drive, start_pose
@@ -22,6 +22,12 @@ FIELD_NOTICE = (
 def field_notice(design: Design) -> list[str]:
     """Notice that [field] checks nothing; empty without [field]."""
     return [] if design.field is None else [FIELD_NOTICE]
+
+
+def sense_notice(design: Design) -> list[str]:
+    """Notice that the train turns the cam the other way round; empty if it does not, or is not known."""
+    stages = 1 if design.train is None else len(design.train.stages)
+    return [f"{note[0].upper()}{note[1:]}." for note in gear_model.sense_note(design, stages)]
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,12 @@ from cadgen.workflow.card.plan import Card
 
 def sentences(card: Card) -> list[str]:
     """The result in words, the most important first."""
-    lines = settings.sentences(card.drawn, None if card.cam.comparison is None else card.cam.comparison.band.ends)
+    comparison, laps = card.cam.comparison, card.cam.laps
+    lines = settings.sentences(
+        card.drawn,
+        None if comparison is None else comparison.band.ends,
+        None if laps is None else laps.in_run,
+    )
     if card.cam.passed:
         return lines
     names = ", ".join(check.name for check in card.cam.failed)

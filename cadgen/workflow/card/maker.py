@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import floor
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from cadgen.draws.error import Target, planned_point
 from cadgen.draws.knobs import Setting
 from cadgen.draws.search import best_setting, first_guess
 from cadgen.draws.steering import Steering, moved_rod
-from cadgen.motion.drive import Pose, Run, drive
+from cadgen.motion.drive import Pose, Run, drive, turns_of
 from cadgen.motion.sampled import rolled_lift
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.workflow.cam.comparison import PlayComparison
@@ -30,6 +31,7 @@ from cadgen.workflow.cam.plan import CamPlan
 _STATIONS = 3600  # at which the rod is rolled, an even number; the run then errs by 0.02 mm
 TRIES = 3  # settings that are sought for a spacing at which the course is not kept
 _HEAVIER = 2.0  # times which the error counts where the course is not kept, each time
+_ROUNDING = 1e-9  # of a step
 _ABOUT = 0.04  # of the run, to either side of such a place
 
 
@@ -50,9 +52,9 @@ class Maker:
     def drawn(self, spacing: float) -> Drawn:
         """Setting for a spacing (mm) with the least error that keeps the course; else the one nearest to keeping it."""
         design, track = self._design, self.cam.track
-        target = draw_model.target(design, track, self.draw, spacing, self._nodes, self._steering)
+        target = draw_model.target(design, track, self.draw, spacing, self._nodes, self._motor, self._steering)
         knobs = draw_model.knobs(design, track, self._start(spacing))
-        weights = np.ones(len(self._nodes))
+        weights = np.ones(len(self._motor))
         middle = (self._rod.inner + self._rod.outer) / 2
         begin = first_guess(knobs, middle, track.turn, spacing / self.draw.stated)
         rows = []
@@ -63,7 +65,7 @@ class Maker:
             if not places:
                 break
             for place in places:
-                weights[np.abs(self._nodes - place) < _ABOUT * self._nodes[-1]] *= _HEAVIER
+                weights[np.abs(self._motor - place) < _ABOUT * self._motor[-1]] *= _HEAVIER
             begin = found.setting.values
         return min(rows, key=lambda each: each.merit)
 
@@ -103,9 +105,16 @@ class Maker:
 
     @cached_property
     def _nodes(self) -> Array:
-        """Every other station up to where runs are judged."""
-        even = self._stations[::2]
+        """Every other station up to where runs are judged, or all round where they go on."""
+        even = np.linspace(0.0, TURN, _STATIONS // 2 + 1)
         return even[even <= self._wanted.blend_start]
+
+    @cached_property
+    def _motor(self) -> Array:
+        """Nodes of all turns of a run, of several turns one in as many, so that there are no more than of one."""
+        stop = self._wanted.blend_start
+        step = turns_of(stop) * TURN / (_STATIONS // 2)
+        return np.asarray(np.arange(floor(stop / step + _ROUNDING) + 1) * step)
 
     @cached_property
     def _steering(self) -> Steering:
@@ -161,10 +170,13 @@ class Maker:
         return np.asarray(np.abs(place - wanted)[:judged])
 
     def _end_with_play(self, comparison: PlayComparison, spacing: float) -> float:
-        """Greatest distance of the end of the run from that of the path over the band of play, mm."""
+        """Greatest distance from the path, at the end of the run or on its last lap, over the band of play, mm."""
         measured, band = comparison.band.measured, comparison.chosen.band.plays
         plays = band if measured is None else np.array([measured])
-        return max(float(self._off(comparison.run(comparison.chosen, play), spacing)[-1]) for play in plays.tolist())
+        track, stop = self.cam.track, self._wanted.blend_start
+        last = stop - (TURN / track.turn_laps if track.closed else 0.0)
+        runs = (comparison.run(comparison.chosen, play) for play in plays.tolist())
+        return max(float(self._off(run, spacing)[run.motor[run.motor <= stop] >= last].max()) for run in runs)
 
 
 def _moved(comparison: PlayComparison, rolled: LiftCurve, start: Pose, length: float) -> PlayComparison:

@@ -142,6 +142,7 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progres
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
             *_joint_notes(design, made.play),
             *(_notes(design, designed, limits) if limits else ()),
+            *gear_model.sense_note(design, len(made.layout.train.stages)),
         ),
         layout=made.layout,
         checks=made.checks,

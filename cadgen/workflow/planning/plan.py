@@ -17,6 +17,7 @@ from cadgen.design.schema import Design
 from cadgen.draws.drawn import Drawn
 from cadgen.errors import CheckError
 from cadgen.path.track import Track
+from cadgen.planner.gates import is_exact
 from cadgen.planner.plan import Plan
 from cadgen.planner.plan import plan as planned
 from cadgen.planner.reasons import Reason, reasons
@@ -153,7 +154,7 @@ def _refuse_course(design: Design) -> None:
     """Refuse a course on which the car cannot stand at its start, where the course says how it stands there."""
     course, car = course_model.course(design), cam_model.car(design)
     start = None if course is None else course.start
-    if course is None or start is None or start.heading is None or start.place.reach > course_model.STAND_RADIUS:
+    if course is None or start is None or start.heading is None or not is_exact(start):
         return
     ahead = np.exp(1j * start.heading)
     fork = complex(*start.place.points[0]) - complex(*place_of(start.point, car)) * ahead
