@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from tests.editor.conftest import TEXT
-from tests.page.chromium import ARGUMENTS, READY, chromium_path
+from tests.page.chromium import ARGUMENTS, READY, chromium_path, serious_faults
 
 CURRENT = "html[data-whole]:not([data-stale])"
 
@@ -140,7 +140,13 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     shown.wait_for_selector('.handle.chosen[data-key="course.posts.2.at_mm"]:focus')
     assert session.now.design.course.posts[1].radius_mm == 20.0
     current(shown, session)
-    assert violations(shown) == []
+    assert serious_faults(shown, "header", "#edit", "#course-figure") == []
+    shown.set_viewport_size({"width": 360, "height": 740})
+    shown.emulate_media(color_scheme="dark")
+    assert serious_faults(shown, "header", "#edit", "#course-figure") == []
+    assert shown.evaluate("() => document.documentElement.scrollWidth") <= 360
+    shown.set_viewport_size({"width": 1280, "height": 720})
+    shown.emulate_media(color_scheme="light")
     while session.state()["undo"] > steps:
         with shown.expect_response("**/undo"):
             shown.locator("#undo").click()
