@@ -87,14 +87,14 @@ def _return_errors(plan: "GearsPlan") -> None:
     """Print play and return error of every stage and of the train, as made and by the standard alone."""
     from cadgen.cli.show import Output, plain_table
 
-    table = plain_table(f"{plan.design.name}, {plan.order}, ratio {plan.play.train.ratio}")
-    table.add_column("return error")
+    table = plain_table(f"{plan.design.name}, {plan.order}, ratio {plan.play.train.ratio}: return error")
+    table.add_column("stage")
     for column in ("a, mm", "play, µm", "as cut", "least", "mean", "greatest"):
         table.add_column(column, justify="right")
     for number, (stage, play) in enumerate(zip(plan.layout.train.stages, plan.play.stages, strict=True), 1):
         arc = stage.driven_pitch_radius * 1e3
         table.add_row(
-            f"stage {number}, {stage.label}",
+            f"{number}, {stage.label}",
             f"{stage.centre_distance:g}",
             f"{play.B_min * arc:.1f}{' to ' if play.B_min < 0 else '-'}{play.B_max * arc:.1f}",
             f"{stage.free_angle() * arc:.1f}",
@@ -183,9 +183,10 @@ def _choice(plan: "GearsPlan") -> None:
 
 def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
     """Print each file with its size and the errors measured on it."""
-    from cadgen.cli.show import Output, plain_table
+    from cadgen.cli.show import Output, heading, plain_table, stem_of
 
-    table = plain_table(f"\n{out}{'' if str(out).endswith('/') else '/'}")
+    stem = stem_of(written.entry["files"])
+    table = plain_table("")
     table.add_column("file", overflow="fold")
     table.add_column("size", justify="right")
     table.add_column("read back")
@@ -202,7 +203,8 @@ def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
             reading = f"watertight, {facts['triangles']} triangles"
         else:
             reading = f"{facts['rows']} rows"
-        table.add_row(name, f"{facts['bytes'] / 1000:.0f} kB", reading)
+        table.add_row(name.removeprefix(stem), f"{facts['bytes'] / 1000:.0f} kB", reading)
+    heading(out, stem)
     console = Output()
     console.print(table)
     chords = sorted({facts["chord_um"] for facts in written.entry["files"].values() if "chord_um" in facts})

@@ -3,20 +3,20 @@
 import json
 import os
 import shutil
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from itertools import takewhile
 from math import isinf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
 from cadgen.cli.output import hush
 from cadgen.progress import Progress
-from cadgen.report.table import FittedTable
+from cadgen.report.table import FittedConsole, FittedTable
 
 if TYPE_CHECKING:
     from cadgen.api.cam import Cam, Cures
@@ -28,11 +28,11 @@ if TYPE_CHECKING:
 _NARROW = 72
 
 
-class Output(Console):
-    """Standard output or error, where brackets in names and sentences are only brackets."""
+class Output(FittedConsole):
+    """Standard output or error."""
 
     def __init__(self, *, stderr: bool = False) -> None:
-        super().__init__(stderr=stderr, markup=False, emoji=False, highlight=False)
+        super().__init__(stderr=stderr)
         if self.width < 1:  # COLUMNS=0 says that the width is not known
             self.width = shutil.get_terminal_size().columns
 
@@ -138,12 +138,17 @@ def files(written: "Written", out: Path) -> None:
         if with_play:
             cells.append("" if end is None else f"{end:.2f} mm")
         table.add_row(name.removeprefix(stem), *cells)
+    heading(out, stem)
     console = Output()
-    console.print(f"\n{out / stem}{'' if stem else os.sep}", style="bold", overflow="fold")
     console.print(table)
     _omitted(written)
     for warning in written.entry.get("warnings", []):
         console.print(Text.assemble(("Warning", "yellow"), f": {warning}."))
+
+
+def heading(out: Path, stem: str) -> None:
+    """Print the folder of files, and what their names begin with, above their table."""
+    Output().print(f"\n{out / stem}{'' if stem else os.sep}", style="bold", overflow="fold")
 
 
 def _omitted(written: "Written") -> None:
@@ -164,14 +169,23 @@ def _number(value: float) -> str:
     return f"{value:.3g}" if abs(value) < 1e-3 and value else f"{value:.3f}".rstrip("0").rstrip(".")
 
 
+def stem_of(names: Collection[str]) -> str:
+    """The words that all names of files begin with; it stands above their table, which then fits a narrow terminal."""
+    first, last = min(names), max(names)
+    same = takewhile(lambda letters: letters[0] == letters[1], zip(first, last, strict=False))
+    return "".join(letter for letter, _ in same).rpartition("_")[0]
+
+
 def drawings(written: "Written", out: Path) -> None:
     """Print each drawing with its sheet, and what else was written."""
-    table = plain_table(f"\n{out}{os.sep}")
+    stem = stem_of(written.entry["files"])
+    table = plain_table("")
     table.add_column("file", overflow="fold")
     for column in ("sheet", "scale", "dimensions"):
         table.add_column(column, justify="right")
     for name, facts in written.entry["files"].items():
         count = len(facts["dimensions_mm"]) if "dimensions_mm" in facts else ""
-        table.add_row(name, facts.get("sheet", ""), facts.get("scale", ""), str(count))
+        table.add_row(name.removeprefix(stem), facts.get("sheet", ""), facts.get("scale", ""), str(count))
+    heading(out, stem)
     Output().print(table)
     _omitted(written)

@@ -56,7 +56,7 @@ def methods(cam: "Cam") -> None:
         "with play; sum of deflection errors (eq. 28, 30) at the greatest play"
     )
     for table, heads in (
-        (errors, ("profile", "heading", "position", "off", "heading", "position", "off")),
+        (errors, ("profile", "heading", "position", "off", "worst\nheading", "worst\nposition", "worst\noff")),
         (costs, ("profile", "cut for", "end", "furthest", "lift", "sum", "off")),
     ):
         for head in heads:

@@ -76,7 +76,7 @@ class DerivedPiece:
         return self.piece.stop
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Outline:
     """A closed curve as points, dense enough that three neighbours in one piece lie on a parabola.
 
@@ -118,8 +118,18 @@ class ClosedCurve:
     def outline(self, step: float) -> Outline:
         """Sample every piece evenly in its parameter, no two points further apart than `step` mm or so.
 
-        Each piece has at least five points, so that a parabola fits inside even the shortest.
+        Each piece has at least five points, so that a parabola fits inside even the shortest. Taken again it is the
+        same object.
         """
+        if step not in self._outlines:
+            self._outlines[step] = self._outlined(step)
+        return self._outlines[step]
+
+    @cached_property
+    def _outlines(self) -> dict[float, Outline]:
+        return {}
+
+    def _outlined(self, step: float) -> Outline:
         points, owner = [], []
         for number, (piece, t) in enumerate(zip(self.pieces, self.parameters(step), strict=True)):
             points.append(piece.jet(t).point)

@@ -5,8 +5,11 @@
 | `words`     | names of keys, points and buttons in English and Chinese                  |
 | `controls`  | numbers of a design that can be changed, each with its range              |
 | `points`    | points on the floor that can be moved                                     |
+| `kinds`     | what can be added to the course, and what a new one is                    |
 | `text`      | a change of a design file's text, comments kept                           |
-| `lists`     | a point put into a list of points, or taken out of it, comments kept      |
+| `lists`     | a list in brackets with an item put in, taken out or exchanged            |
+| `tables`    | the same of tables under headings, comments kept                          |
+| `items`     | the same of points, posts, gates and so on, wherever they are written     |
 | `saving`    | the file: read once, written in one step, never over another's changes    |
 | `session`   | one design being edited: changes, undo and redo, saving                   |
 | `job`       | a version to compute, and the answer                                      |

@@ -1,61 +1,55 @@
-"""A point put into a list of points in a design file's text, or taken out of it, every comment kept."""
+"""A list in brackets in a design file's text, with an item put in, taken out or exchanged; every comment kept."""
 
 import re
-from collections.abc import Callable
-from pathlib import Path
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from cadgen.design.parse import parse
-from cadgen.design.schema import Design
-from cadgen.editor.text import checked, values_of
-
-_COMMENT_OR_BRACKET = re.compile(r"#[^\n]*|[\[\]]")
+_MARK = re.compile(r"""#[^\n]*|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|[\[\]{}]""")
 _COMMENT_OR_COMMA = re.compile(r"#[^\n]*|[,\]]")
 _BLANK_TO_END = re.compile(r"[ \t]*\r?\n")
 
 
-def inserted(text: str, file: Path, key: str, at: tuple[float, float]) -> tuple[str, Design]:
-    """Text of a design with one point more in a list, and the design that it is.
+def with_item(text: str, name: str, index: int, item: object) -> Iterator[str]:
+    """Texts of a design with one item more in a list that is written in brackets; none if it is not.
 
     Args:
         text: TOML.
-        file: path of the file, for messages.
-        key: dotted key of the new point, whose number is at most one more than the list has points.
-        at: x and y of the point, mm.
-
-    Raises:
-        DesignError: the result is no design; or the text cannot be changed and read back.
+        name: dotted key of the list, items of lists counted from 1.
+        index: index of the new item, at most the count of those that are there.
+        item: pair of numbers, or values by key.
     """
-    name, index = _split(key)
-    values = parse(text)
-    points = _item(values, name)
-    points.insert(index, list(at))
-    return checked(_edited(text, name, values, lambda written: _with(written, index, at)), file, values)
+    return _edited(text, name, lambda written: _with(written, index, toml(item)))
 
 
-def removed(text: str, file: Path, key: str) -> tuple[str, Design]:
-    """Text of a design without a point of a list, and the design that it is; as `inserted`."""
-    name, index = _split(key)
-    values = parse(text)
-    del _item(values, name)[index]
-    return checked(_edited(text, name, values, lambda written: _without(written, index)), file, values)
+def without_item(text: str, name: str, index: int) -> Iterator[str]:
+    """The same without one of the items."""
+    return _edited(text, name, lambda written: _without(written, index))
 
 
-def _split(key: str) -> tuple[str, int]:
-    """Dotted key of the list, and index of the item in it, from 0."""
-    name, _, number = key.rpartition(".")
-    return name, int(number) - 1
+def with_exchange(text: str, name: str, index: int) -> Iterator[str]:
+    """The same with an item and the next one exchanged, with the comments on their lines where each has its own."""
+    yield from _edited(text, name, lambda written: _exchanged(written, index, whole_lines=True))
+    yield from _edited(text, name, lambda written: _exchanged(written, index, whole_lines=False))
 
 
-def _item(values: Any, name: str) -> Any:
+def item_at(values: Any, name: str) -> Any:
     """Value or item at a dotted key, items of lists counted from 1."""
     for part in name.split("."):
         values = values[int(part) - 1 if isinstance(values, list) else part]
     return values
 
 
-def _edited(text: str, name: str, values: dict[str, Any], edit: Callable[[str], str]) -> str | None:
-    """Text with one list written anew, so that it has some values; None if no place in it does.
+def toml(value: object) -> str:
+    """A value as TOML on one line."""
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{key} = {toml(inner)}" for key, inner in value.items()) + " }"
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return f'"{value}"' if isinstance(value, str) else repr(value)
+
+
+def _edited(text: str, name: str, edit: Callable[[str], str]) -> Iterator[str]:
+    """Texts with one list written anew.
 
     The library says how the list is written; the same may stand at several places, of which one is the list's own.
     """
@@ -63,27 +57,24 @@ def _edited(text: str, name: str, values: dict[str, Any], edit: Callable[[str], 
     from tomlkit.exceptions import TOMLKitError
 
     try:
-        written = _item(tomlkit.parse(text), name).as_string()
+        written = item_at(tomlkit.parse(text), name).as_string()
         edited = edit(written)
-    except (AttributeError, LookupError, TOMLKitError, TypeError, ValueError):
-        return None
+    except (AttributeError, LookupError, StopIteration, TOMLKitError, TypeError, ValueError):
+        return
     start = text.find(written)
     while start >= 0:
-        result = text[:start] + edited + text[start + len(written) :]
-        if values_of(result) == values:
-            return result
+        yield text[:start] + edited + text[start + len(written) :]
         start = text.find(written, start + 1)
-    return None
 
 
 def _spans(written: str) -> list[tuple[int, int]]:
-    """Begin and end of each pair in a list of pairs of numbers, as it is written."""
+    """Begin and end of each item in a list of pairs of numbers or of tables in braces, as it is written."""
     spans, begin, depth = [], 0, 0
-    for mark in _COMMENT_OR_BRACKET.finditer(written):
-        if mark[0] == "[":
+    for mark in _MARK.finditer(written):
+        if mark[0] in "[{":
             depth += 1
-            begin = mark.start()
-        elif mark[0] == "]":
+            begin = mark.start() if depth == 2 else begin
+        elif mark[0] in "]}":
             if depth == 2:
                 spans.append((begin, mark.end()))
             depth -= 1
@@ -91,27 +82,29 @@ def _spans(written: str) -> list[tuple[int, int]]:
 
 
 def _line_start(written: str, at: int) -> int | None:
-    """Where the line begins of which a pair is the first; None if something else stands before it."""
+    """Where the line begins of which an item is the first; None if something else stands before it."""
     start = written.rfind("\n", 0, at) + 1
     return start if start and not written[start:at].strip() else None
 
 
-def _with(written: str, index: int, at: tuple[float, float]) -> str:
-    """A list of pairs with one more, on a line of its own where its neighbour begins one."""
-    spans, pair = _spans(written), f"[{at[0]!r}, {at[1]!r}]"
+def _with(written: str, index: int, item: str) -> str:
+    """A list with one item more, on a line of its own where its neighbour begins one."""
+    spans = _spans(written)
+    if not spans:
+        return f"{written[:-1]}{item}{written[-1]}"
     last = index == len(spans)
     begin, end = spans[index - 1 if last else index]
     line = _line_start(written, begin)
     between = " " if line is None else ("\r\n" if "\r\n" in written else "\n") + written[line:begin]
     if last:
-        return f"{written[:end]},{between}{pair}{written[end:]}"
-    return f"{written[:begin]}{pair},{between}{written[begin:]}"
+        return f"{written[:end]},{between}{item}{written[end:]}"
+    return f"{written[:begin]}{item},{between}{written[begin:]}"
 
 
 def _without(written: str, index: int) -> str:
-    """A list of pairs without one of them and its comma; a line that is empty then goes, too."""
+    """A list without one of its items and its comma; a line that is empty then goes, too."""
     begin, end = _spans(written)[index]
-    # The last pair may have no comma; that before it may then stay, as TOML has it.
+    # The last item may have no comma; that before it may then stay, as TOML has it.
     comma = next(mark for mark in _COMMENT_OR_COMMA.finditer(written, end) if mark[0][0] != "#")
     if comma[0] == ",":
         beside = not written[end : comma.start()].strip(" \t")
@@ -131,3 +124,16 @@ def _closed_up(written: str, line: int, end: int) -> str:
         return written[:line] + written[rest.end() :]
     begin = len(written) - len(written[line:].lstrip(" \t"))
     return written[:begin] + written[end:]
+
+
+def _exchanged(written: str, index: int, *, whole_lines: bool) -> str:
+    """A list with an item and the next one exchanged, or else the lines that they stand on."""
+    spans = _spans(written)
+    (first, end), (second, last) = spans[index], spans[index + 1]
+    if whole_lines:
+        lines = [_line_start(written, begin) for begin, _ in spans[index : index + 3]]
+        last = written.index("\n", last) + 1
+        if None in lines or (len(lines) == 3 and lines[2] != last):
+            raise ValueError("they are not alone on their lines")
+        first, end, second = lines[0], lines[1], lines[1]  # type: ignore[assignment]
+    return written[:first] + written[second:last] + written[end:second] + written[first:end] + written[last:]

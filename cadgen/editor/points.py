@@ -1,6 +1,6 @@
 """Points on the floor that can be moved on the page: of path, gates, start, finish, posts, walls, zones and field."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,9 +9,9 @@ from cadgen.editor.words import point_words
 from cadgen.page.document import Words
 
 _PLACES = ("at_mm", "from_mm", "to_mm", "corner_mm")
-_LISTS = ("line_mm", "outline_mm")
+_LISTS = {"line_mm": 2, "outline_mm": 3}  # and how many points each needs
 # Lists and sections of [course] by the group that is moved together.
-_ON_COURSE = {
+ON_COURSE = {
     "gates": ("gates", "start", "finish"),
     "posts": ("posts", "walls", "zones", "field"),
 }
@@ -29,6 +29,8 @@ class MovablePoint:
         y: place, mm.
         listed: dotted key of the list of points that it stands in, which others can be put into; else empty.
         closed: whether the last point of that list is followed by its first.
+        spare: whether that list can do without a point.
+        item: dotted key of the post, gate, wall or the like that it is of; empty for the path.
     """
 
     key: str
@@ -38,6 +40,8 @@ class MovablePoint:
     y: float
     listed: str = ""
     closed: bool = False
+    spare: bool = False
+    item: str = ""
 
 
 def points_of(design: Design) -> tuple[MovablePoint, ...]:
@@ -50,9 +54,10 @@ def _points(values: dict[str, Any]) -> Iterator[MovablePoint]:
     for name in ("waypoints_mm", "control_points_mm"):
         for number, (x, y) in enumerate(path.get(name, ()), 1):
             closed = bool(path.get("closed", False))
-            yield _point(f"path.{name}", number, "path", point_words(name, number, ""), (x, y), closed)
+            label = point_words(name, number, "")
+            yield MovablePoint(f"path.{name}.{number}", "path", label, x, y, f"path.{name}", closed, spare=True)
     course = values.get("course", {})
-    for layer, names in _ON_COURSE.items():
+    for layer, names in ON_COURSE.items():
         for name in names:
             several = course.get(name)
             if isinstance(several, dict):
@@ -66,13 +71,9 @@ def _of_item(item: dict[str, Any], key: str, layer: str, kind: str, number: int)
     for name in _PLACES:
         if name in item:
             x, y = item[name]
-            yield MovablePoint(f"{key}.{name}", layer, point_words(kind, number, name), float(x), float(y))
-    for name in _LISTS:
-        for place, at in enumerate(item.get(name, ()), 1):
-            label = point_words(kind, number, str(place))
-            yield _point(f"{key}.{name}", place, layer, label, at, name == "outline_mm")
-
-
-def _point(listed: str, number: int, layer: str, label: Words, at: Sequence[float], closed: bool) -> MovablePoint:
-    """A point of a list of points, by its number in it from 1."""
-    return MovablePoint(f"{listed}.{number}", layer, label, float(at[0]), float(at[1]), listed, closed)
+            yield MovablePoint(f"{key}.{name}", layer, point_words(kind, number, name), float(x), float(y), item=key)
+    for name, least in _LISTS.items():
+        points, closed = item.get(name, ()), name == "outline_mm"
+        for place, (x, y) in enumerate(points, 1):
+            label, listed, spare = point_words(kind, number, str(place)), f"{key}.{name}", len(points) > least
+            yield MovablePoint(f"{listed}.{place}", layer, label, float(x), float(y), listed, closed, spare, key)

@@ -7,6 +7,7 @@
 | `POST /change`                  | `{"changes": {key: number or [x, y]}, "gesture": text}` -> state    |
 | `POST /insert`                  | `{"key": key, "at": [x, y]}` -> state                               |
 | `POST /remove`                  | `{"key": key}` -> state                                             |
+| `POST /exchange`                | `{"key": key}` of a gate, with the next one -> state                |
 | `POST /undo`, `POST /redo`      | state                                                               |
 | `POST /save`                    | `{}` or `{"name": text}` -> state                                   |
 | `GET /result?stage=&revision=`  | HTML and data of `preview` or `whole`; 409 once a newer one is there |
@@ -152,6 +153,7 @@ def application(service: Service, address: Address) -> ASGIApp:
             methods=["POST"],
         ),
         Route("/remove", action(lambda body: session.remove(_text(body, "key"))), methods=["POST"]),
+        Route("/exchange", action(lambda body: session.exchange(_text(body, "key"))), methods=["POST"]),
         Route("/undo", action(lambda body: session.undo()), methods=["POST"]),
         Route("/redo", action(lambda body: session.redo()), methods=["POST"]),
         Route(

@@ -11,7 +11,8 @@ from cadgen.design.load import design_of
 from cadgen.design.parse import parse
 from cadgen.design.schema import Design
 from cadgen.editor.controls import groups_of
-from cadgen.editor.lists import inserted, removed
+from cadgen.editor.items import exchanged, inserted, removed
+from cadgen.editor.kinds import items_of, kinds_of, new_item, places_of
 from cadgen.editor.points import points_of
 from cadgen.editor.saving import Origin, refuse_name
 from cadgen.editor.text import Value, applied, changed
@@ -112,33 +113,50 @@ class Session:
             self._gesture = gesture
 
     def insert(self, key: str, at: tuple[float, float]) -> None:
-        """Put a point into a list of points, as a step of its own.
+        """Put a point into a list of points, or a post, gate or the like onto the course, as a step of its own.
 
         Args:
-            key: key that it gets: that of the point that then follows it, or one more than the last.
-            at: x and y, mm.
+            key: key that it gets: that of the one that then follows it, or one more than the last.
+            at: x and y, mm; of what has several points, of its middle.
 
         Raises:
-            DesignError: there is no such list of points here, or the result is no design; nothing has changed then.
+            DesignError: there is no such list here, or the result is no design; nothing has changed then.
         """
         with self._lock:
-            lists = [point.listed for point in points_of(self._now.design) if point.listed]
-            known = {f"{name}.{number}" for name in set(lists) for number in range(1, lists.count(name) + 2)}
-            if key not in known:
-                raise DesignError(f"{brief(key, 60)} is no place for a point: choose one of a path, wall or outline")
-            self._step(Version(*inserted(self._now.text, self._file, key, at)))
+            text, design = self._now.text, self._now.design
+            lists = [point.listed for point in points_of(design) if point.listed]
+            if key in {f"{name}.{number}" for name in set(lists) for number in range(1, lists.count(name) + 2)}:
+                self._step(Version(*inserted(text, self._file, key, list(at))))
+            elif key in places_of(design):
+                self._step(Version(*inserted(text, self._file, key, new_item(design, parse(text), key, at))))
+            else:
+                raise DesignError(f"{brief(key, 60)} is no place for a point, nor for anything else on the course")
             self._gesture = None
 
     def remove(self, key: str) -> None:
-        """Take a point out of a list of points, as a step of its own.
+        """Take a point out of a list of points, or a post, gate or the like off the course, as a step of its own.
 
         Raises:
-            DesignError: there is no such point here, or the result is no design; nothing has changed then.
+            DesignError: there is no such thing here, or the result is no design; nothing has changed then.
         """
         with self._lock:
-            if key not in {point.key for point in points_of(self._now.design) if point.listed}:
+            points = {point.key for point in points_of(self._now.design) if point.listed}
+            if key not in points | items_of(self._now.design):
                 raise DesignError(f"{brief(key, 60)} cannot be removed here: remove it in a text editor")
             self._step(Version(*removed(self._now.text, self._file, key)))
+            self._gesture = None
+
+    def exchange(self, key: str) -> None:
+        """Exchange a gate with the next one, as a step of its own: gates count in their order.
+
+        Raises:
+            DesignError: there is no such gate, or none after it; nothing has changed then.
+        """
+        with self._lock:
+            gates = sum(item.startswith("course.gates.") for item in items_of(self._now.design))
+            if key not in {f"course.gates.{number}" for number in range(1, gates)}:
+                raise DesignError(f"{brief(key, 60)} cannot be exchanged with the next one: choose a gate but the last")
+            self._step(Version(*exchanged(self._now.text, self._file, key)))
             self._gesture = None
 
     def undo(self) -> None:
@@ -191,6 +209,7 @@ class Session:
                 "redo": len(self._redo),
                 "groups": [asdict(group) for group in groups_of(design, self._opened.design)],
                 "points": [asdict(point) for point in points_of(design)],
+                "kinds": [asdict(kind) for kind in kinds_of(design)],
             }
 
     def _step(self, version: Version) -> None:

@@ -1,6 +1,6 @@
 """A change of a design file's text: the numbers named change, and everything else stays, comments among it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -9,6 +9,7 @@ from cadgen.design.load import design_of
 from cadgen.design.override import override
 from cadgen.design.parse import parse
 from cadgen.design.schema import Design
+from cadgen.editor.lists import toml
 from cadgen.errors import DesignError, brief
 
 # A number, or the coordinates of a point.
@@ -63,7 +64,7 @@ def changed(text: str, file: Path, changes: Mapping[str, Value]) -> tuple[str, D
     Raises:
         DesignError: the result is no design, in a sentence; or the text cannot be changed and read back.
     """
-    return applied(text, file, [f"{key}={_written(value)}" for key, value in changes.items()])
+    return applied(text, file, [f"{key}={toml(value)}" for key, value in changes.items()])
 
 
 def applied(text: str, file: Path, overrides: list[str]) -> tuple[str, Design]:
@@ -71,31 +72,43 @@ def applied(text: str, file: Path, overrides: list[str]) -> tuple[str, Design]:
     values = parse(text)
     for change in overrides:
         override(values, change)
-    result = _rewritten(text, overrides)
-    return checked(result, file, values)
+    return checked(_rewritten(text, overrides), file, values)
 
 
-def checked(result: str | None, file: Path, values: dict[str, Any]) -> tuple[str, Design]:
+def checked(results: Iterable[str], file: Path, values: dict[str, Any]) -> tuple[str, Design]:
     """A changed text and its design, once the text has been read back.
 
     Args:
-        result: text; None if there is none.
+        results: texts to choose from, the best first.
         file: path of the file, for messages.
-        values: raw values that the text must have.
+        values: raw values that the text must have; a list of the course without items is as good as none.
 
     Raises:
         DesignError: there is no text with these values, or they are no design.
     """
-    if result is None or values_of(result) != values:
-        raise DesignError(
-            f"{brief(file.name)}: this change cannot be written into the file as it is laid out; make it in a text "
-            "editor, and open the design again"
-        )
-    return result, design_of(result, file)
+    wanted = _without_empty(values)
+    for result in results:
+        read = values_of(result)
+        if read is not None and _without_empty(read) == wanted:
+            return result, design_of(result, file)
+    raise DesignError(
+        f"{brief(file.name)}: this change cannot be written into the file as it is laid out; make it in a text "
+        "editor, and open the design again"
+    )
 
 
-def _rewritten(text: str, overrides: list[str]) -> str | None:
-    """Text with overrides written into it; None if the library that keeps comments does not manage it."""
+def _without_empty(values: dict[str, Any]) -> dict[str, Any]:
+    """Values without empty lists on the course, and without an empty course."""
+    course = values.get("course")
+    if not isinstance(course, dict):
+        return values
+    rest = {key: value for key, value in values.items() if key != "course"}
+    course = {key: value for key, value in course.items() if value != []}
+    return {**rest, "course": course} if course else rest
+
+
+def _rewritten(text: str, overrides: list[str]) -> Iterator[str]:
+    """Text with overrides written into it; none if the library that keeps comments does not manage it."""
     import tomlkit  # only here: opening a design writes none
     from tomlkit.exceptions import TOMLKitError
 
@@ -103,9 +116,9 @@ def _rewritten(text: str, overrides: list[str]) -> str | None:
         document: Any = tomlkit.parse(text)
         for change in overrides:
             override(document, change)
-        return str(document.as_string())
+        yield str(document.as_string())
     except (DesignError, TOMLKitError, LookupError, TypeError, ValueError):
-        return None  # the same overrides have been applied to plain values: these are the library's own limits
+        return  # the same overrides have been applied to plain values: these are the library's own limits
 
 
 def values_of(text: str) -> dict[str, Any] | None:
@@ -114,7 +127,3 @@ def values_of(text: str) -> dict[str, Any] | None:
         return parse(text)
     except ValueError:
         return None
-
-
-def _written(value: Value) -> str:
-    return f"[{value[0]!r}, {value[1]!r}]" if isinstance(value, tuple) else repr(value)

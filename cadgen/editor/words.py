@@ -166,6 +166,11 @@ def key_words(key: str) -> Words:
     return Words(", ".join(name.en for name in names), "，".join(name.zh for name in names))
 
 
+def kind_words(kind: str) -> Words:
+    """Name of a kind of item on the course."""
+    return _POINTS[kind]
+
+
 def point_words(kind: str, number: int, part: str) -> Words:
     """Name of a point.
 

@@ -1,6 +1,7 @@
 """Features of a part besides its outline or teeth: bore, keyway or flat, hub, web, holes, broken edges; walls left."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -147,36 +148,7 @@ class Blank:
         Args:
             profile: dense points of the disc's outline.
         """
-        core, name = self.bore(), "bore"
-        walls = [_enclosed(core, name, profile, "profile")]
-        if self.hub:
-            hub = circle((0.0, 0.0), self.hub.diameter / 2)
-            walls.append(_enclosed(core, name, hub.outline(_STEP), "hub"))
-            core, name = hub, "hub"
-            walls.append(_enclosed(core, name, profile, "profile"))
-            walls += _screw_walls(self.hub)
-        holes, ring = self.holes(), self.lightening
-        names = [f"lightening hole {n}" for n in range(1, ring.count + 1)] if ring else []
-        names += ["mark"] if self.mark else []
-        if holes:
-            rim = [_enclosed(hole, of_hole, profile, "profile") for hole, of_hole in zip(holes, names, strict=True)]
-            walls.append(min(rim, key=lambda wall: wall.thickness))
-            centers, radii = np.array([hole.centers[0] for hole in holes]), np.array([hole.radii[0] for hole in holes])
-            aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))
-            inner = aside - radii
-            worst = int(np.argmin(inner))
-            walls.append(Wall(f"{names[worst]} and {name}", float(inner[worst]), centers[worst]))
-        if ring and ring.circle_diameter and ring.count > 1:
-            apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
-            walls.append(Wall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
-        if ring and self.mark:
-            between = np.linalg.norm(centers[:-1] - centers[-1], axis=1) - radii[:-1] - radii[-1]
-            near = int(np.argmin(between))
-            walls.append(Wall(f"{names[near]} and mark", float(between[near]), (centers[near] + centers[-1]) / 2))
-        return tuple(
-            replace(wall, thickness=wall.thickness - self.edge_break) if wall.between.endswith("and profile") else wall
-            for wall in walls
-        )
+        return _walls(self, profile)
 
     def require_walls(self, profile: Outline) -> None:
         """Refuse a blank of which no solid can be made.
@@ -195,6 +167,40 @@ class Blank:
                 f"{thinnest.between} overlap by {-thinnest.thickness:.2f} mm at ({x:.1f}, {y:.1f}) mm: "
                 "make one of them smaller or move them apart (the design's [blank])"
             )
+
+
+@lru_cache(maxsize=8)  # checks, solids and meshes of a disc ask for the same walls
+def _walls(blank: Blank, profile: Outline) -> tuple[Wall, ...]:
+    core, name = blank.bore(), "bore"
+    walls = [_enclosed(core, name, profile, "profile")]
+    if blank.hub:
+        hub = circle((0.0, 0.0), blank.hub.diameter / 2)
+        walls.append(_enclosed(core, name, hub.outline(_STEP), "hub"))
+        core, name = hub, "hub"
+        walls.append(_enclosed(core, name, profile, "profile"))
+        walls += _screw_walls(blank.hub)
+    holes, ring = blank.holes(), blank.lightening
+    names = [f"lightening hole {n}" for n in range(1, ring.count + 1)] if ring else []
+    names += ["mark"] if blank.mark else []
+    if holes:
+        rim = [_enclosed(hole, of_hole, profile, "profile") for hole, of_hole in zip(holes, names, strict=True)]
+        walls.append(min(rim, key=lambda wall: wall.thickness))
+        centers, radii = np.array([hole.centers[0] for hole in holes]), np.array([hole.radii[0] for hole in holes])
+        aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))
+        inner = aside - radii
+        worst = int(np.argmin(inner))
+        walls.append(Wall(f"{names[worst]} and {name}", float(inner[worst]), centers[worst]))
+    if ring and ring.circle_diameter and ring.count > 1:
+        apart = ring.circle_diameter * np.sin(np.pi / ring.count) - ring.hole_diameter
+        walls.append(Wall("two lightening holes", float(apart), (centers[0] + centers[1]) / 2))
+    if ring and blank.mark:
+        between = np.linalg.norm(centers[:-1] - centers[-1], axis=1) - radii[:-1] - radii[-1]
+        near = int(np.argmin(between))
+        walls.append(Wall(f"{names[near]} and mark", float(between[near]), (centers[near] + centers[-1]) / 2))
+    return tuple(
+        replace(wall, thickness=wall.thickness - blank.edge_break) if wall.between.endswith("and profile") else wall
+        for wall in walls
+    )
 
 
 def _screw_walls(hub: Hub) -> tuple[Wall, ...]:

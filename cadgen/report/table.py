@@ -1,13 +1,44 @@
-"""Tables that never cut a number: on a narrow terminal words are folded, and at last each row becomes a list."""
+"""Lines and tables that never cut a number: words are folded, and at last each row of a table becomes a list."""
+
+import re
+from collections.abc import Iterable
+from typing import Any
 
 from rich.cells import cell_len
-from rich.console import Console, ConsoleOptions, RenderResult
+from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
 from rich.padding import Padding
+from rich.segment import Segment
 from rich.table import Column, Table
 from rich.text import Text
 
 _GAP = 2  # columns of the terminal between two columns of the table
 _FOLDED = 24  # a word longer than that may be folded inside
+# Between a number and its unit, a share and its value, a value and its spread: no line ends there.
+_TOGETHER = re.compile(r"(?<=\d) (?=(?:mm[23]?|µm|m|kB|MB|s|min|N)\b|[%±])|(?<=\d %) (?=-?\d)|(?<=±) (?=\d)")
+_BOND = "\ue000"  # stands there while lines are folded: a letter to rich, which folds at every kind of space
+
+
+class FittedConsole(Console):
+    """A console that keeps number and unit on one line, and where brackets in names and sentences are only brackets."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(markup=False, emoji=False, highlight=False, **options)
+
+    def render_str(self, text: str, **options: Any) -> Text:
+        """Text of a sentence or a cell."""
+        return _bound(super().render_str(text, **options))
+
+    def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
+        """Pieces of a text, a table or a cell, folded."""
+        for segment in super().render(_bound(renderable) if isinstance(renderable, Text) else renderable, options):
+            yield segment._replace(text=segment.text.replace(_BOND, " "))
+
+
+def _bound(text: Text) -> Text:
+    """The same text, held together where no line may end."""
+    text = text.copy()
+    text.plain = _TOGETHER.sub(_BOND, text.plain)
+    return text
 
 
 class FittedTable(Table):
@@ -19,7 +50,7 @@ class FittedTable(Table):
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         """Render for rich: the table as it is, with folded words, or row by row."""
-        room = options.max_width - _GAP * len(self.columns)
+        room = options.max_width - _GAP * (len(self.columns) - (not self.pad_edge))
         if sum(map(_natural, self.columns)) > room:
             widths = _widths(self.columns, room)
             if widths is None:
@@ -33,7 +64,7 @@ class FittedTable(Table):
         if self.title:
             yield _text(self.title, self.title_style)
         first, *others = ([_text(cell) for cell in column.cells] for column in self.columns)
-        heads = [_text(column.header, self.header_style) for column in self.columns[1:]]
+        heads = [_text(str(column.header).replace("\n", " "), self.header_style) for column in self.columns[1:]]
         for number, row in enumerate(self.rows):
             yield Text.assemble(first[number], style=row.style or "")
             below = Table.grid(padding=(0, _GAP))
@@ -78,7 +109,9 @@ def _natural_cell(column: Column) -> int:
 def _longest_word(column: Column) -> int:
     """Width in which no word is folded inside, but for very long ones; of a column of numbers, that of its head."""
     cells = [column.header] if column.justify == "right" else [column.header, *column.cells]
-    return max((min(cell_len(word), _FOLDED) for cell in cells for word in _text(cell).plain.split()), default=0)
+    return max(
+        (min(cell_len(word), _FOLDED) for cell in cells for word in _bound(_text(cell)).plain.split()), default=0
+    )
 
 
 def _text(cell: object, style: object = "") -> Text:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rich.console import Console
+    from cadgen.report.table import FittedConsole
 
 
 @dataclass(frozen=True)
@@ -28,12 +28,12 @@ class Table:
 Block = Heading | Table | str
 
 
-def write(blocks: Sequence[Block], console: "Console") -> None:
+def write(blocks: Sequence[Block], console: "FittedConsole") -> None:
     """Print blocks, folded to the console's width.
 
     Args:
         blocks: headings, tables and paragraphs; the first `words` columns of a table are words.
-        console: console without markup, for brackets in names are only brackets.
+        console: console that they are printed on.
     """
     from cadgen.report.table import FittedTable
 
@@ -56,8 +56,8 @@ def write(blocks: Sequence[Block], console: "Console") -> None:
 
 def plain(blocks: Sequence[Block], width: int) -> str:
     """Blocks as plain text, folded to `width` characters."""
-    from rich.console import Console
+    from cadgen.report.table import FittedConsole
 
     file = io.StringIO()
-    write(blocks, Console(file=file, width=width, markup=False, emoji=False, highlight=False, color_system=None))
+    write(blocks, FittedConsole(file=file, width=width, color_system=None))
     return "\n".join(line.rstrip() for line in file.getvalue().splitlines()).strip("\n") + "\n"

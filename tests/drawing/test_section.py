@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import TextToPath
 
 from cadgen.curves.contour import circle, keyway_bore
 from cadgen.drawing.section import Layer, beyond, material
-from cadgen.drawing.sheet import chosen_scale, chosen_sheet, scale_text, shown, wrapped
+from cadgen.drawing.sheet import TEXT, chosen_scale, chosen_sheet, scale_text, shown, wrapped
 
 
 def ring(diameter, centre=(0.0, 0.0)):
@@ -48,3 +50,12 @@ def test_sheets_and_numbers():
     lines = wrapped(["a sentence that is far too long for the narrow column of a sheet"], 50.0)
     assert len(lines) > 1
     assert lines[1].startswith("   ")
+
+
+def test_notes_stay_in_their_column():
+    """By the widths of the font itself, whose capitals are 0.729 of its size, also of a line full of figures."""
+    letters = FontProperties(family="DejaVu Sans", size=TEXT / 0.729)
+    notes = ["Axes 1 and 2: 45 ± 0.0195 mm, bearings 80 mm apart, as the play is reckoned: 1000 ± 0.0495 mm, 2000 mm."]
+    for width in (50.0, 62.0, 80.0, 120.0):
+        for line in wrapped(notes, width):
+            assert TextToPath().get_text_width_height_descent(line, letters, False)[0] <= width

@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from tests.editor.conftest import TEXT
-from tests.page.chromium import ARGUMENTS, READY, chromium_path
+from tests.page.chromium import ARGUMENTS, READY, chromium_path, serious_faults
 
 CURRENT = "html[data-whole]:not([data-stale])"
 
@@ -113,6 +113,44 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
         shown.keyboard.press("Delete")
     shown.wait_for_selector('.handle.chosen[data-key="path.waypoints_mm.5"]:focus')
     assert len(session.now.design.path.keys.waypoints_mm) == 5
+    current(shown, session)
+
+    # Posts and gates come and go: by button, double click and keys; the order of gates changes.
+    def pressed(name, request):
+        with shown.expect_response(f"**/{request}"):
+            shown.get_by_role("button", name=name, exact=True).click()
+
+    steps = session.state()["undo"]
+    shown.get_by_role("button", name="Gates", exact=True).click()
+    for _ in range(2):
+        pressed("Add a gate", "insert")
+    first, second = (gate.at_mm for gate in session.now.design.course.gates)
+    shown.wait_for_selector('.handle.chosen[data-key="course.gates.2.at_mm"]:focus')
+    pressed("Earlier in the order of the gates", "exchange")
+    assert [gate.at_mm for gate in session.now.design.course.gates] == [second, first]
+    shown.wait_for_selector('.handle.chosen[data-key="course.gates.1.at_mm"][data-number="1"]')
+    shown.get_by_role("button", name="Posts, walls, zones, field", exact=True).click()
+    pressed("Add a wall", "insert")
+    shown.wait_for_selector('.handle.chosen[data-key="course.walls.1.line_mm.1"]:focus')
+    with shown.expect_response("**/remove"):  # a wall of two points goes as a whole
+        shown.keyboard.press("Delete")
+    box = shown.locator("#handles").bounding_box()
+    with shown.expect_response("**/insert"):
+        shown.mouse.dblclick(box["x"] + box["width"] / 4, box["y"] + box["height"] / 4)
+    shown.wait_for_selector('.handle.chosen[data-key="course.posts.2.at_mm"]:focus')
+    assert session.now.design.course.posts[1].radius_mm == 20.0
+    current(shown, session)
+    assert serious_faults(shown, "header", "#edit", "#course-figure") == []
+    shown.set_viewport_size({"width": 360, "height": 740})
+    shown.emulate_media(color_scheme="dark")
+    assert serious_faults(shown, "header", "#edit", "#course-figure") == []
+    assert shown.evaluate("() => document.documentElement.scrollWidth") <= 360
+    shown.set_viewport_size({"width": 1280, "height": 720})
+    shown.emulate_media(color_scheme="light")
+    while session.state()["undo"] > steps:
+        with shown.expect_response("**/undo"):
+            shown.locator("#undo").click()
+    assert session.now.design.course.gates == session.now.design.course.walls == ()
     current(shown, session)
 
     # What is typed is saved, although the field has not been left, and Ctrl+Z takes it back.

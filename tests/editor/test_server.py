@@ -117,7 +117,10 @@ def test_a_body_that_is_too_long_is_refused_whatever_its_header_says(client, ses
         ("insert", b'{"key": "path.waypoints_mm.2", "at": [NaN, 2]}', 422),
         ("insert", b'{"key": "path.waypoints_mm.99", "at": [1, 2]}', 422),
         ("remove", b'{"key": 5}', 422),
-        ("remove", b'{"key": "course.posts.1"}', 422),
+        ("remove", b'{"key": "course.posts.2"}', 422),
+        ("insert", b'{"key": "course.gates.2", "at": [1, 2]}', 422),
+        ("exchange", b'{"key": "course.posts.1"}', 422),
+        ("exchange", b'{"key": 1}', 422),
         ("save", b'{"name": 5}', 422),
         ("save", b'{"name": "../x"}', 422),
         ("state", b"{}", 405),
@@ -230,7 +233,7 @@ def test_two_hundred_random_actions_without_a_fault(client, service, session, fi
         controls = [control for group in state["groups"] for control in group["controls"]]
         control, point = rng.choice(controls), rng.choice(state["points"])
         kinds = ["slide", "drag", "drag", "far", "insert", "remove", "undo", "redo", "save", "name", "result"]
-        kind = rng.choice(kinds)
+        kind = rng.choice([*kinds, "add", "add", "take", "exchange"])
         if kind == "slide":
             value = rng.uniform(control["low"], control["high"])
             value = round(value) if control["whole"] else value
@@ -244,6 +247,13 @@ def test_two_hundred_random_actions_without_a_fault(client, service, session, fi
             response = client.post("change", json={"changes": {key: value}})
         elif kind in ("insert", "remove"):
             response = client.post(kind, json={"key": point["key"], "at": [point["x"] + 50.0, point["y"]]})
+        elif kind in ("add", "take", "exchange"):
+            item = rng.choice(state["kinds"])
+            key = item["key"] if item["alone"] else f"{item['key']}.{rng.randint(0, item['count'] + 2)}"
+            if kind == "exchange":
+                key = f"course.gates.{rng.randint(0, 3)}"
+            body = {"key": key, "at": [rng.uniform(0, 6000), rng.uniform(-500, 2500)]}
+            response = client.post({"add": "insert", "take": "remove"}.get(kind, kind), json=body)
         elif kind == "result":
             if number % 4:  # they take long
                 continue
@@ -257,6 +267,7 @@ def test_two_hundred_random_actions_without_a_fault(client, service, session, fi
         if response.status_code == 422:
             assert response.json()["error"]
     assert {status for _, status in seen} == {200, 409, 422}
+    assert seen >= {(kind, status) for kind in ("add", "take", "exchange") for status in (200, 422)}
     Design.from_toml(session.now.text)
     assert "# A small car.   Its comments are to stay." in session.now.text
     assert {entry.suffix for entry in file.parent.iterdir()} == {".toml"}

@@ -260,11 +260,19 @@ def test_lists_in_any_layout_and_twice_the_same(file, layout):
 
 
 @pytest.mark.parametrize(
-    "key", ["path.waypoints_mm.7", "path.waypoints_mm.0", "path.waypoints_mm", "course.posts.1", "course.posts.1.at_mm"]
+    "key",
+    [
+        *("path.waypoints_mm.7", "path.waypoints_mm.0", "path.waypoints_mm", "course.posts.1.at_mm", "course.posts.3"),
+        *("course.posts", "course.gates.2", "course.field.1", "course.spacing", "car.outline", "train.stages.1"),
+    ],
 )
-def test_only_lists_of_points_grow_and_shrink(session, key):
-    for refused in (lambda: session.insert(key, (1.0, 2.0)), lambda: session.remove(key)):
-        with pytest.raises(DesignError, match=r"no place for a point|cannot be removed here"):
+def test_nothing_else_grows_and_shrinks(session, key):
+    for refused in (
+        lambda: session.insert(key, (1.0, 2.0)),
+        lambda: session.remove(key),
+        lambda: session.exchange(key),
+    ):
+        with pytest.raises(DesignError, match=r"no place for a point|cannot be removed here|cannot be exchanged"):
             refused()
     session.remove("path.waypoints_mm.5")
     with pytest.raises(DesignError, match="it needs at least 4"):

@@ -25,3 +25,18 @@ def chromium_path() -> str:
         pytest.skip("no Chromium: install your system's, or name one in CADGEN_CHROMIUM")
     pytest.importorskip("playwright.sync_api", reason="no playwright: install cadgen[test]")
     return path
+
+
+def serious_faults(page, *parts):
+    """What axe-core finds serious or worse on a page, or in parts of it; the test is skipped without axe-core.
+
+    Args:
+        page: page in the browser.
+        parts: selector of each part.
+    """
+    sync = pytest.importorskip("axe_playwright_python.sync_playwright", reason="no axe: install cadgen[test]")
+    return [
+        (violation["id"], [node["target"] for node in violation["nodes"]][:4])
+        for violation in sync.Axe().run(page, context=[[part] for part in parts] or None).response["violations"]
+        if violation["impact"] in ("serious", "critical")
+    ]

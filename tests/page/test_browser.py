@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.page.chromium import ARGUMENTS, READY
+from tests.page.chromium import ARGUMENTS, READY, serious_faults
 
 
 @pytest.fixture(scope="module")
@@ -127,17 +127,11 @@ def test_a_distance_is_measured_between_two_points(shown):
 @pytest.mark.long
 @pytest.mark.parametrize(("scheme", "width"), [("light", 1280), ("dark", 390)])
 def test_axe_finds_nothing_serious(browser, address, scheme, width):
-    sync = pytest.importorskip("axe_playwright_python.sync_playwright", reason="no axe: install cadgen[test]")
     context = browser.new_context(viewport={"width": width, "height": 800}, color_scheme=scheme, locale="en-GB")
     page = context.new_page()
     page.goto(address)
     page.wait_for_selector(READY, state="attached")
-    found = sync.Axe().run(page).response["violations"]
-    serious = [
-        (violation["id"], [node["target"] for node in violation["nodes"]][:4])
-        for violation in found
-        if violation["impact"] in ("serious", "critical")
-    ]
+    serious = serious_faults(page)
     context.close()
     assert not serious, serious
 
@@ -149,6 +143,11 @@ def test_a_phone_needs_no_sideways_scrolling(browser, address):
     page.goto(address)
     page.wait_for_selector(READY, state="attached")
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
+    page.set_viewport_size({"width": 844, "height": 390})  # turned, and back again
+    page.wait_for_function("document.querySelector('.plot canvas').clientWidth > 500")
+    page.set_viewport_size({"width": 360, "height": 740})
+    page.wait_for_function("document.querySelector('.plot canvas').clientWidth < 360")
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= 360
     context.close()
 
 

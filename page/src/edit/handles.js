@@ -1,9 +1,13 @@
 // Points on the course that can be dragged: buttons above the drawing, each at its place.
+import { kindsBar } from "./kinds.js";
+import { nearest, ordered, roomiest } from "./lines.js";
+
 const { element, pick, shapeStages, translated } = globalThis.cadgenPage;
 
 const FARTHEST = 1e6; // mm, as of the schema
 const [ARROW, FINE] = [10, 1]; // mm, of an arrow key
 const REST = 350; // ms after the last key until the whole is computed
+const NEAR = 12; // px, from a line within which a double click adds a point to it
 const LAYERS = { path: ["Path", "路径"], gates: ["Gates", "赛道门"], posts: ["Posts, walls, zones, field", "立柱、墙、禁区、场地"] };
 
 export function handles(figure, change, step) {
@@ -20,19 +24,21 @@ export function handles(figure, change, step) {
   const fault = element("p", { class: "fault", role: "alert" });
   const [add, drop] = [
     element("button", { type: "button", id: "add-point", text: ["Add a point", "添加点"], label: ["Add a point after this one (Insert)", "在此点后添加点（Insert）"] }),
-    element("button", { type: "button", id: "remove-point", text: ["Remove", "删除"], label: ["Remove this point (Delete)", "删除此点（Delete）"] }),
+    element("button", { type: "button", id: "remove-point", text: ["Remove the point", "删除点"], label: ["Remove the point (Delete)", "删除此点（Delete）"] }),
   ];
   add.addEventListener("click", () => addAfter(point(chosen)));
-  drop.addEventListener("click", () => remove(point(chosen)));
-  const bar = element("div", { id: "point-bar" }, name, " x ", fields[0], " y ", fields[1], element("small", {}, "mm"), add, drop);
+  drop.addEventListener("click", () => removePoint(point(chosen)));
+  const place = element("div", { class: "place" }, name, " x ", fields[0], " y ", fields[1], element("small", {}, "mm"));
+  const kinds = kindsBar({ add: addItem, remove: removeItem, exchange });
+  const bar = element("div", { id: "point-bar" }, place, add, drop, ...kinds.ofItem);
   const help = element("p", {
     class: "hint",
     text: [
-      "Drag a point, or move it by the arrow keys (10 mm, with Shift 1 mm); Page Up and Page Down choose another. A double click beside the points of the path adds one, Delete removes the chosen one.",
-      "拖动点，或用方向键移动（10 mm，按住 Shift 为 1 mm）；Page Up 和 Page Down 切换点。在路径点旁双击可添加点，按 Delete 删除所选的点。",
+      "Drag a point, or move it by the arrow keys (10 mm, with Shift 1 mm); Page Up and Page Down choose another. A double click adds a point to the path or to the wall beside it, else a gate or a post; Insert adds one more like the chosen one, Delete removes it.",
+      "拖动点，或用方向键移动（10 mm，按住 Shift 为 1 mm）；Page Up 和 Page Down 切换点。双击可在路径或旁边的墙上添加点，在别处添加赛道门或立柱；按 Insert 添加同类的一个，按 Delete 删除所选的一个。",
     ],
   });
-  box.after(layers, bar, fault, help);
+  box.after(layers, kinds.node, bar, fault, help);
 
   let points = [];
   let layer = "path";
@@ -69,7 +75,9 @@ export function handles(figure, change, step) {
     bar.hidden = !one;
     if (!one) return;
     name.textContent = pick(one.label);
-    add.hidden = drop.hidden = !one.listed;
+    add.hidden = !one.listed;
+    drop.hidden = !one.spare;
+    kinds.choose(one);
     fields.forEach((field, i) => {
       if (document.activeElement !== field) field.value = i ? one.y : one.x;
     });
@@ -104,29 +112,61 @@ export function handles(figure, change, step) {
     insert(one, at + 1, middle);
   }
 
-  function remove(one) {
-    if (one?.listed) step("remove", { key: one.key }, where);
+  function removePoint(one) {
+    if (one?.spare) step("remove", { key: one.key }, where);
   }
 
-  /** Adds a point where the floor is clicked twice: between the two points of its list whose line is nearest. */
+  /** Puts an item onto the course, and chooses it: its first point has the focus, so that keys can move it. */
+  async function insertItem(key, [x, y]) {
+    const before = chosen;
+    chosen = key;
+    if (await step("insert", { key, at: [short(x), short(y)] }, where)) buttons.get(chosen)?.focus();
+    else choose(before);
+  }
+
+  /** Adds an item of a kind: a gate halfway to the next one, start and finish on the path, others where there is room. */
+  function addItem({ key, count, alone }) {
+    const path = points.filter((one) => one.layer === "path");
+    const end = { "course.start": path[0], "course.finish": path[0]?.closed ? path[0] : path.at(-1) }[key];
+    if (alone) return insertItem(key, end ? [end.x, end.y] : [0, 0]);
+    const [gates, of] = [ordered(points, key), point(chosen)?.item];
+    if (key !== "course.gates" || !count) return insertItem(`${key}.${count + 1}`, roomiest(points, frame));
+    const here = of?.startsWith(`${key}.`) ? Number(of.slice(key.length + 1)) : count;
+    const [one, next, last] = [gates[here - 1], gates[here], gates[here - 2]];
+    const aside = [frame.width / 20, 0];
+    const at = one.map((value, i) => (next ? (value + next[i]) / 2 : last ? 2 * value - last[i] : value + aside[i]));
+    return insertItem(`${key}.${here + 1}`, at);
+  }
+
+  async function removeItem(key) {
+    const before = chosen;
+    if (point(chosen)?.item === key) chosen = key;
+    if (!(await step("remove", { key }, where))) choose(before);
+  }
+
+  /** Exchanges a gate with the next one; the chosen one stays the same gate. */
+  async function exchange(key, chosenIs) {
+    const before = chosen;
+    chosen = chosenIs;
+    if (!(await step("exchange", { key }, where))) choose(before);
+  }
+
+  /** Adds a point, a gate or a post where the floor is clicked twice: to the line that is nearest, in its order. */
   box.addEventListener("dblclick", (event) => {
     if (!frame || event.target.closest(".handle")) return;
     const { left, top, width, height } = overlay.getBoundingClientRect();
     const x = frame.left + ((event.clientX - left) / width) * frame.width;
     const y = frame.top - ((event.clientY - top) / height) * frame.height;
-    let nearest = null;
-    for (const one of points.filter((each) => each.layer === layer && each.listed)) {
-      const next = point(numbered(one, number(one) + 1)) ?? (one.closed ? point(numbered(one, 1)) : null);
-      if (!next) continue;
-      const [dx, dy] = [next.x - one.x, next.y - one.y];
-      const along = ((x - one.x) * dx + (y - one.y) * dy) / (dx * dx + dy * dy || 1);
-      const t = Math.max(0, Math.min(1, along));
-      const away = Math.hypot(x - one.x - t * dx, y - one.y - t * dy);
-      if (nearest && away >= nearest.away) continue;
-      const [first, last] = [number(one) === 1 && !one.closed && along < 0, !one.closed && along > 1 && !point(numbered(one, number(one) + 2))];
-      nearest = { one, away, at: number(one) + (first ? 0 : last ? 2 : 1) };
-    }
-    if (nearest) insert(nearest.one, nearest.at, [x, y]);
+    const line = (name, places, closed = false) => ({ name, places, closed });
+    const here = points.filter((one) => one.layer === layer && one.listed);
+    const lists = [...new Set(here.map(({ listed }) => listed))].map((listed) => {
+      const mine = here.filter((one) => one.listed === listed);
+      return line(listed, mine.map((one) => [one.x, one.y]), mine[0].closed);
+    });
+    const found = nearest(layer === "gates" ? [line("course.gates", ordered(points, "course.gates"))] : lists, [x, y]);
+    if (layer === "gates") insertItem(`course.gates.${found?.at ?? 1}`, [x, y]);
+    else if (layer === "path" || found?.away < (NEAR * frame.width) / width) insert({ listed: found.name }, found.at, [x, y]);
+    else insertItem(`course.posts.${ordered(points, "course.posts").length + 1}`, [x, y]);
   });
 
   function typed() {
@@ -162,13 +202,17 @@ export function handles(figure, change, step) {
     if (moved && one) move(one, one.x, one.y, gesture, true);
   }
 
+  const addLike = (one) => (one.listed ? addAfter(one) : addItem(kinds.of(one)));
+  const removeWhole = (one) => one.item && removeItem(one.item);
+  const removeOne = (one) => (one.spare ? removePoint(one) : removeWhole(one));
+
   let rest = 0;
   let run = "";
   function keyed(event, one) {
     const length = event.shiftKey ? FINE : ARROW;
     const by = { ArrowLeft: [-length, 0], ArrowRight: [length, 0], ArrowUp: [0, length], ArrowDown: [0, -length] }[event.key];
     const to = { PageUp: -1, PageDown: 1 }[event.key];
-    const edit = { Insert: addAfter, Delete: remove }[event.key];
+    const edit = { Insert: addLike, Delete: event.shiftKey ? removeWhole : removeOne }[event.key];
     if (!by && !to && !edit) return;
     event.preventDefault();
     if (edit) return edit(one);
@@ -191,8 +235,9 @@ export function handles(figure, change, step) {
     const here = points.filter((one) => one.layer === layer);
     const focused = overlay.contains(document.activeElement);
     buttons.clear();
-    for (const { key } of here) {
-      const button = element("button", { type: "button", class: `handle ${layer}`, "data-key": key });
+    for (const { key, item } of here) {
+      const number = item.startsWith("course.gates.") && item.slice("course.gates.".length);
+      const button = element("button", { type: "button", class: `handle ${layer}`, "data-key": key, "data-number": number });
       button.addEventListener("pointerdown", (event) => begin(event, point(key)));
       button.addEventListener("pointermove", on);
       button.addEventListener("pointerup", end);
@@ -202,18 +247,18 @@ export function handles(figure, change, step) {
       buttons.set(key, button);
     }
     overlay.replaceChildren(...buttons.values());
-    // Of a point that was the last of its list and was removed, the one before.
+    // Of a point or an item that was the last of its list and was removed, the one before.
     const beside = chosen?.replace(/\d+$/, (digits) => digits - 1);
-    choose([chosen, beside].find((key) => buttons.has(key)) ?? here[0]?.key ?? null);
+    const found = [chosen, beside].map((key) => here.find((one) => one.key === key || one.item === key)).find(Boolean);
+    choose((found ?? here[0])?.key ?? null);
     if (focused) buttons.get(chosen)?.focus();
     here.forEach(set);
   }
 
   function layered() {
-    const known = Object.keys(LAYERS).filter((code) => points.some((one) => one.layer === code));
-    if (!known.includes(layer)) [layer] = known;
+    kinds.layer(layer);
     layers.replaceChildren(
-      ...known.map((code) => {
+      ...Object.keys(LAYERS).map((code) => {
         const button = element("button", { type: "button", "aria-pressed": String(code === layer), text: LAYERS[code] });
         button.addEventListener("click", () => {
           layer = code;
@@ -236,10 +281,9 @@ export function handles(figure, change, step) {
       const same = keys(points) === keys(state.points);
       const dragged = drag && point(drag.key);
       points = state.points.map((one) => (dragged && one.key === drag.key ? { ...one, x: dragged.x, y: dragged.y } : one));
-      if (!same) {
-        layered();
-        build();
-      }
+      kinds.show(state.kinds);
+      if (!layers.children.length) layered();
+      if (!same || !buttons.has(chosen)) build();
       points.forEach(set);
       name_();
     },
