@@ -1,4 +1,4 @@
-"""What can be added to the course and taken from it: posts, walls, zones, gates, start, finish and field."""
+"""Items that can be added to the course or removed: posts, walls, zones, gates, start, finish and field."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
