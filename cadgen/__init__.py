@@ -19,7 +19,7 @@ The rooms, in walking order; each imports only those before it.
 | `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
 | `steering`    | curvature of the track <-> steering angle                                 |
 | `course`      | field, posts, gates; the car's outline swept along its run                |
-| `planner`     | course and car -> the path that play turns least off                      |
+| `planner`     | course and car -> the path on which play moves the car least              |
 | `parts`       | features of a part: bore, keyway, hub, web, holes; a body of prisms       |
 | `cam`         | lift, theoretical and actual profile, contact, checks                     |
 | `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |

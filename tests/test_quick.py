@@ -1,9 +1,10 @@
-"""The quick tests, `-m "not slow"`, leave out no room; nor does the suite, `-m "not long"`."""
+"""The quick tests, `-m "not slow"`, leave out no room; nor does the suite, `-m "not long"`; none of them is timed."""
 
 import ast
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 HERE = Path(__file__).parent
 
@@ -40,3 +41,14 @@ def test_long_tests_are_slow_and_no_room_has_them_alone():
     for room in {file.parent.name for file in HERE.glob("*/test_*.py")}:
         tests = [of_test for file, of_file in every.items() if file.parent.name == room for of_test in of_file.values()]
         assert sum("long" not in of_test for of_test in tests) > len(tests) / 2, room
+
+
+def test_property_tests_have_no_deadline():
+    assert settings().deadline is None
+    deadlines = {
+        ast.unparse(key.value)
+        for file in HERE.glob("**/test_*.py")
+        for key in ast.walk(ast.parse(file.read_text("utf-8")))
+        if isinstance(key, ast.keyword) and key.arg == "deadline"
+    }
+    assert deadlines <= {"None"}

@@ -1,4 +1,4 @@
-"""`cadgen plan`: from a course and a car to the path that the play turns least off."""
+"""`cadgen plan`: from a course and a car to the path on which play moves the car least."""
 
 import os
 from contextlib import nullcontext

@@ -1,4 +1,4 @@
-"""The planner: from a course and a car to the path that the play of the gears turns least off.
+"""The planner: from a course and a car to the path on which the play of the gears moves the car least.
 
 The path is a B-spline of degree 5 (`cadgen.path.spline.control_path`). Its control points are found by a row of linear
 programmes: what the play costs and what the path must keep are linearised about the last path, and a trust region

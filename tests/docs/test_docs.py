@@ -140,13 +140,10 @@ def test_designs_load(block: Block, tmp_path: Path) -> None:
     (load_train if "path" not in tables and "train" in tables else load_design)(design)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "block",
-    [
-        pytest.param(block, id=f"{block.page}:{block.line}", marks=[pytest.mark.slow] if block.slow else [])
-        for block in FENCES
-        if block.language == "python"
-    ],
+    [pytest.param(block, id=f"{block.page}:{block.line}") for block in FENCES if block.language == "python"],
 )
 def test_python_runs(block: Block, forks, tmp_path: Path) -> None:
     done = forks.run(block.text, cwd=tmp_path)
