@@ -147,7 +147,7 @@ def fit(
         start: values to begin from; effects without one begin at their own start.
         search: for the penalty.
         known: value and standard deviation of effects' first numbers by the effects' keys, from other measurements.
-        level: -2 log L above which the subset is out of the running, and need not be fitted to the end.
+        level: -2 log L, dimensionless, above which the subset is out of the running, and need not be fitted to the end.
     """
     begin = {effect.key: values for effect, values in start}
     problem = _Problem(joint, (*joint.datum, *effects), known or {})
