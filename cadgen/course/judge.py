@@ -79,7 +79,8 @@ class Driven:
             found[passage.gate.key] = (f"{passage.off:.1f} mm off its middle{wrong}", passage.margin)
         for stand in (self.start, self.finish):
             if stand is not None:
-                off = "" if stand.turned is None else f", {degrees(stand.turned):.2f}° off"
+                # Rounded first, so that it is never -0.00.
+                off = "" if stand.turned is None else f", {round(degrees(stand.turned), 2) or 0.0:.2f}° off"
                 found[stand.wanted.key] = (f"{stand.off:.1f} mm off{off}", stand.wanted.place.reach - stand.off)
         return found
 

@@ -5,7 +5,7 @@
 | `words`     | names of keys, points and buttons in English and Chinese                  |
 | `controls`  | numbers of a design that can be changed, each with its range              |
 | `points`    | points on the floor that can be moved                                     |
-| `kinds`     | what can be added to the course, and what a new one is                    |
+| `kinds`     | kinds of items on the course, and what a new one is                       |
 | `text`      | a change of a design file's text, comments kept                           |
 | `lists`     | a list in brackets with an item put in, taken out or exchanged            |
 | `tables`    | the same of tables under headings, comments kept                          |

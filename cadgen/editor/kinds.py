@@ -1,4 +1,4 @@
-"""Items that can be added to the course or removed: posts, walls, zones, gates, start, finish and field."""
+"""Kinds of items on the course that can be added and removed: posts, walls, zones, gates, start, finish, field."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

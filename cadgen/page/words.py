@@ -179,7 +179,7 @@ _ZH = {
     "Curves": "曲线",
     "Design": "设计",
     "every check passes": "全部检查合格",
-    "a check fails": "检查不合格",
+    "see what fails": "查看不合格项",
     "design": "设计",
     "file of the design": "设计文件",
     "hash": "校验值",

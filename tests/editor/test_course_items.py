@@ -42,7 +42,7 @@ def course(session):
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
 @pytest.mark.parametrize("name", sorted(packaged_designs()))
 def test_each_kind_of_item_comes_and_goes(tmp_path, name, end):
-    """However the file looks: only the item asked for has changed, and undo gives the same text again."""
+    """In any layout of the file only the item asked for changes, and undo gives the same text again."""
     file = tmp_path / "design.toml"
     text = packaged_designs()[name].read_text(encoding="utf-8")
     file.write_bytes(text.replace("\n", end).encode())
@@ -171,7 +171,7 @@ def test_gates_in_brackets(file, gates, after):
 
 
 def test_headings_in_texts_and_lists_are_none(file):
-    """Text that looks like a heading inside a comment or a list of lists is passed over."""
+    """A heading inside a comment, and the points of a list, are passed over."""
     head, rest = TEXT.split("[[course.posts]]", 1)
     file.write_text(
         f"{head}# [[course.posts]]\n[[course.walls]]\nline_mm = [\n  [0, 900],\n  [9, 900]\n]\n[[course.posts]]{rest}"

@@ -28,7 +28,7 @@ def chromium_path() -> str:
 
 
 def serious_faults(page, *parts):
-    """Faults that axe-core finds serious or worse on a page, or in parts of it; the test is skipped without axe-core.
+    """Return the serious faults that axe-core finds on a page, or in parts of it; skip the test without axe-core.
 
     Args:
         page: page in the browser.

@@ -107,6 +107,17 @@ def test_numbers_on_the_page_are_those_of_the_manifest(plan, html):
 
 
 @pytest.mark.slow
+def test_limits_across_a_curve_are_those_of_the_checks(plan, page):
+    """In the unit of the curve, whose greatest values are those that the checks found."""
+    (chart,) = [chart for chart in page.charts if chart.code == "pressure"]
+    checks = {check.code: check for check in plan.cam.checks}
+    rise, fall = checks[CheckCode.PRESSURE_ANGLE_RISE], checks[CheckCode.PRESSURE_ANGLE_RETURN]
+    assert [limit.value for limit in chart.limits] == pytest.approx([rise.limit, -fall.limit], rel=1e-12)
+    assert chart.unit == rise.unit == "°"
+    assert max(abs(chart.curves[0].values)) == pytest.approx(max(rise.value, fall.value), abs=0.05)
+
+
+@pytest.mark.slow
 def test_the_page_allows_only_its_own_parts_and_asks_for_nothing(html):
     assert len(html.encode()) <= 2_000_000
     print(f"{len(html.encode()) / 1e6:.3f} MB")

@@ -1,6 +1,7 @@
 """Curves over the cam angle: lift, steering, pressure angle, curvature, torque; and the marked places of the turn."""
 
 from dataclasses import dataclass
+from math import degrees
 
 import numpy as np
 
@@ -61,7 +62,7 @@ def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
         "°",
         theta,
         (Curve(say("pressure angle"), _closed(values)),),
-        (Limit(say("limit, rise"), limits.rise), Limit(say("limit, return"), -limits.fall)),
+        (Limit(say("limit, rise"), degrees(limits.rise)), Limit(say("limit, return"), -degrees(limits.fall))),
     )
 
 

@@ -72,7 +72,7 @@ def _summary(plan: PagePlan) -> tuple[tuple[Text, Cell], ...]:
     checks = plan.checks
     passing = sum(check.passed for check in checks)
     rows: list[tuple[Text, Cell]] = [
-        (say("checks that pass"), Cell(f"{passing} / {len(checks)}", state="good" if plan.passed else "bad")),
+        (say("checks that pass"), Cell(f"{passing} / {len(checks)}", state="bad" if passing < len(checks) else "good")),
     ]
     if plan.simulation is not None:
         rows.append(
