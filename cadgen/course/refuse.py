@@ -61,7 +61,7 @@ def _refuse_gate(gate: Gate, course: Course) -> None:
 
 
 def _name(gate: Gate) -> str:
-    """What it is: a gate, start or finish."""
+    """Word for a gate, start or finish."""
     return "gate" if gate.key.startswith("course.gates") else gate.key.rpartition(".")[2]
 
 

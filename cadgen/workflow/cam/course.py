@@ -315,8 +315,8 @@ class CourseRun:
         cure = 'make the course keep more room, take play out of the gears, or set course.judged = "planned"'
         if code == CheckCode.COURSE_FINISH and finish is not None and len(finish.place.points) > 1:
             cure = (
-                "with play no run ends on a line: give course.finish as a disc, at_mm with a radius_mm that holds where "
-                'the runs end, or set course.judged = "planned"'
+                "with play no run ends on a line: give course.finish as a disc, at_mm with a radius_mm that holds "
+                'where the runs end, or set course.judged = "planned"'
             )
         free = inf if bound == "max" else -inf
         return Check(
