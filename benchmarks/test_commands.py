@@ -3,6 +3,7 @@
 Run by `pytest benchmarks -s`.
 """
 
+import os
 import statistics
 import subprocess
 import sys
@@ -34,3 +35,22 @@ def test_command_against_importing_build123d(benchmark, tmp_path, words, limit):
     benchmark.extra_info["ratio"] = ratio
     print(f"\ncadgen {words} / import build123d = {ratio:.2f} (limit {limit:g})")
     assert ratio <= limit
+
+
+def processor_seconds(arguments, cwd):
+    before = os.times()
+    seconds(arguments, cwd)
+    after = os.times()
+    return after.children_user + after.children_system - before.children_user - before.children_system
+
+
+@pytest.mark.parametrize("design", ["carbon_free_car", "posts_and_walls"])
+def test_check_with_a_course_against_the_same_without(benchmark, tmp_path, design):
+    command = ["-c", "from cadgen.cli import main; main()", "check", design]
+    bare = [*command, "--set", "course="]
+    benchmark.pedantic(processor_seconds, args=(command, tmp_path), rounds=1, warmup_rounds=1)
+    pairs = [(processor_seconds(command, tmp_path), processor_seconds(bare, tmp_path)) for _ in range(ROUNDS)]
+    ratio = statistics.median(ours / theirs for ours, theirs in pairs)
+    benchmark.extra_info["ratio"] = ratio
+    print(f"\ncadgen check {design} with its course / without = {ratio:.2f} (limit 1.3)")
+    assert ratio <= 1.3

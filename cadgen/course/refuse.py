@@ -53,10 +53,16 @@ def _refuse_gate(gate: Gate, course: Course) -> None:
             continue
         if shapely.covers(geometry(obstacle.shape).buffer(obstacle.shape.reach), place):
             raise DesignError(
-                f"{gate.key} lies in {obstacle.key}, where no car can pass: move the gate, or the {obstacle.kind}"
+                f"{gate.key} lies in {obstacle.key}, where no car can pass: move the {_name(gate)}, or the "
+                f"{obstacle.kind}"
             )
     if course.edge is not None and shapely.disjoint(geometry(course.edge), place):
-        raise DesignError(f"{gate.key} lies outside course.field: move the gate, or enlarge the field")
+        raise DesignError(f"{gate.key} lies outside course.field: move the {_name(gate)}, or enlarge the field")
+
+
+def _name(gate: Gate) -> str:
+    """Word for a gate, start or finish."""
+    return "gate" if gate.key.startswith("course.gates") else gate.key.rpartition(".")[2]
 
 
 def _keeps_off(obstacle: Obstacle) -> bool:

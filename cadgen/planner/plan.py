@@ -25,6 +25,8 @@ _LEAST_SPANS, _MOST_SPANS = 16, 110
 # Of the path that a search begins with. Through sharp corners of the route the usual one has turns that no step widens;
 # a calmer one misses the gates, and is drawn to them.
 _CALMNESS = (1.0, 10.0, 40.0)
+# Limits whose violation is not by such a turn.
+_STANDING = ("course.posts", "course.walls", "course.zones", "course.field")
 UNEVEN = ("fast", "slow")  # limits that serve the search alone
 KEPT = 2e-3  # of a limit, or mm of a gate or a clearance: what a search may leave
 
@@ -103,7 +105,7 @@ def _searched(task: Task, begin: Array | None, report: Callable[[str], None] | N
     words = None if report is None else (lambda cost: report(f"end of the run {cost:.0f} mm"))
     for points in begins:
         plans.append(Plan(search.best(points, words), task, points))
-        if not plans[-1].missed:
+        if all(name.startswith(_STANDING) for name in plans[-1].missed):
             break
     return min(plans, key=_merit)
 

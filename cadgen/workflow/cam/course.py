@@ -311,7 +311,13 @@ class CourseRun:
     ) -> Check:
         if self.play is None:
             return Check(code, name, value, unit, limit, bound, place, advice)  # type: ignore[arg-type]
-        judged = self.on.course.judged == "play"
+        judged, finish = self.on.course.judged == "play", self.on.course.finish
+        cure = 'make the course keep more room, take play out of the gears, or set course.judged = "planned"'
+        if code == CheckCode.COURSE_FINISH and finish is not None and len(finish.place.points) > 1:
+            cure = (
+                "with play no run ends on a line: give course.finish as a disc, at_mm with a radius_mm that holds "
+                'where the runs end, or set course.judged = "planned"'
+            )
         free = inf if bound == "max" else -inf
         return Check(
             CheckCode(f"{code}-play"),
@@ -321,7 +327,7 @@ class CourseRun:
             limit if judged else free,
             bound,  # type: ignore[arg-type]
             f"{place}, return error {degrees(self.play):.3f}°",
-            'make the course keep more room, take play out of the gears, or set course.judged = "planned"',
+            cure,
         )
 
     def _by(self, key: str, there: Approach) -> str:
