@@ -276,6 +276,18 @@ _CLAUSES: tuple[tuple[str, str], ...] = (
         r"make the course keep more room, take play out of the gears, or set course\.judged = .planned.",
         "请为赛道留出更多余量，减小齿轮间隙，或修改 course.judged",
     ),
+    (
+        r"with play no run ends on a line: give course\.finish as a disc, at_mm with a radius_mm that holds where the "
+        r"runs end, or set course\.judged = .planned.",
+        "有间隙时没有一次运行恰好停在线上：请把 course.finish 改为圆（at_mm 与能容纳各次终点的 radius_mm），"
+        "或修改 course.judged",
+    ),
+    (
+        rf"with {_N} stages the camshaft turns the same way as the drive wheel, but the cam is made to turn against "
+        r"it: put the disc on its shaft turned over, a hub with it, or add a stage",
+        r"有 \1 级齿轮时凸轮轴与驱动轮转向相同，而凸轮按相反转向制作：请把凸轮盘（连同轮毂）翻面装到轴上，"
+        "或增加一级齿轮",
+    ),
     ("tips meet roots: ", "齿顶与齿根相碰："),
     ("lower addendum_factor or the profile shifts", "请减小 addendum_factor 或变位系数"),
     ("give more teeth", "请增加齿数"),
