@@ -116,7 +116,7 @@ class Session:
         """Put a point into a list of points, or a post, gate or the like onto the course, as a step of its own.
 
         Args:
-            key: key that it gets: that of the one that then follows it, or one more than the last.
+            key: dotted key of its place: that of the item that it is put before, or one more than the last item's.
             at: x and y, mm; of what has several points, of its middle.
 
         Raises:

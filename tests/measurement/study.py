@@ -175,17 +175,20 @@ PRINTED: dict[str, Callable[[dict[str, Any]], tuple[float, ...]]] = {
 }
 
 
-def parameter_errors(case: Case, result: EvidenceDiagnosis) -> list[float]:
-    """Relative error of the values of each effect that was found."""
-    errors = []
+def sizes(case: Case, result: EvidenceDiagnosis) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """True values, those found and their standard deviations of each effect that was found."""
     for name, values in zip(case.truth, case.values, strict=True):
         found = next((f for f in result.findings if same(name, f.effect)), None)
         if found:
             wave = name.startswith("runout")
             want = np.array(_wave(values["waves"][0], 1 / syn.DEG) if wave else PRINTED[name](values))
-            have = np.array([value.value for value in found.values])
-            errors.append(float(np.linalg.norm(have - want) / np.linalg.norm(want)))
-    return errors
+            values_found = np.array([(value.value, value.sigma) for value in found.values])
+            yield want, values_found[:, 0], values_found[:, 1]
+
+
+def parameter_errors(case: Case, result: EvidenceDiagnosis) -> list[float]:
+    """Relative error of the values of each effect that was found."""
+    return [float(np.linalg.norm(have - want) / np.linalg.norm(want)) for want, have, _ in sizes(case, result)]
 
 
 def _rms(values: np.ndarray) -> float:
@@ -230,6 +233,7 @@ class Tally:
     marks: dict[str, list[bool]] = field(default_factory=dict)
     ratios: list[float] = field(default_factory=list)
     errors: list[float] = field(default_factory=list)
+    deviations: list[float] = field(default_factory=list)
 
     def add(self, case: Case, result: EvidenceDiagnosis) -> bool:
         """Count a case; True if its verdict is right."""
@@ -248,6 +252,8 @@ class Tally:
             marks = {f"{case.sort}: named": named, f"{case.sort}: in the set": inside, f"{case.sort}: wrong": wrong}
             right = named and not wrong
             self.errors += parameter_errors(case, result)
+            for want, have, sigma in sizes(case, result):
+                self.deviations += np.abs((have - want) / sigma).tolist()
             self.ratios.append(result.residual.left_out.repeating / result.residual.noise)
         self.count(marks)
         return right
@@ -263,6 +269,7 @@ class Tally:
             self.marks.setdefault(name, []).extend(hits)
         self.ratios += other.ratios
         self.errors += other.errors
+        self.deviations += other.deviations
 
     def show(self, kind: str) -> None:
         """Print the column of the table."""
@@ -276,6 +283,8 @@ class Tally:
             )
             median, tail = np.median(self.errors), np.quantile(self.errors, 0.9)
             print(f"{kind:12} relative error of the parameters: median {median:.2%}, 90 % below {tail:.1%}")
+            within = np.mean(np.array(self.deviations) <= 2)
+            print(f"{kind:12} within two stated standard deviations: {within:.1%} of {len(self.deviations)} numbers")
 
 
 def _line(case: Case, result: EvidenceDiagnosis) -> str:

@@ -107,7 +107,7 @@ class Maker:
     def _nodes(self) -> Array:
         """Every other station up to where runs are judged, or all round where they go on."""
         even = np.linspace(0.0, TURN, _STATIONS // 2 + 1)
-        return even[even <= self._wanted.blend_start + _ROUNDING]
+        return even[: floor(self._wanted.blend_start / even[1] + _ROUNDING) + 1]
 
     @cached_property
     def _motor(self) -> Array:
