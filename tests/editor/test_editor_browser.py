@@ -177,7 +177,7 @@ def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
     held = []
     shown.route("**/result?stage=whole*", lambda request: held.append(request))
     wheelbase.fill("169")
-    with shown.expect_response("**/change"):
+    with shown.expect_request("**/result?stage=whole*"):  # it follows the preview, and has to be under way
         wheelbase.press("Enter")
     number.fill("61")
     number.press("Enter")
