@@ -15,7 +15,7 @@ import pytest
 
 from cadgen.api.exploration import explore
 
-DESIGNS = 60  # of the paper's car, over a second each: a minute of one worker
+DESIGNS = 120  # of the paper's car, over half a second each: more than a minute of one worker
 TWO_WORKERS = 1.85
 DASK = 1.05
 

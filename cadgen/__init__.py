@@ -15,6 +15,8 @@ The rooms, in walking order; each imports only those before it.
 | `check`       | one figure with its limit and verdict                                     |
 | `reading`     | files that a user names, refused by kind and size                         |
 | `progress`    | the callback by which a job reports its progress                          |
+| `pace`        | how often Python and the C library look after memory                      |
+| `aside`       | a part of a job in a process of its own, beside the rest                  |
 | `curves`      | closed plane curves: arcs, splines, chords and offsets within a tolerance |
 | `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
 | `steering`    | curvature of the track <-> steering angle                                 |
@@ -67,7 +69,7 @@ _HOMES = {
     "Exploration": "api.exploration",
     "Gear": "api.gear",
     "GearPair": "api.gears",
-    "GearTrain": "api.gears",
+    "GearTrain": "api.gear_train",
     "Hub": "parts.features",
     "Keyway": "parts.features",
     "Lightening": "parts.features",
@@ -83,7 +85,9 @@ _HOMES = {
     "WrittenFile": "api.files",
     "draw": "api.drawing",
     "explore": "api.exploration",
+    "merge": "api.exploration",
     "verify": "api.files",
+    "write_script": "api.exploration",
 }
 
 # As `typing.TYPE_CHECKING`, without the time that importing it takes.
@@ -96,10 +100,11 @@ if TYPE_CHECKING:
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw
     from cadgen.api.editor import Editor
-    from cadgen.api.exploration import Exploration, explore
+    from cadgen.api.exploration import Exploration, explore, merge, write_script
     from cadgen.api.files import Written, WrittenFile, verify
     from cadgen.api.gear import Gear
-    from cadgen.api.gears import GearPair, GearTrain, Train
+    from cadgen.api.gear_train import GearTrain
+    from cadgen.api.gears import GearPair, Train
     from cadgen.api.measured import Measured
     from cadgen.api.page import Report
     from cadgen.api.planning import Plan
@@ -139,7 +144,9 @@ __all__ = [
     "__version__",
     "draw",
     "explore",
+    "merge",
     "verify",
+    "write_script",
 ]
 
 

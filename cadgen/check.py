@@ -3,7 +3,13 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum, unique
-from typing import Literal
+
+
+class Bound(StrEnum):
+    """Side on which a limit bounds a figure."""
+
+    MAX = "max"
+    MIN = "min"
 
 
 @unique
@@ -91,7 +97,7 @@ class Check:
         value: figure that was computed, in `unit`.
         unit: unit of value and limit, such as `mm`; empty for a ratio.
         limit: greatest or least value allowed, in `unit`; infinite for a figure that is shown and not judged.
-        bound: `max` if the value must not exceed the limit, `min` if it must reach it.
+        bound: greatest value allowed, or least.
         place: place on the part or path where the figure occurs; empty if it has none.
         advice: change that helps if the check fails, in words; empty if there is none.
     """
@@ -101,14 +107,19 @@ class Check:
     value: float
     unit: str
     limit: float
-    bound: Literal["max", "min"]
+    bound: Bound
     place: str = ""
     advice: str = ""
 
     @property
     def passed(self) -> bool:
         """True when the value keeps its limit; a value that is not a number never does."""
-        return bool(self.value <= self.limit if self.bound == "max" else self.value >= self.limit)
+        return bool(self.value <= self.limit if self.bound == Bound.MAX else self.value >= self.limit)
+
+    @property
+    def unit_shown(self) -> str:
+        """The unit as people read it: `mm²` for `mm2`."""
+        return self.unit.replace("mm2", "mm²").replace("mm3", "mm³")
 
 
 def failing(checks: Iterable[Check]) -> tuple[Check, ...]:

@@ -3,8 +3,9 @@
     python -m docs.make_pictures [FOLDER]
 
 FOLDER is one in which the tutorial's commands were run; without it they are run first, in a folder that is removed
-again. What a picture shows is computed by the program, or driven by the generator behind the camera's file
-(`docs/tutorial/make_camera.py`), which shares no code with it.
+again, and the report's page is photographed, for which a Chromium is needed. What a picture shows is computed by the
+program, or driven by the generator behind the camera's file (`docs/tutorial/make_camera.py`), which shares no code with
+it.
 """
 
 import subprocess
@@ -19,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from cadgen import Design
+from cadgen import Design, Report
 from cadgen.report.style import AFTER, BEFORE, GREY, WANTED, figure
 from docs.tutorial.make_camera import FAULTS, car_as_designed
 
@@ -31,6 +32,8 @@ DEG = np.pi / 180
 CURVE = "curve-"
 STEP_DEG = 0.5  # between the points of a run that is drawn
 GREATEST_PLAY_DEG = 0.851  # of the figure 8's train
+TURNED_TO_DEG = 130  # where the rod lies in the hollow of the cam
+SETTLED_MS = 1500  # after which the assembly is drawn in full
 
 
 def table(file: Path) -> dict[str, Any]:
@@ -197,9 +200,32 @@ def save(folder: Path, target: Path) -> None:
         picture.savefig(target / f"{name}.svg", metadata={"Date": None, "Creator": None})
 
 
+def photograph_report(target: Path) -> None:
+    """Write a picture of the report page of the packaged car as it opens, the cam turned to 130 degrees.
+
+    Where there is no Chromium, pytest's own sentence says so.
+    """
+    from playwright.sync_api import sync_playwright
+
+    from tests.page.chromium import ARGUMENTS, READY, chromium_path
+
+    turn = "to => { angle.value = to; angle.dispatchEvent(new Event('input')) }"
+    with TemporaryDirectory() as folder, sync_playwright() as playwright:
+        (page_file,) = Report.of(Design.load("carbon_free_car")).write(folder)
+        browser = playwright.chromium.launch(executable_path=chromium_path(), args=ARGUMENTS)
+        page = browser.new_page(viewport={"width": 1280, "height": 720}, color_scheme="light")
+        page.goto(page_file.path.as_uri() + "#lang=en")
+        page.wait_for_selector(READY, state="attached")
+        page.evaluate(turn, TURNED_TO_DEG)
+        page.wait_for_timeout(SETTLED_MS)
+        page.screenshot(path=target / "report.png")
+        browser.close()
+
+
 if __name__ == "__main__":
     if len(sys.argv) > 1:
         save(Path(sys.argv[1]), PICTURES)
     else:
         with tutorial_run() as here:
             save(here, PICTURES)
+        photograph_report(PICTURES)

@@ -139,8 +139,26 @@ def test_a_list_of_arguments_has_them_all() -> None:
     assert not half_listed(EVERY), "\n".join(half_listed(EVERY))
 
 
+def without_list(every: list[Function]) -> list[str]:
+    """Functions that take a quantity and have no Args section, nor leave it to another's."""
+    return [
+        function.place
+        for function in every
+        if not function.listed
+        and not ELSEWHERE.search(function.doc)
+        and any(QUANTITY.fullmatch(annotation) for annotation in function.arguments.values())
+    ]
+
+
+def test_whoever_takes_a_quantity_lists_the_arguments() -> None:
+    """The commands are left out: their docstrings are their help, and each option has its own."""
+    every = [function for function in EVERY if not function.place.startswith("cadgen.cli.")]
+    assert sum(bool(function.listed) for function in every) > 650
+    assert not without_list(every), "\n".join(without_list(every))
+
+
 def test_the_face_describes_every_argument() -> None:
-    face = [function for function in EVERY if function.place.startswith("cadgen.api.")]
+    face = [function for function in EVERY if function.place.startswith(("cadgen.api.", "cadgen.parts."))]
     assert len(face) > 50
     bare = [function.place for function in face if not function.listed and not ELSEWHERE.search(function.doc)]
     assert not bare, "\n".join(bare)
@@ -165,6 +183,7 @@ def test_what_is_missing_is_seen(text: str, half: int, unitless: int) -> None:
     indented = text.replace("\n", "\n    ")
     (line,) = functions(f'def line(x: float, y: float) -> float:\n    """{indented}"""\n', "m")
     assert (bool(half_listed([line])), bool(without_unit([line]))) == (bool(half), bool(unitless))
+    assert bool(without_list([line])) == ("Args:" not in text)
 
 
 def test_a_private_thing_needs_no_list() -> None:

@@ -1,7 +1,7 @@
 """The house itself: who imports whom, which strings stand for what, and how large a room may be."""
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
@@ -173,3 +173,88 @@ def test_docstrings_name_what_they_describe():
         f"{file}: {doc[:60]}" for file in files for doc in docstrings(file.read_text("utf-8")) if doc[:4] == "What"
     ]
     assert not vague, "\n".join(vague)
+
+
+# Words that mean something else where they are compared: keys of a design file, of HTTP, of pydantic, of a journal.
+OTHER_WORDS = {
+    "cadgen.design.drawing": {"finish"},
+    "cadgen.design.explain": {"missing"},
+    "cadgen.design.planned": {"path"},
+    "cadgen.design.reference": {"path"},
+    "cadgen.editor.guard": {"none"},
+    "cadgen.editor.kinds": {"field", "walls", "zones"},
+    "cadgen.editor.words": {"finish", "start"},
+    "cadgen.exploration.engines": {"fork"},
+    "cadgen.exploration.faults": {"missing"},
+    "cadgen.exploration.journal": {"path"},
+    "cadgen.export.dxf": {"TEXT"},
+    "cadgen.cli.draw": {"cam"},  # the value of --only
+    "cadgen.report.table": {"right"},  # of rich
+}
+
+
+def texts(node: ast.AST) -> Iterator[str]:
+    """Texts of a constant, or of a tuple, list or set of them."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield node.value
+    elif isinstance(node, ast.Tuple | ast.List | ast.Set):
+        for item in node.elts:
+            yield from texts(item)
+
+
+def words_of_enumerations(sources: Iterable[str]) -> set[str]:
+    """Values of all enumerations of words."""
+    return {
+        text
+        for source in sources
+        for node in ast.walk(parsed(source))
+        if isinstance(node, ast.ClassDef) and any(ast.unparse(base) in ("Enum", "StrEnum") for base in node.bases)
+        for statement in node.body
+        if isinstance(statement, ast.Assign)
+        for text in texts(statement.value)
+        if text
+    }
+
+
+def compared(source: str, words: set[str]) -> set[str]:
+    """Words of these that a module compares something with."""
+    return {
+        text
+        for node in ast.walk(parsed(source))
+        if isinstance(node, ast.Compare)
+        for side in (node.left, *node.comparators)
+        for text in texts(side)
+        if text in words
+    }
+
+
+def test_a_member_of_an_enumeration_is_compared_and_not_its_word():
+    sources = {name: file.read_text("utf-8") for name, file in MODULES.items()}
+    words = words_of_enumerations(sources.values())
+    print(f"{len(words)} words of enumerations")
+    assert len(words) > 200
+    found = {name: words_here for name, source in sources.items() if (words_here := compared(source, words))}
+    assert found == OTHER_WORDS
+
+
+def test_closed_lists_of_words_are_enumerations():
+    """`Literal` is for what libraries name, such as the types of numpy."""
+    literal = {
+        name
+        for name, file in MODULES.items()
+        for node in ast.walk(parsed(file.read_text("utf-8")))
+        if isinstance(node, ast.Subscript) and ast.unparse(node.value) == "Literal" and [*texts(node.slice)]
+    }
+    assert literal <= {"cadgen.page.binary"}
+
+
+def test_a_word_that_is_compared_is_seen():
+    source = """
+class Side(StrEnum):
+    LEFT = "left"
+def f(side):
+    return side == "left" or side in ("left", "right")
+"""
+    assert words_of_enumerations([source]) == {"left"}
+    assert compared(source, {"left"}) == {"left"}
+    assert not compared(source.replace('"left" or', "Side.LEFT or").replace('("left", "right")', "SIDES"), {"left"})

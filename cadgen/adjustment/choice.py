@@ -9,21 +9,32 @@ import numpy as np
 from scipy.optimize import lsq_linear
 
 from cadgen.adjustment.posterior import Cars, started
-from cadgen.adjustment.trial import Complex, Noise, Settings
+from cadgen.adjustment.trial import STARTS, Complex, Noise, Setting, Settings
 from cadgen.arrays import Array
-from cadgen.monte_carlo.fleet import PARAMETERS, Fleet, run_fleet
+from cadgen.monte_carlo.fleet import Fleet, run_fleet
 
 # How far each setting may be changed either way, mm and rad.
-LIMITS: Mapping[str, float] = MappingProxyType(
-    {"head": 1.0, "key": radians(5.0), "start_x": 100.0, "start_y": 100.0, "start_heading": radians(3.0)}
+LIMITS: Mapping[Setting, float] = MappingProxyType(
+    {
+        Setting.HEAD: 1.0,
+        Setting.KEY: radians(5.0),
+        Setting.START_X: 100.0,
+        Setting.START_Y: 100.0,
+        Setting.START_HEADING: radians(3.0),
+    }
 )
 # Changes from which derivatives are taken: a hundredth of what moves the end of the paper's car by a metre.
-_PROBES = {"head": 5e-4, "key": radians(0.02), "start_x": 1.0, "start_y": 1.0, "start_heading": radians(0.02)}
+_PROBES = {
+    Setting.HEAD: 5e-4,
+    Setting.KEY: radians(0.02),
+    Setting.START_X: 1.0,
+    Setting.START_Y: 1.0,
+    Setting.START_HEADING: radians(0.02),
+}
 _STEPS = 4
 # Share of the mean square error along the run beside that at its end. More would trade the finish for the way.
 _WAY = 0.25
 _RIDGE = 1e-4  # of the limits, in the units of errors: settings that hardly matter stay where they are
-_COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,17 +50,21 @@ class Forecast:
     way: Array
 
     def end_quantile(self, share: float) -> float:
-        """Error at the end that a share of the cars stays within, mm."""
+        """Error at the end that a share of the cars stays within, mm.
+
+        Args:
+            share: share of the cars, 0 to 1.
+        """
         return float(np.quantile(self.end, share))
 
 
 def best_settings(
     fleet: Fleet,
     cars: Cars,
-    free: Sequence[str],
+    free: Sequence[Setting],
     *,
     division: float,
-    limits: Mapping[str, float],
+    limits: Mapping[Setting, float],
     noise: Noise,
     generator: np.random.Generator,
 ) -> Settings:
@@ -60,15 +75,15 @@ def best_settings(
     Args:
         fleet: the nominal car, with stations over the whole run.
         cars: cars that may be this one.
-        free: names of the settings that may change; the others stay as in the last run.
+        free: settings that may change; the others stay as in the last run.
         division: division of the micrometer head, mm: it is turned by a whole number of them.
-        limits: how far each may be from the design, by name.
+        limits: how far each may be from the design, mm and rad.
         noise: standard deviations of start and head.
         generator: source of the random numbers.
     """
-    others = [name for name in free if name != "head"]
+    others = [name for name in free if name != Setting.HEAD]
     left = _solved(fleet, cars, others, cars.last, limits)
-    if "head" not in free:
+    if Setting.HEAD not in free:
         return left
     moved = _solved(fleet, cars, free, cars.last, limits)
     turns = round((moved.head - cars.last.head) / division)
@@ -80,22 +95,24 @@ def best_settings(
     return left if costs[0] <= costs[1] else turned
 
 
-def _solved(fleet: Fleet, cars: Cars, free: Sequence[str], start: Settings, limits: Mapping[str, float]) -> Settings:
+def _solved(
+    fleet: Fleet, cars: Cars, free: Sequence[Setting], start: Settings, limits: Mapping[Setting, float]
+) -> Settings:
     settings = start
     if not free:
         return settings
     scale = np.array([limits[name] for name in free])
     for _ in range(_STEPS):
-        value = np.array([getattr(settings, name) for name in free])
+        value = np.array([settings.of(name) for name in free])
         table = cars.run(settings, cars.head)
         places = run_fleet(fleet, table).position
         base = _weighted(places - fleet.planned.position)
         columns = []
         for name in free:
-            if name.startswith("start"):
+            if name in STARTS:
                 moved = started(places, table, name, _PROBES[name])
             else:
-                probe = replace(settings, **{name: getattr(settings, name) + _PROBES[name]})
+                probe = replace(settings, **{name: settings.of(name) + _PROBES[name]})
                 moved = run_fleet(fleet, cars.run(probe, cars.head)).position
             error = _weighted(moved - fleet.planned.position)
             columns.append((error - base) * limits[name] / _PROBES[name])
@@ -116,7 +133,7 @@ def forecast(fleet: Fleet, cars: Cars, settings: Settings, noise: Noise, generat
     """
     table = cars.run(settings, noise.head * generator.standard_normal(len(cars.head)))
     for name, sigma in noise.starts.items():
-        table[:, _COLUMN[name]] += sigma * generator.standard_normal(len(table))
+        table[:, name.column] += sigma * generator.standard_normal(len(table))
     errors = np.abs(_errors(fleet, table))
     return Forecast(end=errors[:, -1], way=errors.max(axis=1))
 

@@ -15,17 +15,17 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.adjustment.trial import Complex, Noise, Settings, Trial, stations_of
+from cadgen.adjustment.trial import STARTS, Complex, Noise, Setting, Settings, Trial, stations_of
 from cadgen.arrays import Array
 from cadgen.errors import DesignError
-from cadgen.monte_carlo.fleet import PARAMETERS, Fleet, run_fleet
+from cadgen.monte_carlo.fleet import Fleet, run_fleet
+from cadgen.monte_carlo.parameters import Parameter
 
 # Steps of Gauss and Newton from the prior, and more of them for the cells that are left after the first: the last
 # moves the end of the run by less than a millimetre.
 _FIRST_STEPS, _MORE_STEPS = 2, 2
 _FAR = 15.0  # a cell whose evidence is less by exp(15) is left
-_COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
-_GRIDDED = ("play", "friction")
+_GRIDDED = (Parameter.PLAY, Parameter.FRICTION)
 _BLOCK = 100  # cars run at once: their tables stay in the processor's cache
 
 
@@ -40,12 +40,12 @@ class Prior:
         noise: standard deviations of points, starts and the head's settings.
     """
 
-    sigma: Mapping[str, float]
-    grid: Mapping[str, Array]
+    sigma: Mapping[Parameter, float]
+    grid: Mapping[Parameter, Array]
     noise: Noise
 
     @property
-    def names(self) -> tuple[str, ...]:
+    def names(self) -> tuple[Parameter, ...]:
         """The deviations of the car, those of the grid last."""
         return (*self.sigma, *(name for name in _GRIDDED if len(self.grid[name]) > 1))
 
@@ -83,8 +83,8 @@ class Cars:
         """
         table = self.table.copy()
         for name, setting in settings.deviations.items():
-            table[:, _COLUMN[name]] += setting
-        table[:, _COLUMN["base_radius"]] += self.head if settings.head == self.last.head else turned
+            table[:, name.column] += setting
+        table[:, Parameter.BASE_RADIUS.column] += self.head if settings.head == self.last.head else turned
         return table
 
 
@@ -101,7 +101,7 @@ class Posterior:
         residual: root mean square of the residuals of the likeliest cell in standard deviations of a point.
     """
 
-    names: tuple[str, ...]
+    names: tuple[Parameter, ...]
     weight: Array
     mean: Array
     root: Array
@@ -113,8 +113,8 @@ class Posterior:
         cell = generator.choice(len(self.weight), count, p=self.weight)
         normal = generator.standard_normal((count, self.mean.shape[1]))
         values = self.mean[cell] + np.einsum("npq,nq->np", self.root[cell], normal)
-        table = np.zeros((count, len(PARAMETERS)))
-        table[:, [_COLUMN[name] for name in self.names]] = values[:, :-1]
+        table = np.zeros((count, len(Parameter)))
+        table[:, [name.column for name in self.names]] = values[:, :-1]
         return Cars(table=table, head=values[:, -1], last=self.last)
 
 
@@ -184,12 +184,12 @@ class _Fit:
 
     def cars(self, cells: Array, value: Array, scales: Array) -> Array:
         """Deviations in this run: shape (c, 29), for the car's own, then the run's, in units of `scales`."""
-        table = np.zeros((len(cells), len(PARAMETERS)))
-        table[:, [_COLUMN[name] for name in _GRIDDED]] = cells
-        for column, name in enumerate((*self.prior.names, "base_radius", *self.prior.noise.starts)):
-            table[:, _COLUMN[name]] += value[:, column] * scales[column]
+        table = np.zeros((len(cells), len(Parameter)))
+        table[:, [name.column for name in _GRIDDED]] = cells
+        for column, name in enumerate((*self.prior.names, Parameter.BASE_RADIUS, *self.prior.noise.starts)):
+            table[:, name.column] += value[:, column] * scales[column]
         for name, setting in self.trial.settings.deviations.items():
-            table[:, _COLUMN[name]] += setting
+            table[:, name.column] += setting
         return table
 
     def residual(self, places: Complex, along: Complex) -> Array:
@@ -242,7 +242,7 @@ class _System:
             cars = fit.cars(np.repeat(cells, number, axis=0), moved, scales)
             stations = np.repeat(fit.fleet.stations[at], number, axis=0)
             shifted = track_of(fit.fleet, fit.lever, cars, stations).reshape(count, number, -1)
-            begun = [started(places, table, name, scale) for name, scale in zip(starts, scales[number:], strict=True)]
+            begun = [started(places, table, each, scale) for each, scale in zip(STARTS, scales[number:], strict=True)]
             base = fit.residual(places, along)
             off = [fit.residual(shifted[:, k], along) for k in range(number)]
             off += [fit.residual(place, along) for place in begun]
@@ -287,16 +287,16 @@ def track_of(fleet: Fleet, lever: complex, table: Array, stations: Array | None 
     return np.concatenate(tracks)
 
 
-def started(places: Complex, table: Array, name: str, by: float) -> Complex:
+def started(places: Complex, table: Array, setting: Setting, by: float) -> Complex:
     """Places of cars that are started otherwise, without running them again, shape (m, g), mm.
 
     Args:
         places: of a point of the cars, shape (m, g), mm.
         table: their deviations, shape (m, 29), columns as in `PARAMETERS`.
-        name: `start_x`, `start_y` or `start_heading`.
+        setting: one of `STARTS`.
         by: what is added to it, mm or rad.
     """
-    if name != "start_heading":
-        return places + (by if name == "start_x" else 1j * by)
-    start = (table[:, _COLUMN["start_x"]] + 1j * table[:, _COLUMN["start_y"]])[:, None]
+    if setting != Setting.START_HEADING:
+        return places + (by if setting == Setting.START_X else 1j * by)
+    start = (table[:, Parameter.START_X.column] + 1j * table[:, Parameter.START_Y.column])[:, None]
     return np.asarray(start + (places - start) * np.exp(1j * by))

@@ -2,13 +2,36 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import StrEnum
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
+from cadgen.monte_carlo.parameters import Parameter
 
 Complex = NDArray[np.complex128]
+
+
+class Setting(StrEnum):
+    """A setting of `Settings`, by the name of its field."""
+
+    HEAD = "head"
+    KEY = "key"
+    START_X = "start_x"
+    START_Y = "start_y"
+    START_HEADING = "start_heading"
+
+    @property
+    def parameter(self) -> Parameter:
+        """Deviation of a fleet that it changes."""
+        if self is Setting.HEAD:
+            return Parameter.BASE_RADIUS
+        return Parameter.CAM_PHASE if self is Setting.KEY else Parameter(self)
+
+
+# Settings of the start, which are made anew in each run.
+STARTS = (Setting.START_X, Setting.START_Y, Setting.START_HEADING)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,15 +53,17 @@ class Settings:
     start_heading: float = 0.0
 
     @property
-    def deviations(self) -> dict[str, float]:
-        """The same as deviations of a fleet (`cadgen.monte_carlo.fleet.PARAMETERS`)."""
-        return {
-            "base_radius": self.head,
-            "cam_phase": self.key,
-            "start_x": self.start_x,
-            "start_y": self.start_y,
-            "start_heading": self.start_heading,
-        }
+    def deviations(self) -> dict[Parameter, float]:
+        """The same as deviations of a fleet (`cadgen.monte_carlo.parameters`)."""
+        return {setting.parameter: self.of(setting) for setting in Setting}
+
+    def of(self, setting: Setting) -> float:
+        """Change of one setting, mm or rad.
+
+        Args:
+            setting: setting that is asked for.
+        """
+        return float(getattr(self, setting))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,9 +100,9 @@ class Noise:
     head: float = 0.002
 
     @property
-    def starts(self) -> Mapping[str, float]:
+    def starts(self) -> Mapping[Parameter, float]:
         """Standard deviations of each start, mm and rad, by the names of a fleet's deviations."""
-        return {"start_x": self.start, "start_y": self.start, "start_heading": self.heading}
+        return {Parameter.START_X: self.start, Parameter.START_Y: self.start, Parameter.START_HEADING: self.heading}
 
 
 def stations_of(track: Complex, points: Complex) -> NDArray[np.intp]:

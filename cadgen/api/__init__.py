@@ -10,12 +10,15 @@
 | `drawing`  | drawings of cams and trains                                                |
 | `measured` | measured data, as files or as arrays                                       |
 | `gear`     | a gear by its numbers                                                      |
-| `gears`    | pairs and trains of gears, by their numbers or of a design                 |
+| `assembly` | figures and files that a pair and a train have alike                       |
+| `gears`    | pairs and trains of gears by their numbers                                 |
+| `gear_train` | the gear train of a design                                               |
 | `calibration` | a judgement of measured data, and the design built from it              |
 | `advice`   | what to measure next; runs predicted with what was found                   |
 | `adjustment` | settings after trial runs                                                |
 | `planning`   | a planned path, or why there is none                                    |
 | `card`     | settings for every spacing that can be drawn                               |
+| `loaded`   | a design that has been read, and changed copies of it                      |
 | `design`   | a design and what can be done with it                                      |
 | `exploration` | studies of many designs                                                 |
 | `page`     | the report page of a design                                                |

@@ -4,14 +4,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 from cadgen.adjustment.choice import Forecast
 from cadgen.adjustment.trial import Settings
 from cadgen.api.cam import Cam
-from cadgen.api.files import Written, folder_of
-from cadgen.api.values import name_or_path, real, word
+from cadgen.api.files import Written, written
+from cadgen.api.values import paths, real, word
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import DesignError, brief
 from cadgen.progress import Progress, silent
@@ -90,9 +89,7 @@ class Adjustment:
         Raises:
             FileError: a file cannot be written.
         """
-        place = folder_of(folder)
-        written = write_adjustment(self.computed, place, progress)
-        return Written.of(place, written.part, written.entry)
+        return written(folder, lambda place: write_adjustment(self.computed, place, progress))
 
 
 def adjusted(
@@ -106,8 +103,8 @@ def adjusted(
     progress: Progress,
 ) -> Adjustment:
     """Result of `Design.adjust`; arguments and errors as there."""
-    several = [trials] if isinstance(trials, (str, PathLike)) else list(trials)
-    if isinstance(knobs, str):
+    files = paths("trials", trials)
+    if isinstance(knobs, str) or not isinstance(knobs, Iterable):
         raise DesignError(f"knobs is {brief(repr(knobs), 40)}; it must be several, such as [{brief(repr(knobs), 40)}]")
     named = list(dict.fromkeys(word("knobs", knob, KNOBS) for knob in knobs))
     if not named:
@@ -118,5 +115,4 @@ def adjusted(
         noise=real("noise_mm", noise_mm, *NOISE_MM, "mm"),
         division=real("division_um", division_um, *DIVISION_UM, "µm") * 1e-3,
     )
-    files = [Path(str(name_or_path("trials", file))) for file in several]
     return Adjustment(plan.adjust(design, files, profile, wanted, progress))

@@ -6,7 +6,7 @@ from functools import cached_property
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Generic, Protocol, Self, TypeVar
 
-from cadgen.api.files import Written, folder_of
+from cadgen.api.files import Written, folder_of, written
 from cadgen.api.measured import Data, sources_of
 from cadgen.progress import Progress, silent
 
@@ -145,9 +145,7 @@ class Calibration(Generic[D]):
         """
         from cadgen.workflow.calibration.files import write_calibration
 
-        place = folder_of(folder)
-        written = write_calibration(self.computed, self.design.text, place, progress)
-        return Written.of(place, written.part, written.entry)
+        return written(folder, lambda place: write_calibration(self.computed, self.design.text, place, progress))
 
 
 @dataclass(frozen=True)

@@ -2,11 +2,10 @@
 
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 from cadgen.api.cam import Cam
-from cadgen.api.files import Written, folder_of
+from cadgen.api.files import Written, written
 from cadgen.progress import Progress, silent
 from cadgen.report import settings
 from cadgen.report.card import Column
@@ -77,6 +76,4 @@ class Card:
             CheckError: the cam itself fails its checks.
             FileError: a file cannot be written.
         """
-        place: Path = folder_of(folder)
-        written = write_card(self.computed, place, progress)
-        return Written.of(place, written.part, written.entry)
+        return written(folder, lambda place: write_card(self.computed, place, progress))

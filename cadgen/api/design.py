@@ -1,18 +1,15 @@
 """A design and its jobs: cam, gears, runs, calibration."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from cadgen.api.loaded import LoadedDesign
 from cadgen.api.measured import Data, sources_of
-from cadgen.api.overrides import overrides_of
-from cadgen.api.values import name_or_path, optional, plain_text, whole, word
+from cadgen.api.values import instance, optional, whole, word
 from cadgen.design import load
-from cadgen.design.schema import Design as DesignValues
-from cadgen.design.schema import TrainDesign
-from cadgen.errors import brief
+from cadgen.gears.names import Order
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
@@ -21,18 +18,17 @@ if TYPE_CHECKING:
     from cadgen.api.calibration import Calibration, Calibrations
     from cadgen.api.cam import Cam
     from cadgen.api.card import Card
-    from cadgen.api.gears import GearTrain
+    from cadgen.api.gear_train import GearTrain
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
     from cadgen.monte_carlo.robust import Map
 
-ORDERS = ("as-given", "reordered", "search")
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
 
 
 @dataclass(frozen=True, repr=False)
-class Design:
+class Design(LoadedDesign):
     """A design: path, car, cam, follower, gear train. `load` and `from_toml` read one; `with_` gives a changed copy.
 
     Attributes:
@@ -46,106 +42,6 @@ class Design:
         >>> design.values.cam.thickness_mm
         3.2
     """
-
-    values: TrainDesign
-    text: str
-    file: Path
-
-    @classmethod
-    def load(
-        cls,
-        source: str | PathLike[str] | None = None,
-        changes: Mapping[str, Any] | Iterable[str] = (),
-        *,
-        train_only: bool = False,
-    ) -> "Design":
-        """Read a design and check it.
-
-        Args:
-            source: name of a packaged design, or path of a TOML file; the paper's car if left out.
-            changes: changes as for `with_`, applied before the checks.
-            train_only: whether only the gear train is used: sections of the cam may then be missing.
-
-        Raises:
-            DesignError: no such design, a file that is not TOML, or values that are not allowed. The message has a
-                sentence for each of up to five errors, with the key and what is allowed.
-        """
-        text, file = load.read_design(name_or_path("source", source))
-        return cls._checked(text, file, overrides_of(changes), train_only)
-
-    @classmethod
-    def from_toml(cls, text: str, name: str = "design", *, train_only: bool = False) -> "Design":
-        """Make a design from the text of a design file; errors as in `load`.
-
-        Args:
-            text: text of the design in TOML.
-            name: name of the design, if the text has none.
-            train_only: same as for `load`.
-        """
-        return cls._checked(plain_text("text", text), Path(f"{name}.toml"), (), train_only)
-
-    @classmethod
-    def new(
-        cls,
-        name: str,
-        folder: str | PathLike[str] = ".",
-        *,
-        points: str | PathLike[str] | None = None,
-        layer: str | None = None,
-        gate_radius_mm: float = 50.0,
-        field_mm: tuple[float, float] | None = None,
-        closed: bool = False,
-        changes: Mapping[str, Any] | Iterable[str] = (),
-    ) -> "Design":
-        """Begin a design: write a commented file with the paper's mechanism and a path, and load it.
-
-        Args:
-            name, folder: name of the design and, with .toml, of its file; folder for that.
-            points, layer: file of the path's points, CSV, TXT or DXF; layer of the polyline in a DXF with several.
-            gate_radius_mm, field_mm: radius of the gates at the points; width and height of the field.
-            closed: whether the path is a lap.
-            changes: changes as for `with_`, written into the file.
-
-        Raises:
-            DesignError, FileError: values that are not allowed; points that cannot be read, a file that is there.
-        """
-        from cadgen.design.begin import begin, points_of, write_new
-
-        path, changed = points_of(points, layer, closed=closed), overrides_of(changes)
-        text, file = begin(name, path, changed, gate_radius_mm, field_mm, closed), Path(folder) / f"{name}.toml"
-        write_new(text, file)
-        return cls._checked(text, file, (), False)
-
-    @classmethod
-    def _checked(cls, text: str, file: Path, overrides: tuple[str, ...], train_only: bool) -> "Design":
-        return cls((load.train_of if train_only else load.design_of)(text, file, overrides), text, file)
-
-    def with_(self, changes: Mapping[str, Any] | Iterable[str]) -> "Design":
-        """The design with some keys changed, by the same rules as `--set` on the command line.
-
-        Args:
-            changes: new value by key, such as `{"cam.thickness_mm": 3.2, "path.waypoints_mm.3": [1, 2]}`. List items
-                count from 1; None removes a key or a section. Texts `key=value` are taken, too.
-
-        Raises:
-            DesignError: a key is unknown, or the result is no design; in the words of the command line.
-        """
-        overrides = (*self.values.overrides, *overrides_of(changes))
-        return self._checked(self.text, self.file, overrides, not isinstance(self.values, DesignValues))
-
-    def __repr__(self) -> str:
-        changed = f", changed by {brief(' '.join(self.values.overrides), 80)}" if self.values.overrides else ""
-        return f"<Design {self.name} of {self.file.name}{changed}>"
-
-    @property
-    def name(self) -> str:
-        """Name of the design; the names of exported files begin with it."""
-        return self.values.name
-
-    @property
-    def sha256(self) -> str:
-        """SHA-256 of the values of the design, hexadecimal, as in manifests."""
-        return self.values.content_hash
 
     def cam(self, profile: str | None = None, *, progress: Progress = silent) -> "Cam":
         """Compute the cam and check it; nothing is written.
@@ -176,10 +72,10 @@ class Design:
         Raises:
             DesignError: the order is unknown, or the train is missing or cannot be made or laid out.
         """
-        from cadgen.api.gears import GearTrain
+        from cadgen.api.gear_train import GearTrain
         from cadgen.workflow.gears.plan import plan_gears
 
-        wanted: Any = word("order", order, ORDERS)
+        wanted = Order(word("order", order, [each.value for each in Order]))
         return GearTrain(plan_gears(self.values, wanted, progress))
 
     def simulate(
@@ -228,7 +124,7 @@ class Design:
         *,
         map: "Pool | Map | None" = None,  # the word that pools use
         seed: int = 1,
-        profile: str = "actual",
+        profile: str = "optimized",
         budget: bool = False,
         processes: int = 1,
         progress: Progress = silent,
@@ -251,20 +147,16 @@ class Design:
             FileError: the memory does not suffice for so many cars.
         """
         from cadgen.api import runs
-        from cadgen.workflow.runs.tolerance import run_tolerance
+        from cadgen.workflow.runs.tolerance import CarSample, run_tolerance
 
-        return runs.ToleranceRun(
-            run_tolerance(
-                self.complete(),
-                profile,
-                whole("samples", samples, 1, MOST_CARS),
-                whole("seed", seed, 0),
-                whole("processes", processes, 1, MOST_PROCESSES),
-                progress,
-                with_budget=budget,
-                map_with=runs.map_of(map),
-            )
+        sample = CarSample(
+            samples=whole("samples", samples, 1, MOST_CARS),
+            seed=whole("seed", seed, 0),
+            processes=whole("processes", processes, 1, MOST_PROCESSES),
+            with_budget=budget,
+            map_with=runs.map_of(map),
         )
+        return runs.ToleranceRun(run_tolerance(self.complete(), profile, sample, progress))
 
     def calibrate(
         self,
@@ -360,19 +252,20 @@ class Design:
         within_mm: float | None = None,
         *,
         calm_as: "Design | None" = None,
+        reserve: float | None = None,
         seeds: int = 1,
         map: "Pool | Map | None" = None,
         progress: Progress = silent,
     ) -> "Plan[Design]":
-        """Plan the path that keeps the course and is least sensitive to the play of the gears.
+        """Plan the path on which most cars keep the course and play moves them least.
 
-        The design needs [course]; where it has no [path], load it with `train_only=True`.
+        The design needs [course]; load one without [path] with `train_only=True`.
 
         Args:
             improve: design whose path is improved and not planned from scratch; its start and finish stay.
             within_mm: how far the drive wheel's track may leave that path, mm, 0.1 to 1000; 25 if left out.
-            calm_as: design whose path has the greatest slopes of the curvature that are allowed; that of `improve` if
-                left out, else only the cam's own limits count.
+            calm_as: design whose path's slopes of the curvature are not exceeded; `improve` if left out, or none.
+            reserve: room at gates and obstacles as a factor on the scatter of cars, 0 to 10; by yield if left out.
             seeds: number of searches, each from another path, 1 to 100; the best one counts.
             map: as for `tolerance`; it runs several searches.
             progress: function that is called with a few words on each step.
@@ -382,9 +275,12 @@ class Design:
         """
         from cadgen.api.planning import planned
 
-        others = None if improve is None else improve.complete(), None if calm_as is None else calm_as.complete()
+        others = (
+            None if improve is None else instance("improve", improve, Design).complete(),
+            None if calm_as is None else instance("calm_as", calm_as, Design).complete(),
+        )
         course = load.course_of(self.text, self.file, self.values.overrides)
-        return planned(self, self.text, course, others, within_mm, seeds, map, progress)
+        return planned(self, self.text, course, others, within_mm, reserve, seeds, map, progress)
 
     def card(self, profile: str | None = None, *, progress: Progress = silent) -> "Card":
         """Find what to set, by [settings], for each spacing of [course.spacing]; arguments and errors as in `cam`."""
@@ -392,8 +288,3 @@ class Design:
         from cadgen.workflow.card.plan import plan_card
 
         return Card(plan_card(self.complete(), profile, progress))
-
-    def complete(self) -> DesignValues:
-        """The design, if it has all that a cam needs."""
-        known = self.values
-        return known if isinstance(known, DesignValues) else load.design_of(self.text, self.file, known.overrides)

@@ -4,12 +4,13 @@ from os import PathLike
 from typing import TYPE_CHECKING
 
 from cadgen.api.files import Written, folder_of, refusal
+from cadgen.api.values import instance
 from cadgen.errors import CheckError, DesignError
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.cam import Cam
-    from cadgen.api.gears import GearTrain
+    from cadgen.api.gear_train import GearTrain
 
 
 def draw(
@@ -41,9 +42,15 @@ def draw(
         >>> design = Design.load("carbon_free_car")
         >>> draw("exports", cam=design.cam(), train=design.gears())  # doctest: +SKIP
     """
+    from cadgen.api.cam import Cam
+    from cadgen.api.gear_train import GearTrain
     from cadgen.workflow.drawing.files import Parts, write_drawings
 
     place = folder_of(folder)
+    if cam is not None:
+        instance("cam", cam, Cam)
+    if train is not None:
+        instance("train", train, GearTrain)
     designs = [part.computed.design for part in (cam, train) if part is not None]
     if not designs:
         raise DesignError("there is nothing to draw: give cam, train, or both")

@@ -161,6 +161,10 @@ def merge(folders: Iterable[str | PathLike[str]]) -> Exploration:
     Raises:
         FileError: no journal, journals of several studies or versions, or designs without a result.
     """
+    if isinstance(folders, str) or not isinstance(folders, Iterable):
+        raise DesignError(
+            f"folders is {brief(repr(folders), 60)}; it must be several, such as [{brief(repr(folders), 60)}]"
+        )
     places = [folder_of(folder) for folder in folders]
     if not places:
         raise DesignError("no folder was given: name those of the shards")
@@ -190,8 +194,9 @@ def write_script(
     if read.searches:
         raise DesignError("a search has no shards, and so no script: use --scheduler, or a fixed plan such as sobol")
     place, kind = folder_of(folder), scripts.kind_of(cluster)
+    each = whole("processes", processes, 1, MOST_PROCESSES)
     named = Path(study) if str(study) in packaged_studies() else Path(study).absolute()
-    of_all = scripts.Jobs(read.name, named, place.absolute(), whole("jobs", jobs, 1, MOST_SHARDS), processes)
+    of_all = scripts.Jobs(read.name, named, place.absolute(), whole("jobs", jobs, 1, MOST_SHARDS), each)
     file = place / f"{read.name}{kind.ending}"
     try:
         place.mkdir(parents=True, exist_ok=True)

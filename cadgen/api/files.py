@@ -1,16 +1,18 @@
 """Files that a job has written, and the comparison of a folder with its manifest."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from cadgen.api.values import Frozen, frozen
+from cadgen.check import Bound
 from cadgen.errors import DesignError, brief
 
 if TYPE_CHECKING:
     from cadgen.check import Check
+    from cadgen.export.manifest import Written as Entry
     from cadgen.export.verify import FolderState as FolderState
 
 
@@ -125,6 +127,21 @@ def folder_of(folder: str | PathLike[str]) -> Path:
     return Path(folder)
 
 
+def written(folder: str | PathLike[str], write: "Callable[[Path], Entry]") -> Written:
+    """Files of a job that writes into a folder.
+
+    Args:
+        folder: folder as the caller has it.
+        write: function that writes into the folder's path and returns the entry in the manifest.
+
+    Raises:
+        DesignError: the folder is no path.
+    """
+    place = folder_of(folder)
+    entry = write(place)
+    return Written.of(place, entry.part, entry.entry)
+
+
 def refusal(checks: "Sequence[Check]", *, forced: bool = True) -> str:
     """Message on a failed export: each check that fails, with its limit and what to change.
 
@@ -135,7 +152,7 @@ def refusal(checks: "Sequence[Check]", *, forced: bool = True) -> str:
     parts = []
     for check in checks:
         if not check.passed:
-            bound = "at most" if check.bound == "max" else "at least"
+            bound = "at most" if check.bound == Bound.MAX else "at least"
             figures = f"{check.name} is {check.value:.4g} {check.unit}".rstrip()
             limit = f"{figures}; it must be {bound} {check.limit:.4g} {check.unit}".rstrip()
             parts.append(f"{limit}: {check.advice}" if check.advice else limit)

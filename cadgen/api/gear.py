@@ -7,7 +7,7 @@ from math import radians
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from cadgen.api.files import Written, folder_of
+from cadgen.api.files import Written, written
 from cadgen.api.values import Frozen, feature, optional, real, whole, word
 from cadgen.arrays import TURN
 from cadgen.design.names import name_fault
@@ -201,9 +201,7 @@ class Gear:
         """
         from cadgen.workflow.gears.numbers import write_gear
 
-        place = folder_of(folder)
-        written = write_gear(self.form, self.part, self.name, place, progress, formats)
-        return Written.of(place, written.part, written.entry)
+        return written(folder, lambda place: write_gear(self.form, self.part, self.name, place, progress, formats))
 
 
 def _require_features(keyway: Keyway | None, hub: Hub | None, web: Web | None, lightening: Lightening | None) -> None:

@@ -1,34 +1,30 @@
-"""Pairs and trains of gears by their numbers, without a design file; and the gear train of a design.
+"""Pairs and trains of gears by their numbers, without a design file.
 
 Lengths are mm and angles rad. The teeth are those of `cadgen gears`: exact involutes and trochoids, which every file
 is compared with when it is read back.
 """
 
-from abc import ABC, abstractmethod
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 from math import cos, pi
-from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING
 
-from cadgen.api.files import Written, folder_of, refusal
+from cadgen.api.assembly import Assembly
 from cadgen.api.gear import Gear, require_name
 from cadgen.api.values import optional, real, several, word
-from cadgen.check import Check
 from cadgen.design.train import MOST_STAGES
-from cadgen.errors import CheckError, DesignError, brief
+from cadgen.errors import DesignError, brief
 from cadgen.gears import pair as numbers
 from cadgen.gears import train as numeric
 from cadgen.gears.contact import contact_ratio
 from cadgen.gears.kinds import spur
+from cadgen.gears.names import Thinning
 from cadgen.gears.thinning import with_deviation, with_deviations
 from cadgen.gears.tooth import tooth_of
 from cadgen.parts.blank import Blank
-from cadgen.progress import Progress, silent
-from cadgen.workflow.gears.facts import plan_facts
 from cadgen.workflow.gears.plan import GearsPlan as GearsPlan
 from cadgen.workflow.gears.plan import NotMadeError as NotMadeError
 
@@ -36,105 +32,8 @@ if TYPE_CHECKING:
     from cadgen.solids.train import Compound
     from cadgen.workflow.gears.numbers import TrainPlan
 
-Thinning = Literal["least", "middle", "greatest"]
 # mm; of shafts whose bearings nobody has placed. Where the backlash is given no figure depends on it.
 _ANY_SPAN = 1000.0
-
-
-@dataclass(frozen=True)
-class ReturnError:
-    """Free angle of the output while the drive stands still.
-
-    Attributes:
-        least: least return error within the tolerances, rad; below 0 the teeth may jam.
-        as_cut: return error with every size in the middle, as drawn and as built in CAD, rad.
-        greatest: greatest return error within the tolerances, rad.
-    """
-
-    least: float
-    as_cut: float
-    greatest: float
-
-
-class Assembly(ABC):
-    """A planned pair or train, from a design or from numbers."""
-
-    @property
-    @abstractmethod
-    def computed(self) -> "GearsPlan | TrainPlan":
-        """Numeric plan."""
-
-    @property
-    def checks(self) -> tuple[Check, ...]:
-        """The teeth in mesh, measured on their sections, and the parts: every figure with its verdict."""
-        return self.computed.checks
-
-    @property
-    def passed(self) -> bool:
-        """Whether every check keeps its limit."""
-        return self.computed.passed
-
-    @property
-    def failed(self) -> tuple[Check, ...]:
-        """Checks that do not keep their limit."""
-        return tuple(check for check in self.checks if not check.passed)
-
-    @property
-    def ratio(self) -> Fraction:
-        """Turns of the drive per turn of the output."""
-        return self.computed.play.train.ratio
-
-    @cached_property
-    def return_error(self) -> ReturnError:
-        """Free angle of the output while the drive stands still, rad: of the teeth alone."""
-        play, cut = self.computed.play, self.computed.layout.train
-        free = [stage.free_angle() / float(ratio) for stage, ratio in zip(cut.stages, cut.output_ratios, strict=True)]
-        return ReturnError(float(play.return_error_min), sum(free), float(play.return_error_max))
-
-    def facts(self) -> dict[str, Any]:
-        """All facts as plain values, as in the manifest: every tolerance, play, part and inspection size."""
-        plan = self.computed
-        return plan_facts(plan) if isinstance(plan, GearsPlan) else plan.facts()
-
-    def build123d(self) -> "Compound":
-        """The parts in mesh as one build123d compound, a labelled and coloured solid for each, mm.
-
-        Raises:
-            FileError: the CAD kernel cannot drill a set screw.
-        """
-        from cadgen.solids.train import train_compound, train_parts
-
-        plan = self.computed
-        return train_compound(train_parts(plan.layout, plan.stem, plan.description), plan.layout, f"{plan.stem}_train")
-
-    def write(
-        self,
-        folder: str | PathLike[str],
-        formats: str | Iterable[str] | None = None,
-        *,
-        force: bool = False,
-        progress: Progress = silent,
-    ) -> Written:
-        """Write files, measure the play on the teeth read back, and publish all together or none.
-
-        Args:
-            folder: folder for the files; it is made if need be.
-            formats: some of step (the assembly and each part), stl and csv (the table of parts); all if left out.
-            force: whether files are written even if a check fails; the manifest then says so.
-            progress: function that is called with a few words on each step.
-
-        Raises:
-            CheckError: a check fails.
-            DesignError: a format is unknown.
-            FileError: a file cannot be written, or holds something else when it is read back.
-        """
-        from cadgen.workflow.gears.files import write_train
-
-        place = folder_of(folder)
-        if not (self.passed or force):
-            raise CheckError(refusal(self.failed))
-        written = write_train(self.computed, self.facts(), place, progress, formats)
-        return Written.of(place, written.part, written.entry)
 
 
 @dataclass(frozen=True)
@@ -149,7 +48,8 @@ class GearPair(Assembly):
         backlash: circumferential backlash, mm: travel of the wheel's working pitch circle while the pinion rests.
         centre_distance: distance of the axes, mm; None for that of nominal teeth without play.
         bearing_span: distance between the bearings of a shaft, mm; needed without a backlash.
-        thinning: without a backlash, place of the tooth thickness in the zone of its grade.
+        thinning: without a backlash, place of the tooth thickness in the zone of its grade: `least`, `middle` or
+            `greatest`.
         centre_distance_deviation: ± deviation of the distance of the axes, mm; None for the standard's.
         name: name of the pair and its files.
 
@@ -170,7 +70,7 @@ class GearPair(Assembly):
     backlash: float | None = None
     centre_distance: float | None = None
     bearing_span: float | None = None
-    thinning: Thinning = "middle"
+    thinning: str = Thinning.MIDDLE
     centre_distance_deviation: float | None = None
     name: str = "pair"
 
@@ -182,7 +82,7 @@ class GearPair(Assembly):
         optional("centre_distance", self.centre_distance, 0, 2000, "mm", above=True)
         optional("bearing_span", self.bearing_span, 0, 5000, "mm", above=True)
         optional("centre_distance_deviation", self.centre_distance_deviation, 0, 10, "mm")
-        word("thinning", self.thinning, ("least", "middle", "greatest"))
+        word("thinning", self.thinning, [place.value for place in Thinning])
         require_name(self.name)
         fixed = [gear.thickness_deviation is not None for gear in (self.pinion, self.wheel)]
         if self.backlash is not None and all(fixed):
@@ -219,7 +119,7 @@ class GearPair(Assembly):
         """Thickness of the pinion's and of the wheel's teeth: E_sn, mm, or a place in the zone of their grade."""
         fixed = self.pinion.thickness_deviation, self.wheel.thickness_deviation
         if self.backlash is None:
-            pinion, wheel = (self.thinning if deviation is None else deviation for deviation in fixed)
+            pinion, wheel = (Thinning(self.thinning) if deviation is None else deviation for deviation in fixed)
             return pinion, wheel
         angle = self.backlash / pair.driven_pitch_radius
         along = angle * pair.driven.form.base_diameter / 2
@@ -354,47 +254,3 @@ class Train(Assembly):
 
         blanks = [self.stages[0].pinion.blank, *(pair.wheel.blank for pair in self.stages)]
         return plan_train(self._train, blanks, self.name, self.directions, self.clearance)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class GearTrain(Assembly):
-    """The gear train of a design: what `Design.gears` gives.
-
-    Attributes:
-        plan: numeric plan, with all other figures; mm and rad.
-    """
-
-    plan: GearsPlan
-
-    def __repr__(self) -> str:
-        return f"<GearTrain of {self.name}, {self.order}, ratio {self.ratio}>"
-
-    @property
-    def computed(self) -> GearsPlan:
-        """Numeric plan, with the trains that were passed over and the reasons."""
-        return self.plan
-
-    @property
-    def name(self) -> str:
-        """Name of the design."""
-        return self.plan.design.name
-
-    @property
-    def order(self) -> str:
-        """Order of the stages: `as-given`, `reordered` or `search`."""
-        return self.plan.order
-
-    @property
-    def ranked(self) -> tuple[numeric.TrainPlay, ...]:
-        """Play of the trains that the order calls for, least return error first; mm and rad."""
-        return self.plan.ranked
-
-    @property
-    def baseline(self) -> numeric.TrainPlay:
-        """Play that the ranked trains are compared with; mm and rad."""
-        return self.plan.baseline
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Sentences on the train that is made."""
-        return self.plan.notes

@@ -30,6 +30,10 @@ class Measured:
     remarks: Sequence[str] = ()
     name: str = "data"
 
+    def __post_init__(self) -> None:
+        if not isinstance(self.columns, Mapping):
+            raise DesignError(f"columns is {brief(repr(self.columns), 60)}; it must map names with units to values")
+
     def __repr__(self) -> str:
         return f"<Measured {self.name}: {', '.join(map(str, self.columns))}>"
 
@@ -70,8 +74,6 @@ def _several(data: Data | Iterable[Data]) -> list[Data]:
 def _measured(data: Measured) -> "Source":
     from cadgen.workflow.calibration.tables import source_of
 
-    if not isinstance(data.columns, Mapping):
-        raise DesignError(f"columns is {brief(repr(data.columns), 60)}; it must map names with units to values")
     remarks = (data.remarks,) if isinstance(data.remarks, str) else data.remarks
     return source_of(data.columns, remarks, str(data.name))
 

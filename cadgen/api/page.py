@@ -6,9 +6,9 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from cadgen.api.design import MOST_CARS, MOST_PROCESSES, Design
-from cadgen.api.files import Written, folder_of
+from cadgen.api.files import Written, written
 from cadgen.api.measured import Data, sources_of
-from cadgen.api.values import whole
+from cadgen.api.values import instance, whole
 from cadgen.check import Check, failing
 from cadgen.errors import FileError
 from cadgen.page.content.plan import plan_page
@@ -72,7 +72,7 @@ class Report:
             unread = str(error)
         return cls(
             plan_page(
-                design.complete(),
+                instance("design", design, Design).complete(),
                 profile,
                 whole("samples", samples, 1, MOST_CARS),
                 whole("processes", processes, 1, MOST_PROCESSES),
@@ -124,6 +124,4 @@ class Report:
         """
         from cadgen.page.content.files import write_page
 
-        place = folder_of(folder)
-        written = write_page(self.computed, place, progress)
-        return Written.of(place, written.part, written.entry)
+        return written(folder, lambda place: write_page(self.computed, place, progress))

@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
-from pathlib import Path
 from typing import Any, Generic
 
 from cadgen.api.calibration import D
 from cadgen.api.cam import Cam
-from cadgen.api.files import Written, folder_of, refusal
+from cadgen.api.files import Written, refusal, written
 from cadgen.api.runs import map_of
 from cadgen.api.values import optional, whole
 from cadgen.build import cam_model
@@ -19,7 +18,7 @@ from cadgen.workflow.planning.plan import PlannedPath, Wanted, plan_design
 from cadgen.workflow.planning.words import facts, sentences
 from cadgen.workflow.planning.write import write_plan
 
-WITHIN_MM, SEEDS = (0.1, 1000.0), (1, 100)
+WITHIN_MM, SEEDS, RESERVE = (0.1, 1000.0), (1, 100), (0.0, 10.0)
 _WITHIN_MM = 25.0
 
 
@@ -85,9 +84,7 @@ class Plan(Generic[D]):
         if not self.passed:
             drawn = (check for each in self.computed.drawn for check in each.checks)
             raise CheckError(refusal((*self.computed.cam.checks, *drawn), forced=False))
-        place: Path = folder_of(folder)
-        written = write_plan(self.computed, place, progress)
-        return Written.of(place, written.part, written.entry)
+        return written(folder, lambda place: write_plan(self.computed, place, progress))
 
 
 def planned(
@@ -96,6 +93,7 @@ def planned(
     course: tuple[DesignValues, bool],
     others: tuple[DesignValues | None, DesignValues | None],
     within_mm: float | None,
+    reserve: float | None,
     seeds: int,
     pool: Any,
     progress: Progress,
@@ -108,6 +106,7 @@ def planned(
         course: the same as it is planned, and whether it has a path of its own.
         others: design whose path is improved, and one whose curvature's slopes are not exceeded; None without.
         within_mm: how far the first may be left, mm.
+        reserve: room besides the margins, as a factor on the scatter of cars; None to choose it.
         seeds: number of searches.
         pool: executor, pool or function like the built-in `map` that runs several searches; None for this process.
         progress: function that is called with a few words on each step.
@@ -116,10 +115,14 @@ def planned(
         DesignError: as `Design.plan`.
     """
     (known, drawn), (near, calm) = course, (None if other is None else cam_model.track(other) for other in others)
+    room = optional("reserve", reserve, *RESERVE, "times the scatter of the cars")
     within = optional("within_mm", within_mm, *WITHIN_MM, "mm")
     if within is not None and near is None:
         raise DesignError("within_mm says how far a given path may be left: give improve too, or leave it out")
     reach, count = _WITHIN_MM if within is None else within, whole("seeds", seeds, *SEEDS)
-    wanted = Wanted(near, reach, calm or near, count, map_of(pool))
+    before = known if drawn else None
+    if others[0] is not None:
+        before = known.model_copy(update={"path": others[0].path})
+    wanted = Wanted(near, reach, calm or near, count, map_of(pool), before, room)
     own = cam_model.track(known) if drawn else None
     return Plan(plan_design(known, text, own, wanted, progress), source)

@@ -7,7 +7,7 @@ from os import PathLike
 from typing import Any, Protocol
 
 from cadgen.api.cam import Cam
-from cadgen.api.files import Written, folder_of
+from cadgen.api.files import Written, written
 from cadgen.arrays import Array
 from cadgen.errors import DesignError, brief
 from cadgen.exploration.engines import mapping
@@ -17,7 +17,7 @@ from cadgen.motion.errors import Event, RunError
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
-from cadgen.workflow.cam.manifest import remedy_facts as remedy_facts
+from cadgen.workflow.cam.manifest import remedy_facts
 from cadgen.workflow.cam.mechanics import joint_sentences
 from cadgen.workflow.cam.remedies import Remedy as Remedy
 from cadgen.workflow.cam.wheel import field_notice
@@ -115,9 +115,7 @@ class Simulation:
         Raises:
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        place = folder_of(folder)
-        written = files.write_simulation(self.computed, place, progress)
-        return Written.of(place, written.part, written.entry)
+        return written(folder, lambda place: files.write_simulation(self.computed, place, progress))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -140,6 +138,11 @@ class Comparison:
         """Every method on every train, with its errors, mm and rad."""
         return () if self.cam.comparison is None else self.cam.comparison.evaluations
 
+    def facts(self) -> dict[str, Any]:
+        """The comparison as plain values, as with `--json`: the facts on the cam, and the further remedies."""
+        facts = self.cam.facts()
+        return {**facts, "remedies": [remedy_facts(remedy) for remedy in self.remedies]} if self.remedies else facts
+
     def write(self, folder: str | PathLike[str], *, progress: Progress = silent) -> Written:
         """Write pictures of events and tracks, all together or none.
 
@@ -150,9 +153,12 @@ class Comparison:
         Raises:
             FileError: a file cannot be written.
         """
-        place = folder_of(folder)
-        written = files.write_comparison(self.cam.computed, place, progress, cures=self.cam.find_cures(progress))
-        return Written.of(place, written.part, written.entry)
+        return written(
+            folder,
+            lambda place: files.write_comparison(
+                self.cam.computed, place, progress, cures=self.cam.find_cures(progress)
+            ),
+        )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -212,9 +218,7 @@ class ToleranceRun:
         Raises:
             FileError: a file cannot be written.
         """
-        place = folder_of(folder)
-        written = files.write_tolerance(self.computed, place, progress)
-        return Written.of(place, written.part, written.entry)
+        return written(folder, lambda place: files.write_tolerance(self.computed, place, progress))
 
 
 def map_of(pool: Pool | Map | None) -> Callable[..., Iterable[Any]] | None:

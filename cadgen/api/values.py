@@ -5,7 +5,7 @@ from math import inf, isfinite, nan
 from numbers import Integral, Real
 from os import PathLike
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike
 from cadgen.arrays import Array
 from cadgen.design.section import LEAST_FEATURE_MM
 from cadgen.errors import DesignError, brief
+
+T = TypeVar("T")
 
 
 def real(
@@ -61,7 +63,14 @@ def feature(name: str, value: object, most: float, *, or_none: bool = False) -> 
 
 
 def whole(name: str, value: object, least: int, most: float = inf) -> int:
-    """Require a whole number of a range, and return it; arguments and errors as of `real`."""
+    """Require a whole number of a range, and return it; arguments and errors as of `real`.
+
+    Args:
+        name: name of the value, for messages.
+        value: value of the caller.
+        least: least allowed.
+        most: greatest allowed, a number.
+    """
     if isinstance(value, Integral) and not isinstance(value, bool) and least <= int(value) <= most:
         return int(value)
     # `1e4` shown as 10000 would look like the whole number that it must be.
@@ -88,7 +97,16 @@ def word(name: str, value: object, allowed: Sequence[str]) -> str:
 def optional(
     name: str, value: object, least: float = -inf, most: float = inf, unit: str = "", *, above: bool = False
 ) -> float | None:
-    """Require None or a number, and return it; arguments and errors as of `real`."""
+    """Require None or a number, and return it; arguments and errors as of `real`.
+
+    Args:
+        name: name of the value, for messages.
+        value: value of the caller.
+        least: least allowed, in `unit`, such as mm.
+        most: greatest allowed, in `unit`, such as mm.
+        unit: unit, for messages.
+        above: whether the value must be above the least.
+    """
     return None if value is None else real(name, value, least, most, unit, above=above)
 
 
@@ -131,6 +149,42 @@ def several(name: str, value: Iterable[float | None], count: int) -> list[float 
     if len(values) != count:
         raise DesignError(f"{name} has {len(values)} angles; it must have {count}, one a stage")
     return values
+
+
+def instance(name: str, value: object, kind: type[T]) -> T:
+    """Require an object of a class, and return it.
+
+    Args:
+        name: name of the argument.
+        value: value of the argument.
+        kind: class that it must be of.
+
+    Raises:
+        DesignError: the value is of another class.
+    """
+    if isinstance(value, kind):
+        return value
+    raise DesignError(f"{name} is {_shown(value)}; it must be a {kind.__name__}")
+
+
+def paths(name: str, value: str | PathLike[str] | Iterable[str | PathLike[str]]) -> list[Path]:
+    """Require the path of a file, or several, and return them.
+
+    Args:
+        name: name of the argument.
+        value: value of the argument.
+
+    Raises:
+        DesignError: the value holds something else, or nothing.
+    """
+    try:
+        each = [value] if isinstance(value, (str, PathLike)) else list(value)
+        files = [Path(one) for one in each]
+    except TypeError:
+        files = []
+    if not files:
+        raise DesignError(f"{name} is {_shown(value)}; it must be the path of a file, or several")
+    return files
 
 
 def plain_text(name: str, value: object) -> str:

@@ -15,9 +15,11 @@ from cadgen.cam.followers.rod import LeaningRod, rod_of
 from cadgen.cam.followers.rod_kind import RodKeys
 from cadgen.cam.lift import LiftCurve, lap_lift_curve, lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
+from cadgen.course.names import Side
 from cadgen.design import blank as keys
 from cadgen.design.schema import Design
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt, Placed
+from cadgen.deviations.names import Place
 from cadgen.errors import DesignError
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew
@@ -130,7 +132,7 @@ def as_built(design: Design) -> AsBuilt:
         return AS_DESIGNED
     placed = []
     for effect in design.as_built.effects:
-        if effect.place != "noted":
+        if effect.place != Place.NOTED:
             known = effect.known()
             values = tuple(effect.numbers[p.name] * p.scale for p in known.parameters)
             sigma = (effect.values[0].sigma or 0.0) * known.parameters[0].scale
@@ -146,7 +148,7 @@ def car(design: Design) -> Car:
         drive_wheel_offset=design.car.drive_wheel_offset_mm,
         idle_wheel_offset=design.car.idle_wheel_offset_mm,
         max_steering_angle=radians(design.car.max_steering_angle_deg),
-        steering_gain=-1.0 if design.cam.side == "right" else 1.0,
+        steering_gain=-1.0 if design.cam.side == Side.RIGHT else 1.0,
     )
     return as_built(design).car(nominal)
 
@@ -189,6 +191,11 @@ def travel(design: Design, driven: Track) -> float:
 
 def cam_angle(design: Design, driven: Track, arc: Array) -> Array:
     """Cam angles at which the car, driven without play, stands at given arc lengths of its track, rad.
+
+    Args:
+        design: loaded design.
+        driven: drive wheel's track as it is driven.
+        arc: arc lengths along it, mm, shape (n,).
 
     Raises:
         DesignError: as `lift`.

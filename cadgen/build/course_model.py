@@ -3,8 +3,9 @@
 from math import floor, inf, radians
 
 from cadgen.build import cam_model
-from cadgen.course.body import Body, Wheel
+from cadgen.course.body import Body, PartName, Wheel
 from cadgen.course.course import Course, Gate, Obstacle, Point, Shape
+from cadgen.course.names import ObstacleKind
 from cadgen.course.scaled import Draw
 from cadgen.design import course as keys
 from cadgen.design.outline import Outline
@@ -59,9 +60,9 @@ def body(design: Design) -> Body:
         corners=_corners(given, (drive[1] + idle[1]) / 2) if given else (),
         clearance=clearance,
         wheels=(
-            Wheel(name="front wheel", centre=(0.0, 0.0), radius=front_radius, width=front_width, steered=True),
-            Wheel(name="drive wheel", centre=drive, radius=rear_radius, width=rear_width),
-            Wheel(name="idle wheel", centre=idle, radius=rear_radius, width=rear_width),
+            Wheel(name=PartName.FRONT_WHEEL, centre=(0.0, 0.0), radius=front_radius, width=front_width, steered=True),
+            Wheel(name=PartName.DRIVE_WHEEL, centre=drive, radius=rear_radius, width=rear_width),
+            Wheel(name=PartName.IDLE_WHEEL, centre=idle, radius=rear_radius, width=rear_width),
         ),
     )
 
@@ -91,12 +92,12 @@ def _height(given: float | None) -> float:
 
 def _post(given: keys.Post, key: str) -> Obstacle:
     shape = Shape.disc(given.at_mm, given.radius_mm)
-    return Obstacle(kind="post", key=key, shape=shape, height=_height(given.height_mm), side=given.side)
+    return Obstacle(kind=ObstacleKind.POST, key=key, shape=shape, height=_height(given.height_mm), side=given.side)
 
 
 def _wall(given: keys.Wall, key: str) -> Obstacle:
     shape = Shape(given.line_mm, reach=given.thickness_mm / 2)
-    return Obstacle(kind="wall", key=key, shape=shape, height=_height(given.height_mm))
+    return Obstacle(kind=ObstacleKind.WALL, key=key, shape=shape, height=_height(given.height_mm))
 
 
 def _zone(given: keys.Zone, key: str) -> Obstacle:
@@ -106,7 +107,7 @@ def _zone(given: keys.Zone, key: str) -> Obstacle:
         shape = _rectangle(given.corner_mm, given.size_mm)
     else:
         shape = Shape.disc(given.at_mm or (0.0, 0.0), given.radius_mm or 0.0)
-    return Obstacle(kind="zone", key=key, shape=shape, height=_height(given.height_mm))
+    return Obstacle(kind=ObstacleKind.ZONE, key=key, shape=shape, height=_height(given.height_mm))
 
 
 def _gate(given: keys.Gate | keys.Stand, key: str, radius: float) -> Gate:

@@ -159,7 +159,13 @@ def _refuse_ends(given: Settings, rod: LeaningRod) -> None:
 
 
 def start_of(spacings: Draw, track: Track, factor: float) -> tuple[float, float, float]:
-    """Start of the scaled path: x and y of the planned point, mm, and heading, rad, between minus and plus pi."""
+    """Start of the scaled path: x and y of the planned point, mm, and heading, rad, between minus and plus pi.
+
+    Args:
+        spacings: spacings of the course.
+        track: track as it is planned.
+        factor: ratio of the spacing to the stated one.
+    """
     x, y = track.planned(0.0).tolist()
     heading = radians((degrees(float(track.heading(_ZERO)[0])) + 180) % 360 - 180)
     return (*spacings.point((x, y), factor), heading)
@@ -215,6 +221,13 @@ def target(
 
 
 def contact(design: Design, cut: ClosedCurve, rod: LeaningRod, cam_angle: Array) -> Contact:
-    """Roll a rod on a disc of a design that is cut to a curve; arguments and errors as of `AsBuilt.roll_new`."""
+    """Roll a rod on a disc of a design that is cut to a curve; arguments and errors as of `AsBuilt.roll_new`.
+
+    Args:
+        design: loaded design.
+        cut: curve that is cut, mm.
+        rod: rod.
+        cam_angle: cam angles, rad, shape (n,).
+    """
     step = rolling_step(cut, rod, _OUTLINE_STEP)
     return cam_model.as_built(design).roll_new(cut, rod, cam_angle, step)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import radians
 from typing import TypeVar
 
-from cadgen.design.joint import TIGHT, Held
+from cadgen.design.joint import TIGHT, Held, Joint
 from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
 from cadgen.design.stage import GearKeys, SpurStage
@@ -130,13 +130,13 @@ def _free_angle(
     if bore_mm <= 0:
         raise DesignError(f'{where}.joint is "{held.joint}" and there is no bore: set {where}.bore_diameter_mm')
     across = held.joint_across_mm or across_mm
-    if held.joint == "d_flat" and (across is None or not bore_mm / 2 < across < bore_mm):
+    if held.joint == Joint.D_FLAT and (across is None or not bore_mm / 2 < across < bore_mm):
         raise DesignError(
             f"{where}.joint is a D-flat: set {where}.joint_across_mm between half of the bore's {bore_mm:g} mm and "
             "all of it"
         )
     if held.joint_fit is not None:
-        size = key_mm if held.joint == "keyed" else bore_mm
+        size = key_mm if held.joint == Joint.KEYED else bore_mm
         if size is None:
             raise DesignError(
                 f"{where}.joint_fit is that of a key, whose width is not known: add [{where}.keyway], or give "
@@ -148,14 +148,14 @@ def _free_angle(
             raise DesignError(f"{where}.joint_fit: {error}") from error
     else:
         zone = (held.joint_clearance_least_um or 0.0) / 1e3, (held.joint_clearance_greatest_um or 0.0) / 1e3
-    if held.joint == "keyed":
+    if held.joint == Joint.KEYED:
         return key_play(zone[0], bore_mm), key_play(zone[1], bore_mm)
     assert across is not None
     return flat_play(zone[0], bore_mm, across), flat_play(zone[1], bore_mm, across)
 
 
 def _joint(name: str, held: Held, zone: tuple[float, float]) -> Loose:
-    what = "key" if held.joint == "keyed" else "D-flat"
+    what = "key" if held.joint == Joint.KEYED else "D-flat"
     return Loose(
         name=f"{what} of {name}", least=zone[0], greatest=zone[1], cure=f"clamp, pin or glue {name}: its {what} has"
     )

@@ -11,22 +11,24 @@ from cadgen.arrays import TURN
 from cadgen.build import cam_model, gear_model
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
+from cadgen.cam.followers.rod_kind import RodMaterial
 from cadgen.cam.lift import LiftCurve
-from cadgen.design.mechanics import Mechanics
+from cadgen.design.mechanics import Braked, Mechanics
+from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.fits import clearance as fit_clearance
 from cadgen.gears.joints import WholePlay
-from cadgen.gears.names import STAGE_ORDERS
+from cadgen.gears.names import Order, StageOrder
 from cadgen.gears.search import arrange
 from cadgen.monte_carlo.derivatives import Expansion
-from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS
+from cadgen.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance
 from cadgen.monte_carlo.processes import EXPANSION
-from cadgen.monte_carlo.robust import TOLERANCES, Sampler, Tolerances
+from cadgen.monte_carlo.robust import Sampler, Tolerances
 from cadgen.motion.drive import wheel_radius as drive_wheel_radius
-from cadgen.motion.friction import USUAL, friction_band
+from cadgen.motion.friction import USUAL, DiscMaterial, friction_band
 from cadgen.motion.mechanics import MechanicsBand
 from cadgen.optimize.band import PlayBand
 from cadgen.optimize.remedies import holding
@@ -35,7 +37,7 @@ _ENDINGS = {"mm": "mm", "rad": "deg", "N": "N", "K": "K", "1": "", "Nmm": ""}  #
 _STATIONS = 3600  # of the turn at which forces are looked at
 
 
-def play_bands(design: Design) -> dict[str, PlayBand]:
+def play_bands(design: Design) -> dict[StageOrder, PlayBand]:
     """Bands of the return error at the camshaft, rad, by order of the train.
 
     [play] says it of the car as built, and stands for what the tolerances of [train] leave. A return error that
@@ -115,7 +117,7 @@ def mechanics(design: Design, follower: Follower, lift: LiftCurve) -> MechanicsB
     elif known.runs_free:
         friction = 0.0, 0.0
     elif given.friction_least is None or given.friction_greatest is None:
-        friction = friction_band(material or "steel", design.blank.material, greased=given.greased)
+        friction = friction_band(material or RodMaterial.STEEL, design.blank.material, greased=given.greased)
     else:
         friction = given.friction_least, given.friction_greatest
     band = MechanicsBand(
@@ -124,11 +126,11 @@ def mechanics(design: Design, follower: Follower, lift: LiftCurve) -> MechanicsB
         rod_rate=given.rod_rate_N_per_mm,
         friction=friction,
         drag=given.drag_Nmm,
-        behind=gear_model.cam_joint(design)[1] if given.drag_on == "shaft" else 0.0,
+        behind=gear_model.cam_joint(design)[1] if given.drag_on == Braked.SHAFT else 0.0,
     )
     _refuse_lost_rod(band, lift, design.tolerances.rod_force_N or 0.0)
     need = holding(lift, band)
-    if "drag" in hardware and (band.drag[0] < need.torque or band.behind > 0):
+    if Hardware.DRAG in hardware and (band.drag[0] < need.torque or band.behind > 0):
         # A brake on the disc itself, which holds the play of its joint, too.
         band = replace(band, drag=(need.drag, max(need.drag, band.drag[1])), behind=0.0)
     _refuse_weak_drive(design, band, lift)
@@ -182,8 +184,8 @@ def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: LiftCurve) -> 
         )
 
 
-def half_widths(design: Design, forces: MechanicsBand | None) -> dict[str, float]:
-    """Half of each tolerance zone by the names of `optimize.robust.TOLERANCES`; what is 0 is left out.
+def half_widths(design: Design, forces: MechanicsBand | None) -> dict[Tolerance, float]:
+    """Half of each tolerance zone by the names of `TOLERANCES`; what is 0 is left out.
 
     Args:
         design: a loaded design.
@@ -193,28 +195,30 @@ def half_widths(design: Design, forces: MechanicsBand | None) -> dict[str, float
         DesignError: a tolerance of a quantity that the design lacks.
     """
     tolerances = design.tolerances
-    halves = {}
+    halves: dict[Tolerance, float] = {}
     for name in TOLERANCES:
-        unit = PARAMETERS[DIRECTED.get(name, (name,))[0]]
+        unit = name.unit
         value = getattr(tolerances, f"{name}_{_ENDINGS[unit]}", None) or 0.0
         halves[name] = radians(value) if unit == "rad" else value
     if (fit := design.blank.bore_fit) is not None:
-        halves["eccentricity"] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
+        halves[Directed.ECCENTRICITY] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
     if forces is not None:
-        halves["friction"], halves["drag"] = (float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag))
-    elif halves["rod_force"] > 0:
+        halves[Parameter.FRICTION], halves[Parameter.DRAG] = (
+            float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag)
+        )
+    elif halves[Parameter.ROD_FORCE] > 0:
         raise DesignError("tolerances.rod_force_N needs the force itself: add [mechanics] with rod_force_N")
-    if halves["temperature"] > 0 and design.blank.material is None:
+    if halves[Parameter.TEMPERATURE] > 0 and design.blank.material is None:
         raise DesignError("tolerances.temperature_K needs to know what the disc is made of: set blank.material")
     return {name: half for name, half in halves.items() if half > 0}
 
 
 def expansion(design: Design) -> Expansion:
     """How disc, frame and rod grow with heat; not at all if the disc's material is not known."""
-    disc, frame = design.blank.material, design.tolerances.frame_material or "aluminium"
+    disc, frame = design.blank.material, design.tolerances.frame_material or DiscMaterial.ALUMINIUM
     if disc is None:
         return Expansion()
-    return Expansion(disc=EXPANSION[disc], frame=EXPANSION[frame], rod=EXPANSION["steel"])
+    return Expansion(disc=EXPANSION[disc], frame=EXPANSION[frame], rod=EXPANSION[DiscMaterial.STEEL])
 
 
 def tolerances(design: Design, forces: MechanicsBand | None = None) -> Tolerances:
@@ -228,7 +232,7 @@ def tolerances(design: Design, forces: MechanicsBand | None = None) -> Tolerance
             sample = partial(_plays, whole.return_error_distribution(law))
     else:
         band = play_bands(design)[design.optimize.order]
-        sample = ZoneSum(("play",), np.array([band.least]), np.array([band.greatest]), law).sample
+        sample = ZoneSum((Parameter.PLAY,), np.array([band.least]), np.array([band.greatest]), law).sample
     return Tolerances(half_widths=half_widths(design, forces), law=law, play=sample)
 
 
@@ -244,7 +248,7 @@ def play_zones(design: Design) -> dict[str, float]:
     whole = None if design.play is not None else whole_play(design)
     if whole is None:
         low, high = play_bands(design)[design.optimize.order].ends
-        return {"play": (high - low) / 2}
+        return {Parameter.PLAY: (high - low) / 2}
     teeth = whole.teeth
     of_teeth = {} if teeth is None else {"play of the teeth": (teeth.return_error_max - teeth.return_error_min) / 2}
     return {**of_teeth, **{joint.name: (joint.greatest - joint.least) / 2 for joint in whole.loose}}
@@ -252,6 +256,10 @@ def play_zones(design: Design) -> dict[str, float]:
 
 def wheel_radius(design: Design, length: float) -> float:
     """Radius of the drive wheel by eq. 20, mm: the train's ratio gives it. Without a train, infinite.
+
+    Args:
+        design: loaded design.
+        length: travel of the drive wheel in one turn of the cam, mm.
 
     Raises:
         DesignError: the radius has a tolerance but no value.
@@ -279,7 +287,7 @@ def whole_play(design: Design) -> WholePlay | None:
     return WholePlay(teeth=None, loose=alone) if alone else None
 
 
-def train_plays(design: Design) -> dict[str, WholePlay]:
+def train_plays(design: Design) -> dict[StageOrder, WholePlay]:
     """The play of the train in the order of the design file and in the order of least return error, joints included.
 
     Empty if the design has no [train].
@@ -290,5 +298,5 @@ def train_plays(design: Design) -> dict[str, WholePlay]:
     if design.train is None:
         return {}
     given = gear_model.train(design)
-    teeth = {order: arrange(given, order)[0] for order in STAGE_ORDERS}
+    teeth = {order: arrange(given, Order(order))[0] for order in StageOrder}
     return {order: WholePlay(teeth=one, loose=gear_model.loose(design, one.train)) for order, one in teeth.items()}

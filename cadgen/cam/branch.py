@@ -26,11 +26,19 @@ class Branch(ABC):
 
     @abstractmethod
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by the parameter, and curvature (positive where the disc is convex) at n parameters."""
+        """Point, velocity by the parameter, and curvature (positive where the disc is convex) at n parameters.
+
+        Args:
+            t: parameters, shape (n,).
+        """
 
     @abstractmethod
     def cam_angle(self, t: float) -> float:
-        """Cam angle, rad, at which the follower touches the point of a parameter."""
+        """Cam angle, rad, at which the follower touches the point of a parameter.
+
+        Args:
+            t: parameter of the point.
+        """
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,11 +52,19 @@ class Swept(Branch):
     lift: LiftCurve
 
     def cam_angle(self, t: float) -> float:
-        """Return the parameter itself, rad."""
+        """Return the parameter itself, rad.
+
+        Args:
+            t: parameter of the point, which is its cam angle, rad.
+        """
         return t
 
     def advance(self, theta: Array) -> Array:
-        """Rate of the tangential travel along the envelope, mm/rad; negative on a swallowtail."""
+        """Rate of the tangential travel along the envelope, mm/rad; negative on a swallowtail.
+
+        Args:
+            theta: cam angles, rad, shape (n,).
+        """
         jet = self.jet(theta)
         return np.asarray(cross(jet.point, jet.velocity) / np.linalg.norm(jet.point, axis=1))
 
@@ -64,12 +80,23 @@ class Section(Branch):
     theta: float
 
     def cam_angle(self, t: float) -> float:
-        """Cam angle of the kink, rad."""
+        """Cam angle of the kink, rad.
+
+        Args:
+            t: parameter of the point.
+        """
         return self.theta
 
 
 def span_jets(lift: LiftCurve, theta: Array, start: float, stop: float) -> tuple[Array, Array, Array]:
-    """tan(beta) and two derivatives inside [start, stop], one-sided at the ends (a kink may stand there)."""
+    """tan(beta) and two derivatives inside [start, stop], one-sided at the ends (a kink may stand there).
+
+    Args:
+        lift: lift of the cam.
+        theta: cam angles, rad, shape (n,).
+        start: end of the span, rad.
+        stop: other end of the span, rad.
+    """
     inside = np.clip(theta, start, stop - 1e-13 * (1.0 + abs(stop)))
     return lift.tan_beta(inside), lift.tan_beta(inside, nu=1), lift.tan_beta(inside, nu=2)
 

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.clearance import cutter_room, thinnest_wall
 from cadgen.cam.contact import roll_curve
-from cadgen.cam.envelope import Trim
+from cadgen.cam.envelope import Trim, TrimKind
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.limits import CheckLimits
 from cadgen.cam.loss import Loss, lost_lift
 from cadgen.cam.place import cam_place, polar_place
 from cadgen.cam.rolled import Contact, RolledCam
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.parts.blank import Blank
 
@@ -135,7 +135,7 @@ def _pressure(lift: LiftCurve, contact: Contact, limits: CheckLimits) -> list[Ch
                 float(value[worst]),
                 "°",
                 float(np.degrees(limit)),
-                "max",
+                Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
                 f"{_soften(lift, contact.cam_angle[worst], limits)}, raise cam.base_radius_mm, or choose another "
                 f"checks.pressure_angle_limit (now {limits.pressure_angle.source})",
@@ -160,7 +160,7 @@ def _curvature(
     if allowed > limits.min_convex_radius:
         advice = f"the chamfers of the broken edges meet on a sharp ridge: lower blank.edge_break_mm, {milder}"
     code = CheckCode.CONVEX_RADIUS_PROFILE
-    checks.append(Check(code, "convex radius, profile", radius, "mm", allowed, "min", polar_place(point), advice))
+    checks.append(Check(code, "convex radius, profile", radius, "mm", allowed, Bound.MIN, polar_place(point), advice))
     return checks
 
 
@@ -176,7 +176,7 @@ def _pitch_radius(
             radius, point = 0.0, sharpest.point
             place = f"{polar_place(point)}, corner {np.degrees(sharpest.turn):.1f}°"
     # What is sharper than the follower is undercut; that is sized as lost lift, and bearable if the loss is.
-    lost = max((loss.lift for loss in losses if loss.trim.kind == "local"), default=0.0)
+    lost = max((loss.lift for loss in losses if loss.trim.kind == TrimKind.LOCAL), default=0.0)
     angle = float(np.arctan2(point[1], point[0])) % TURN
     return Check(
         CheckCode.CONVEX_RADIUS_THEORY,
@@ -184,7 +184,7 @@ def _pitch_radius(
         radius,
         "mm",
         follower.radius if lost > limits.lost_lift else 0.0,
-        "min",
+        Bound.MIN,
         place,
         f"a convex part sharper than the {follower.noun} is undercut: {_soften(lift, angle, limits)}, "
         f"{follower.milder}",
@@ -197,11 +197,11 @@ def _undercut(lift: LiftCurve, follower: Follower, losses: list[Loss], limits: C
         (
             CheckCode.LOST_LIFT_UNDERCUT,
             "lost lift, undercut",
-            "local",
+            TrimKind.LOCAL,
             f"no profile gives this lift to this {follower.noun}",
         ),
-        (CheckCode.LOST_LIFT_CROSSING, "lost lift, crossing", "global", "two flanks cut each other off"),
-        (CheckCode.LOST_LIFT_FACE_CHANGE, "lost lift, face change", "face change", ""),
+        (CheckCode.LOST_LIFT_CROSSING, "lost lift, crossing", TrimKind.GLOBAL, "two flanks cut each other off"),
+        (CheckCode.LOST_LIFT_FACE_CHANGE, "lost lift, face change", TrimKind.FACE_CHANGE, ""),
     ):
         of_kind = [loss for loss in losses if loss.trim.kind == kind]
         worst = max(of_kind, key=lambda loss: loss.lift, default=None)
@@ -209,7 +209,7 @@ def _undercut(lift: LiftCurve, follower: Follower, losses: list[Loss], limits: C
         value = 0.0 if worst is None else worst.lift * 1e3
         softer = "" if worst is None else _soften(lift, worst.cam_angle, limits)
         advice = f"{reason}: {softer}" if reason else f"make the disc thinner (cam.thickness_mm) or {softer}"
-        checks.append(Check(code, name, value, "µm", limits.lost_lift * 1e3, "max", place, advice))
+        checks.append(Check(code, name, value, "µm", limits.lost_lift * 1e3, Bound.MAX, place, advice))
     return checks
 
 
@@ -227,7 +227,7 @@ def _contact(follower: Follower, contact: Contact, error: Array, trimmed: NDArra
                 max(float(beyond[worst]) * 1e3, 0.0),
                 "µm",
                 CONTACT_LIMIT_UM,
-                "max",
+                Bound.MAX,
                 cam_place(contact.cam_angle[worst]),
                 f"this profile is not the {follower.noun}'s envelope: use --profile actual",
             )
@@ -249,7 +249,7 @@ def _blend(
     if lost or off:
         value, angle = max(lost + off)
         place = f"{cam_place(angle)}, where the car does not drive"
-    checks = [Check(CheckCode.BLEND_LIFT, "lift not given, blend", value * 1e3, "µm", inf, "max", place)]
+    checks = [Check(CheckCode.BLEND_LIFT, "lift not given, blend", value * 1e3, "µm", inf, Bound.MAX, place)]
     rising = lift.tan_beta(contact.cam_angle, nu=1) >= 0
     angles = np.abs(contact.pressure_angle)
     rise, fall = CheckCode.BLEND_PRESSURE_ANGLE_RISE, CheckCode.BLEND_PRESSURE_ANGLE_RETURN
@@ -266,7 +266,7 @@ def _blend(
                 float(np.degrees(size[worst])),
                 "°",
                 float(np.degrees(max(LOCKING_ANGLE, usual))),
-                "max",
+                Bound.MAX,
                 cam_place(contact.cam_angle[worst]) if of_kind.any() else "none",
                 f"on so steep a flank the {follower.noun} locks when the cam is turned on to its start: "
                 f"{_soften(lift, lift.blend_start, limits)} or raise cam.base_radius_mm",
@@ -301,7 +301,7 @@ def _closure(lift: LiftCurve) -> list[Check]:
                 worst,
                 "",
                 CLOSURE_LIMIT,
-                "max",
+                Bound.MAX,
                 cam_place(at),
                 "lift, slope and second derivative must not jump: report this design",
             )

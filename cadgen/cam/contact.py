@@ -43,6 +43,11 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
     Only the cam angles that still change, and those so steep that two steps may agree by chance, are rolled again: a
     cam that needs fine steps in one steep place is not sampled finely throughout.
 
+    Args:
+        curve: outline, mm.
+        follower: follower of the cam.
+        cam_angle: cam angles, rad, shape (n,).
+
     Returns:
         The contact, and the finest step that was needed, mm: an outline read back from a file needs it too.
 
@@ -78,7 +83,13 @@ def _left(step: float, follower: Follower, pressure_angle: Array) -> Array:
 
 
 def rolling_step(curve: ClosedCurve, follower: Follower, coarsest: float = COARSEST_STEP) -> float:
-    """The step of an outline at which a follower can be rolled on it, mm: the coarsest, or less for a thin one."""
+    """The step of an outline at which a follower can be rolled on it, mm: the coarsest, or less for a thin one.
+
+    Args:
+        curve: outline, mm.
+        follower: follower of the cam.
+        coarsest: coarsest step allowed, mm.
+    """
     if follower.radius == 0:
         return coarsest
     return max(min(coarsest, follower.radius / _POINTS_PER_RADIUS), curve.length() / _MOST_POINTS)
@@ -141,7 +152,11 @@ class Ring:
         return cls(follower, tiled[near], np.tile(radius, 3)[near], points, pieces.ravel()[near], reach)
 
     def contact(self, cam_angle: Array) -> Contact:
-        """Let the follower down at cam angles, rad, shape (n,)."""
+        """Let the follower down at cam angles, rad, shape (n,).
+
+        Args:
+            cam_angle: cam angles, rad, shape (n,).
+        """
         cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
         best = self._point(cam_angle) if self.follower.radius == 0 else self._rest(cam_angle)
         tan_beta, face, across, pressure_angle, margin = best

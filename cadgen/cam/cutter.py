@@ -1,8 +1,8 @@
 """Which cutter reaches every part of a profile."""
 
 from dataclasses import dataclass
+from enum import StrEnum
 from math import inf
-from typing import Literal
 
 import numpy as np
 
@@ -23,6 +23,19 @@ _BEYOND = 2e-4
 _FLAT = 1e7  # mm; a hollow flatter than this is a straight line with rounding
 
 
+class Bottleneck(StrEnum):
+    """Place that bounds a cutter.
+
+    None, where the profile is nowhere hollow; a hollow corner; the hollow's own radius; or two parts of the profile
+    that are too close, as in a narrow valley.
+    """
+
+    NONE = "none"
+    CORNER = "corner"
+    LOCAL = "local"
+    GLOBAL = "global"
+
+
 @dataclass(frozen=True)
 class CutterLimit:
     """The largest round cutter that reaches the whole profile from outside.
@@ -30,13 +43,12 @@ class CutterLimit:
     Attributes:
         radius: mm; infinite if the profile is nowhere hollow, zero at a hollow corner.
         point: where it fits most tightly, shape (2,), mm; None if the profile is nowhere hollow.
-        kind: `none` (nowhere hollow), `corner` (a hollow corner), `local` (the hollow's own radius) or
-            `global` (two parts of the profile are too close, as in a narrow valley).
+        kind: what bounds it.
     """
 
     radius: float
     point: Array | None
-    kind: Literal["none", "corner", "local", "global"]
+    kind: Bottleneck
 
 
 def largest_cutter(curve: ClosedCurve) -> CutterLimit:
@@ -52,16 +64,16 @@ def largest_cutter(curve: ClosedCurve) -> CutterLimit:
     """
     hollow = [corner for corner in curve.corners() if corner.turn < -SLIGHT_TURN]
     if hollow:
-        return CutterLimit(0.0, min(hollow, key=lambda corner: corner.turn).point, "corner")
+        return CutterLimit(0.0, min(hollow, key=lambda corner: corner.turn).point, Bottleneck.CORNER)
     rounded = parallel(curve, _CLEARANCE)
     local_radius, local_point = _tightest_hollow(rounded)
     radius, point = _tightest_pair(rounded)
     # Pairs close together see the local radius too, a little late; only a clear difference is another place.
     if radius < local_radius * (1 - 1e-4):
-        return CutterLimit(radius + _CLEARANCE, point, "global")
+        return CutterLimit(radius + _CLEARANCE, point, Bottleneck.GLOBAL)
     if local_radius > _FLAT:
-        return CutterLimit(inf, None, "none")
-    return CutterLimit(local_radius + _CLEARANCE, local_point, "local")
+        return CutterLimit(inf, None, Bottleneck.NONE)
+    return CutterLimit(local_radius + _CLEARANCE, local_point, Bottleneck.LOCAL)
 
 
 def _tightest_hollow(curve: ClosedCurve) -> tuple[float, Array]:

@@ -8,8 +8,8 @@ over a stretch, neither is left for the other by rounding alone.
 """
 
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from itertools import pairwise
-from typing import Literal
 
 import numpy as np
 
@@ -34,6 +34,18 @@ _MOST_FOLDS = 1000
 _NO_TRIM = 1e-6  # rad; its square times the lift's curvature is 1e-10 mm: no lift that is lost within it would show
 
 
+class TrimKind(StrEnum):
+    """Kind of a trim.
+
+    Both faces' envelopes meet; a kink, or a convex radius smaller than the rod's, lies between; or two distant parts
+    cut each other off.
+    """
+
+    FACE_CHANGE = "face change"
+    LOCAL = "local"
+    GLOBAL = "global"
+
+
 @dataclass(frozen=True)
 class Trim:
     """A place where two branches cross: between the two cam angles the lift wanted cannot be had in full.
@@ -42,14 +54,13 @@ class Trim:
         point: shape (2,), mm.
         before: cam angle whose section last touches before the crossing, rad.
         after: cam angle whose section first touches after it, rad.
-        kind: `face change` (both faces' envelopes meet), `local` (a kink, or a convex radius smaller than the
-            rod's, lies between) or `global` (two distant parts cut each other off).
+        kind: what was trimmed.
     """
 
     point: Array
     before: float
     after: float
-    kind: Literal["face change", "local", "global"]
+    kind: TrimKind
 
 
 @dataclass(frozen=True)
@@ -264,15 +275,15 @@ def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: f
     if width < _NO_TRIM:
         return None
     point = before.jet(np.array([leave])).point[0]
-    kind: Literal["face change", "local", "global"] = "local"
+    kind = TrimKind.LOCAL
     if before.face != after.face:
-        kind = "face change"
+        kind = TrimKind.FACE_CHANGE
     elif isinstance(before, Swept):
         lost = angles[0] + np.linspace(0, 1, 201) * ((angles[1] - angles[0]) % TURN)
         kinked = np.any((lift.kinks - angles[0]) % TURN <= (angles[1] - angles[0]) % TURN)
         whole = replace(before, start=float(lost[0]), stop=float(lost[-1]))
         if not kinked and whole.jet(lost).curvature.min() > 0:
-            kind = "global"
+            kind = TrimKind.GLOBAL
     return Trim(point, angles[0] % TURN, angles[1] % TURN, kind)
 
 

@@ -42,7 +42,11 @@ class Remedy:
     follower: Callable[[float], Follower]
 
     def value(self, factor: float) -> float:
-        """The dimension, mm, changed by a factor >= 1."""
+        """The dimension, mm, changed by a factor >= 1.
+
+        Args:
+            factor: ratio of the new dimension to the present one, 1 or more.
+        """
         return self.now * factor if self.rises else self.now / factor
 
 
@@ -74,11 +78,19 @@ class Follower(ABC):
 
     @abstractmethod
     def lift(self, tan_beta: Array) -> Array:
-        """Lift s of its reference point, mm."""
+        """Lift s of its reference point, mm.
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+        """
 
     @abstractmethod
     def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
-        """tan(beta) by lift, mm, with the plane that then carries it, mm, and the margin of `Contact`, mm."""
+        """tan(beta) by lift, mm, with the plane that then carries it, mm, and the margin of `Contact`, mm.
+
+        Args:
+            lift: lifts, mm, shape (n,).
+        """
 
     # The envelope.
 
@@ -92,7 +104,14 @@ class Follower(ABC):
 
     @abstractmethod
     def piece(self, lift: LiftCurve, face: float, start: float, stop: float) -> Swept:
-        """The envelope in a plane between two cam angles, rad, without a kink between them."""
+        """The envelope in a plane between two cam angles, rad, without a kink between them.
+
+        Args:
+            lift: lift of the cam.
+            face: distance of the plane from the fork axis, mm.
+            start: cam angle at which it begins, rad.
+            stop: cam angle at which it ends, rad.
+        """
 
     @abstractmethod
     def section(self, before: Swept, after: Swept) -> Branch | None:
@@ -114,26 +133,58 @@ class Follower(ABC):
 
     @abstractmethod
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
-        """The least tan(beta) at which it clears points, in each plane; minus infinity for those beside it."""
+        """The least tan(beta) at which it clears points, in each plane; minus infinity for those beside it.
+
+        Args:
+            x: coordinates along the ray from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+        """
 
     @abstractmethod
     def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
-        """As `least`, no less than the greatest of it among all points within a distance `off`, mm, of each."""
+        """As `least`, no less than the greatest of it among all points within a distance `off`, mm, of each.
+
+        Args:
+            x: coordinates along the ray from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+            off: distance within which other points may lie, mm, shape (n,).
+        """
 
     @abstractmethod
     def pressure_angle(self, tan_beta: Array, across: Array) -> Array:
-        """Pressure angle, rad, where it touches the disc at y across, mm."""
+        """Pressure angle, rad, where it touches the disc at y across, mm.
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+            across: distances of the contact from the ray's middle, mm, shape (n,).
+        """
 
     @abstractmethod
     def distance(self, tan_beta: Array, face: Array) -> Array:
-        """How far ahead of the camshaft its reference point stands in a plane, mm."""
+        """How far ahead of the camshaft its reference point stands in a plane, mm.
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+            face: distance of the plane from the fork axis, mm.
+        """
 
     @abstractmethod
     def ahead(self, tan_beta: Array, face: Array, across: Array) -> Array:
-        """How far ahead of the camshaft it touches the disc at y across, mm."""
+        """How far ahead of the camshaft it touches the disc at y across, mm.
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+            face: distance of the plane from the fork axis, mm.
+            across: distances of the contact from the ray's middle, mm, shape (n,).
+        """
 
     def margin(self, apart: Array, face: Array) -> Array:
-        """Lift, mm, that belongs to a difference of tan(beta) between two planes; infinite if there is but one."""
+        """Lift, mm, that belongs to a difference of tan(beta) between two planes; infinite if there is but one.
+
+        Args:
+            apart: differences of tan(beta) between two planes, shape (n,).
+            face: distance of the plane from the fork axis, mm.
+        """
         return np.full_like(apart, np.inf)
 
     # Checks.

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
+from cadgen.curves.zeros import zeros
 from cadgen.errors import DesignError
 from cadgen.path.hermite import quintic_hermite
 
@@ -47,7 +48,11 @@ class LiftCurve:
         return self.blend_start < TURN
 
     def in_blend(self, cam_angle: Array) -> NDArray[np.bool_]:
-        """Whether the closing blend, where the car does not drive, steers at cam angles, rad."""
+        """Whether the closing blend, where the car does not drive, steers at cam angles, rad.
+
+        Args:
+            cam_angle: cam angles, rad, shape (n,).
+        """
         return np.asarray(np.asarray(cam_angle) % TURN > self.blend_start)
 
     @cached_property
@@ -57,13 +62,13 @@ class LiftCurve:
         Found once for each lift: a car that runs with many plays asks again and again.
         """
         slope = self.tan_beta.derivative()
-        roots = slope.roots(discontinuity=False, extrapolate=False)
+        roots = zeros(slope, jumps=False)
         nodes = np.unique(np.concatenate([self.tan_beta.x, roots[np.isfinite(roots)]]))
         return nodes, np.append(self.tan_beta(nodes[:-1]), self.tan_beta(nodes[0]))
 
     @cached_property
-    def derived(self) -> dict[tuple[str, float], Array]:
-        """Results of other rooms for this lift, kept for use again, by name and parameter."""
+    def derived(self) -> dict[tuple[object, float], Array]:
+        """Results of other rooms for this lift, kept for use again, by function and parameter."""
         return {}
 
     @cached_property
@@ -88,9 +93,7 @@ class LiftCurve:
             if np.ptp(height[first : last + 1]) > _LEVEL_RANGE:
                 continue
             # The stretch goes on as long as all of it stays within the range.
-            rest = height[first : first + len(nodes)]
-            outside = np.maximum.accumulate(rest) - np.minimum.accumulate(rest) > _LEVEL_RANGE
-            last = first + (int(np.argmax(outside)) if outside.any() else len(rest)) - 1
+            last = first + _level_from(height[first : first + len(nodes)], last - first) - 1
             if stretches and angle[first] <= stretches[-1][1]:
                 stretches[-1][1] = float(angle[last])
             else:
@@ -118,12 +121,22 @@ class LiftCurve:
     def extrema(self) -> tuple[Array, Array]:
         """Cam angles of the peaks and of the valleys of the lift, rad, in order."""
         slope = self.tan_beta.derivative()
-        roots = slope.roots(discontinuity=True, extrapolate=False)
+        roots = zeros(slope, jumps=True)
         roots = np.unique(roots[(roots >= 0) & (roots < TURN) & np.isfinite(roots)])
         # Both sides are probed: at a kink the slope changes sign without being zero.
         probe = 1e-7
         before, after = slope(roots - probe), slope(roots + probe)
         return roots[(before > 0) & (after < 0)], roots[(before < 0) & (after > 0)]
+
+
+def _level_from(height: Array, sure: int) -> int:
+    """Number of values, from the first on, that lie within the level range; `sure` of them are known to."""
+    while True:
+        sure *= 2
+        part = height[:sure]
+        outside = np.maximum.accumulate(part) - np.minimum.accumulate(part) > _LEVEL_RANGE
+        if outside.any() or len(part) == len(height):
+            return int(np.argmax(outside)) if outside.any() else len(part)
 
 
 def _mirrored(stretches: Array) -> Array:
@@ -134,9 +147,9 @@ def _mirrored(stretches: Array) -> Array:
 def lift_curve(arc: Array, jets: Array, length: float, *, blend: float) -> LiftCurve:
     """Turn steering by arc length into steering by cam angle, and close it.
 
-    The cam turns in proportion to the drive wheel's travel: theta = 2 pi arc / length (eq. 20). Over the last `blend`
-    of the turn a quintic leads back to the start; value, slope and second derivative are continuous at both its ends,
-    so the profile's curvature is too.
+    The steering gives the lift (eq. 19), and the cam turns in proportion to the drive wheel's travel: theta = 2 pi arc
+    / length (eq. 20). Over the last `blend` of the turn a quintic leads back to the start; value, slope and second
+    derivative are continuous at both its ends, so the profile's curvature is too.
 
     Args:
         arc: arc length at the nodes, shape (n,), mm; a kink stands twice.

@@ -2,11 +2,18 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from enum import StrEnum
 from math import radians
 from types import MappingProxyType
-from typing import Literal
 
-PressureAngleLimitName = Literal["norton_translating", "norton_oscillating", "chinese_texts_strict", "chinese_texts"]
+
+class PressureAngleLimitName(StrEnum):
+    """Source of the limits of the pressure angle."""
+
+    NORTON_TRANSLATING = "norton_translating"
+    NORTON_OSCILLATING = "norton_oscillating"
+    CHINESE_TEXTS_STRICT = "chinese_texts_strict"
+    CHINESE_TEXTS = "chinese_texts"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,15 +57,17 @@ _CHINESE = "Chinese textbooks of mechanisms, oscillating follower: 40-50° worki
 
 PRESSURE_ANGLE_LIMITS: Mapping[PressureAngleLimitName, PressureAngleLimit] = MappingProxyType(
     {
-        "norton_translating": PressureAngleLimit(
+        PressureAngleLimitName.NORTON_TRANSLATING: PressureAngleLimit(
             rise=radians(30), fall=radians(30), source=f"{_NORTON}: translating follower"
         ),
-        "norton_oscillating": PressureAngleLimit(
+        PressureAngleLimitName.NORTON_OSCILLATING: PressureAngleLimit(
             rise=radians(35), fall=radians(35), source=f"{_NORTON}: follower on a pivoted arm"
         ),
-        "chinese_texts_strict": PressureAngleLimit(
+        PressureAngleLimitName.CHINESE_TEXTS_STRICT: PressureAngleLimit(
             rise=radians(40), fall=radians(70), source=f"{_CHINESE}; the lower ends"
         ),
-        "chinese_texts": PressureAngleLimit(rise=radians(50), fall=radians(80), source=f"{_CHINESE}; the upper ends"),
+        PressureAngleLimitName.CHINESE_TEXTS: PressureAngleLimit(
+            rise=radians(50), fall=radians(80), source=f"{_CHINESE}; the upper ends"
+        ),
     }
 )

@@ -35,7 +35,12 @@ class Reach:
 
     @classmethod
     def of(cls, cells: NDArray[np.intp], radii: Array) -> Self:
-        """From the cells in rising order; those of a branch that goes over cell 0 have a gap."""
+        """From the cells in rising order; those of a branch that goes over cell 0 have a gap.
+
+        Args:
+            cells: numbers of the cells, rising, shape (n,).
+            radii: radius in each, mm, shape (n,).
+        """
         gap = np.flatnonzero(np.diff(cells) > 1)
         turned = int(gap[0]) + 1 if gap.size else 0
         return cls(int(cells[turned]) if cells.size else 0, np.roll(radii, -turned))

@@ -32,7 +32,6 @@
 Exit codes: 0 done, 1 a check failed, 2 usage or design, 3 file or kernel, 130 interrupted.
 """
 
-import gc
 import io
 import json
 import os
@@ -42,11 +41,11 @@ from typing import NoReturn
 
 import click
 
+from cadgen.pace import keep_pace, look_no_more
+
 # Before numpy is loaded: threads that wait for each other over small matrices cost more than they bring.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-# A command lives for seconds and makes few circles of objects: looking for them at Python's usual pace takes a tenth of
-# its time.
-gc.set_threshold(50_000, 20, 50)
+keep_pace()
 
 from cadgen.cli import interrupt, output
 from cadgen.cli.adjust import adjust
@@ -137,6 +136,7 @@ def main() -> NoReturn:
         code = _fail(f"a fault in cadgen, please report it with your design file ({summary})", FILE)
     code = _flushed(code)
     interrupt.ignore()
+    look_no_more()
     sys.exit(code)
 
 

@@ -10,7 +10,7 @@ from cadgen.optimize.profiles.optimized import OPTIMIZED
 
 @click.command()
 @click.argument("arguments", metavar="[DESIGN] FILE...", nargs=-1)
-@car_profile_option(OPTIMIZED.code, "Of the cam on the car.")
+@car_profile_option(OPTIMIZED.code, "Profile of the cam on the car.")
 @click.option(
     "--point",
     type=click.Choice(("drive-wheel", "fork", "idle-wheel", "path")),
@@ -23,7 +23,7 @@ from cadgen.optimize.profiles.optimized import OPTIMIZED
     default="head,start",
     show_default=True,
     metavar="LIST",
-    help="What may be set, of head (the micrometer of the base radius), key (the cam on its shaft) and start.",
+    help="What may be set: head (the micrometer of the base radius), key (the cam on its shaft), start.",
 )
 @click.option(
     "--noise-mm",

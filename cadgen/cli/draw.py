@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import design_options, out_option, profile_option
-from cadgen.gears.names import ORDERS
+from cadgen.gears.names import Order
 
 
 @click.command()
@@ -14,7 +14,7 @@ from cadgen.gears.names import ORDERS
 @profile_option
 @click.option(
     "--order",
-    type=click.Choice(ORDERS),
+    type=click.Choice([order.value for order in Order]),
     default="as-given",
     show_default=True,
     help="Which gear train, as for cadgen gears.",
@@ -65,7 +65,9 @@ def draw(
     else:
         show.drawings(written, out)
         if passed:
-            verdict(True, "each dimension was read back", "print the PDF at 100 %, and lay the part on it")
+            without = "PDF" in written.entry.get("omitted", {})
+            look = "open the DXF in a CAD program" if without else "print the PDF at 100 %, and lay the part on it"
+            verdict(True, "each dimension was read back", look)
         else:
             verdict(False, broken, "do not make these parts; change the design")
     sys.exit(0 if passed or force else 1)

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import click
 
 from cadgen.cli.options import design_options, formats_option, out_option
-from cadgen.gears.names import ORDERS
+from cadgen.gears.names import Order
 
 if TYPE_CHECKING:
     from cadgen.api.files import Written
-    from cadgen.api.gears import GearsPlan
+    from cadgen.api.gear_train import GearsPlan
     from cadgen.gears.joints import WholePlay
     from cadgen.gears.train import TrainPlay
 
@@ -25,7 +25,7 @@ REASONS_SHOWN = 3
 @design_options
 @click.option(
     "--order",
-    type=click.Choice(ORDERS),
+    type=click.Choice([order.value for order in Order]),
     default="as-given",
     show_default=True,
     help="Stages as the design has them; the order with the least return error; or the best teeth within "
@@ -48,7 +48,7 @@ def gears(
     Nothing is exported and the exit code is 1 if a check fails, unless --force is given.
     """
     from cadgen.api.design import Design
-    from cadgen.api.gears import NotMadeError
+    from cadgen.api.gear_train import NotMadeError
     from cadgen.cli import show
     from cadgen.cli.verdict import command, failed, verdict
     from cadgen.export.formats import TRAIN_FORMATS, chosen_formats
@@ -103,7 +103,7 @@ def _return_errors(plan: "GearsPlan") -> None:
     rows: list[tuple[str, TrainPlay | WholePlay]] = [("train", plan.play)]
     if plan.departures and plan.standard:
         rows.append(("train, by the standard", plan.standard))
-    if plan.order != "as-given":
+    if plan.order != Order.AS_GIVEN:
         rows.append(("train, as given", plan.designed))
     if plan.baseline is not plan.designed:
         rows.append(("as given, by the standard", plan.baseline))
@@ -183,7 +183,7 @@ def _choice(plan: "GearsPlan") -> None:
 
 def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
     """Print each file with its size and the errors measured on it."""
-    from cadgen.cli.show import Output, heading, plain_table, stem_of
+    from cadgen.cli.show import Output, heading, plain_table, size, stem_of
 
     stem = stem_of(written.entry["files"])
     table = plain_table("")
@@ -203,7 +203,7 @@ def _files(written: "Written", out: Path, *, chord_is_given: bool) -> None:
             reading = f"watertight, {facts['triangles']} triangles"
         else:
             reading = f"{facts['rows']} rows"
-        table.add_row(name.removeprefix(stem), f"{facts['bytes'] / 1000:.0f} kB", reading)
+        table.add_row(name.removeprefix(stem), size(facts["bytes"]), reading)
     heading(out, stem)
     console = Output()
     console.print(table)

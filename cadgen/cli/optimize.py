@@ -18,7 +18,6 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
     errors. The exit code is 1 if even the best fails a check.
     """
     from cadgen.api.design import Design
-    from cadgen.api.runs import remedy_facts
     from cadgen.cli import show, show_play
     from cadgen.cli.verdict import command, failed, verdict
 
@@ -28,8 +27,8 @@ def optimize(design: str | None, overrides: tuple[str, ...], as_json: bool, out:
         written = None if out is None else comparison.write(out, progress=progress)
     cam, remedies = comparison.cam, comparison.remedies
     if as_json:
-        facts = cam.facts() if written is None else written.entry
-        show.document({**facts, "remedies": [remedy_facts(remedy) for remedy in remedies]} if remedies else facts)
+        facts = comparison.facts()
+        show.document(facts if written is None else {**written.entry, **facts, **written.entry})
     else:
         show.friction(cam)
         show_play.methods(cam)

@@ -40,7 +40,7 @@ def report(
     """Show a design on one page: an HTML file that needs no network.
 
     The page has the model in 3D and in plan, curves over the cam angle, every check, the methods against play,
-    tolerance, an inspection sheet and the parts. FILE is a CSV file of measured data, as of
+    tolerance, an inspection sheet and the parts. FILE is a CSV file of measured data, as for
     `cadgen calibrate`; with it the page shows the calibration, too.
 
     The page is written also if a check fails, with the failures on top; the exit code is then 1.

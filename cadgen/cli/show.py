@@ -14,6 +14,7 @@ import click
 from rich.table import Table
 from rich.text import Text
 
+from cadgen.check import Bound
 from cadgen.cli.output import hush
 from cadgen.progress import Progress
 from cadgen.report.table import FittedConsole, FittedTable
@@ -97,10 +98,10 @@ def figures(title: str, checks: "Sequence[Check]") -> None:
         verdict = Text("ok", "green") if check.passed else Text("FAIL", "red")
         if isinf(check.limit):  # a figure, not a verdict
             verdict = Text("")
-        bound = "<=" if check.bound == "max" else ">="
+        bound = "<=" if check.bound == Bound.MAX else ">="
         table.add_row(
             Text.assemble(check.name, (f"\n{check.place}", "dim")) if narrow else check.name,
-            f"{_number(check.value)}{check.unit if check.unit == '°' else ' ' + check.unit}".rstrip(),
+            f"{_number(check.value)}{check.unit if check.unit == '°' else ' ' + check.unit_shown}".rstrip(),
             f"{bound} {_number(check.limit)}",
             verdict,
             *([] if narrow else [check.place]),
@@ -132,7 +133,7 @@ def files(written: "Written", out: Path) -> None:
         table.add_column(column, justify="right")
     for name, facts in entries.items():
         error, limit, end = (facts.get(key) for key in ("lift_error_um", "lift_limit_um", "end_position_mm"))
-        cells = [f"{facts['bytes'] / 1000:.0f} kB"]
+        cells = [size(facts["bytes"])]
         if with_lift:
             cells += ["" if error is None else f"{error:.3f} µm", "" if limit is None else f"{limit:g} µm"]
         if with_play:
@@ -144,6 +145,11 @@ def files(written: "Written", out: Path) -> None:
     _omitted(written)
     for warning in written.entry.get("warnings", []):
         console.print(Text.assemble(("Warning", "yellow"), f": {warning}."))
+
+
+def size(count: int) -> str:
+    """Size of a file of so many bytes."""
+    return f"{count / 1000:.0f} kB" if count >= 1000 else f"{count / 1000:.1f} kB"
 
 
 def heading(out: Path, stem: str) -> None:
@@ -161,6 +167,13 @@ def plain_table(title: str) -> Table:
     return FittedTable(
         title=title or None, title_justify="left", title_style="bold", box=None, pad_edge=False, header_style="dim"
     )
+
+
+def figure_columns(table: Table, heads: Sequence[str]) -> None:
+    """Add the columns of a table of figures: the first has names, the others numbers."""
+    table.add_column(heads[0])
+    for head in heads[1:]:
+        table.add_column(head, justify="right")
 
 
 def _number(value: float) -> str:
@@ -189,3 +202,6 @@ def drawings(written: "Written", out: Path) -> None:
     heading(out, stem)
     Output().print(table)
     _omitted(written)
+    if left_open := written.entry.get("not_stated"):
+        named = ", ".join(f"{name} ({key})" for name, key in left_open.items())
+        Output().print(f"The sheets say that these are not stated: {named}. State them in the design, or on the paper.")

@@ -64,7 +64,8 @@ def script(file: Path, command: str, *, as_json: bool) -> None:
 
 def _front(computed: "Exploration") -> None:
     study, front = computed.computed.study, computed.summary.front
-    table = show.plain_table(f"\nfront: {len(front)} designs" + (", the first:" if len(front) > _MOST_ROWS else ""))
+    count = "1 design" if len(front) == 1 else f"{len(front)} designs"
+    table = show.plain_table(f"\nfront: {count}" + (", the first:" if len(front) > _MOST_ROWS else ""))
     heads = ["number", *study.keys, *(figure.code for figure in study.figures)]
     for head in heads:
         table.add_column(head, justify="right", overflow="fold")

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import degrees
 from typing import TYPE_CHECKING
 
-from cadgen.cli.show import Output, friction, plain_table
+from cadgen.cli.show import Output, figure_columns, friction, plain_table
 
 if TYPE_CHECKING:
     from cadgen.api.cam import Cam
@@ -59,8 +59,7 @@ def methods(cam: "Cam") -> None:
         (errors, ("profile", "heading", "position", "off", "worst\nheading", "worst\nposition", "worst\noff")),
         (costs, ("profile", "cut for", "end", "furthest", "lift", "sum", "off")),
     ):
-        for head in heads:
-            table.add_column(head, justify="left" if head == "profile" else "right")
+        figure_columns(table, heads)
     several = len({evaluation.train for evaluation in comparison.evaluations}) > 1
     train = ""
     for evaluation in comparison.evaluations:
@@ -73,7 +72,7 @@ def methods(cam: "Cam") -> None:
         first = evaluation is comparison.before
         errors.add_row(
             name,
-            f"{degrees(evaluation.error.end_heading):.3f}°",
+            f"{degrees(evaluation.error.end_heading):z.3f}°",
             f"{evaluation.error.end_distance:.1f} mm",
             "" if first else _share(comparison.gain(evaluation)[1]),
             f"{degrees(evaluation.band.worst_heading):.2f}°",
@@ -128,8 +127,7 @@ def remedies(sheet: "Sequence[Remedy]") -> None:
     table = plain_table(
         "\nwhat can be done: position errors in the worst car of the bands; remedies are compared without a brake"
     )
-    for head in ("remedy", "cut for", "end", "on the way"):
-        table.add_column(head, justify="left" if head == "remedy" else "right")
+    figure_columns(table, ("remedy", "cut for", "end", "on the way"))
     for remedy in sheet:
         cut_for = "" if remedy.cut_for is None else f"{degrees(remedy.cut_for):.3f}°"
         ends = tuple("none" if off is None else f"{off:.0f} mm" for off in (remedy.worst_end, remedy.on_way))
@@ -154,12 +152,32 @@ def runs(simulation: "Simulation") -> None:
         console.print(
             "The run is that of the car in the middle of its bands of friction and drag; the choice goes by all."
         )
-    table = plain_table(
-        f"{simulation.cam.design.name}, return error {degrees(simulation.play):.3f}°{forces}: events of the "
-        f"{before.title}"
-    )
-    for column in ("event", "cam angle", "lift", "deflection"):
-        table.add_column(column, justify="left" if column == "event" else "right")
+    begin = f"{simulation.cam.design.name}, return error {degrees(simulation.play):.3f}°{forces}"
+    if simulation.events:
+        _events(simulation, f"{begin}: events of the {before.title}")
+    else:
+        console.print(f"{begin}: the {before.title} neither jumps nor waits.")
+    table = plain_table("\nend of the run")
+    figure_columns(table, ("profile", "heading", "position", "greatest on the run"))
+    made_for = f", cut for {degrees(chosen.made_for):.3f}°" if chosen.profile.dilated else ""
+    for name, error in (
+        (before.title if before.measured else before.profile.code, simulation.before_error),
+        (f"{chosen.profile}{made_for}", simulation.after_error),
+        (f"{chosen.profile}, without play", chosen.deviation),
+    ):
+        table.add_row(
+            name,
+            f"{degrees(error.end_heading):z.4f}°",
+            f"{error.end_distance:.2f} mm",
+            f"{error.distance.max():.2f} mm",
+        )
+    console.print(table)
+
+
+def _events(simulation: "Simulation", title: str) -> None:
+    """Print every event of the profile before with its deflection, and their sum."""
+    table = plain_table(title)
+    figure_columns(table, ("event", "cam angle", "lift", "deflection"))
     total = 0.0
     for event in simulation.events:
         total += event.deflection
@@ -167,22 +185,7 @@ def runs(simulation: "Simulation") -> None:
             event.kind, f"{degrees(event.cam_angle):.2f}°", f"{event.lift:.3f} mm", f"{degrees(event.deflection):.4f}°"
         )
     table.add_row("sum", "", "", f"{degrees(total):.4f}°", style="bold")
-    console.print(table)
-    table = plain_table("\nend of the run")
-    for column in ("profile", "heading", "position", "greatest on the run"):
-        table.add_column(column, justify="left" if column == "profile" else "right")
-    for name, error in (
-        (before.title if before.measured else before.profile.code, simulation.before_error),
-        (f"{chosen.profile}, cut for {degrees(chosen.made_for):.3f}°", simulation.after_error),
-        (f"{chosen.profile}, without play", chosen.deviation),
-    ):
-        table.add_row(
-            name,
-            f"{degrees(error.end_heading):.4f}°",
-            f"{error.end_distance:.2f} mm",
-            f"{error.distance.max():.2f} mm",
-        )
-    console.print(table)
+    Output().print(table)
 
 
 def course(simulation: "Simulation") -> None:
@@ -192,8 +195,10 @@ def course(simulation: "Simulation") -> None:
         return
     planned, played = (run.figures() for run in runs)
     table = plain_table("\nroom on the course: clearance of the car, and margin inside each gate")
-    for head in ("on the course", "planned", "with play", "with play, by"):
-        table.add_column(head, justify="right" if head in ("planned", "with play") else "left")
+    table.add_column("on the course")
+    for head in ("planned", "with play"):
+        table.add_column(head, justify="right")
+    table.add_column("with play, by")
     worst: dict[str, str] = {}  # of a gate that is passed on every lap, the lap with the least margin
     for key, (_, room) in played.items():
         gate = key.partition(", lap ")[0]
@@ -239,8 +244,7 @@ def fleet(run: "ToleranceRun") -> None:
         kept = ", ".join(f"{100 * part:g} % {margin:.3g} mm" for part, margin in result.margins.items())
         console.print(f"margin to the course that a share of the cars keeps: {kept}")
     table = plain_table("\nwhat matters most: errors at the end for a step of each tolerance")
-    for column in ("tolerance", "half width", "step", "position", "heading", "of the variance"):
-        table.add_column(column, justify="left" if column == "tolerance" else "right")
+    figure_columns(table, ("tolerance", "half width", "step", "position", "heading", "of the variance"))
     for sensitivity in result.sensitivities:
         name = sensitivity.name
         table.add_row(
@@ -264,8 +268,7 @@ def budget(sheet: "BudgetSheet") -> None:
 
     console = Output()
     table = plain_table("\nerror budget: how far the end of the run is moved, before and after a trim")
-    for column in ("what may be off", "by", "before", "trimmed"):
-        table.add_column(column, justify="left" if column == "what may be off" else "right")
+    figure_columns(table, ("what may be off", "by", "before", "trimmed"))
     for cost in sheet.budget.costs:
         rough = "~" if cost.rough else ""
         table.add_row(

@@ -39,12 +39,13 @@ def verify(folder: Path, restore: bool, as_json: bool) -> None:
 def _report(folder: Path, state: "FolderState") -> None:
     from cadgen.cli.show import Output, plain_table
     from cadgen.cli.verdict import verdict
+    from cadgen.export.verify import State
 
     console = Output()
     table = plain_table(escaped(str(folder)))
     table.add_column("file", overflow="fold")
     table.add_column("state", no_wrap=True)
-    unlisted = [file for file in state.files if file.state == "not listed"]
+    unlisted = [file for file in state.files if file.state == State.NOT_LISTED]
     for file in [*(file for file in state.files if file.part), *unlisted[:UNLISTED_SHOWN]]:
         table.add_row(escaped(file.name), file.state)
     console.print(table)
@@ -59,7 +60,7 @@ def _report(folder: Path, state: "FolderState") -> None:
         )
     for name in state.left:
         console.print(f"A run that was killed has left {name}: the next command that writes here removes it.")
-    wrong = sum(file.state not in ("as listed", "not listed") for file in state.files)
+    wrong = sum(file.state not in (State.AS_LISTED, State.NOT_LISTED) for file in state.files)
     listed = sum(bool(file.part) for file in state.files)
     if wrong:
         verdict(False, f"{wrong} of {listed} listed files are not as listed", "do not use them, and export again")

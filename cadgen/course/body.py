@@ -1,15 +1,22 @@
 """The car in plan view, in its own frame: origin at the fork axis, x ahead, y to the left, mm."""
 
 from dataclasses import dataclass
+from enum import StrEnum
 from functools import cached_property
 from math import hypot
-from typing import Literal
 
 from cadgen.course.course import Point
 from cadgen.course.names import CarPoint
 from cadgen.steering.car import Car
 
-PartName = Literal["outline", "front wheel", "drive wheel", "idle wheel"]
+
+class PartName(StrEnum):
+    """Part of the car that can be nearest to a thing."""
+
+    OUTLINE = "outline"
+    FRONT_WHEEL = "front wheel"
+    DRIVE_WHEEL = "drive wheel"
+    IDLE_WHEEL = "idle wheel"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,9 +68,9 @@ def place_of(point: CarPoint, car: Car) -> Point:
     """Place of a named point in the car's frame, mm."""
     rear = -car.wheelbase
     places: dict[CarPoint, Point] = {
-        "fork": (0.0, 0.0),
-        "middle": (rear, (car.drive_wheel_offset - car.idle_wheel_offset) / 2),
-        "drive_wheel": (rear, car.drive_wheel_offset),
-        "idle_wheel": (rear, -car.idle_wheel_offset),
+        CarPoint.FORK: (0.0, 0.0),
+        CarPoint.MIDDLE: (rear, (car.drive_wheel_offset - car.idle_wheel_offset) / 2),
+        CarPoint.DRIVE_WHEEL: (rear, car.drive_wheel_offset),
+        CarPoint.IDLE_WHEEL: (rear, -car.idle_wheel_offset),
     }
     return places[point]

@@ -27,7 +27,12 @@ class Shape:
 
     @classmethod
     def disc(cls, centre: Point, radius: float) -> "Shape":
-        """A disc about a centre, with a radius in mm."""
+        """A disc about a centre, with a radius in mm.
+
+        Args:
+            centre: centre, mm.
+            radius: radius, mm.
+        """
         return cls((centre,), reach=radius)
 
 
@@ -67,7 +72,7 @@ class Gate:
 
     key: str
     place: Shape
-    point: CarPoint = "middle"
+    point: CarPoint = CarPoint.MIDDLE
     heading: float | None = None
     heading_tolerance: float = pi / 2
     free: bool = False
@@ -93,4 +98,4 @@ class Course:
     start: Gate | None = None
     finish: Gate | None = None
     margin: float = 0.0
-    judged: Judged = "planned"
+    judged: Judged = Judged.PLANNED

@@ -115,5 +115,10 @@ def _headed(poses: Poses, gate: Gate, place: Array) -> NDArray[np.bool_]:
 
 
 def turned_by(heading: Array, wanted: float) -> Array:
-    """Angle from a direction to headings, rad, between minus and plus half a turn."""
+    """Angle from a direction to headings, rad, between minus and plus half a turn.
+
+    Args:
+        heading: headings, rad.
+        wanted: direction, rad.
+    """
     return np.asarray((heading - wanted + TURN / 2) % TURN - TURN / 2)

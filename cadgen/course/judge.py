@@ -9,7 +9,7 @@ import numpy as np
 from cadgen.course.body import Body, place_of
 from cadgen.course.course import Course, Gate, Obstacle
 from cadgen.course.gates import Passage, passages, turned_by
-from cadgen.course.names import Side
+from cadgen.course.names import CarPoint, Side
 from cadgen.course.poses import Poses
 from cadgen.course.sweep import Approach, approach, approach_to_edge
 from cadgen.steering.car import Car
@@ -108,7 +108,7 @@ def _stand(poses: Poses, car: Car, wanted: Gate, number: int) -> Stand:
 
 def _sides(poses: Poses, car: Car, obstacles: Sequence[Obstacle]) -> tuple[Side, ...]:
     """Side of each obstacle on which the middle of the car passes where it is nearest to the obstacle's middle."""
-    track = poses.track(place_of("middle", car))
+    track = poses.track(place_of(CarPoint.MIDDLE, car))
     start, along = track[:-1], np.diff(track)
     length = np.maximum(np.abs(along) ** 2, 1e-300)
     sides: list[Side] = []
@@ -116,5 +116,5 @@ def _sides(poses: Poses, car: Car, obstacles: Sequence[Obstacle]) -> tuple[Side,
         away = np.mean([complex(*point) for point in obstacle.shape.points]) - start
         share = np.clip(np.real(away * along.conj()) / length, 0.0, 1.0)
         nearest = int(np.argmin(np.abs(away - share * along)))
-        sides.append("right" if (away[nearest] * along[nearest].conj()).imag > 0 else "left")
+        sides.append(Side.RIGHT if (away[nearest] * along[nearest].conj()).imag > 0 else Side.LEFT)
     return tuple(sides)

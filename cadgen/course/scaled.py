@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TypeVar, get_args
+from typing import TypeVar
 
 from cadgen.arrays import Array
 from cadgen.course.course import Course, Gate, Point, Shape
@@ -41,23 +41,28 @@ class Draw:
         )
         return replace(
             stated,
-            edge=self._shape(stated.edge, factor) if stated.edge is not None and "field" in kinds else stated.edge,
+            edge=self._shape(stated.edge, factor) if stated.edge is not None and Scaled.FIELD in kinds else stated.edge,
             obstacles=tuple(obstacles),
-            gates=tuple(self._gates(stated.gates, factor) if "gates" in kinds else stated.gates),
-            start=self._stand(stated.start, factor, moves="start" in kinds),
-            finish=self._stand(stated.finish, factor, moves="finish" in kinds),
+            gates=tuple(self._gates(stated.gates, factor) if Scaled.GATES in kinds else stated.gates),
+            start=self._stand(stated.start, factor, moves=Scaled.START in kinds),
+            finish=self._stand(stated.finish, factor, moves=Scaled.FINISH in kinds),
         )
 
     def seen(self, stated: Course, factor: float) -> Course:
-        """The course at so many times (a factor) the stated spacing, made smaller by it: what moves is where it was."""
+        """The course at so many times (a factor) the stated spacing, made smaller by it: what moves is where it was.
+
+        Args:
+            stated: course as it is stated.
+            factor: ratio of the spacing to the stated one.
+        """
         moved = self.course(stated, factor * self.stated)
-        whole = replace(self, kinds=frozenset(get_args(Scaled)))
+        whole = replace(self, kinds=frozenset(Scaled))
         return whole.course(moved, self.stated / factor)
 
     def without_moving(self, stated: Course) -> Course:
         """Obstacles and edge that do not move with the spacing, alone."""
         obstacles = tuple(each for each in stated.obstacles if f"{each.kind}s" not in self.kinds)
-        return replace(stated, obstacles=obstacles, edge=None if "field" in self.kinds else stated.edge)
+        return replace(stated, obstacles=obstacles, edge=None if Scaled.FIELD in self.kinds else stated.edge)
 
     def tightest(self, stated: Course) -> Course:
         """The course as stated, with gates and finish as small as they are, by the path, at the greatest spacing."""
@@ -73,7 +78,12 @@ class Draw:
         )
 
     def point(self, place: tuple[C, C], factor: float) -> tuple[C, C]:
-        """Place of a point, or of many, at so many times the stated spacing, mm."""
+        """Place of a point, or of many, at so many times the stated spacing, mm.
+
+        Args:
+            place: x and y of the point or points, mm.
+            factor: ratio of the spacing to the stated one.
+        """
         (x, y), (x0, y0) = place, self.about
         return x0 + factor * (x - x0), y0 + factor * (y - y0)
 

@@ -70,7 +70,7 @@ def nearest_point(
     import shapely
 
     at = poses.at(np.array([there.place]))
-    area = _parts(body, wheels_only=there.part != "outline")[there.part](at)[0]
+    area = _parts(body, wheels_only=there.part != PartName.OUTLINE)[there.part](at)[0]
     rim = geometry(thing).boundary if edge else geometry(thing)
     (qx, qy), (ox, oy) = shapely.get_coordinates(shapely.shortest_line(area, rim))
     away = complex(ox - qx, oy - qy)
@@ -85,7 +85,7 @@ def _parts(body: Body, *, wheels_only: bool = False) -> dict[PartName, Callable[
         wheel.name: partial(wheel_areas, wheel) for wheel in body.wheels if wheel.name not in hidden
     }
     if bodied:
-        parts["outline"] = partial(outlines, body)
+        parts[PartName.OUTLINE] = partial(outlines, body)
     return parts
 
 

@@ -11,5 +11,6 @@
 | `inset`    | the parallel curve inside, and the chamfer between the two                   |
 | `biarc`    | lines and arcs within a stated tolerance (DXF, G-code)                       |
 | `spline`   | B-splines within a stated tolerance (STEP, DXF)                              |
+| `zeros`    | zeros of a piecewise polynomial of many pieces                               |
 | `polygon`  | chords within a stated tolerance (STL, 3MF)                                  |
 """

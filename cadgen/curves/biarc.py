@@ -20,6 +20,10 @@ def arcs(curve: ClosedCurve, tolerance: float) -> Contour:
     error is |d curvature / d arc| h^3 / 324 over a span of length h (Meek and Walton, Approximating smooth
     planar curves by arc splines, J. Comput. Appl. Math. 59, 1995), so the number of arcs grows as
     tolerance^(-1/3). Corners of the curve stay corners.
+
+    Args:
+        curve: closed curve, mm.
+        tolerance: greatest distance from the curve, mm.
     """
     chains = [_piece_arcs(piece, tolerance) for piece in curve.pieces]
     return Contour(*(np.concatenate(parts) for parts in zip(*chains, strict=True)))

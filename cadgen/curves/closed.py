@@ -7,7 +7,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import TURN, Array, gauss_nodes
 
 _GAUSS_POINTS = 6
 _AREA_STEPS = 360  # per radian, to begin with
@@ -39,7 +39,14 @@ class Piece(Protocol):
         """Last parameter."""
 
     def jet(self, t: Array) -> Jet:
-        """Point (mm), velocity by t, and curvature (mm^-1, positive where convex) at parameters t."""
+        """Point (mm), velocity by t, and curvature (mm^-1, positive where convex) at parameters t.
+
+        Args:
+            t: parameters of the points, shape (n,).
+        """
+
+
+_MOST_OUTLINES = 8  # of a curve that are kept; a job takes four
 
 
 @dataclass(frozen=True)
@@ -51,7 +58,11 @@ class Span:
     stop: float
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity and curvature of the piece at parameters t."""
+        """Point, velocity and curvature of the piece at parameters t.
+
+        Args:
+            t: parameters of the points, shape (n,).
+        """
         return self.piece.jet(t)
 
 
@@ -119,11 +130,17 @@ class ClosedCurve:
         """Sample every piece evenly in its parameter, no two points further apart than `step` mm or so.
 
         Each piece has at least five points, so that a parabola fits inside even the shortest. Taken again it is the
-        same object.
+        same object, as long as few others were taken since.
+
+        Args:
+            step: greatest distance of two points, mm.
         """
-        if step not in self._outlines:
-            self._outlines[step] = self._outlined(step)
-        return self._outlines[step]
+        known = self._outlines
+        if step not in known:
+            known[step] = self._outlined(step)
+            if len(known) > _MOST_OUTLINES:
+                del known[next(iter(known))]
+        return known[step]
 
     @cached_property
     def _outlines(self) -> dict[float, Outline]:
@@ -137,7 +154,11 @@ class ClosedCurve:
         return Outline(np.concatenate(points), np.concatenate(owner))
 
     def parameters(self, step: float) -> tuple[Array, ...]:
-        """For each piece, the parameters of the points that `outline` takes."""
+        """For each piece, the parameters of the points that `outline` takes.
+
+        Args:
+            step: greatest distance of two points, mm.
+        """
         return tuple(
             np.linspace(piece.start, piece.stop, max(5, int(np.ceil(length / step)) + 1))
             for piece, length in zip(self.pieces, self._lengths, strict=True)
@@ -153,7 +174,12 @@ class ClosedCurve:
         return [float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()) for points in along]
 
     def begun_at(self, number: int, t: float) -> "ClosedCurve":
-        """The same curve, begun inside piece `number` at its parameter t."""
+        """The same curve, begun inside piece `number` at its parameter t.
+
+        Args:
+            number: number of the piece, counted from 0.
+            t: parameter on the piece.
+        """
         piece = self.pieces[number]
         ends = (Span(piece, t, piece.stop), Span(piece, piece.start, t))
         rest = (*self.pieces[number + 1 :], *self.pieces[:number])
@@ -164,13 +190,20 @@ class ClosedCurve:
         return sum(_swept(piece) for piece in self.pieces)
 
     def radius(self, angle: Array) -> Array:
-        """Polar radius at polar angles (rad), shape (n,), mm."""
+        """Polar radius at polar angles (rad), shape (n,), mm.
+
+        Args:
+            angle: polar angles, rad, shape (n,).
+        """
         return np.asarray(np.linalg.norm(self.at_angle(angle)[0].point, axis=1))
 
     def at_angle(self, angle: Array) -> tuple[Jet, NDArray[np.intp]]:
         """Jets of the curve at polar angles (rad), by Newton's method, and the number of the piece at each angle.
 
         The velocity is by the piece's own parameter.
+
+        Args:
+            angle: polar angles, rad, shape (n,).
         """
         angle = np.asarray(angle, dtype=float)
         starts = np.array([polar_angle(piece.jet(np.array([piece.start])).point)[0] for piece in self.pieces])
@@ -184,7 +217,11 @@ class ClosedCurve:
         return jet, owner
 
     def corners(self, least_turn: float = 1e-6) -> tuple[Corner, ...]:
-        """Joints at which the direction turns by more than `least_turn` rad."""
+        """Joints at which the direction turns by more than `least_turn` rad.
+
+        Args:
+            least_turn: least turn of the direction that counts, rad.
+        """
         corners = []
         for number, piece in enumerate(self.pieces):
             before = self.pieces[number - 1]
@@ -205,7 +242,11 @@ class ByAngle:
         self._turned = np.unwrap(polar_angle(piece.jet(self._t).point))
 
     def parameters(self, angle: Array) -> Array:
-        """Parameters at polar angles, rad."""
+        """Parameters at polar angles, rad.
+
+        Args:
+            angle: polar angles, rad, shape (n,).
+        """
         piece, turned = self._piece, self._turned
         # The angle sought is the one nearest the piece's middle: right for any piece up to a whole turn.
         middle = (turned[0] + turned[-1]) / 2
@@ -222,24 +263,37 @@ class ByAngle:
 
 
 def cross(a: Array, b: Array) -> Array:
-    """Plane cross product of rows, shape (n,)."""
+    """Plane cross product of rows, shape (n,).
+
+    Args:
+        a: first factors as rows, shape (n, 2), mm or a unit vector.
+        b: second factors, likewise.
+    """
     return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
 
 
 def polar_angle(points: Array) -> Array:
-    """Polar angle of rows in (-pi, pi], rad."""
+    """Polar angle of rows in (-pi, pi], rad.
+
+    Args:
+        points: points, shape (n, 2), mm.
+    """
     return np.arctan2(points[..., 1], points[..., 0])
 
 
 def left_normal(velocity: Array) -> Array:
-    """Unit normal to the left of the direction of travel: into a counterclockwise curve."""
+    """Unit normal to the left of the direction of travel: into a counterclockwise curve.
+
+    Args:
+        velocity: directions of travel, shape (n, 2), mm per unit of the parameter.
+    """
     turned = np.stack([-velocity[:, 1], velocity[:, 0]], axis=1)
     return np.asarray(turned / np.linalg.norm(turned, axis=1, keepdims=True))
 
 
 def _swept(piece: Piece) -> float:
     """Area between a piece and the origin, mm^2."""
-    nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
+    nodes, weights = gauss_nodes(_GAUSS_POINTS)
 
     def integral(edge: Array, width: Array) -> Array:
         t = edge[:, None] + width[:, None] * (nodes + 1) / 2

@@ -77,7 +77,11 @@ class Contour:
         return polygon + float(np.sum(self.radii[curved] ** 2 * (sweep - np.sin(sweep)))) / 2
 
     def outline(self, step: float) -> Outline:
-        """Points on every side, no two further apart than `step` mm, at least five on a side."""
+        """Points on every side, no two further apart than `step` mm, at least five on a side.
+
+        Args:
+            step: greatest distance of two points, mm.
+        """
         points, owner = [], []
         counts = np.maximum(5, np.ceil(self.lengths / step).astype(int) + 1)
         for number, count in enumerate(counts):
@@ -86,7 +90,11 @@ class Contour:
         return Outline(np.concatenate(points), np.concatenate(owner))
 
     def polygon(self, chord_tolerance: float) -> Array:
-        """Points whose chords stay within `chord_tolerance` mm of the contour, shape (m, 2), not repeated."""
+        """Points whose chords stay within `chord_tolerance` mm of the contour, shape (m, 2), not repeated.
+
+        Args:
+            chord_tolerance: greatest distance of a chord from the curve, mm.
+        """
         with np.errstate(invalid="ignore"):
             # A right angle at most, so that even a circle smaller than the tolerance stays a polygon.
             widest = 2 * np.arccos(np.clip(1 - chord_tolerance / self.radii, np.sqrt(0.5), 1.0))
@@ -105,7 +113,12 @@ class Contour:
         return ClosedCurve(tuple(Side(self, number) for number in range(len(self.bulges))))
 
     def side(self, number: int, share: Array) -> Array:
-        """Points of one side at shares of its length, by the sine rule on its chord: no distant centre."""
+        """Points of one side at shares of its length, by the sine rule on its chord: no distant centre.
+
+        Args:
+            number: number of the side, counted from 0.
+            share: shares of its length, 0 to 1, shape (n,).
+        """
         sweep = self.sweeps[number]
         along = np.stack([np.cos((share - 1) * sweep / 2), np.sin((share - 1) * sweep / 2)], axis=1)
         reach = share if sweep == 0 else np.sin(share * sweep / 2) / np.sin(sweep / 2)
@@ -125,7 +138,11 @@ class Side:
     stop: float = 1.0
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by the share of the side's length, and curvature."""
+        """Point, velocity by the share of the side's length, and curvature.
+
+        Args:
+            t: shares of its length, 0 to 1, shape (n,).
+        """
         sweep, length = self.contour.sweeps[self.number], self.contour.lengths[self.number]
         x, y = self.contour.chords[self.number]
         heading = np.arctan2(y, x) + (t - 0.5) * sweep
@@ -137,7 +154,12 @@ class Side:
 
 
 def circle(center: ArrayLike, radius: float) -> Contour:
-    """A circle of a radius in mm, run counterclockwise as two half circles from its point of greatest x."""
+    """A circle of a radius in mm, run counterclockwise as two half circles from its point of greatest x.
+
+    Args:
+        center: centre, mm.
+        radius: radius, mm.
+    """
     x, y = np.asarray(center, dtype=float)
     return Contour(np.array([[x + radius, y], [x - radius, y]]), np.ones(2))
 

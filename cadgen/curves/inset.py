@@ -11,7 +11,7 @@ from math import degrees, tan
 
 import numpy as np
 
-from cadgen.arrays import Array
+from cadgen.arrays import Array, gauss_nodes
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal, polar_angle
 from cadgen.curves.offset import OffsetPiece
 from cadgen.errors import CheckError
@@ -32,7 +32,11 @@ class Apex:
     stop: float = 1.0
 
     def jet(self, t: Array) -> Jet:
-        """The point, without a direction."""
+        """The point, without a direction.
+
+        Args:
+            t: parameters of the points, shape (n,).
+        """
         return Jet(np.tile(self.point, (len(t), 1)), np.zeros((len(t), 2)), np.zeros(len(t)))
 
 
@@ -48,7 +52,11 @@ class HollowArc:
     stop: float = 1.0
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by the share, and curvature."""
+        """Point, velocity by the share, and curvature.
+
+        Args:
+            t: shares of the arc, 0 to 1, shape (n,).
+        """
         angle = self.first + t * self.sweep
         out = np.stack([np.cos(angle), np.sin(angle)], axis=1)
         around = np.stack([-out[:, 1], out[:, 0]], axis=1)
@@ -72,12 +80,20 @@ class Strip:
     inner: Piece
 
     def within(self, t: Array) -> Array:
-        """Parameters of `inner` for parameters t of `outer`."""
+        """Parameters of `inner` for parameters t of `outer`.
+
+        Args:
+            t: parameters of `outer`, shape (n,).
+        """
         share = (t - self.outer.start) / (self.outer.stop - self.outer.start)
         return np.asarray(self.inner.start + share * (self.inner.stop - self.inner.start))
 
     def jets(self, t: Array) -> tuple[Jet, Jet]:
-        """Both pieces at parameters of `outer`, each with its velocity by its own parameter."""
+        """Both pieces at parameters of `outer`, each with its velocity by its own parameter.
+
+        Args:
+            t: parameters of `outer`, shape (n,).
+        """
         return self.outer.jet(t), self.inner.jet(self.within(t))
 
 
@@ -87,6 +103,10 @@ def chamfer_strips(curve: ClosedCurve, leg: float) -> tuple[Strip, ...]:
     The strips' inner pieces, end to end, are the parallel curve inside. Beside a convex corner of angle d the lines
     stand askew by leg tan(d / 2) along the curve at most, which leaves the true chamfer by the square of that times
     the curve's curvature over 8: 20 nm at a corner of 17 degrees with a leg of 0.5 mm.
+
+    Args:
+        curve: closed curve, mm.
+        leg: leg of the chamfer, mm.
 
     Raises:
         CheckError: the curve is convex somewhere with a radius of no more than the leg, or so narrow that nothing is
@@ -134,6 +154,10 @@ def chamfered_off(curve: ClosedCurve, leg: float) -> float:
     k = (2 pi - sum of the corners' turns) / 2 + sum of tan(turn / 2) at convex corners, of turn / 2 at hollow ones;
     integrated over d from 0 to the leg. Exact where the curve is straight beside its corners, and elsewhere within
     leg^4 times the curvature times tan(turn / 2)^2.
+
+    Args:
+        curve: closed curve, mm.
+        leg: leg of the chamfer, mm.
     """
     turns = [corner.turn for corner in curve.corners()]
     square = np.pi - sum(turns) / 2 + sum(tan(turn / 2) if turn > 0 else turn / 2 for turn in turns)
@@ -212,7 +236,7 @@ def _too_narrow(leg: float) -> str:
 
 
 def _length(piece: Piece) -> float:
-    nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
+    nodes, weights = gauss_nodes(_GAUSS_POINTS)
     edges = np.linspace(piece.start, piece.stop, max(9, int((piece.stop - piece.start) * _GAUSS_STEPS) + 1))
     half = np.diff(edges) / 2
     t = (edges[:-1] + half)[:, None] + half[:, None] * nodes

@@ -36,7 +36,11 @@ class MovedPiece(DerivedPiece):
         return CubicSpline(self.at, np.linalg.norm(self.piece.jet(self.at).velocity, axis=1))
 
     def jet(self, t: Array) -> Jet:
-        """Point (mm), velocity and curvature at parameters t; the curvature is continuous where the piece's own is."""
+        """Point (mm), velocity and curvature at parameters t; the curvature is continuous where the piece's own is.
+
+        Args:
+            t: parameters of the points, shape (n,).
+        """
         before = self.piece.jet(t)
         speed = np.linalg.norm(before.velocity, axis=1)[:, None]
         inward = left_normal(before.velocity)

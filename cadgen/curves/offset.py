@@ -26,7 +26,11 @@ class OffsetPiece(DerivedPiece):
     distance: float
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by the piece's own parameter, and curvature."""
+        """Point, velocity by the piece's own parameter, and curvature.
+
+        Args:
+            t: parameters of the points, shape (n,).
+        """
         jet = self.piece.jet(t)
         widened = 1 + self.distance * jet.curvature
         return Jet(
@@ -46,7 +50,11 @@ class CornerArc:
     stop: float
 
     def jet(self, t: Array) -> Jet:
-        """Point (mm), velocity by the angle t (rad), and curvature."""
+        """Point (mm), velocity by the angle t (rad), and curvature.
+
+        Args:
+            t: angles, rad, shape (n,).
+        """
         out = np.stack([np.cos(t), np.sin(t)], axis=1)
         around = np.stack([-out[:, 1], out[:, 0]], axis=1)
         return Jet(self.center + self.radius * out, self.radius * around, np.full(len(t), 1 / self.radius))
@@ -58,6 +66,10 @@ def parallel(curve: ClosedCurve, distance: float) -> ClosedCurve:
     Every piece is moved exactly, and an arc about each convex corner joins the pieces. Parts far apart that
     come closer than 2 `distance` (a narrow valley) are not looked for here: `cadgen.cam.cutter` finds them. Hollows
     that turn too little to matter (`SLIGHT_TURN`) are passed over.
+
+    Args:
+        curve: closed curve, mm.
+        distance: distance of the two curves, mm.
 
     Raises:
         CheckError: a hollow corner, or a hollow whose radius of curvature is not greater than `distance`.

@@ -19,6 +19,10 @@ def polygon(curve: ClosedCurve, chord_tolerance: float) -> Array:
     A chord of length h strays by curvature h^2 / 8, so the number of points grows as tolerance^(-1/2).
     Corners of the curve are among the points.
 
+    Args:
+        curve: closed curve, mm.
+        chord_tolerance: greatest distance of a chord from the curve, mm.
+
     Returns:
         Points in order, counterclockwise, shape (n, 2), mm; the first is not repeated.
     """
@@ -29,6 +33,10 @@ def strip_polygons(strips: Sequence[Strip], chord_tolerance: float) -> tuple[Arr
     """Return points on both sides of a chamfer, pair by pair at equal shares of its strips.
 
     The chords of both stay within `chord_tolerance` mm of their curves.
+
+    Args:
+        strips: strips of the chamfer.
+        chord_tolerance: greatest distance of a chord from the curve, mm.
 
     Returns:
         Outer and inner points in order, counterclockwise, shape (n, 2) each, mm; the first is not repeated. Where one

@@ -69,7 +69,12 @@ def even_nodes(
 
 
 def inside_spans(nodes: Array, count: int) -> Array:
-    """Each span cut in `count`: parameters, shape (n * count + 1,), every `count`-th of them a node."""
+    """Each span cut in `count`: parameters, shape (n * count + 1,), every `count`-th of them a node.
+
+    Args:
+        nodes: parameters of the spans' ends, rising, shape (n + 1,).
+        count: number of parts of each span.
+    """
     shares = np.arange(count) / count
     inner = nodes[:-1, None] + np.diff(nodes)[:, None] * shares
     return np.append(inner.ravel(), nodes[-1])

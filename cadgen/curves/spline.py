@@ -37,7 +37,11 @@ class SplineArc:
     control_points: Array
 
     def point(self, s: Array) -> Array:
-        """Points at parameters within the knots, shape (m, 2), mm."""
+        """Points at parameters within the knots, shape (m, 2), mm.
+
+        Args:
+            s: parameters within the knots, shape (m,).
+        """
         return np.asarray(BSpline(self.knots, self.control_points, self.degree)(s))
 
 
@@ -67,6 +71,11 @@ def splines(curve: ClosedCurve, tolerance: float, degree: Degree) -> tuple[Splin
     direction and, for degree 5, the exact curvature at its ends. The parameter is the arc length: the curve
     is smoother by it than by the cam angle. Corners stay corners, and neighbours share their ends bit for
     bit.
+
+    Args:
+        curve: closed curve, mm.
+        tolerance: greatest distance from the curve, mm.
+        degree: degree of the splines, 3 or 5.
     """
     parts = [part for piece in curve.pieces for part in _parts(piece)]
     joints = [part.first_point() for part in parts]
@@ -81,6 +90,11 @@ def ruled_splines(strips: Sequence[Strip], tolerance: float, degree: Degree) -> 
 
     Neither side is further than `tolerance` mm from its curve. Otherwise as `splines`; a side that is a point has
     that point for all its control points.
+
+    Args:
+        strips: strips of the chamfer.
+        tolerance: greatest distance from the curve, mm.
+        degree: degree of the splines, 3 or 5.
     """
     parts = [part for strip in strips for part in _cut(strip)]
     firsts = [[side.jet(np.array([side.start])).point[0] for side in (part.outer, part.inner)] for part in parts]

@@ -15,7 +15,11 @@ class TurnedPiece(DerivedPiece):
     angle: float
 
     def jet(self, t: Array) -> Jet:
-        """Point, velocity by the piece's own parameter, and curvature."""
+        """Point, velocity by the piece's own parameter, and curvature.
+
+        Args:
+            t: parameters of the points, shape (n,).
+        """
         c, s = np.cos(self.angle), np.sin(self.angle)
         rotation = np.array([[c, s], [-s, c]])  # for rows
         was = self.piece.jet(t)
@@ -23,5 +27,10 @@ class TurnedPiece(DerivedPiece):
 
 
 def turned(curve: ClosedCurve, angle: float) -> ClosedCurve:
-    """Turn a curve counterclockwise by `angle`, rad."""
+    """Turn a curve counterclockwise by `angle`, rad.
+
+    Args:
+        curve: closed curve, mm.
+        angle: angle, rad.
+    """
     return ClosedCurve(tuple(TurnedPiece(piece, angle) for piece in curve.pieces))

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field, Strict, field_validator, model_validator
 
-from cadgen.design.section import OneOf, Section, listed
+from cadgen.design.section import WORD, OneOf, Section, listed
 from cadgen.deviations.names import Place
 from cadgen.errors import DesignError
 from cadgen.optimize.profiles.actual import ACTUAL
@@ -60,7 +60,7 @@ class Effect(Section):
 
     effect: str = Field(description="its name in the catalogue of that kind of data, as in [effects.md](effects.md)")
     kind: Kind = Field(description="of the data that it was found in")
-    place: Place = Field(
+    place: Annotated[Place, WORD] = Field(
         description="`car`: it stays with the car, and a cam is made for it; `process`: every disc made this way has "
         "it, and a cam is cut so that the finished disc is right; `part`: the disc that was measured has it, and a "
         "new one does not; `noted`: it is only recorded"
@@ -96,10 +96,10 @@ class Effect(Section):
         except DesignError as error:
             raise ValueError(f"as_built.effects: {error}") from None
         where = f"as_built.effects, {self.effect} of kind {self.kind}:"
-        places = dict.fromkeys((*known.places, "noted"))
+        places = dict.fromkeys((*known.places, Place.NOTED))
         if self.place not in places:
             raise ValueError(f'{where} place is "{self.place}"; it must be {listed(list(places), "or")}')
-        if self.place != "noted":
+        if self.place != Place.NOTED:
             self._has_its_numbers(known, where)
         return self
 
@@ -131,7 +131,7 @@ class Outlook(Section):
     explained: bool | None = Field(
         default=None, description="whether the effects explain the measured track; left out if none was measured"
     )
-    places: Annotated[tuple[Place, ...], Strict(False)] = Field(
+    places: Annotated[tuple[Annotated[Place, WORD], ...], Strict(False)] = Field(
         default=(),
         description="of the `effects`, in their order, with which it is so expected; left out, those they have",
     )
@@ -168,8 +168,8 @@ class AsBuilt(Section):
             seen: dict[tuple[str, str], Effect] = {}
             for effect in effects:
                 # Gears on several shafts run out, each by itself.
-                own = effect.effect if effect.place == "car" and effect.known().indices else ""
-                for value in effect.values if effect.place == "car" else ():
+                own = effect.effect if effect.place == Place.CAR and effect.known().indices else ""
+                for value in effect.values if effect.place == Place.CAR else ():
                     if (value.name, own) in seen:
                         earlier = seen[value.name, own]
                         raise ValueError(

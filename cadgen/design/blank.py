@@ -4,15 +4,16 @@ Walls against the profile need the profile, and are checked with it.
 """
 
 from math import hypot, pi, radians, sin
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field, model_validator
 
 from cadgen.design.joint import Held
-from cadgen.design.section import Feature, Section, ZeroOrFeature
+from cadgen.design.section import WORD, Feature, Section, ZeroOrFeature
 from cadgen.errors import DesignError
 from cadgen.gears.fit_table import zones_of
 from cadgen.motion.friction import DiscMaterial
+from cadgen.parts.names import Face
 
 _WIDEST_SCREW = 0.998  # of the bore
 
@@ -47,8 +48,8 @@ class Hub(Section):
 
     diameter_mm: Feature = Field(le=500, description="outer; the bore and its keyway must fit inside")
     length_mm: Feature = Field(le=200, description="how far it stands out of the disc's face")
-    side: Literal["outer", "inner"] = Field(
-        default="outer", description="face that it stands on; the inner one is nearer to the fork"
+    side: Annotated[Face, WORD] = Field(
+        default=Face.OUTER, description="face that it stands on; the inner one is nearer to the fork"
     )
     set_screw: SetScrew | None = None
 
@@ -116,7 +117,7 @@ class Blank(Held):
         description="of the bore on its shaft by ISO 286, such as `H7/g6`; half its clearance adds to "
         "`tolerances.eccentricity_mm`",
     )
-    material: DiscMaterial | None = Field(
+    material: Annotated[DiscMaterial, WORD] | None = Field(
         default=None, description="of the disc: its friction with the rod goes by it where [mechanics] gives none"
     )
 

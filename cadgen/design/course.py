@@ -6,7 +6,7 @@ from pydantic import Field, Strict, model_validator
 
 from cadgen.course.names import CarPoint, Judged, Scaled, Side
 from cadgen.design.polygon import crossing
-from cadgen.design.section import HERE, Point, Points, Section, Size, listed
+from cadgen.design.section import HERE, WORD, Point, Points, Section, Size, listed
 
 MOST_OF_A_KIND = 200  # posts, walls, zones, gates: more than any field has room for
 MOST_CORNERS = 200
@@ -26,8 +26,8 @@ class Place(Section):
         le=100_000,
         description="of the disc, within which the point must come; left out, 50 of a gate, 1 of start and finish",
     )
-    point: CarPoint = Field(
-        default="middle",
+    point: Annotated[CarPoint, WORD] = Field(
+        default=CarPoint.MIDDLE,
         description="of the car: the fork axis, the middle between the rear wheels, or where a rear wheel stands",
     )
     heading_deg: float | None = Field(
@@ -96,7 +96,7 @@ class Post(Section):
     height_mm: float | None = Field(
         default=None, ge=0, le=10_000, description="left out, too high for the car to pass over"
     )
-    side: Side | None = Field(
+    side: Annotated[Side, WORD] | None = Field(
         default=None,
         description="on which the car passes it, seen in the direction of travel: `left` has it on the car's right; "
         "left out, either",
@@ -164,8 +164,8 @@ class Spacing(Section):
     )
     step_mm: float = Field(default=10.0, gt=0, le=10_000, description="between the spacings on the settings card")
     about_mm: Point = Field(default=(0.0, 0.0), description="[x, y] of the point that stays where it is")
-    scaled: Annotated[tuple[Scaled, ...], Strict(False)] = Field(
-        default=("posts", "gates", "start", "finish"),
+    scaled: Annotated[tuple[Annotated[Scaled, WORD], ...], Strict(False)] = Field(
+        default=(Scaled.POSTS, Scaled.GATES, Scaled.START, Scaled.FINISH),
         min_length=1,
         max_length=7,
         description="kinds that move with the spacing",
@@ -204,8 +204,8 @@ class Course(Section):
     margin_mm: float = Field(
         default=0.0, ge=0, le=10_000, description="that the car keeps from posts, walls, zones and the field's edge"
     )
-    judged: Judged = Field(
-        default="planned",
+    judged: Annotated[Judged, WORD] = Field(
+        default=Judged.PLANNED,
         description="runs that must keep the course: `planned`, which is without play, or with `play` those over the "
         "band of play as well, which are else only shown",
     )

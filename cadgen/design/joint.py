@@ -1,15 +1,26 @@
 """How a wheel is held on its shaft: keys that the cam's and the gears' sections have in common."""
 
-from typing import Literal, TypeVar
+from enum import StrEnum
+from typing import Annotated, TypeVar
 
 from pydantic import Field, model_validator
 
-from cadgen.design.section import HERE, Section
+from cadgen.design.section import HERE, WORD, Section
 from cadgen.errors import DesignError
 from cadgen.gears.fit_table import zones_of
 
-Joint = Literal["clamped", "pinned", "glued", "keyed", "d_flat"]
-TIGHT: tuple[Joint, ...] = ("clamped", "pinned", "glued")
+
+class Joint(StrEnum):
+    """Joint of a wheel and its shaft."""
+
+    CLAMPED = "clamped"
+    PINNED = "pinned"
+    GLUED = "glued"
+    KEYED = "keyed"
+    D_FLAT = "d_flat"
+
+
+TIGHT = (Joint.CLAMPED, Joint.PINNED, Joint.GLUED)
 
 S = TypeVar("S", bound="Held")
 
@@ -17,7 +28,7 @@ S = TypeVar("S", bound="Held")
 class Held(Section):
     """A wheel on its shaft."""
 
-    joint: Joint | None = Field(
+    joint: Annotated[Joint, WORD] | None = Field(
         default=None,
         description="what holds it on its shaft: `clamped`, `pinned` or `glued`, without play; `keyed` or `d_flat`, "
         "whose clearance adds to the return error; left out, none is counted",

@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
+from enum import StrEnum
 from functools import cache
 from typing import Annotated, Any, Literal, get_args, get_origin
 
@@ -80,9 +81,7 @@ class Key:
     @property
     def allowed(self) -> str:
         """Range or choices, as they read after "must be"; empty if anything of its kind will do."""
-        arms = (self.info.annotation, *get_args(self.info.annotation))
-        choices = next((get_args(arm) for arm in arms if get_origin(arm) is Literal), ())
-        return listed([shown(choice) for choice in choices], "or") or _phrases(self.info.metadata)
+        return _choices(self.info.annotation) or _phrases(self.info.metadata)
 
     @property
     def allowed_inside(self) -> str:
@@ -251,10 +250,25 @@ def _kinds(annotation: Any) -> tuple[tuple[str, ...], list[Any]]:
     return (next((_KINDS[arm] for arm in (annotation, *arguments) if arm in _KINDS), "text"),), []
 
 
+def _choices(annotation: Any) -> str:
+    """The words of an enumeration, as they read after "must be"; empty if the annotation holds none.
+
+    Args:
+        annotation: an enumeration, alone, with limits, or one that may be left out.
+    """
+    if isinstance(annotation, type) and issubclass(annotation, StrEnum):
+        return listed([shown(member.value) for member in annotation], "or")
+    if get_origin(annotation) is tuple:
+        return ""
+    if get_origin(annotation) is Literal:  # of a kind that is registered from outside
+        return listed([shown(word) for word in get_args(annotation)], "or")
+    return next((choices for arm in get_args(annotation) if (choices := _choices(arm))), "")
+
+
 def _choices_inside(annotation: Any) -> str:
-    """The choices for the items of a list, as they read after "must be"; empty if it is not one of choices."""
-    if get_origin(annotation) is tuple and get_origin(get_args(annotation)[0]) is Literal:
-        return listed([shown(choice) for choice in get_args(get_args(annotation)[0])], "or")
+    """The same for the items of a list."""
+    if get_origin(annotation) is tuple:
+        return _choices(get_args(annotation)[0])
     return next((choices for arm in get_args(annotation) if (choices := _choices_inside(arm))), "")
 
 

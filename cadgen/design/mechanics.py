@@ -1,10 +1,18 @@
 """The section on what turns the cam ahead of its gears and what holds it."""
 
-from typing import Literal
+from enum import StrEnum
+from typing import Annotated
 
 from pydantic import Field, model_validator
 
-from cadgen.design.section import Section
+from cadgen.design.section import WORD, Section
+
+
+class Braked(StrEnum):
+    """Part on which a brake acts."""
+
+    DISC = "disc"
+    SHAFT = "shaft"
 
 
 class Mechanics(Section):
@@ -35,8 +43,8 @@ class Mechanics(Section):
     drag_greatest_Nmm: float | None = Field(
         default=None, ge=0, le=100_000, description="at its strongest; left out, the least"
     )
-    drag_on: Literal["disc", "shaft"] = Field(
-        default="disc",
+    drag_on: Annotated[Braked, WORD] = Field(
+        default=Braked.DISC,
         description="what it acts on: the disc itself, or its shaft, on which the disc may have play that is not held",
     )
     drive_torque_Nmm: float | None = Field(

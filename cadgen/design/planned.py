@@ -74,7 +74,11 @@ def _written(values: Any, name: str) -> str:
 
 
 def rounded(points: Array) -> Array:
-    """Control points as the file has them, mm."""
+    """Control points as the file has them, mm.
+
+    Args:
+        points: control points, shape (n, 2), mm.
+    """
     return points.round(DIGITS)
 
 

@@ -1,15 +1,22 @@
 """The sections on play: how much there is, how far cars differ, and what is asked of the profile against it."""
 
-from typing import Annotated, Literal
+from enum import StrEnum
+from typing import Annotated
 
 from pydantic import Field, Strict, model_validator
 
-from cadgen.design.section import Section
+from cadgen.design.section import WORD, Section
 from cadgen.gears.names import Law, StageOrder
 from cadgen.motion.friction import DiscMaterial
 
 GATE_WIDTH_MM = 400.0
-Hardware = Literal["drag", "trim"]
+
+
+class Hardware(StrEnum):
+    """Thing built or done against play besides the cam: a brake on the disc, or a trim after a trial run."""
+
+    DRAG = "drag"
+    TRIM = "trim"
 
 
 class Play(Section):
@@ -47,8 +54,8 @@ class Tolerances(Section):
     [mechanics].
     """
 
-    law: Law = Field(
-        default="normal",
+    law: Annotated[Law, WORD] = Field(
+        default=Law.NORMAL,
         description="within the zones: normal, with its 3 sigma at the limits and clipped there, or uniform",
     )
     base_radius_mm: float = Field(default=0.0, ge=0, le=10, description="a, camshaft to fork axis, after adjustment")
@@ -111,7 +118,7 @@ class Tolerances(Section):
         le=100,
         description="how far from that of the adjustment; needs `blank.material`, and goes by `frame_material`",
     )
-    frame_material: DiscMaterial | None = Field(
+    frame_material: Annotated[DiscMaterial, WORD] | None = Field(
         default=None, description="of what holds camshaft and fork apart; left out, aluminium"
     )
     gate_width_mm: float | None = Field(
@@ -131,14 +138,14 @@ class Tolerances(Section):
 class Optimize(Section):
     """Limits for the profile against play. A limit that is left out allows anything."""
 
-    order: StageOrder = Field(
-        default="as-given",
+    order: Annotated[StageOrder, WORD] = Field(
+        default=StageOrder.AS_GIVEN,
         description="of the stages of [train] in the car: as they stand there, or the order of least return error",
     )
     smoothing_percent: float = Field(
         default=27.15, gt=0, lt=100, description="what smoothing takes off its own sum of deflection errors"
     )
-    hardware: Annotated[tuple[Hardware, ...], Strict(False)] | None = Field(
+    hardware: Annotated[tuple[Annotated[Hardware, WORD], ...], Strict(False)] | None = Field(
         default=None,
         description="what may be built or done besides the cam: `drag`, a brake on the disc that holds the cam; "
         "`trim`, a trial run, after which the steering is set",

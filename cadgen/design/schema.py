@@ -7,6 +7,7 @@ them all; their messages are sentences for the user.
 
 import hashlib
 import json
+from typing import Annotated
 
 from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_validator, model_validator
 
@@ -24,9 +25,10 @@ from cadgen.design.names import name_fault
 from cadgen.design.outline import Outline
 from cadgen.design.path import PATH, Path
 from cadgen.design.play import Optimize, Play, Tolerances
-from cadgen.design.section import Point, Points, Section, Size, listed
+from cadgen.design.section import WORD, Point, Points, Section, Size, listed
 from cadgen.design.settings import Settings
 from cadgen.design.train import Train, train_by_stages
+from cadgen.parts.names import Face
 
 THINNEST_DISC_MM = 0.1
 LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the rod, and no shop can hold it
@@ -80,7 +82,7 @@ class Cam(Section):
     thickness_mm: float | None = Field(
         default=None, ge=THINNEST_DISC_MM, le=100, description="C, between the disc's faces"
     )
-    side: Side | None = Field(
+    side: Annotated[Side, WORD] | None = Field(
         default=None,
         description="of the fork axis on which the disc is; left out, left: the rod is lifted in right turns. On the "
         "right it is lifted in left turns, and files show the disc from its inner face",
@@ -147,8 +149,8 @@ class Cam(Section):
 class Checks(Section):
     """Limits that a cam must keep to be exported."""
 
-    pressure_angle_limit: PressureAngleLimitName = Field(
-        default="norton_oscillating",
+    pressure_angle_limit: Annotated[PressureAngleLimitName, WORD] = Field(
+        default=PressureAngleLimitName.NORTON_OSCILLATING,
         description="whose limits of the pressure angle hold; see the table below",
     )
     lost_lift_limit_um: float = Field(
@@ -328,7 +330,7 @@ class DesignFile(TrainFile):
     @model_validator(mode="after")
     def _hub_ends_before_the_fork(self) -> "DesignFile":
         (inner, _), hub = self.cam.faces_mm, self.blank.hub
-        if hub and hub.side == "inner" and hub.length_mm >= inner:
+        if hub and hub.side == Face.INNER and hub.length_mm >= inner:
             raise ValueError(
                 f"blank.hub.length_mm is {hub.length_mm:g}; on the inner side it must be less than the distance of "
                 f"the disc's inner face from the fork axis, {inner:g} mm: lower it, or put the hub on the outer side"

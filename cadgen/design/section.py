@@ -3,6 +3,7 @@
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import MISSING, dataclass, fields
+from enum import StrEnum
 from typing import Annotated, Any, Generic, TypeVar, get_args, get_type_hints
 
 from annotated_types import Ge, Le
@@ -15,6 +16,9 @@ FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
 LEAST_FEATURE_MM = 0.01  # no tool cuts a smaller one, and the CAD kernel takes points 1e-7 mm apart for one
 LONGEST_LINE = 60  # letters that a title block holds
+
+# Beside an enumeration: files have its words, and the design its members.
+WORD = Strict(False)
 
 HERE = "{here}"  # in a message: the section that holds the keys, for one that several sections share
 
@@ -119,9 +123,17 @@ def section_with(base: type[S], meaning: str, keys: type[Any]) -> type[S]:
     return made
 
 
+def is_word(annotation: Any) -> bool:
+    """Whether a value is a word of an enumeration, or may be left out and is else one."""
+    arms = (annotation, *get_args(annotation))
+    return any(isinstance(arm, type) and issubclass(arm, StrEnum) for arm in arms)
+
+
 def _as_read(hint: Any) -> Any:
-    """Type of a key as a file is read: points are lists there, with the limits of every coordinate."""
+    """Type of a key as a file is read: words are text there, and points are lists with the limits of a coordinate."""
     arguments = get_args(hint)
+    if is_word(arguments[0]):
+        return Annotated[(*arguments, WORD)]
     return Annotated[(Points, *arguments[1:])] if arguments[0] == names.Points else hint
 
 

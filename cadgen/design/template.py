@@ -14,6 +14,7 @@ GATE_RADIUS = 50.0
 _TEXT = """\
 # {name}: a car steered by a cam. Lengths in mm, angles in degrees; docs/design-file.md has every key.
 #   cadgen check {name}.toml       every figure with its limit; the first line names the drive wheel that the cam is for
+#   cadgen plan {name}.toml        the path on which most cars keep the course
 #   cadgen cam {name}.toml         the files
 name = "{name}"
 
@@ -60,15 +61,36 @@ length_mm = 40.0                   # fork axis to the rod's end
 
 [blank]
 bore_diameter_mm = 8.0
+# material = "aluminium"           # on the drawings, and for the feeds of the mill
+# bore_fit = "H7/g6"               # of bore and shaft: what they may be apart is reckoned with
 
 [blank.mark]                       # a hole on one side: a disc that is turned over shows it on the other
 diameter_mm = 3.0
 radius_mm = 12.0
 angle_deg = 45.0
 
+[tolerances]                       # half widths that the workshop holds: cadgen tolerance and cadgen plan run such cars
+base_radius_mm = 0.005             # half a division of a micrometer head
+inner_face_mm = 0.05
+outer_face_mm = 0.05
+rod_radius_mm = 0.005
+profile_offset_mm = 0.01           # the disc cut too large all round
+steering_zero_deg = 0.02           # front wheel, set on a trial run
+wheelbase_mm = 0.1
+drive_wheel_offset_mm = 0.1
+# wheel_radius_mm = 0.02           # with [train]
+cam_phase_deg = 0.2
+start_x_mm = 2.0
+start_y_mm = 2.0
+start_heading_deg = 0.2
+
 [mechanics]
 friction_least = 0.05              # steel on greased aluminium
 friction_greatest = 0.20
+
+# [drawing]                        # what cadgen draw writes into the title blocks
+# finish = "Ra 1.6, deburred"
+# quantity = 1
 
 # The gears between drive wheel and cam: with them play is reckoned with, and the wheel's radius is known.
 # [train]

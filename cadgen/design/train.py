@@ -10,7 +10,7 @@ from annotated_types import Gt, Le
 from pydantic import Field, Strict, create_model
 
 from cadgen.design.joint import Held
-from cadgen.design.section import Feature, FeatureOrNone, Section, listed
+from cadgen.design.section import WORD, Feature, FeatureOrNone, Section, listed
 from cadgen.design.stage import StageItem, stage_kinds
 from cadgen.gears.names import Thinning
 
@@ -130,8 +130,8 @@ class Train(Section):
         description="by which a shaft can move across its bearings; it opens every mesh; left out, none",
     )
     grade: int = Field(default=7, ge=3, le=12, description="tolerance grade of ISO 1328")
-    thinning: Thinning = Field(
-        default="middle",
+    thinning: Annotated[Thinning, WORD] = Field(
+        default=Thinning.MIDDLE,
         description="what the teeth are cut to: E_sns, the middle between both limits, or E_sni; their zone, T_sn "
         "wide, lies about it",
     )

@@ -64,7 +64,7 @@ class Placed:
     @property
     def leads(self) -> bool:
         """Whether the camshaft leads or lags its gears by it, the same at each turn."""
-        return self.effect.stage is MESH and self.place == "car"
+        return self.effect.stage is MESH and self.place == Place.CAR
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,11 @@ class AsBuilt:
         return replace(nominal, inner=inner, outer=outer, radius=radius)
 
     def travel(self, nominal: float) -> float:
-        """Travel of the drive wheel's rim for one turn of the cam, mm."""
+        """Travel of the drive wheel's rim for one turn of the cam, mm.
+
+        Args:
+            nominal: travel of the car as designed, mm.
+        """
         return nominal * (1 + self._of_car("wheel_radius_percent"))
 
     @property
@@ -124,7 +128,7 @@ class AsBuilt:
     def friction(self) -> tuple[float, float] | None:
         """Sliding friction between rod and disc, and its standard deviation; None if it was not found."""
         for placed in self.effects:
-            if placed.place == "car" and placed.effect.quantity == quantities.SLIDING_FRICTION:
+            if placed.place == Place.CAR and placed.effect.quantity == quantities.SLIDING_FRICTION:
                 return placed.values[0], placed.sigma
         return None
 
@@ -137,7 +141,7 @@ class AsBuilt:
     def shows_play_with_rod(self) -> bool:
         """Whether the return error, or that there is none, was found on a track."""
         return any(
-            placed.place == "car" and placed.effect.quantity == quantities.RETURN_ERROR and placed.on_track
+            placed.place == Place.CAR and placed.effect.quantity == quantities.RETURN_ERROR and placed.on_track
             for placed in self.effects
         )
 
@@ -150,7 +154,7 @@ class AsBuilt:
     def shapes_discs(self) -> bool:
         """Whether a new disc comes out, or runs, other than it is cut."""
         return any(
-            placed.leads or (placed.effect.stage is DISC and placed.place in ("process", "car"))
+            placed.leads or (placed.effect.stage is DISC and placed.place in (Place.PROCESS, Place.CAR))
             for placed in self.effects
         )
 
@@ -160,7 +164,7 @@ class AsBuilt:
         Args:
             measured: whether the disc is the one that was measured, or else a new one.
         """
-        places: tuple[Place, ...] = ("part", "process") if measured else ("process",)
+        places: tuple[Place, ...] = (Place.PART, Place.PROCESS) if measured else (Place.PROCESS,)
         height = 0.0
         for placed in self.effects:
             uneven = placed.effect.quantity in (quantities.AXIS_REVERSAL, quantities.UNDULATION)
@@ -183,18 +187,24 @@ class AsBuilt:
         disc = nominal_disc(curve, step)
         for placed in self.effects:
             number = dict(placed.effect.indices).get("nose_number", 0)
-            if placed.place == "part" and number > len(disc.noses):
+            if placed.place == Place.PART and number > len(disc.noses):
                 raise DesignError(
                     f"[as_built] has a worn nose number {number:g}, but the profile has {len(disc.noses)}: correct "
                     "nose_number"
                 )
-        disc = self._acted(disc, ("part", "process", "car"), 0.0, AXIS_REVERSAL.act)
+        disc = self._acted(disc, (Place.PART, Place.PROCESS, Place.CAR), 0.0, AXIS_REVERSAL.act)
         disc = self._led(disc, self.phase, disc)
         contact = roll(_outline_of(disc), follower, cam_angle + self.phase)
         return replace(contact, cam_angle=cam_angle)
 
     def roll_new(self, curve: ClosedCurve, follower: LeaningRod, cam_angle: Array, step: float) -> Contact:
         """The rod on a new cam that is cut to `curve`; arguments as for `roll_measured`.
+
+        Args:
+            curve: curve that is cut, mm.
+            follower: rod as designed.
+            cam_angle: cam angles, rad, shape (n,).
+            step: step of the outline, mm.
 
         Raises:
             DesignError: as `roll`.
@@ -245,7 +255,7 @@ class AsBuilt:
         self, disc: Disc, reversal: _Act = lost_motion, at: Array | None = None, asking: Disc | None = None
     ) -> Disc:
         """Deviations of a new disc in its making and on the shaft; `asking` as of `led`, its own lift if left out."""
-        finished = self._acted(disc, ("process", "car"), self.phase, reversal, at)
+        finished = self._acted(disc, (Place.PROCESS, Place.CAR), self.phase, reversal, at)
         # The torque follows the lift on the shaft as it leads, found here in one step.
         return self._led(finished, 0.0, asking or self._led(finished, 0.0, finished))
 
@@ -261,7 +271,7 @@ class AsBuilt:
         for placed in self.effects:
             if placed.effect.stage is DISC and placed.place in places:
                 values, act = np.array(placed.values), placed.effect.act
-                if placed.place == "car" and placed.effect.quantity in _OF_SHAFT:
+                if placed.place == Place.CAR and placed.effect.quantity in _OF_SHAFT:
                     c, s = np.cos(turned), np.sin(turned)
                     values = np.array([c * values[0] + s * values[1], c * values[1] - s * values[0]])
                 if placed.effect.quantity == quantities.AXIS_REVERSAL:
@@ -277,7 +287,7 @@ class AsBuilt:
         return {
             parameter.name: value
             for placed in self.effects
-            if placed.place == "car"
+            if placed.place == Place.CAR
             for parameter, value in zip(placed.effect.parameters, placed.values, strict=True)
         }
 

@@ -12,7 +12,10 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.curves.closed import ClosedCurve, left_normal
 from cadgen.deviations import quantities
-from cadgen.deviations.effect import Effect, Parameter, Stage
+from cadgen.deviations.effect import Effect, Group, Parameter, Stage
+from cadgen.deviations.names import Place
+
+_SCALES = Group("scale")
 
 OUTLINE_STEP = 0.06  # mm; the rod rolled on it errs by under 0.01 um
 _JOINT = 1e-9  # distance of a joint's two points at most, mm
@@ -37,7 +40,11 @@ class Disc:
     piece: NDArray[np.intp]
 
     def moved(self, along: Array) -> "Disc":
-        """Every point moved outwards along its normal, mm."""
+        """Every point moved outwards along its normal, mm.
+
+        Args:
+            along: displacement of each point outwards, mm, shape (n,).
+        """
         return replace(self, points=self.points + along[:, None] * self.normal)
 
 
@@ -93,6 +100,11 @@ def lost_motion(disc: Disc, p: Array, at: object) -> Disc:
 
     p holds the lost motions of the x and the y axis, mm. Beside the quadrants this is `_reversal`, which jumps there
     and is what a record is compared with.
+
+    Args:
+        disc: disc as it was commanded.
+        p: lost motions of the x and the y axis, mm, shape (2,).
+        at: stations, which do not matter here.
     """
     axes = [_dragged(values, width) for values, width in zip(disc.points.T, p, strict=True)]
     return replace(disc, points=np.stack(axes, axis=1))
@@ -145,7 +157,7 @@ ECCENTRIC_BORE = Effect(
     ),
     act=_eccentric,
     quantity=quantities.ECCENTRIC_BORE,
-    places=("part", "process", "car"),
+    places=(Place.PART, Place.PROCESS, Place.CAR),
     confused_with="a wobbling camshaft, or run-out of the shaft, in lift data",
     separated_by="measure the profile about the bore on a CMM",
 )
@@ -154,7 +166,7 @@ CUTTER_COMPENSATION = Effect(
     stage=DISC,
     parameters=(_um("cutter_offset_um", "+: too much stands all round, along the normal"),),
     act=_offset,
-    places=("process", "part"),
+    places=(Place.PROCESS, Place.PART),
     confused_with="uniform scale (they differ only where the outline is not a circle)",
     separated_by="measure a feature of known size that the same cutter made inside, such as a pocket: "
     "its error has the other sign for an offset",
@@ -164,8 +176,8 @@ UNIFORM_SCALE = Effect(
     stage=DISC,
     parameters=(_percent("scale_percent", "+: the disc is too big"),),
     act=_scale,
-    places=("process", "part"),
-    family="scale",
+    places=(Place.PROCESS, Place.PART),
+    group=_SCALES,
     confused_with="cutter compensation",
     separated_by="measure the distance of two hole centres: an offset leaves it, a scale does not",
 )
@@ -177,8 +189,8 @@ ANISOTROPIC_SCALE = Effect(
         _percent("scale_y_percent", "+: too long in y"),
     ),
     act=_scale,
-    places=("process", "part"),
-    family="scale",
+    places=(Place.PROCESS, Place.PART),
+    group=_SCALES,
     includes=UNIFORM_SCALE,
     confused_with="lobing of order two",
     separated_by="print or cut the part turned by 90 degrees: a scale stays with the machine",
@@ -192,7 +204,7 @@ AXIS_REVERSAL = Effect(
     ),
     act=_reversal,
     quantity=quantities.AXIS_REVERSAL,
-    places=("process", "part"),
+    places=(Place.PROCESS, Place.PART),
     confused_with="an eccentric bore if only one half was measured",
     separated_by="cut a circle on the same machine and look for steps at the four quadrants",
 )
@@ -212,7 +224,7 @@ OUT_OF_SQUARE = Effect(
         ),
     ),
     act=_sheared,
-    places=("process", "part"),
+    places=(Place.PROCESS, Place.PART),
     confused_with="lobing of order two",
     separated_by="measure the diagonals of a square that the same machine cut",
 )
@@ -250,15 +262,22 @@ def undulation(order: int) -> Effect:
         act=_harmonic(order),
         quantity=quantities.UNDULATION,
         cause=sort,
-        places=("part",),
+        places=(Place.PART,),
         numerous=True,
         confused_with="anisotropic scale" if order == 2 else "the stylus or spindle of the measuring machine",
-        separated_by="measure again with the disc clocked by 90 degrees: what turns with it is the disc's",
+        separated_by="measure again with the disc turned by 90 degrees on the machine: what turns is the disc's",
     )
 
 
 def local(disc: Disc, centre: float, depth: float, width: float) -> Disc:
-    """Move the outline by depth exp(-((phi - centre) / width)^2 / 2) along its normal: a depth in mm, angles in rad."""
+    """Move the outline by depth exp(-((phi - centre) / width)^2 / 2) along its normal: a depth in mm, angles in rad.
+
+    Args:
+        disc: disc before.
+        centre: polar angle of the middle, rad.
+        depth: depth at the middle, mm.
+        width: half-width, rad.
+    """
     off = (disc.angle - centre + np.pi) % (2 * np.pi) - np.pi
     return disc.moved(depth * np.exp(-((off / width) ** 2) / 2))
 
@@ -267,7 +286,12 @@ NOSE_WIDTHS_DEG = (2.5, 4.0, 6.0)  # from which the width of a worn nose is sear
 
 
 def worn_nose(number: int, width_deg: float) -> Effect:
-    """Material lost at one of the outline's noses, counted by polar angle: depth and half-width."""
+    """Material lost at one of the outline's noses, counted by polar angle: depth and half-width.
+
+    Args:
+        number: number of the nose, counted from 1.
+        width_deg: half-width from which a search begins, degrees.
+    """
 
     def act(disc: Disc, p: Array, at: object) -> Disc:
         return local(disc, disc.noses[number], -p[0], p[1])
@@ -289,8 +313,8 @@ def worn_nose(number: int, width_deg: float) -> Effect:
         ),
         act=act,
         quantity=quantities.WORN_NOSE,
-        places=("part",),
-        family="worn nose",
+        places=(Place.PART,),
+        group=Group("worn nose"),
         variant=f"at {number} from {width_deg:g}",
         indices=(("nose_number", number + 1),),
         numerous=True,
@@ -300,7 +324,12 @@ def worn_nose(number: int, width_deg: float) -> Effect:
 
 
 def nominal_disc(curve: ClosedCurve, step: float = OUTLINE_STEP) -> Disc:
-    """The outline as points no further apart than `step` mm or so, with normals, joints twice."""
+    """The outline as points no further apart than `step` mm or so, with normals, joints twice.
+
+    Args:
+        curve: outline, mm.
+        step: greatest distance of two points, mm.
+    """
     outline = curve.outline(step)
     normals = []
     for number, piece in enumerate(curve.pieces):

@@ -9,7 +9,7 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.as_built import AsBuilt
 from cadgen.motion.drive import drive, turns_of
@@ -63,7 +63,7 @@ def edges_check(
         abs(off(0.0)),
         "mm",
         inf,
-        "max",
+        Bound.MAX,
         f"at the finish; {abs(off(trim)):.1f} mm with the steering trimmed by {degrees(trim):.3f}°",
     )
 

@@ -60,6 +60,13 @@ class Parameter:
         return UNITS[self.unit]
 
 
+@dataclass(frozen=True)
+class Group:
+    """Effects of which a subset of the catalogue holds one at most; `name` is unique in the catalogue."""
+
+    name: str
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Effect:
     """One entry of the catalogue, or (with `shape`) an anonymous form that competes with the entries.
@@ -70,7 +77,7 @@ class Effect:
         parameters: their internal values, in order, are the array `act` receives.
         act: (what passes the stage, values, stations) -> the same changed; exact, not linearised.
         quantity: physical quantity; None for an effect that no other kind of data shows.
-        family: effects of one family are never combined with each other unless it is empty.
+        group: group of effects of which a subset holds one at most; None without one.
         twins: causes that no data of this kind can tell from this one.
         confused_with: causes that look like it.
         separated_by: the measurement that tells them apart.
@@ -86,6 +93,7 @@ class Effect:
         variant: makes entries of one name different (which nose, from which width the search begins).
         cause: what its orders and places share; the name if empty.
         one_run: True if it acts in one of the measured runs alone.
+        form_of: stage at which a shape moves the car too, the lift or the disc; None if it may be the instrument's.
     """
 
     name: str
@@ -93,7 +101,7 @@ class Effect:
     parameters: tuple[Parameter, ...]
     act: Callable[[Any, Array, Any], Any]
     quantity: Quantity | None = None
-    family: str = ""
+    group: Group | None = None
     twins: tuple[str, ...] = ()
     confused_with: str = ""
     separated_by: str = ""
@@ -102,8 +110,9 @@ class Effect:
     variant: str = ""
     cause: str = ""
     one_run: bool = False
+    form_of: Stage[Any] | None = None
     includes: "Effect | None" = None
-    places: tuple[Place, ...] = ("noted",)
+    places: tuple[Place, ...] = (Place.NOTED,)
     indices: tuple[tuple[str, float], ...] = ()
     beside: "Effect | None" = None
     looks_like: "Effect | None" = None
@@ -122,7 +131,7 @@ class Effect:
     @property
     def instrument(self) -> bool:
         """True of an effect of the instrument, which changes nothing but its own record."""
-        return self.looks_like is not None and self.places == ("noted",)
+        return self.looks_like is not None and self.places == (Place.NOTED,)
 
     @property
     def steps(self) -> Array:

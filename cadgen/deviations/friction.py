@@ -19,7 +19,11 @@ MEASURE_FRICTION = (
 
 
 def friction(step: float) -> Parameter:
-    """The number, with a step for differences."""
+    """The number, with a step for differences.
+
+    Args:
+        step: step for differences, a ratio.
+    """
     return Parameter(
         name="friction",
         unit="",
@@ -44,7 +48,7 @@ def rubbing(play: Effect, friction: Effect, act: Callable[[Any, Array, Any], Any
         stage=play.stage,
         parameters=(*play.parameters, replace(number, start=start)),
         act=act,
-        family=play.family,
+        group=play.group,
         variant=f"from {start:g}",
         numerous=True,
         separated_by=friction.separated_by,

@@ -13,12 +13,14 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.deviations.disc import ANISOTROPIC_SCALE, CUTTER_COMPENSATION, OUT_OF_SQUARE, UNIFORM_SCALE
-from cadgen.deviations.effect import Effect, Parameter, Stage
+from cadgen.deviations.effect import Effect, Group, Parameter, Stage
 from cadgen.deviations.lift import ANGLE, BACKLASH, PHASE, Readings
 from cadgen.deviations.names import Place
 
+_MACHINE_SCALES = Group("scale of the machine")
+
 MACHINE = Stage[Array]("machine")
-_NOTED: tuple[Place, ...] = ("noted",)
+_NOTED: tuple[Place, ...] = (Place.NOTED,)
 _TURN_IT = "measure again with the part turned by 90 degrees on the machine: what turns with it is the part's"
 
 
@@ -51,7 +53,7 @@ MACHINE_SCALE = Effect(
     stage=MACHINE,
     parameters=(replace(UNIFORM_SCALE.parameters[0], name="machine_percent", meaning="+: it reads too much"),),
     act=_scaled,
-    family="scale of the machine",
+    group=_MACHINE_SCALES,
     looks_like=UNIFORM_SCALE,
     confused_with="uniform scale",
     separated_by="measure a gauge block, part and block at 20 degrees Celsius",
@@ -64,7 +66,7 @@ AXIS_SCALE = Effect(
         for p, axis in zip(ANISOTROPIC_SCALE.parameters, "xy", strict=True)
     ),
     act=_scaled,
-    family="scale of the machine",
+    group=_MACHINE_SCALES,
     includes=MACHINE_SCALE,
     looks_like=ANISOTROPIC_SCALE,
     confused_with="anisotropic scale",

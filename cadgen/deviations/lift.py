@@ -12,7 +12,8 @@ from cadgen.arrays import Array
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.deviations import quantities
 from cadgen.deviations.disc import ECCENTRIC_BORE
-from cadgen.deviations.effect import READING, Effect, Parameter, Stage
+from cadgen.deviations.effect import READING, Effect, Group, Parameter, Stage
+from cadgen.deviations.names import Place
 from cadgen.deviations.rows import Rows
 
 
@@ -108,8 +109,8 @@ BACKLASH = Effect(
     parameters=(_play("whole play at the camshaft; the cam lags by half of it either way"),),
     act=_held_by_friction,
     quantity=quantities.RETURN_ERROR,
-    places=("car",),
-    family="backlash",
+    places=(Place.CAR,),
+    group=Group("backlash"),
     confused_with="lost motion by friction",
     separated_by="hold the drive still and turn the camshaft to and fro by hand",
 )
@@ -128,7 +129,7 @@ PHASE = Effect(
     ),
     act=_phase,
     quantity=quantities.CAM_PHASE,
-    places=("car",),
+    places=(Place.CAR,),
     confused_with="backlash held by the spring",
     separated_by="mark the keyway and read the divider at the mark",
 )
@@ -140,14 +141,14 @@ SHAFT_RUNOUT = replace(
         for p, way in zip(ECCENTRIC_BORE.parameters, ("+x", "+y"), strict=True)
     ),
     quantity=quantities.SHAFT_RUNOUT,
-    places=("car",),
+    places=(Place.CAR,),
     looks_like=ECCENTRIC_BORE,
     confused_with="an eccentric bore",
     separated_by="measure the profile about the bore on a CMM, and put a dial on the shaft",
 )
 LIFT_EFFECTS = (
     # The shaft's run-out looks the same, and stays with the car.
-    replace(ECCENTRIC_BORE, places=("car", "part", "process")),
+    replace(ECCENTRIC_BORE, places=(Place.CAR, Place.PART, Place.PROCESS)),
     SHAFT_RUNOUT,
     PHASE,
     Effect(
@@ -155,7 +156,7 @@ LIFT_EFFECTS = (
         stage=FOLLOWER,
         parameters=(_um("rod_radius_um", "+: the rod is too thick", 1500.0),),
         act=_rod,
-        places=("car",),
+        places=(Place.CAR,),
         twins=("cutter compensation",),
         confused_with="cutter compensation of the profile",
         separated_by="measure the rod with a micrometer, or the profile on a CMM",
@@ -178,7 +179,7 @@ LIFT_EFFECTS = (
         stage=FOLLOWER,
         parameters=(_um("axial_offset_um", "+: the disc stands too far from the fork axis", 4000.0),),
         act=_axial,
-        places=("car",),
+        places=(Place.CAR,),
         confused_with="lever gain",
         separated_by="measure the distance from the fork axis to the disc's faces",
     ),

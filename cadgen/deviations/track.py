@@ -18,8 +18,10 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.deviations import quantities
-from cadgen.deviations.effect import Effect, Parameter, Stage
+from cadgen.deviations.disc import ECCENTRIC_BORE
+from cadgen.deviations.effect import Effect, Group, Parameter, Stage
 from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
+from cadgen.deviations.names import Place
 from cadgen.motion.drive import Running
 
 RUNNING = Stage[Running]("running")
@@ -77,8 +79,8 @@ BACKLASH = Effect(
     ),
     act=_play,
     quantity=quantities.RETURN_ERROR,
-    places=("car",),
-    family="play",
+    places=(Place.CAR,),
+    group=Group("play"),
     confused_with="cam phase, steering zero",
     separated_by="hold the motor and turn the camshaft to and fro: an inclinometer shows the play",
 )
@@ -88,11 +90,20 @@ SLIDING_FRICTION = Effect(
     parameters=(friction(step=0.002),),
     act=_friction,
     quantity=quantities.SLIDING_FRICTION,
-    places=("car",),
+    places=(Place.CAR,),
     beside=BACKLASH,
     twins=DRAG,
     confused_with="less play",
     separated_by=MEASURE_FRICTION,
+)
+
+# A track shows the disc by what it does to the run.
+ECCENTRIC = replace(
+    ECCENTRIC_BORE,
+    places=(Place.CAR, Place.PART, Place.PROCESS),
+    twins=("run-out of the shaft",),
+    confused_with="other errors of the disc",
+    separated_by="measure the lift by a dial, or the profile about the bore on a CMM",
 )
 
 TRACK_EFFECTS = (
@@ -110,7 +121,7 @@ TRACK_EFFECTS = (
             ),
         ),
         act=_zero,
-        places=("car",),
+        places=(Place.CAR,),
         twins=("yaw of the axle",),
         confused_with="yaw of the rear axle, a dial or micrometer head set to another base distance",
         separated_by="push the car straight with the lever locked at zero and see where it goes",
@@ -129,7 +140,7 @@ TRACK_EFFECTS = (
             ),
         ),
         act=_gain,
-        places=("car",),
+        places=(Place.CAR,),
         twins=("wheelbase",),
         confused_with="wheelbase",
         separated_by="measure the wheelbase, or the lift by a dial",
@@ -148,7 +159,7 @@ TRACK_EFFECTS = (
             ),
         ),
         act=_length,
-        places=("car",),
+        places=(Place.CAR,),
         twins=("ratio of cam and wheel",),
         confused_with="wrong ratio between cam and wheel",
         separated_by="roll the car ten turns of the wheel along a rule",
@@ -167,7 +178,7 @@ TRACK_EFFECTS = (
             ),
         ),
         act=_offset,
-        places=("car",),
+        places=(Place.CAR,),
         confused_with="lever gain where the turns all go one way",
         separated_by="measure from the fork axis to the middle of the tyre",
     ),
@@ -185,7 +196,7 @@ TRACK_EFFECTS = (
             ),
         ),
         act=_slip,
-        places=("car",),
+        places=(Place.CAR,),
         confused_with="wheel radius",
         separated_by="run a long straight and a tight circle, each by the turns of the wheel",
     ),
@@ -204,17 +215,23 @@ TRACK_EFFECTS = (
         ),
         act=_phase,
         quantity=quantities.CAM_PHASE,
-        places=("car",),
+        places=(Place.CAR,),
         confused_with="backlash",
         separated_by="mark the keyway and the rod's place at the start",
     ),
     BACKLASH,
     SLIDING_FRICTION,
+    ECCENTRIC,
 )
 
 
 def steering_bump(centre_deg: float, width_deg: float) -> Effect:
-    """A form without a name: the steering is off over a part of the turn."""
+    """A form without a name: the steering is off over a part of the turn.
+
+    Args:
+        centre_deg: middle of the part, degrees of the cam angle.
+        width_deg: half-width, degrees.
+    """
 
     def act(steering: Array, p: Array, at: Array) -> Array:
         off = (at - np.radians(centre_deg) + np.pi) % TURN - np.pi

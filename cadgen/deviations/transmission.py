@@ -11,8 +11,9 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.deviations import quantities
-from cadgen.deviations.effect import Effect, Parameter, Stage
+from cadgen.deviations.effect import Effect, Group, Parameter, Stage
 from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
+from cadgen.deviations.names import Place
 from cadgen.deviations.rows import Rows
 
 
@@ -90,8 +91,8 @@ RETURN_ERROR = Effect(
     parameters=(_deg("return_error_deg", "whole play at the camshaft, between two stops", 5.0, 0.0),),
     act=_play,
     quantity=quantities.RETURN_ERROR,
-    places=("car",),
-    family="play",
+    places=(Place.CAR,),
+    group=Group("play"),
     twins=("wind-up under friction", "lag at one speed"),
     confused_with="lag of an encoder, twist of the shafts under friction",
     separated_by="measure at two speeds and with a weight on the rod: lag follows the speed, twist the torque",
@@ -102,7 +103,7 @@ SLIDING_FRICTION = Effect(
     parameters=(replace(friction(step=0.02), stepwise=True),),
     act=_friction,
     quantity=quantities.SLIDING_FRICTION,
-    places=("car",),
+    places=(Place.CAR,),
     beside=RETURN_ERROR,
     twins=DRAG,
     confused_with="a lifted rod, where it is large",
@@ -129,16 +130,21 @@ RATE = Effect(
 WIND_UP = Effect(
     name="wind-up",
     stage=MESH,
-    parameters=(_deg("wind_up_deg", "+: the camshaft lags where the cam is steepest up", 5.0),),
+    parameters=(_deg("wind_up_deg", "+: the camshaft lags where the lift rises most steeply", 5.0),),
     act=_wind_up,
-    places=("noted", "car"),
+    places=(Place.NOTED, Place.CAR),
     confused_with="runout of the camshaft",
     separated_by="lift the rod off the cam and measure again",
 )
 
 
 def runout(shaft: str, order: float) -> Effect:
-    """A gear (or encoder disc) off centre on a shaft that turns `order` times for one turn of the cam."""
+    """A gear (or encoder disc) off centre on a shaft that turns `order` times for one turn of the cam.
+
+    Args:
+        shaft: name of the shaft.
+        order: turns of the shaft for one turn of the cam.
+    """
     return Effect(
         name=f"runout of {shaft}",
         stage=MESH,
@@ -148,7 +154,7 @@ def runout(shaft: str, order: float) -> Effect:
         ),
         act=_periodic(order),
         # Of a whole order it repeats with every turn of the cam, and a cam may take it out.
-        places=("noted", "car"),
+        places=(Place.NOTED, Place.CAR),
         indices=(("turns_per_turn", order),),
         twins=(f"eccentric encoder on {shaft}",),
         confused_with="an eccentric encoder on the same shaft",
@@ -157,7 +163,12 @@ def runout(shaft: str, order: float) -> Effect:
 
 
 def tooth_mesh(stage: int, order: float) -> Effect:
-    """Once for each tooth of a stage: pitch and profile errors that all teeth share."""
+    """Once for each tooth of a stage: pitch and profile errors that all teeth share.
+
+    Args:
+        stage: number of the stage, counted from 1.
+        order: teeth that mesh in one turn of the cam.
+    """
     return Effect(
         name=f"tooth mesh of stage {stage}",
         stage=MESH,

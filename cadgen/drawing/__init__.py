@@ -4,6 +4,7 @@
 |-----------|-----------------------------------------------------------------|
 | `sheet`   | curves, dimensions, tables and title of a sheet, as data        |
 | `section` | section of a body through its axis                              |
+| `room`    | places for texts where few lines cross them                     |
 | `screw`   | hole of a set screw in the views                                |
 | `cam`     | sheet of a cam                                                  |
 | `gear`    | sheet of a part of a train                                      |

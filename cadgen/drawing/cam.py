@@ -8,9 +8,11 @@ import shapely
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
+from cadgen.drawing.room import placed
 from cadgen.drawing.screw import ScrewHole
 from cadgen.drawing.section import Layer, beyond, drawn, material
 from cadgen.drawing.sheet import (
+    BEYOND,
     DIAMETER,
     EDGE,
     LEFT,
@@ -38,6 +40,7 @@ from cadgen.drawing.sheet import (
 )
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Keyway
+from cadgen.parts.names import Face
 
 EVERY = 10  # degrees between the rows of the table of radii
 _CHORD = 0.01  # mm, of outlines in a section
@@ -84,10 +87,10 @@ def cam_drawing(cam: CamPart, title: Title) -> Drawing:
     across = 2 * cam.greatest[0]
     axial = cam.thickness + (cam.blank.hub.length if cam.blank.hub else 0.0)
     table_width = 3 * 34.0
-    beside = (table_width + 85.0, TITLE_SIZE[1] + 20.0)
+    beside = (table_width + 85.0, TITLE_SIZE[1] + 25.0)
     size, scale = chosen_sheet((across + axial, across), beside, 1.0, 2.0)
     width, height = SIZES[size]
-    least = EDGE + TITLE_SIZE[1] + 14.0 + _letters_below(cam) + scale * across / 2
+    least = EDGE + TITLE_SIZE[1] + 19.0 + _letters_below(cam) + scale * across / 2
     face_at = (LEFT + 22.0 + scale * across / 2, max(least, height / 2 + 5.0))
     section_at = (face_at[0] + scale * across / 2 + 38.0 + scale * _below(cam), face_at[1])
     table_at = (width - EDGE - table_width, height - EDGE - 2.0)
@@ -106,7 +109,7 @@ def cam_drawing(cam: CamPart, title: Title) -> Drawing:
 def _below(cam: CamPart) -> float:
     """Length of a hub on the inner face, mm."""
     hub = cam.blank.hub
-    return hub.length if hub and hub.side == "inner" else 0.0
+    return hub.length if hub and hub.side == Face.INNER else 0.0
 
 
 def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
@@ -126,7 +129,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     ]
     curves += _arrow((zero + _ARROW / scale, 0.0), (zero + 0.8 / scale, 0.0), 2.5 / scale)
     if blank.hub:
-        seen = Line.VISIBLE if blank.hub.side == "outer" else Line.HIDDEN
+        seen = Line.VISIBLE if blank.hub.side == Face.OUTER else Line.HIDDEN
         curves.append(ring(blank.hub.diameter, seen))
     screw = _screw(cam)
     curves += screw.face() if screw else ()
@@ -136,22 +139,24 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     plane, letters = cutting_plane(angle, end, scale)
     curves += plane
     labels += letters
-    return View(place=place, curves=tuple(curves), dimensions=tuple(_face_dimensions(cam, scale)), labels=tuple(labels))
+    dimensions = placed(_face_dimensions(cam, scale), curves, labels, scale)
+    return View(place=place, curves=tuple(curves), dimensions=dimensions, labels=tuple(labels))
 
 
 def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
     blank, gap = cam.blank, _GAP / scale
     fit = f" {cam.bore_fit}" if cam.bore_fit else ""
-    beside = degrees(blank.key.angle if blank.key else 0.0) + 125.0
+    aside = degrees(blank.key.angle if blank.key else 0.0) + 125.0
     dimensions: list[Dimension] = [
-        Diameter(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=beside, suffix=fit)
+        Diameter(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=aside, suffix=fit)
     ]
     match blank.key:
         case Keyway(width=width, depth=depth, angle=angle):
             out = blank.bore_diameter / 2 + depth
             start, end = (_polar(out, angle, side * width / 2) for side in (-1, 1))
             at, across = _polar(out + 0.7 * gap, angle, 0.0), degrees(angle) + 90.0
-            dimensions.append(Linear(name="keyway width", start=start, end=end, at=at, angle=across))
+            beside = scale * width / 2 + BEYOND
+            dimensions.append(Linear(name="keyway width", start=start, end=end, at=at, angle=across, beside=beside))
         case DFlat(depth=depth, angle=angle):
             radius = blank.bore_diameter / 2
             start, end = _polar(-radius, angle, 0.0), _polar(radius - depth, angle, 0.0)
@@ -236,7 +241,11 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     if boss and screw:
         face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
         dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap)))
-    labels = (Label(text=section_name(angle), at=((low + high) / 2, -cam.greatest[0] - 1.1 * gap), height=3.5),)
+    middle, under = (low + high) / 2, -cam.greatest[0] - 1.1 * gap
+    labels = (
+        Label(text=section_name(angle), at=(middle, under), height=3.5),
+        Label(text=f"{cam.face} on the right", at=(middle, under - 5.0 / scale)),
+    )
     return View(
         place=place,
         curves=(*strokes, *(screw.section(angle) if screw else ()), axis),

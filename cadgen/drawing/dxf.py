@@ -25,6 +25,7 @@ from cadgen.drawing.sheet import (
     Drawing,
     Hatch,
     Line,
+    Linear,
     Stroke,
     Table,
     View,
@@ -50,6 +51,7 @@ _PATTERNS = {
 }
 _THIN = 18
 _HATCH_STEP = 2.0  # mm on paper
+_DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
 
 def dxf_bytes(drawing: Drawing) -> bytes:
@@ -105,7 +107,7 @@ def _dimension_style(document: Document, scale: float) -> None:
     style.dxf.dimasz = 2.5
     style.dxf.dimexe = 1.0
     style.dxf.dimexo = 0.5
-    style.dxf.dimgap = 0.6
+    style.dxf.dimgap = _DIMGAP
     style.dxf.dimtad = 1
     style.dxf.dimdec = 3
     style.dxf.dimzin = 8  # no zeros at the end
@@ -184,17 +186,27 @@ class _Place:
                 base=self._on_paper(dimension.at),
                 p1=self._on_paper(dimension.start),
                 p2=self._on_paper(dimension.end),
+                location=self._beside(dimension) if dimension.beside else None,
                 angle=90.0 - (90.0 - dimension.angle) % 180.0,  # so that no number stands on its head
                 text=text,
                 dimstyle=_STYLE,
+                override={"dimtmove": 2, "dimtofl": 1} if dimension.beside else {},
                 dxfattribs=attributes,
             )
         made.render()
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
 
+    def _beside(self, dimension: Linear) -> Vec2:
+        """Place of a number beside the middle of its dimension line, above that line."""
+        along = Vec2.from_deg_angle(dimension.angle)
+        base, *ends = (Vec2(self._on_paper(point)) for point in (dimension.at, dimension.start, dimension.end))
+        middle = sum(((end - base).dot(along) for end in ends), 0.0) / 2
+        upright = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0)
+        return base + along * (middle + dimension.beside) + upright * (_DIMGAP + TEXT / 2)
+
     def _outside(self, dimension: Diameter) -> Vec2:
         """Place of the text of a diameter: outside the circle, on the dimension line's own side."""
-        reach = self.scale * dimension.diameter / 2 + 9.0
+        reach = dimension.reach or self.scale * dimension.diameter / 2 + 9.0
         return Vec2(self._on_paper(dimension.centre)) + Vec2.from_deg_angle(dimension.angle, reach)
 
 

@@ -8,9 +8,11 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
+from cadgen.drawing.room import placed
 from cadgen.drawing.screw import ScrewHole
 from cadgen.drawing.section import Layer, beyond, drawn, material
 from cadgen.drawing.sheet import (
+    BEYOND,
     DIAMETER,
     EDGE,
     LEFT,
@@ -133,7 +135,14 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     if isinstance(blank.key, Keyway):
         half, out = blank.key.width / 2, blank.bore_diameter / 2 + blank.key.depth
         dimensions.append(
-            Linear(name="keyway width", start=(out, -half), end=(out, half), at=(out + 0.7 * gap, 0.0), angle=90.0)
+            Linear(
+                name="keyway width",
+                start=(out, -half),
+                end=(out, half),
+                at=(out + 0.7 * gap, 0.0),
+                angle=90.0,
+                beside=scale * half + BEYOND,
+            )
         )
     if holes:
         centres = [complex(_points(hole).mean(axis=0) @ np.array([1.0, 1.0j])) for hole in holes]
@@ -150,8 +159,8 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     screw = ScrewHole.of(blank, part.body.radial_hole)
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
-    label = Label(text="from above", at=(0.0, -reach - gap), height=3.5)
-    return View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=(label, *letters))
+    labels = (Label(text="from above", at=(0.0, -reach - gap), height=3.5), *letters)
+    return View(place=place, curves=tuple(curves), dimensions=placed(dimensions, curves, labels, scale), labels=labels)
 
 
 def _rims(body: Body) -> Iterator[Loop]:
@@ -211,7 +220,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
                 name=f"width, {name}", start=(start, tip), end=(end, tip), at=(start, _reach(part.body) + 0.8 * gap)
             ),
         ]
-    dimensions += _lengths(part, low, high, gap)
+    dimensions += _lengths(part, low, high, gap, screw)
     if isinstance(blank.key, Keyway):
         radius = blank.bore_diameter / 2
         up = radius + blank.key.depth
@@ -220,14 +229,9 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
                 name="bore and keyway", start=(high, -radius), end=(high, up), at=(high + 0.9 * gap, 0.0), angle=90.0
             )
         )
-    if screw:
-        at = (part.gears[0].width, -_reach(part.body) - (0.8 if len(part.gears) > 1 else 1.6) * gap)
-        dimensions.append(screw.height(part.gears[0].width, at))
-    label = Label(
-        text=section_name(0.0),
-        at=((low + high) / 2, -_reach(part.body) - 2.6 * gap),
-        height=3.5,
-    )
+    rows_below = [each.at[1] for each in dimensions if isinstance(each, Linear) and not each.angle and each.at[1] < 0.0]
+    lowest = min(rows_below, default=-_reach(part.body))
+    label = Label(text=section_name(0.0), at=((low + high) / 2, lowest - 0.9 * gap), height=3.5)
     return View(
         place=place,
         curves=(*strokes, *(screw.section(0.0) if screw else ())),
@@ -238,7 +242,12 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
 
 
 def side_of(points: list[tuple[float, float]], side: float) -> Array:
-    """Points (mm) above the axis, or mirrored below it: side is a factor, 1 or -1."""
+    """Points (mm) above the axis, or mirrored below it: side is a factor, 1 or -1.
+
+    Args:
+        points: points above the axis, mm.
+        side: factor, 1 or -1.
+    """
     return np.array(points) * [1.0, side]
 
 
@@ -253,12 +262,16 @@ def _without_teeth(layer: Layer, part: TrainPart) -> Layer:
     return layer
 
 
-def _lengths(part: TrainPart, low: float, high: float, gap: float) -> Iterator[Dimension]:
-    """Dimensions of hub and web in the section."""
+def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewHole | None) -> Iterator[Dimension]:
+    """Dimensions of screw, hub and web in the section: lengths in rows below it, the shorter ones nearer."""
     blank, body = part.blank, part.body
-    reach = _reach(body)
-    if high - low > part.gears[0].width:
-        at = (low, -reach - 1.8 * gap)
+    reach, first = _reach(body), part.gears[0].width
+    row = 0.8
+    if screw:
+        yield screw.height(first, (first, -reach - row * gap))
+        row += 0.9
+    if high - low > first:
+        at = (low, -reach - (row + 0.9) * gap)
         yield Linear(name="length", start=(low, -reach), end=(high, -reach), at=at)
     if blank.hub and blank.hub.length:
         alone, half = len(part.gears) == 1, blank.hub.diameter / 2
@@ -272,7 +285,7 @@ def _lengths(part: TrainPart, low: float, high: float, gap: float) -> Iterator[D
             prefix=DIAMETER,
         )
         if alone:
-            start, at = (part.gears[0].width, -half), (high, -reach - 0.8 * gap)
+            start, at = (first, -half), (high, -reach - row * gap)
             yield Linear(name="hub length", start=start, end=(high, -half), at=at)
     if blank.web:
         web = body.slabs[1]  # between the two recesses
@@ -319,6 +332,8 @@ def _notes(gear: GearPart) -> tuple[str, ...]:
         )
     if blank.bore_diameter:
         notes.append("Fit of the bore: not stated; choose it with the shaft.")
+    else:
+        notes.append("No bore: the design states none.")
     return (*notes, *gear.notes)
 
 

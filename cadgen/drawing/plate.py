@@ -1,5 +1,6 @@
 """Sheet of a plate with a hole for every shaft of a train."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, ceil, degrees, floor
@@ -7,6 +8,7 @@ from math import atan2, ceil, degrees, floor
 import numpy as np
 
 from cadgen.curves.contour import Contour
+from cadgen.drawing.room import Room
 from cadgen.drawing.sheet import (
     DIAMETER,
     EDGE,
@@ -16,7 +18,6 @@ from cadgen.drawing.sheet import (
     Closed,
     Dimension,
     Drawing,
-    Label,
     Line,
     Linear,
     Stroke,
@@ -32,6 +33,7 @@ from cadgen.drawing.sheet import (
 MARGIN = 10.0  # mm of plate beyond the gears
 _ROUND = 5.0  # mm, to which its sides are rounded up
 _GAP = 10.0  # mm on paper
+_NUMBER = 4.0  # mm on paper from a hole to the middle of its shaft's number
 _WIDTHS = (14.0, 24.0, 24.0, 22.0)
 
 
@@ -54,6 +56,22 @@ class Axis:
     reach: float
 
 
+def _distances(first: Axis, second: Axis, gap: float) -> Iterator[Linear]:
+    """Dimensions of the distance of two axes, at several distances from them on either side, mm on the part."""
+    way = complex(second.x - first.x, second.y - first.y)
+    for aside in (1.4, -1.4, 0.9, -0.9, 2.0, -2.0, 2.6, -2.6, 3.4, -3.4):
+        middle = complex(first.x + second.x, first.y + second.y) / 2 + aside * gap * 1j * way / abs(way)
+        for beside in (0.0, 5.0, -5.0, 10.0, -10.0):
+            yield Linear(
+                name=f"axes {first.shaft} and {second.shaft}",
+                start=(first.x, first.y),
+                end=(second.x, second.y),
+                at=(middle.real, middle.imag),
+                angle=degrees(atan2(way.imag, way.real)),
+                beside=beside,
+            )
+
+
 def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) -> Drawing:
     """Sheet A4, or A3 where the plate is larger than A4 shows at 1:1."""
     places = np.array([[axis.x, axis.y] for axis in axes])
@@ -71,14 +89,13 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
     )
     corners = np.array([[left, low], [right, low], [right, high], [left, high]])
     curves: list[Closed | Stroke] = [Closed(Contour(corners, np.zeros(4)))]
-    labels = []
     for axis in axes:
         at = (axis.x, axis.y)
         curves += [ring(2 * axis.reach, Line.PHANTOM, at), *centre_cross(6.0 / scale, at)]
         if axis.bore:
             curves.append(ring(axis.bore, centre=at))
-        labels.append(Label(text=str(axis.shaft), at=(axis.x + 4.5 / scale, axis.y + 4.5 / scale), height=3.5))
     gap = _GAP / scale
+    room = Room(curves, scale)
     dimensions: list[Dimension] = [
         Linear(name="plate width", start=(left, low), end=(right, low), at=(left, low - gap)),
         Linear(name="plate height", start=(left, low), end=(left, high), at=(left - gap, low), angle=90.0),
@@ -93,21 +110,14 @@ def plate_drawing(axes: tuple[Axis, ...], notes: tuple[str, ...], title: Title) 
             angle=90.0,
         ),
     ]
-    for first, second in pairwise(axes):
-        way = complex(second.x - first.x, second.y - first.y)
-        if abs(way) == 0:
-            continue
-        aside = 1j * way / abs(way) * (0.9 + 0.5 * first.shaft) * gap
-        middle = complex(first.x + second.x, first.y + second.y) / 2 + aside
-        dimensions.append(
-            Linear(
-                name=f"axes {first.shaft} and {second.shaft}",
-                start=(first.x, first.y),
-                end=(second.x, second.y),
-                at=(middle.real, middle.imag),
-                angle=degrees(atan2(way.imag, way.real)),
-            )
-        )
+    for dimension in dimensions:
+        room.take(dimension)
+    labels = [room.label(str(axis.shaft), (axis.x, axis.y), scale * axis.bore / 2 + _NUMBER, 3.5) for axis in axes]
+    dimensions += [
+        room.linear(_distances(first, second, gap))
+        for first, second in pairwise(axes)
+        if (first.x, first.y) != (second.x, second.y)
+    ]
     rows = [("shaft", "x, mm", "y, mm", f"shaft {DIAMETER}, mm")]
     for axis in axes:
         rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", f"{axis.bore:g}" if axis.bore else ""))

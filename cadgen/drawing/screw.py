@@ -51,7 +51,12 @@ class ScrewHole:
         yield Stroke(np.array([self.inner * along, (self.outer + half) * along]), Line.CENTRE)
 
     def cut(self, areas: Sequence[shapely.Polygon], angle: float) -> list[shapely.Polygon]:
-        """Areas of the section in the plane through the axis at `angle` (rad), less the hole if it lies there."""
+        """Areas of the section in the plane through the axis at `angle` (rad), less the hole if it lies there.
+
+        Args:
+            areas: areas of the section, mm.
+            angle: polar angle of the plane, rad.
+        """
         if not self._in_plane(angle):
             return list(areas)
         half, up = self.hole.diameter / 2, cos(self.hole.angle - angle)
@@ -61,7 +66,11 @@ class ScrewHole:
         return [piece for piece in pieces if isinstance(piece, shapely.Polygon) and not piece.is_empty]
 
     def section(self, angle: float) -> Iterator[Closed | Stroke]:
-        """Its edges in the section at `angle`, rad: those beyond the plane, or before it as a phantom."""
+        """Its edges in the section at `angle`, rad: those beyond the plane, or before it as a phantom.
+
+        Args:
+            angle: polar angle of the plane, rad.
+        """
         half, height = self.hole.diameter / 2, self.hole.height
         up = cos(self.hole.angle - angle)
         if self._in_plane(angle):
@@ -79,7 +88,12 @@ class ScrewHole:
         yield Stroke(np.array([[height - 1.5 * half, middle], [height + 1.5 * half, middle]]), Line.CENTRE)
 
     def height(self, face: float, at: tuple[float, float]) -> Linear:
-        """Dimension of its height above the face at z = `face` (mm), the dimension line through `at`."""
+        """Dimension of its height above the face at z = `face` (mm), the dimension line through `at`.
+
+        Args:
+            face: height of the face, mm.
+            at: point of the dimension line, mm.
+        """
         return Linear(name="set screw height", start=(face, -self.outer), end=(self.hole.height, -self.outer), at=at)
 
     def _in_plane(self, angle: float) -> bool:

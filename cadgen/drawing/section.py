@@ -35,6 +35,10 @@ def material(layers: Sequence[Layer], angle: float) -> list[shapely.Polygon]:
     """Areas of material in the plane through the axis at polar angle `angle` (rad), in coordinates (z, r), mm.
 
     r counts along the direction `angle`: it is negative on the other side of the axis.
+
+    Args:
+        layers: layers of the part.
+        angle: polar angle of the plane, rad.
     """
     along = np.array([np.cos(angle), np.sin(angle)])
     ray = shapely.LineString([-_FARTHEST * along, _FARTHEST * along])

@@ -17,6 +17,7 @@ TITLE_SIZE = (170.0, 48.0)
 ROW = 4.2  # height of a row of a table or of a note
 TEXT = 2.5  # height of letters
 SHOWN = 12  # letters of a file's hash
+BEYOND = 6.0  # mm on paper from the end of a short dimension line to the middle of its number beside it
 DIAMETER = "Ø"  # as ezdxf writes it
 _LETTER = 0.79  # greatest mean width of the letters of a line in heights: of one with many figures and wide letters
 WIDEST = 0.86  # the same of names with digits and underscores
@@ -84,6 +85,7 @@ class Linear:
         angle: direction that is measured, degrees.
         prefix: text before the number.
         suffix: text after it.
+        beside: way from the middle of the dimension line to the number along it, mm on paper.
     """
 
     name: str
@@ -93,6 +95,7 @@ class Linear:
     angle: float = 0.0
     prefix: str = ""
     suffix: str = ""
+    beside: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,6 +109,7 @@ class Diameter:
         angle: direction of the dimension line, degrees.
         prefix: text before the sign and the number, such as `6 x `.
         suffix: text after it, such as a fit.
+        reach: distance of its text from the centre, mm on paper; 0 for 9 mm outside the circle.
     """
 
     name: str
@@ -114,6 +118,7 @@ class Diameter:
     angle: float = 45.0
     prefix: str = ""
     suffix: str = ""
+    reach: float = 0.0
 
 
 Dimension = Linear | Diameter
@@ -245,12 +250,24 @@ def length_of(dimension: Dimension) -> float:
 
 
 def ring(diameter: float, line: Line = Line.VISIBLE, centre: tuple[float, float] = (0.0, 0.0)) -> Closed:
-    """Circle of a diameter, mm."""
+    """Circle of a diameter, mm.
+
+    Args:
+        diameter: diameter, mm.
+        line: kind of line.
+        centre: centre, mm.
+    """
     return Closed(circle(centre, diameter / 2), line)
 
 
 def centre_cross(reach: float, centre: tuple[float, float] = (0.0, 0.0), angle: float = 0.0) -> tuple[Stroke, Stroke]:
-    """Two centre lines through a point, `reach` mm to either side, the first in the direction `angle` (rad)."""
+    """Two centre lines through a point, `reach` mm to either side, the first in the direction `angle` (rad).
+
+    Args:
+        reach: half the length of the lines, mm.
+        centre: point, mm.
+        angle: direction of the first, rad.
+    """
     along = np.array([np.cos(angle), np.sin(angle)])
     across = np.array([-along[1], along[0]])
     first, second = (np.array([centre - reach * way, centre + reach * way]) for way in (along, across))
@@ -282,7 +299,11 @@ def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Strok
 
 
 def section_name(angle: float) -> str:
-    """Name of the section in that plane, with its turn from where the first angle of projection has it."""
+    """Name of the section in that plane, with its turn from where the first angle of projection has it.
+
+    Args:
+        angle: polar angle of the plane, rad.
+    """
     turned = (90.0 - float(np.degrees(angle)) + 180.0) % 360.0 - 180.0
     return "A–A" if abs(turned) < 0.05 else f"A–A, turned by {shown(turned, 1)}°"
 
@@ -298,7 +319,13 @@ def width_of(text: str) -> float:
 
 
 def chosen_scale(part: tuple[float, float], room: tuple[float, float], greatest: float = 5.0) -> float | None:
-    """Greatest scale of `SCALES`, up to `greatest`, at which a part of some width and height (mm) has room on paper."""
+    """Greatest scale of `SCALES`, up to `greatest`, at which a part of some width and height (mm) has room on paper.
+
+    Args:
+        part: width and height of the part, mm.
+        room: width and height on paper, mm.
+        greatest: greatest scale allowed.
+    """
     fitting = (
         scale
         for scale in SCALES
@@ -308,13 +335,22 @@ def chosen_scale(part: tuple[float, float], room: tuple[float, float], greatest:
 
 
 def shown(number: float, digits: int = 3) -> str:
-    """A number as on a drawing: without zeros at its end."""
+    """A number as on a drawing: without zeros at its end.
+
+    Args:
+        number: number to show.
+        digits: digits after the point.
+    """
     text = f"{number:.{digits}f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def scale_text(scale: float) -> str:
-    """A scale as it is written: `2:1`, `1:1`, `1:2`."""
+    """A scale as it is written: `2:1`, `1:1`, `1:2`.
+
+    Args:
+        scale: scale, a ratio of paper to part.
+    """
     return f"{scale:g}:1" if scale >= 1 else f"1:{1 / scale:g}"
 
 
@@ -324,7 +360,12 @@ def rows_of(values: Sequence[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
 
 
 def wrapped(notes: Sequence[str], width: float) -> tuple[str, ...]:
-    """Notes as lines that a column of a width (mm) holds; what follows the first line of a note is indented."""
+    """Notes as lines that a column of a width (mm) holds; what follows the first line of a note is indented.
+
+    Args:
+        notes: notes.
+        width: width of the column, mm.
+    """
     letters = int(width / (_LETTER * TEXT))
     return tuple(line for note in notes for line in wrap(note, letters, subsequent_indent="   "))
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.lift import LiftCurve
-from cadgen.check import Check, CheckCode, failing
+from cadgen.check import Bound, Check, CheckCode, failing
 from cadgen.draws.knobs import Setting
 from cadgen.steering.car import Car, wheel_tangent
 
@@ -61,7 +61,13 @@ class Drawn:
 
 
 def steering_check(lift: LiftCurve, cam_angle: Array, car: Car) -> Check:
-    """Greatest steering angle at cam angles, rad, against the angle that the fork can turn."""
+    """Greatest steering angle at cam angles, rad, against the angle that the fork can turn.
+
+    Args:
+        lift: lift of the cam.
+        cam_angle: cam angles, rad, shape (n,).
+        car: dimensions of the car.
+    """
     tangent = np.abs(wheel_tangent(lift.tan_beta(cam_angle), car))
     worst = int(np.argmax(tangent))
     return Check(
@@ -70,7 +76,7 @@ def steering_check(lift: LiftCurve, cam_angle: Array, car: Car) -> Check:
         degrees(atan(tangent[worst])),
         "°",
         degrees(car.max_steering_angle),
-        "max",
+        Bound.MAX,
         f"cam angle {degrees(cam_angle[worst]):.1f}°",
         "raise course.spacing.from_mm, widen the turn there, or raise car.max_steering_angle_deg",
     )

@@ -44,13 +44,21 @@ class Target:
     rim: float = 1.0
 
     def start(self, values: Array) -> Pose:
-        """Pose of the drive wheel at the start, mm and rad, with settings of shape (6,)."""
+        """Pose of the drive wheel at the start, mm and rad, with settings of shape (6,).
+
+        Args:
+            values: settings of the knobs, shape (6,), mm and rad.
+        """
         heading = self.heading + float(values[HEADING])
         place = complex(self.places[0]) + complex(values[X], values[Y]) + 1j * self.offset * np.exp(1j * heading)
         return Pose(x=place.real, y=place.imag, heading=heading)
 
     def errors(self, values: Array) -> Complex:
-        """Planned point of the car from that of the path at the same motor position, x + iy, shape (m,), mm."""
+        """Planned point of the car from that of the path at the same motor position, x + iy, shape (m,), mm.
+
+        Args:
+            values: settings of the knobs, shape (6,), mm and rad.
+        """
         tangent = wheel_tangent(self.steering.tan_beta(float(values[DISC]), float(values[HEAD])), self.car)
         middles = tangent[1 : 2 * len(self.nodes) - 2 : 2, None]
         heading, place = driven(
@@ -70,7 +78,13 @@ class Target:
         return turns, np.searchsorted(self.nodes, self.motor - TURN * turns - _ROUNDING)
 
     def derivatives(self, values: Array, errors: Complex, knobs: Knobs) -> Complex:
-        """Derivatives of the errors (mm) by the settings, shape (m, 6); 0 for what cannot be set."""
+        """Derivatives of the errors (mm) by the settings, shape (m, 6); 0 for what cannot be set.
+
+        Args:
+            values: settings of the knobs, shape (6,), mm and rad.
+            errors: errors with these settings, x + iy, shape (m,), mm.
+            knobs: knobs that can be set.
+        """
         bounds, by = knobs.bounds, np.zeros((len(errors), COUNT), dtype=complex)
         for number in range(COUNT):
             low, high = bounds[number]

@@ -10,6 +10,8 @@ from cadgen.arrays import TURN, Array
 DISC, HEAD, TRAVEL, X, Y, HEADING = range(6)  # of a vector of settings
 COUNT = 6
 _ROUND = 1e-9  # of a division
+_ABOUT = 4  # divisions
+_APART = 1e-6  # of a division: less is the same value
 _LEAST_SHARE = 1e-3  # of a travel, by which the next one is taken to differ where it is not known
 
 
@@ -35,7 +37,11 @@ class Knob:
         return self.high > self.low
 
     def near(self, value: float) -> tuple[float, ...]:
-        """Values that can be set, on either side of a value, in the knob's unit: mm or rad."""
+        """Values that can be set, on either side of a value, in the knob's unit: mm or rad.
+
+        Args:
+            value: value wanted, mm or rad.
+        """
         if self.step == 0:
             return (value,)
         parts = (self.origin + value) / self.step
@@ -71,7 +77,11 @@ class Wheels:
         return self.made and self.step == 0 and len(self.ratios) == 1
 
     def near(self, travel: float) -> tuple[tuple[float, float], ...]:
-        """Radius and ratio of the travels that can be had on either side of a travel, mm."""
+        """Radius and ratio of the travels that can be had on either side of a travel, mm.
+
+        Args:
+            travel: travel wanted for one turn of the cam, mm.
+        """
         choices = {(radius, ratio) for ratio in self.ratios for radius in self._radii(travel / (TURN * ratio))}
         below = [each for each in choices if TURN * each[0] * each[1] <= travel]
         above = [each for each in choices if TURN * each[0] * each[1] > travel]
@@ -117,13 +127,38 @@ class Knobs:
         return np.array(ranges)
 
     def near(self, number: int, value: float) -> tuple[float, ...]:
-        """Values of a knob that can be set, on either side of a value, mm or rad."""
+        """Values of a knob that can be set, on either side of a value, mm or rad.
+
+        Args:
+            number: number of the knob, counted from 0.
+            value: value wanted, mm or rad.
+        """
         if number == TRAVEL:
             return tuple(TURN * radius * ratio for radius, ratio in self.wheels.near(value))
         return self._plain(number).near(value)
 
+    def about(self, number: int, value: float) -> tuple[float, ...]:
+        """Values of a knob that can be set, the five nearest on either side of a value.
+
+        Args:
+            number: number of the knob.
+            value: the value, mm or rad.
+        """
+        (low, high), division = self.bounds[number], self.division(number, value)
+        apart: list[float] = []
+        for shift in division * np.arange(-_ABOUT, _ABOUT + 1):
+            for each in self.near(number, value + shift):
+                if low <= each <= high and all(abs(each - other) > _APART * division for other in apart):
+                    apart.append(each)
+        return tuple(apart)
+
     def division(self, number: int, value: float) -> float:
-        """Distance of settings about a value, mm or rad; 0 where any can be made, or where there is no choice."""
+        """Distance of settings about a value, mm or rad; 0 where any can be made, or where there is no choice.
+
+        Args:
+            number: number of the knob, counted from 0.
+            value: value about which it is asked, mm or rad.
+        """
         low, high = self.bounds[number]
         if high <= low or (number == TRAVEL and self.wheels.free):
             return 0.0
@@ -169,7 +204,12 @@ class Setting:
 
 
 def setting_of(values: Array, wheels: Wheels) -> Setting:
-    """Setting of a vector of shape (6,), mm and rad, with the wheel whose travel can be had."""
+    """Setting of a vector of shape (6,), mm and rad, with the wheel whose travel can be had.
+
+    Args:
+        values: settings of the knobs, shape (6,), mm and rad.
+        wheels: wheels and ratios that can be had.
+    """
     travel = float(values[TRAVEL])
     radius, ratio = (travel / (TURN * wheels.ratios[0]), wheels.ratios[0])
     if not wheels.free:

@@ -6,7 +6,9 @@ The length of an error is no less than its part along any direction, so each pla
 z. With k settings that are free, k + 1 bounds, of errors and of ranges, determine a solution. It begins in a corner of
 the ranges; then the bound at the place of the greatest error takes the place of one of them, as in the simplex method
 on the dual problem, until the greatest error is that of the bounds (Remez' exchange; Watson, Approximation Theory and
-Numerical Methods, 1980, ch. 1 and 5).
+Numerical Methods, 1980, ch. 1 and 5). An error that can be made 0 alone, such as that of the start,
+gives bounds of 0 among which exchanges turn in a circle; a little cost of the settings themselves, as in the simplex
+method with perturbed costs, keeps them from it.
 """
 
 from dataclasses import dataclass
@@ -18,6 +20,8 @@ from cadgen.arrays import Array
 
 Complex = NDArray[np.complex128]
 _MOST_EXCHANGED = 200
+_SMALL = 1e-9  # mm of error
+_APART = 1e-6  # mm of error for each mm that a setting moves the car
 _GAP = 1e-3  # of the error, between the bound from below and what was reached
 _PAST = 1e-9  # mm of error, past the end of a range
 _PIVOT = 1e-12  # of the greatest: less is 0
@@ -48,7 +52,11 @@ class Minimax:
         self._slopes = self.weights[:, None] * self.by * self._scale
 
     def worst(self, values: Array) -> float:
-        """Greatest weighted error with settings of shape (6,), mm."""
+        """Greatest weighted error with settings of shape (6,), mm.
+
+        Args:
+            values: settings of the knobs, shape (6,), mm and rad.
+        """
         return float(np.abs(self._base + self._slopes @ ((values - self.at) / self._scale)).max())
 
     def best(self, fixed: dict[int, float]) -> Array:
@@ -86,26 +94,27 @@ def _exchanged(base: Complex, slopes: Complex, low: Array, high: Array) -> Array
     right = np.append(np.where(falls, -low, high), -(towards * base[worst]).real)
     ends = np.vstack([np.eye(len(best)), -np.eye(len(best))])
     limits = np.concatenate([high, -low])
+    costs = np.append(_APART * np.where(falls, 1.0, -1.0) * np.arange(1, len(best) + 1), 1.0)
     for _ in range(_MOST_EXCHANGED):
         inverse = np.linalg.inv(rows)
         corner = inverse @ right
         values, bound = corner[:-1], corner[-1]
         past = ends @ values - limits
-        number = int(np.argmax(past))
-        if past[number] > _PAST:
-            row, limit = np.append(ends[number], 0.0), limits[number]
+        worst = int(np.argmax(past))
+        if past[worst] > _PAST:
+            row, limit = np.append(ends[worst], 0.0), limits[worst]
         else:
             errors = base + slopes @ values
             size = np.abs(errors)
             worst = int(np.argmax(size))
             if size[worst] < reached:
                 best, reached = np.clip(values, low, high), size[worst]
-            if reached <= bound * (1 + _GAP) + 1e-9:
-                break
+            if reached <= bound * (1 + _GAP) + _SMALL:
+                return np.asarray(best)
             towards = errors[worst].conjugate() / size[worst]
             row, limit = np.append((towards * slopes[worst]).real, -1.0), -(towards * base[worst]).real
         # Shares of the bounds in the objective, and in the new bound; the first that would become negative leaves.
-        shares, parts = -inverse[-1], row @ inverse
+        shares, parts = -costs @ inverse, row @ inverse
         leaves = parts > _PIVOT * np.abs(parts).max()
         if not leaves.any():
             break

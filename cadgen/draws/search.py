@@ -2,10 +2,12 @@
 
 The greatest error is nearly the same function of the settings to first order near its least value, so a few
 linearisations find it. Then the settings are put to their divisions one after the other, first those whose division
-moves the car most, and the others are set anew each time; the few best rows of choices are kept.
+moves the car most, and the others are set anew each time: a tree of choices, of which those branches are followed that
+promise less error than what was found.
 """
 
 from dataclasses import dataclass
+from heapq import heappop, heappush
 
 import numpy as np
 
@@ -16,13 +18,14 @@ from cadgen.draws.minimax import Minimax
 
 _MOST_LINEARISED = 8
 _SETTLED = 1e-3  # of the error
-_KEPT = 2  # rows of choices
+_MOST_BRANCHES = 1000  # of the tree of choices; mostly there are a few dozen
+_NEARLY, _MOST_FOUND = 1.02, 5  # times the least error; settings
 _NEAR = 1e-9  # of a setting
 
 
 @dataclass(frozen=True)
 class Found:
-    """The best setting for a spacing.
+    """A good setting for a spacing.
 
     Attributes:
         setting: the setting.
@@ -48,8 +51,8 @@ def first_guess(knobs: Knobs, middle: float, travel: float, factor: float) -> Ar
     return np.asarray(np.clip(values, low, high))
 
 
-def best_setting(target: Target, knobs: Knobs, begin: Array, weights: Array | None = None) -> Found:
-    """The setting with the least greatest distance of the car from the scaled path.
+def best_settings(target: Target, knobs: Knobs, begin: Array, weights: Array | None = None) -> list[Found]:
+    """Settings with the least greatest distance of the car from the scaled path, the best first, and nearly as good.
 
     Args:
         target: path and car.
@@ -73,8 +76,15 @@ def best_setting(target: Target, knobs: Knobs, begin: Array, weights: Array | No
         problem = _linearised(target, values, knobs, weights)
         if done:
             break
-    rounded = min(_to_divisions(problem, knobs, values), key=lambda each: _worst(target, each, weights))
-    return Found(setting_of(rounded, knobs.wheels), float(np.abs(target.errors(rounded)).max()))
+    ranked = sorted(
+        (_worst(target, each, weights), number, each)
+        for number, each in enumerate(_to_divisions(problem, knobs, values))
+    )
+    return [
+        Found(setting_of(each, knobs.wheels), float(np.abs(target.errors(each)).max()))
+        for worst, _, each in ranked
+        if worst <= ranked[0][0] * _NEARLY
+    ]
 
 
 def _linearised(target: Target, values: Array, knobs: Knobs, weights: Array) -> Minimax:
@@ -87,19 +97,34 @@ def _worst(target: Target, values: Array, weights: Array) -> float:
 
 
 def _to_divisions(problem: Minimax, knobs: Knobs, values: Array) -> list[Array]:
-    """Settings that can be set near the best ones, the best rows of choices."""
+    """Settings that can be set with nearly the least error to first order, and first those rounded one by one.
+
+    Branch and bound: what is not set to its division yet is free, so its least error is a bound from below.
+    """
     divided = [
         (division * float(np.abs(problem.by[:, number]).max()), number)
         for number in range(COUNT)
         if (division := knobs.division(number, float(values[number]))) > 0
     ]
-    rows: list[tuple[dict[int, float], Array]] = [({}, values)]
-    for _, number in sorted(divided, reverse=True):
-        choices = []
-        for fixed, best in rows:
-            for value in knobs.near(number, float(best[number])):
-                chosen = {**fixed, number: value}
-                choices.append((chosen, problem.best(chosen)))
-        choices.sort(key=lambda choice: problem.worst(choice[1]))
-        rows = choices[:_KEPT]
-    return [best for _, best in rows]
+    numbers = [number for _, number in sorted(divided, reverse=True)]
+    first, fixed = values, dict[int, float]()
+    for number in numbers:
+        choices = [problem.best({**fixed, number: value}) for value in knobs.near(number, float(first[number]))]
+        first = min(choices, key=problem.worst)
+        fixed[number] = float(first[number])
+    found, least = [first], problem.worst(first)
+    rows: list[tuple[float, int, dict[int, float], Array]] = [(0.0, 0, {}, values)]
+    for count in range(_MOST_BRANCHES):
+        if not rows or rows[0][0] >= least * _NEARLY or len(found) > _MOST_FOUND:
+            break
+        bound, _, fixed, best = heappop(rows)
+        if len(fixed) == len(numbers):
+            found.append(best)
+            least = min(bound, least)
+            continue
+        number = numbers[len(fixed)]
+        for value in knobs.about(number, float(best[number])):
+            moved = problem.best(chosen := {**fixed, number: value})
+            if (error := problem.worst(moved)) < least * _NEARLY:
+                heappush(rows, (error, -len(fixed) * _MOST_BRANCHES - count, chosen, moved))
+    return found

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design, TrainDesign
-from cadgen.editor.job import Job, Result, refusal
+from cadgen.editor.job import Job, Result, Stage, State, refusal
 from cadgen.editor.points import points_of
 from cadgen.errors import CadgenError
 from cadgen.gears.names import Order
@@ -37,14 +37,14 @@ def compute(job: Job, progress: Progress) -> Result:
     design: Design | None = None
     try:
         design = design_of(job.text, Path(job.file))
-        plan = plan_preview(design, progress) if job.stage == "preview" else plan_edited(design, gears_of, progress)
+        plan = plan_preview(design, progress) if job.stage == Stage.PREVIEW else plan_edited(design, gears_of, progress)
         progress("laying the page out")
-        return Result("done", _laid_out(job, plan, progress))
+        return Result(State.DONE, _laid_out(job, plan, progress))
     except CadgenError as error:
         # A design that cannot be driven is shown by its course alone, so that its points can be moved.
-        return refusal("refused", str(error), floor=None if design is None else _floor(design))
+        return refusal(State.REFUSED, str(error), floor=None if design is None else _floor(design))
     except MemoryError:
-        return refusal("fault", "out of memory: close other programs, or take the last change back")
+        return refusal(State.FAULT, "out of memory: close other programs, or take the last change back")
 
 
 def _floor(design: Design) -> str:
@@ -56,7 +56,7 @@ def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
     progress("writing the page")
     document, block = data_of(page, _LEVEL)
     pieces = pieces_of(page)
-    if job.stage == "preview":
+    if job.stage == Stage.PREVIEW:
         pieces = {code: pieces[code] for code in _PREVIEWED}
     head = json.dumps(
         {"revision": job.revision, "stage": job.stage, "pieces": pieces, "block": block}, ensure_ascii=False

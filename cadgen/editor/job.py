@@ -3,13 +3,31 @@
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from enum import StrEnum
+from typing import Any
 
 from cadgen.errors import brief
 from cadgen.progress import Progress
 
-Stage = Literal["preview", "whole"]
-State = Literal["done", "refused", "superseded", "fault"]
+
+class Stage(StrEnum):
+    """Stage of a computation: the actual cam alone, or all."""
+
+    PREVIEW = "preview"
+    WHOLE = "whole"
+
+
+class State(StrEnum):
+    """State of an answer.
+
+    It is there; the design cannot be computed; a newer version was asked for meanwhile; or it failed in a way that is
+    none of the design's.
+    """
+
+    DONE = "done"
+    REFUSED = "refused"
+    SUPERSEDED = "superseded"
+    FAULT = "fault"
 
 
 @dataclass(frozen=True)
@@ -18,7 +36,7 @@ class Job:
 
     Attributes:
         revision: number of the version.
-        stage: `preview`, the actual cam alone, or `whole`.
+        stage: what is computed of it.
         text: TOML.
         file: name of its file, for messages.
     """
@@ -34,8 +52,7 @@ class Result:
     """Answer to a job.
 
     Attributes:
-        state: `done`; `refused`, if the design cannot be computed; `superseded`, if a newer version was asked for
-            meanwhile; `fault`, if it failed in a way that is none of the design's.
+        state: whether the answer is there.
         body: JSON.
     """
 
@@ -53,7 +70,7 @@ def refusal(state: State, sentence: str, **more: Any) -> Result:
 
 def fault(error: Exception) -> Result:
     """Result of a computation that failed in a way that is none of the design's."""
-    return refusal("fault", fault_sentence(error))
+    return refusal(State.FAULT, fault_sentence(error))
 
 
 def fault_sentence(error: Exception) -> str:

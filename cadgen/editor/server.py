@@ -28,7 +28,7 @@ from starlette.routing import Route
 from starlette.types import ASGIApp
 
 from cadgen.editor.guard import Address, Guard, refused
-from cadgen.editor.job import Job, Result, Stage, fault_sentence
+from cadgen.editor.job import Job, Result, Stage, State, fault_sentence
 from cadgen.editor.session import Session
 from cadgen.editor.text import read_changes, read_point
 from cadgen.editor.words import CHANGE, NO_SCRIPT
@@ -37,7 +37,7 @@ from cadgen.errors import CadgenError, DesignError
 from cadgen.page.html import shell
 from cadgen.page.markup import labels, tag, text
 
-_STATUS = {"done": 200, "refused": 422, "superseded": 409, "fault": 503}
+_STATUS = {State.DONE: 200, State.REFUSED: 422, State.SUPERSEDED: 409, State.FAULT: 503}
 _NEWER = "a newer version of the design is there: ask for that one"
 
 
@@ -46,7 +46,7 @@ class Service:
 
     def __init__(self, session: Session, workers: dict[Stage, Worker] | None = None) -> None:
         self.session = session
-        self.workers: dict[Stage, Worker] = workers or {"preview": Worker(), "whole": Worker()}
+        self.workers: dict[Stage, Worker] = workers or {stage: Worker() for stage in Stage}
         self._known: dict[Stage, tuple[int, Result]] = {}
         self._computing: set[Stage] = set()
         self._turns: dict[Stage, Condition] = {stage: Condition() for stage in self.workers}
@@ -90,16 +90,16 @@ class Service:
                 return known[1]
             now, text, file = self.session.job()
             if now != revision:
-                return Result("superseded")
+                return Result(State.SUPERSEDED)
             self._computing.add(stage)
-        result = Result("superseded")
+        result = Result(State.SUPERSEDED)
         try:
             self.workers[stage].supersede(revision)
             result = self.workers[stage].run(Job(revision, stage, text, file))
         finally:
             with turn:
                 self._computing.discard(stage)
-                if result.state in ("done", "refused"):
+                if result.state in (State.DONE, State.REFUSED):
                     self._known[stage] = (revision, result)
                 turn.notify_all()
         return result
@@ -119,8 +119,8 @@ def application(service: Service, address: Address) -> ASGIApp:
         stage, revision = request.query_params.get("stage"), request.query_params.get("revision", "")
         if stage not in service.workers or not revision.isdecimal() or len(revision) > 12:
             return refused(400, "stage must be preview or whole, and revision a whole number")
-        found = await run_in_threadpool(service.result, stage, int(revision))
-        if found.state == "superseded":
+        found = await run_in_threadpool(service.result, Stage(stage), int(revision))
+        if found.state == State.SUPERSEDED:
             return refused(409, _NEWER)
         return Response(found.body, _STATUS[found.state], media_type="application/json")
 

@@ -4,7 +4,6 @@ It is a process and not a thread, so that the server answers while it computes, 
 whatever it does. One that is superseded ends itself at its next step.
 """
 
-import gc
 import multiprocessing
 import signal
 from contextlib import suppress
@@ -13,7 +12,8 @@ from multiprocessing.context import SpawnProcess
 from threading import Lock
 from typing import Any
 
-from cadgen.editor.job import Compute, Job, Result, fault, refusal
+from cadgen.editor.job import Compute, Job, Result, State, fault, refusal
+from cadgen.pace import keep_pace
 from cadgen.progress import Progress
 
 LIMIT_S = 120.0
@@ -66,7 +66,7 @@ class Worker:
         """Compute a job; one after the other, and none that is superseded."""
         with self._lock:
             if self._newest.value != job.revision:
-                return Result("superseded")
+                return Result(State.SUPERSEDED)
             channel = self._begun()
             try:
                 channel.send(job)
@@ -76,11 +76,12 @@ class Worker:
             except (EOFError, OSError):
                 self._kill()
                 if self._newest.value == _ENDED:
-                    return Result("superseded")
-                return refusal("fault", "the computation has ended by itself: take the last change back")
+                    return Result(State.SUPERSEDED)
+                return refusal(State.FAULT, "the computation has ended by itself: take the last change back")
             self._kill()
             return refusal(
-                "fault", f"the computation took longer than {self._limit:g} s and was ended: take the last change back"
+                State.FAULT,
+                f"the computation took longer than {self._limit:g} s and was ended: take the last change back",
             )
 
     def close(self) -> None:
@@ -116,8 +117,7 @@ def _serve(channel: Connection, newest: Any, work: Compute) -> None:
     """Compute job after job, until the other end closes."""
     for number in (signal.SIGINT, getattr(signal, "SIGHUP", signal.SIGINT)):
         signal.signal(number, signal.SIG_IGN)  # the terminal's Ctrl-C is for the server, which ends this process
-    # As in a command: to look for circles of objects at Python's usual pace takes a tenth of the time.
-    gc.set_threshold(50_000, 20, 50)
+    keep_pace()
     _limit_memory()
     while True:
         try:
@@ -132,7 +132,7 @@ def _serve(channel: Connection, newest: Any, work: Compute) -> None:
         try:
             result = work(job, step)
         except SupersededError:
-            result = Result("superseded")
+            result = Result(State.SUPERSEDED)
         except Exception as error:
             result = fault(error)
         with suppress(OSError):  # nobody waits any more

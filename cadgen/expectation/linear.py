@@ -32,6 +32,7 @@ from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.nominal import Nominal
 from cadgen.measurement.record import Kind, Record
+from cadgen.measurement.verdict import Verdict
 
 _FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to what the rows say of it
 
@@ -99,7 +100,7 @@ class Linear:
             for d in told[:1]
             for one in d.likely
         ]
-        named = all(d.verdict in (*SOUND, "ambiguous") and not any(e.shape for e, _ in d.active) for d in told)
+        named = all(d.verdict in (*SOUND, Verdict.AMBIGUOUS) and not any(e.shape for e, _ in d.active) for d in told)
         return cls(nominal, kinds, len(records), models, noises, merged, spread, tuple(likely or [(1.0, [])]), named)
 
     @cached_property
@@ -154,7 +155,7 @@ class Linear:
     def place(self, effect: Effect, kinds: Sequence[Kind]) -> Place:
         """Default place of an effect, once these kinds of data were measured."""
         homes = self.at_home(effect, kinds)
-        return min(homes)[1] if homes else "noted"
+        return min(homes)[1] if homes else Place.NOTED
 
     def ways(self, active: Active) -> NDArray[np.complex128]:
         """How the end of the run answers one standard deviation in each direction, shape (size,), mm."""
@@ -260,7 +261,12 @@ class Rows:
     place: Array
 
     def within(self, begin: float, width: float) -> NDArray[np.bool_]:
-        """Which lie in a part of the turn."""
+        """Which lie in a part of the turn.
+
+        Args:
+            begin: cam angle at which the part begins, rad.
+            width: width of the part, rad.
+        """
         return np.asarray((self.place - begin) % TURN < width)
 
     def information(self, rows: NDArray[np.bool_] | slice = slice(None)) -> Array:

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.deviations import quantities
 from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.names import Place
 from cadgen.expectation.linear import Linear, Rows
 from cadgen.expectation.outlook import RANGE
 from cadgen.expectation.proposals import BY_HAND, Proposal, around, proposals
@@ -370,10 +371,10 @@ class _State:
                 small = np.abs(found[:, at]).max(axis=1) / SIGMAS
                 claimed &= np.all(sigma[at] < np.maximum(SEEN, small)[:, None], axis=1)
             play = effect.quantity == quantities.RETURN_ERROR  # a number of the design, too
-            place = "car" if play else linear.place(effect, kinds)
-            if place == "part":
+            place = Place.CAR if play else linear.place(effect, kinds)
+            if place == Place.PART:
                 error -= np.where(claimed, cars[:, span] @ way, 0.0)
-            elif place != "noted" or aliased:
+            elif place != Place.NOTED or aliased:
                 error -= np.where(claimed, found[:, at] @ way, 0.0)
             if play:
                 error -= np.where(claimed, 0.0, (self._assumed / linear.scale[span]) @ way)

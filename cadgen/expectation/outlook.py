@@ -4,7 +4,8 @@ A new cam takes out what is claimed and left to it, at the values found; everyth
 of the values. To first order that error moves the end on the new cam as it does on the old one. So with P the end of
 the run on the cam that was measured, p what the car has, and c what the new cam is made for,
     old error = P(p) - P(0),    new error = P(p without what goes with the old disc) - P(c),
-each plus what the records show beside all effects. p is drawn from the likely subsets, claimed or not, by their
+each plus what the records show beside all effects, and the new one plus what the form error of the new disc, another
+one than the old disc's, makes of it. p is drawn from the likely subsets, claimed or not, by their
 weights, and within each from its normal distribution about the values found.
 """
 
@@ -12,13 +13,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
+from cadgen.measurement.doubt import TYPICAL
 from cadgen.measurement.findings import EvidenceDiagnosis, Likely
 from cadgen.measurement.kinds.track import KIND, run_of
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.nominal import Nominal
+from cadgen.measurement.verdict import Verdict
 
 DRAWS = 4000
 RANGE = (5.0, 95.0)  # percent
@@ -80,7 +84,7 @@ def outlook(
     ]
     old, new = (np.concatenate([pair[k] for pair in draws]) for k in (0, 1))
     rest = beside + spread * (rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS))
-    old, new = np.abs(old + rest), np.abs(new + rest)
+    old, new = np.abs(old + rest), np.abs(new + rest + _form(model, rng))
     least, most = np.percentile(new, RANGE)
     return Outlook(
         old=float(np.median(old)),
@@ -92,11 +96,18 @@ def outlook(
     )
 
 
+def _form(model: TrackModel, rng: np.random.Generator) -> NDArray[np.complex128]:
+    """By how much form errors as stated move the end, x + iy, shape (DRAWS,), mm."""
+    x, y = model.form[[len(model.form) // 2 - 1, -1]]  # the last point of the run: its rows are first all x, then all y
+    sizes = np.sqrt(TYPICAL.variance(model.order, model.floor)) * rng.standard_normal((DRAWS, len(model.order)))
+    return np.asarray(sizes @ (x + 1j * y))
+
+
 def _explained(track: EvidenceDiagnosis) -> bool:
     """Do the effects with what repeats beside them leave no more than noise on the runs left out?"""
     r = track.residual
     left = r.after if r.left_out is None else r.left_out.repeating
-    return track.verdict not in ("unexplained", "runs disagree") and left <= EXPLAINED * r.noise
+    return track.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE) and left <= EXPLAINED * r.noise
 
 
 def _drawn(

@@ -13,7 +13,7 @@ from cadgen.deviations.quantities import Quantity
 from cadgen.measurement.kinds import LIFT, PROFILE, TRACK, TRANSMISSION
 from cadgen.measurement.kinds.track import run_of
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.record import Kind, Record
+from cadgen.measurement.record import Direction, Kind, Record
 
 # Standard deviation of a reading, by code of the kind, internal units: usual instruments, where no record shows better.
 NOISE = {LIFT.code: 4e-3, PROFILE.code: 2e-3, TRANSMISSION.code: float(np.radians(0.03)), TRACK.code: 3.0}
@@ -87,7 +87,7 @@ def _lift(nominal: Nominal, *, both: bool, runs: int = 3) -> Proposal:
     angle = np.concatenate([there, there[::-1]]) if both else there
     forward = np.arange(len(angle)) < len(there)
     columns = {
-        "direction": np.where(forward, "forward", "reverse"),
+        "direction": np.where(forward, Direction.FORWARD, Direction.REVERSE),
         "cam_angle_deg": angle,
         "lift_mm": nominal.follower.inner * nominal.lift.tan_beta(np.radians(angle)),
     }

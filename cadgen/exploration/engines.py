@@ -2,13 +2,12 @@
 
 import multiprocessing
 import os
-import threading
 from collections.abc import Callable, Iterable
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import suppress
-from multiprocessing.connection import wait
 from typing import Any, Protocol
 
+from cadgen.aside import end_with_parent
 from cadgen.errors import DesignError, FileError, brief
 
 _UNKNOWN_WORKERS = 64  # reckoned for an executor that does not say how many it has
@@ -72,11 +71,11 @@ class Processes:
 
 
 class Given:
-    """An executor that somebody else has made, and will close."""
+    """An executor that somebody else has made, and will close; `workers` is their number, if it does not say it."""
 
-    def __init__(self, executor: Any) -> None:
+    def __init__(self, executor: Any, workers: int | None = None) -> None:
         self._executor = executor
-        self.workers = int(getattr(executor, "_max_workers", 0) or _UNKNOWN_WORKERS)
+        self.workers = workers or int(getattr(executor, "_max_workers", 0) or _UNKNOWN_WORKERS)
 
     def submit(self, function: Callable[[Any], Any], batch: Any, /) -> Future:
         """Begin a batch.
@@ -122,9 +121,8 @@ class Cluster(Given):
                 f"no scheduler with workers answers at {brief(address)} ({reason}): start `dask scheduler` and "
                 "`dask worker`, or correct the address"
             ) from error
-        super().__init__(self._client.get_executor(pure=False, retries=0))
+        super().__init__(self._client.get_executor(pure=False, retries=0), sum(self._client.nthreads().values()))
         self.address = address
-        self.workers = sum(self._client.nthreads().values())
 
     def submit(self, function: Callable[[Any], Any], batch: Any, /) -> Future:
         """Begin a batch.
@@ -159,7 +157,7 @@ def engine_of(executor: Any) -> Engine | Mapped:
     """
     if callable(getattr(executor, "submit", None)):
         if hasattr(executor, "get_executor"):  # a dask client, whose futures are of another kind
-            return Given(executor.get_executor(pure=False))
+            return Given(executor.get_executor(pure=False), sum(executor.nthreads().values()))
         return Given(executor)
     function = mapping(executor)
     if function is not None:
@@ -187,11 +185,4 @@ def _begin(inherited: int | None) -> None:
     if inherited is not None:
         with suppress(OSError):
             os.close(inherited)
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
-
-
-def _end_with(sentinel: int) -> None:
-    wait([sentinel])
-    os._exit(1)
+    end_with_parent()

@@ -6,10 +6,11 @@ Nothing that goes wrong with a design leaves this module as an error: it becomes
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 from math import isfinite
 from pathlib import Path
 from time import thread_time
-from typing import Any, Literal
+from typing import Any
 
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
@@ -20,10 +21,23 @@ from cadgen.exploration.guard import TooLongError, limit_memory, within
 from cadgen.exploration.plans import Values
 from cadgen.exploration.study import ALL, LimitKeys, Study
 from cadgen.exploration.variation import REPLAN, Variation
+from cadgen.pace import keep_memory
 
-# `kept`: within all limits and checks; `outside`: not; `screened`: outside a limit on a cheap figure, and no more was
-# computed; `refused`: the values make no design; `crashed`: a fault, or out of time or memory.
-State = Literal["kept", "outside", "screened", "refused", "crashed"]
+
+class State(StrEnum):
+    """State of a design in a study.
+
+    Within all limits and checks; not; outside a limit on a cheap figure, so that no more was computed; the values make
+    no design; or a fault, or out of time or memory.
+    """
+
+    KEPT = "kept"
+    OUTSIDE = "outside"
+    SCREENED = "screened"
+    REFUSED = "refused"
+    CRASHED = "crashed"
+
+
 _LONGEST = 400  # letters of a sentence
 
 
@@ -56,7 +70,7 @@ class Row:
     def of(cls, content: Sequence[Any]) -> "Row":
         """The row of parsed JSON."""
         number, values, state, figures, failed, sentence = content
-        return cls(number, tuple(values), state, tuple(figures), tuple(failed), sentence)
+        return cls(number, tuple(values), State(state), tuple(figures), tuple(failed), sentence)
 
 
 @dataclass(frozen=True)
@@ -114,6 +128,7 @@ class Job:
 
     def __call__(self, tasks: Sequence[Task]) -> list[tuple[Row, float]]:
         """Rows of designs, each with its processor time, s."""
+        keep_memory()
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
         return [self._timed(task) for task in tasks]
@@ -134,13 +149,13 @@ class Job:
                 state = self._judge(task, known, failed)
             sentence = ""
         except CadgenError as error:
-            state, sentence = "refused", str(error)
+            state, sentence = State.REFUSED, str(error)
         except TooLongError as error:
-            state, sentence = "crashed", str(error)
+            state, sentence = State.CRASHED, str(error)
         except MemoryError:
-            state, sentence = "crashed", "it ran out of memory (each.memory_mb)"
+            state, sentence = State.CRASHED, "it ran out of memory (each.memory_mb)"
         except Exception as error:
-            state, sentence = "crashed", f"a fault in cadgen ({type(error).__name__}: {error})"
+            state, sentence = State.CRASHED, f"a fault in cadgen ({type(error).__name__}: {error})"
         figures = tuple(known.get(figure.code) for figure in self.figures)
         return Row(task.number, task.values, state, figures, tuple(failed), brief(sentence, _LONGEST))
 
@@ -162,12 +177,12 @@ class Job:
         evaluated = Evaluated(values, lambda: self.design(task), self.profile, self.cars, self.seed)
         self._measure(evaluated, [figure for figure in self.figures if figure.cheap], known, failed)
         if failed:
-            return "screened"
+            return State.SCREENED
         if self.checks:
             codes = [check.code.value for check in evaluated.plan.failed]
             failed += dict.fromkeys(code for code in codes if ALL in self.checks or code in self.checks)
         self._measure(evaluated, [figure for figure in self.figures if not figure.cheap], known, failed)
-        return "outside" if failed else "kept"
+        return State.OUTSIDE if failed else State.KEPT
 
     def _measure(
         self, evaluated: Evaluated, figures: Sequence[Figure], known: dict[str, float], failed: list[str]

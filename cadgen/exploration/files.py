@@ -7,7 +7,7 @@ from typing import Any
 
 from cadgen.exploration.best import write_best
 from cadgen.exploration.effects import effects
-from cadgen.exploration.evaluate import Row
+from cadgen.exploration.evaluate import Row, State
 from cadgen.exploration.front import front, ranked
 from cadgen.exploration.results import Results, sampled
 from cadgen.exploration.table import write_csv, write_parquet
@@ -34,7 +34,7 @@ class Summary:
     """
 
     results: Results
-    states: dict[str, int]
+    states: dict[State, int]
     front: tuple[Row, ...]
     effects: dict[str, dict[str, float]]
 
@@ -114,14 +114,14 @@ def _picture(summary: Summary) -> ExplorationPicture:
     results = summary.results
     study = results.study
     rows = [results.row(number) for number in sampled(results.count, _MOST_SHOWN)]
-    shown = [row for row in rows if row.state in ("kept", "outside")]
+    shown = [row for row in rows if row.state in (State.KEPT, State.OUTSIDE)]
     return ExplorationPicture(
-        title=f"{study.name}: {results.count} designs, {summary.states.get('kept', 0)} within all limits",
+        title=f"{study.name}: {results.count} designs, {summary.states.get(State.KEPT, 0)} within all limits",
         keys=study.keys,
         figures=tuple(figure.code for figure in study.objectives),
         more=tuple(figure.more for figure in study.objectives),
         values=tuple((*row.values, *row.figures[: len(study.objectives)]) for row in shown),
-        kept=tuple(row.state == "kept" for row in shown),
+        kept=tuple(row.state == State.KEPT for row in shown),
         front=tuple(
             (*summary.front[at].values, *summary.front[at].figures[: len(study.objectives)])
             for at in sampled(len(summary.front), _MOST_OF_FRONT)

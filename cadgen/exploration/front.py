@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.exploration.evaluate import Row
+from cadgen.exploration.evaluate import Row, State
 from cadgen.exploration.figures.figure import Figure
 
 _BLOCK = 5000  # rows
@@ -28,7 +28,7 @@ def front(rows: Iterable[Row], objectives: Sequence[Figure]) -> list[Row]:
         rows: all rows, by number; only the front so far and a block of rows are held.
         objectives: figures that are aimed at, first in a row's figures.
     """
-    kept = (row for row in rows if row.state == "kept")
+    kept = (row for row in rows if row.state == State.KEPT)
     best: list[Row] = []
     while block := list(islice(kept, _BLOCK)):
         both = [*best, *block]

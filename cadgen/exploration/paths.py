@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import thread_time
 from typing import Any
@@ -15,6 +15,7 @@ from cadgen.exploration.guard import TooLongError, limit_memory, within
 from cadgen.exploration.plans import Values
 from cadgen.exploration.study import ANY, Study
 from cadgen.exploration.variation import REPLAN
+from cadgen.pace import keep_memory
 from cadgen.workflow.planning.plan import Wanted, plan_design
 from cadgen.workflow.planning.words import sentences
 
@@ -43,7 +44,7 @@ class Planner:
     Attributes:
         text, source: base design.
         overrides: of the base.
-        within_mm, seeds: where they do not vary.
+        within_mm, reserve, seeds: where they do not vary.
         seconds, memory_mb: limits for one path, those of one design.
     """
 
@@ -51,6 +52,7 @@ class Planner:
     source: str
     overrides: tuple[str, ...]
     within_mm: float | str
+    reserve: float
     seeds: int
     seconds: float
     memory_mb: float | None
@@ -63,11 +65,19 @@ class Planner:
             return None
         each = study.file.each
         return cls(
-            study.text, study.source, study.file.overrides, replan.within_mm, replan.seeds, each.seconds, each.memory_mb
+            study.text,
+            study.source,
+            study.file.overrides,
+            replan.within_mm,
+            replan.reserve,
+            replan.seeds,
+            each.seconds,
+            each.memory_mb,
         )
 
     def __call__(self, keys: Sequence[str]) -> list[tuple[PlannedText, float]]:
         """Planned paths by their keys, each with its processor time, s."""
+        keep_memory()
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
         results = []
@@ -80,14 +90,17 @@ class Planner:
         """One planned path by its key."""
         changed: dict[str, Any] = dict(json.loads(key))
         most = changed.pop(f"{REPLAN}within_mm", self.within_mm)
+        reserve = float(changed.pop(f"{REPLAN}reserve", self.reserve))
         seeds = int(changed.pop(f"{REPLAN}seeds", self.seeds))
         overrides = (*self.overrides, *(override_of(name, value) for name, value in changed.items()))
         try:
             with within(self.seconds):
                 design, drawn = course_of(self.text, Path(self.source), overrides)
                 own = cam_model.track(design) if drawn else None
-                near = Wanted(seeds=seeds) if most == ANY else Wanted(own, float(most), own, seeds)
-                plan = plan_design(design, self.text, own, near)
+                wanted = Wanted(seeds=seeds, reserve=reserve)
+                if most != ANY:
+                    wanted = replace(wanted, near=own, within=float(most), calm=own)
+                plan = plan_design(design, self.text, own, wanted)
         except CadgenError as error:
             return PlannedText(key, "", brief(str(error)))
         except TooLongError as error:

@@ -9,7 +9,7 @@ import numpy as np
 
 from cadgen.exploration import plans
 from cadgen.exploration.engines import Engine, Mapped
-from cadgen.exploration.evaluate import Job, Row, Task
+from cadgen.exploration.evaluate import Job, Row, State, Task
 from cadgen.exploration.front import objectives_of
 from cadgen.exploration.journal import Header, Journal, journal_name
 from cadgen.exploration.paths import PlannedText, Planner, path_key
@@ -98,7 +98,7 @@ class Exploration:
 
     def _violation(self, row: Row) -> float:
         """How far a design is from keeping its limits: the sum of all excesses, and 1 for each check that fails."""
-        if row.state in ("refused", "crashed"):
+        if row.state in (State.REFUSED, State.CRASHED):
             return _NO_DESIGN
         known = dict(zip((figure.code for figure in self.study.figures), row.figures, strict=True))
         excesses = {code: 0.0 for code in row.failed if code in known}
@@ -107,7 +107,7 @@ class Exploration:
             if limit.figure in excesses and value is not None:
                 excesses[limit.figure] += limit.excess(value)
         checks = len(row.failed) - len(excesses)
-        return sum(excesses.values()) + checks + (_SCREENED if row.state == "screened" else 0.0)
+        return sum(excesses.values()) + checks + (_SCREENED if row.state == State.SCREENED else 0.0)
 
     def _compute(self, numbers: Sequence[int], values: Callable[[int], Values]) -> None:
         left = [number for number in numbers if number not in self.journal]
@@ -136,12 +136,12 @@ class Exploration:
     def _take_rows(self, results: Sequence[tuple[Row, float]]) -> None:
         self.journal.add_rows(results)
         self._done += len(results)
-        self._without += sum(row.state in ("refused", "crashed") for row, _ in results)
+        self._without += sum(row.state in (State.REFUSED, State.CRASHED) for row, _ in results)
         self._say()
 
     def _given_up(self, task: Task) -> Row:
         nothing = (None,) * len(self.study.figures)
-        return Row(task.number, task.values, "crashed", nothing, sentence=_GIVEN_UP)
+        return Row(task.number, task.values, State.CRASHED, nothing, sentence=_GIVEN_UP)
 
     def _say(self) -> None:
         words = f"{self.journal.count} of {self._total} designs"

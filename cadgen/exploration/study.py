@@ -20,7 +20,7 @@ from cadgen.optimize.profiles.table import codes as profile_codes
 
 MOST_DESIGNS = 1_000_000
 _MOST_VALUES = 1000  # of a key, each of which is tried in the base design before anything is computed
-MOST_WITHIN_MM, _MOST_SEEDS = 1000.0, 100
+MOST_WITHIN_MM, _MOST_RESERVE, _MOST_SEEDS = 1000.0, 10.0, 100  # mm, times the scatter of the cars, searches
 ALL = "all"
 Codes = Annotated[tuple[str, ...], Strict(False)]
 ANY = "any"
@@ -57,7 +57,7 @@ class PlanKeys(Section):
 class Vary(Section):
     """One key that varies: by values, or from a least to a most."""
 
-    key: str = Field(min_length=1, description="key of the design, or replan.within_mm or replan.seeds")
+    key: str = Field(min_length=1, description="key of the design, or replan.within_mm, replan.reserve or replan.seeds")
     values: Annotated[tuple[Any, ...], Strict(False)] | None = Field(default=None, description="values to choose from")
     least: float | None = Field(default=None, description="least value")
     most: float | None = Field(default=None, description="greatest value")
@@ -144,7 +144,11 @@ class LimitKeys(Section):
         return self
 
     def excess(self, value: float) -> float:
-        """How far a value is beyond the limit, as a share of it; 0 within it."""
+        """How far a value is beyond the limit, as a share of it; 0 within it.
+
+        Args:
+            value: value of the figure, a number in its own unit.
+        """
         over = 0.0 if self.most is None else (value - self.most) / max(abs(self.most), 1e-9)
         under = 0.0 if self.least is None else (self.least - value) / max(abs(self.least), 1e-9)
         return max(over, under, 0.0)
@@ -167,6 +171,9 @@ class ReplanKeys(Section):
     within_mm: Within = Field(
         default=25.0,
         description='how far from the base\'s path, 0 to 1000, where 0 keeps that; or "any" path on the course',
+    )
+    reserve: float = Field(
+        default=0.0, ge=0, le=_MOST_RESERVE, description="room for the scatter of the cars, as of cadgen plan --reserve"
     )
     seeds: int = Field(default=1, ge=1, le=_MOST_SEEDS, description="searches for each path")
     planned_for: Codes = Field(
@@ -208,8 +215,8 @@ class StudyFile(Section):
                 raise ValueError(f"{key} varies twice: put all its values into one [[vary]]")
             if key.startswith(REPLAN) and self.replan is None:
                 raise ValueError(f"{key} varies, but no path is planned: add [replan]")
-            if key.startswith(REPLAN) and key.removeprefix(REPLAN) not in ("within_mm", "seeds"):
-                raise ValueError(f"{key} cannot vary: of [replan] only within_mm and seeds do")
+            if key.startswith(REPLAN) and key.removeprefix(REPLAN) not in ("within_mm", "reserve", "seeds"):
+                raise ValueError(f"{key} cannot vary: of [replan] only within_mm, reserve and seeds do")
         for each in self.vary:
             if each.key == f"{REPLAN}within_mm":
                 for value in each.values or (each.least, each.most):
@@ -217,6 +224,10 @@ class StudyFile(Section):
                         _within(value)
                     except ValueError as error:
                         raise ValueError(str(error).replace(HERE, each.key)) from None
+            if each.key == f"{REPLAN}reserve":
+                for value in each.values or (each.least, each.most):
+                    if isinstance(value, bool | str | list) or value is None or not 0 <= value <= _MOST_RESERVE:
+                        raise ValueError(f"{each.key} is {brief(repr(value), 60)}; it must be 0 to {_MOST_RESERVE:g}")
             if each.key == f"{REPLAN}seeds":
                 for value in each.values or (each.least, each.most):
                     if isinstance(value, bool | str | list) or not 1 <= value <= _MOST_SEEDS or value != round(value):

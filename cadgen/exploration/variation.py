@@ -58,7 +58,11 @@ class Variation:
         return self._rounded(self.least + number * self._step)
 
     def at(self, place: float) -> Any:
-        """Value at a place of the unit interval, 0 to 1; all levels have equal shares of it."""
+        """Value at a place of the unit interval, 0 to 1; all levels have equal shares of it.
+
+        Args:
+            place: place, a share from 0 to 1.
+        """
         if self.count is not None:
             return self.level(min(floor(place * self.count), self.count - 1))
         return self._rounded(self.least + place * (self.most - self.least))

@@ -15,6 +15,7 @@
 | `gcode_reader` | the outline and the tabs that a program leaves                              |
 | `drill_reader` | the holes that a program leaves                                             |
 | `points`       | the cloud of points for CAD curve import, and the table by cam angle          |
+| `edges`        | note on broken edges, for files of the outline alone                         |
 | `tracks`       | the three wheels' tracks as a table                                         |
 | `formats`      | choice among a job's files, by their endings                                |
 | `folder`       | files appear all together and complete, or not at all                         |

@@ -12,6 +12,7 @@ from cadgen.design.machining import Drilling, Machining
 from cadgen.errors import FileError
 from cadgen.export.gcode_machine import HALF_DIGIT_MM, Move, RefusedError, Work, run_program
 from cadgen.parts.features import Hub
+from cadgen.parts.names import Face
 
 _FIT_MM = 1e-9  # of a drill's diameter and a hole's
 _LAST_PECK = 1.01  # of a peck, at most, is the last one
@@ -44,8 +45,8 @@ def read_drilling(
         FileError: a word that is not understood, a rapid move through the work, a cut sideways, a peck too deep, a hole
             that is missing, at a wrong place, or not through.
     """
-    above = hub.length if hub and hub.side == "outer" else 0.0
-    below = hub.length if hub and hub.side == "inner" else 0.0
+    above = hub.length if hub and hub.side == Face.OUTER else 0.0
+    below = hub.length if hub and hub.side == Face.INNER else 0.0
     in_bore = abs(diameter - bore) < _FIT_MM
     highest = above if in_bore else 0.0
     work = Work(

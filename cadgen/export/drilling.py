@@ -10,12 +10,20 @@ from cadgen.export.gcode_words import SETTINGS, comments, words
 from cadgen.motion.friction import DiscMaterial
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat
+from cadgen.parts.names import Face
 
-# Cutting speeds of drills of high-speed steel, m/min: those of workshop tables (mild steel 20 to 30, aluminium and
-# brass 45 to 90, plastics 45 to 75) at their slow end, for a drill that is not cooled.
-_SPEEDS = {"aluminium": 45.0, "brass": 45.0, "steel": 20.0, "acrylic": 30.0, "PLA": 20.0, "POM": 30.0}
+# Cutting speeds of drills of high-speed steel, not cooled, m/min. The manual of the drill press J-2221VS (JET, p. 12)
+# has 24-34 in mild steel and 61-91 in aluminium and brass, cooled; plastics are drilled slowly, since their chips melt.
+_SPEEDS = {
+    DiscMaterial.ALUMINIUM: 45.0,
+    DiscMaterial.BRASS: 45.0,
+    DiscMaterial.STEEL: 20.0,
+    DiscMaterial.ACRYLIC: 30.0,
+    DiscMaterial.PLA: 20.0,
+    DiscMaterial.POM: 30.0,
+}
 _SLOWEST = min(_SPEEDS.values())  # for a material that is not known
-_FEED_PER_TURN = 0.01  # of the diameter
+_FEED_PER_TURN = 0.01  # of the diameter; the same manual has 0.025-0.05 mm below 3.2 mm and 0.05-0.1 mm up to 6.4 mm
 _SPELLED = 4  # digits of a diameter in the name of a file
 
 
@@ -62,9 +70,9 @@ def drills_of(blank: Blank, thickness: float, drilling: Drilling) -> tuple[Drill
         drilling: what the design asks for.
     """
     hub = blank.hub
-    inner = hub.length if hub and hub.side == "inner" else 0.0
+    inner = hub.length if hub and hub.side == Face.INNER else 0.0
     widest = blank.bore_diameter - (2 * blank.key.depth if isinstance(blank.key, DFlat) else 0.0)
-    bore = Hole((0.0, 0.0), hub.length if hub and hub.side == "outer" else 0.0, -thickness - inner)
+    bore = Hole((0.0, 0.0), hub.length if hub and hub.side == Face.OUTER else 0.0, -thickness - inner)
     ring, mark = blank.lightening, blank.mark
     every: list[tuple[float, str, tuple[Hole, ...]]] = [(drilling.bore_diameter_mm or widest, "bore", (bore,))]
     if ring:
@@ -84,12 +92,23 @@ def drills_of(blank: Blank, thickness: float, drilling: Drilling) -> tuple[Drill
 
 
 def point_length(diameter: float, drilling: Drilling) -> float:
-    """Length of a drill's point, mm."""
+    """Length of a drill's point, mm.
+
+    Args:
+        diameter: diameter of the drill, mm.
+        drilling: keys of the drills.
+    """
     return diameter / 2 / tan(radians(drilling.point_angle_deg) / 2)
 
 
 def drill_feed(diameter: float, drilling: Drilling, material: DiscMaterial | None) -> tuple[float, float]:
-    """Speed of the spindle, turns a minute, and feed downwards, mm/min, of a drill by its diameter, mm."""
+    """Speed of the spindle, turns a minute, and feed downwards, mm/min, of a drill by its diameter, mm.
+
+    Args:
+        diameter: diameter of the drill, mm.
+        drilling: keys of the drills.
+        material: material of the disc; None if it is not known.
+    """
     speed = _SLOWEST if material is None else _SPEEDS[material]
     spindle = drilling.spindle_rpm or round(1000 * speed / (pi * diameter))
     return spindle, drilling.feed_mm_per_min or round(_FEED_PER_TURN * diameter * spindle, 1)
@@ -99,6 +118,11 @@ def pecks(top: float, bottom: float, peck: float) -> list[float]:
     """Z at the end of each peck of a hole from its top to its bottom, mm; none is deeper than `peck`, but for the last.
 
     That takes what a step would leave of less than a hundredth.
+
+    Args:
+        top: height of the hole's top, mm.
+        bottom: height of its bottom, mm.
+        peck: greatest depth of a peck, mm.
     """
     floors, at = [], top
     while at > bottom:

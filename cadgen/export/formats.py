@@ -1,21 +1,35 @@
 """Choice among the files that a job can write. A format is named by the ending of its files."""
 
 from collections.abc import Iterable, Sequence
+from enum import StrEnum
 
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
 
-CAM_FORMATS = ("step", "stl", "3mf", "dxf", "nc", "xyz", "csv")
-TRAIN_FORMATS = ("step", "stl", "csv")
-GEAR_FORMATS = ("step", "stl")
+
+class Format(StrEnum):
+    """A format of files, by the ending of their names."""
+
+    STEP = "step"
+    STL = "stl"
+    THREE_MF = "3mf"
+    DXF = "dxf"
+    GCODE = "nc"
+    XYZ = "xyz"
+    CSV = "csv"
 
 
-def chosen_formats(wanted: str | Iterable[str] | None, offered: Sequence[str]) -> tuple[str, ...]:
+CAM_FORMATS = tuple(Format)
+TRAIN_FORMATS = (Format.STEP, Format.STL, Format.CSV)
+GEAR_FORMATS = (Format.STEP, Format.STL)
+
+
+def chosen_formats(wanted: str | Iterable[str] | None, offered: Sequence[Format]) -> tuple[Format, ...]:
     """Formats to be written, in the order in which they are offered.
 
     Args:
         wanted: endings such as `step` and `dxf`, or one text with commas between them; None for all.
-        offered: endings of all files that the job can write.
+        offered: formats that the job can write.
 
     Raises:
         DesignError: an ending that is not offered, or none at all.
@@ -34,11 +48,11 @@ def chosen_formats(wanted: str | Iterable[str] | None, offered: Sequence[str]) -
     return tuple(ending for ending in offered if ending in endings)
 
 
-def entry_name(stem: str, formats: Sequence[str], offered: Sequence[str]) -> str:
+def entry_name(stem: str, formats: Sequence[Format], offered: Sequence[Format]) -> str:
     """Name of a manifest's entry: some of the formats get an entry of their own, beside that of the others."""
     return stem if len(formats) == len(offered) else "_".join([stem, *formats])
 
 
-def entry_formats(formats: Sequence[str], offered: Sequence[str]) -> dict[str, list[str]]:
+def entry_formats(formats: Sequence[Format], offered: Sequence[Format]) -> dict[str, list[str]]:
     """Facts on the chosen formats for a manifest's entry; empty if every format is there."""
     return {} if len(formats) == len(offered) else {"formats": list(formats)}

@@ -65,7 +65,8 @@ def write_gcode(
 
     With a spindle that turns clockwise, the path runs clockwise round the part and so keeps it on its right:
     the teeth enter at full chip and leave at the finished wall. With tabs the program stops once all else is cut; what
-    follows takes them off, so that nothing of them is left on the rim.
+    follows takes them off one after the other, each in passes along the same path from a lead before it to a lead after
+    it, so that nothing of them is left on the rim.
 
     Args:
         path: file to write.
@@ -103,14 +104,20 @@ def write_gcode(
     below = [level for level in levels if tabs and level < top]
     if below:
         lines += ["M5", "(clamp the part through its bore, then start again: the tabs are taken off)", "M0", spindle]
-    for number, level in enumerate(below, 1):
-        lines += [f"(tabs, pass {number} of {len(below)})", *program.once(floor, level, level)]
+    for tab, sides in enumerate(slot.tabs, 1):
+        for number, level in enumerate(below, 1):
+            lines += [f"(tab {tab} of {len(slot.tabs)}, pass {number} of {len(below)})", *program.off(sides, level)]
     lines += ["M5", "M30"]
     path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
 
 
 def levels_of(machining: Machining, thickness: float) -> list[float]:
-    """Z of each pass through a disc of some thickness, equal steps down, mm."""
+    """Z of each pass through a disc of some thickness, equal steps down, mm.
+
+    Args:
+        machining: keys of the mill.
+        thickness: thickness of the disc, mm.
+    """
     depth = thickness + machining.break_through_mm
     passes = ceil(depth / machining.step_down_mm - 1e-9)
     return [-depth * number / passes for number in range(1, passes + 1)]
@@ -144,6 +151,7 @@ def _head(
     ]
     if tabs:
         lines.append(f"at M0 clamp the part through its bore, with nothing above {height:g} mm; then the tabs are cut")
+        lines.append("the cutter goes down to a tab in the slot before it, and between tabs above the work")
     if drilled:
         lines.append(f"first, from the same zero: {', '.join(drilled)}; a keyway or flat is in none of the programs")
     else:
@@ -161,11 +169,11 @@ def _head(
 
 
 class _Rounds:
-    """Lines of the program for one round of the cutter."""
+    """Lines of the program for rounds of the cutter, and for its passes over a tab."""
 
     def __init__(self, slot: Slot, machining: Machining, feed: float, height: float) -> None:
         self.machining, self.feed, self.height = machining, feed, height
-        self.begin, self.sides = _sides(slot.centre, machining.lead_radius_mm)
+        self.corners, self.sides = _sides(slot.centre, machining.lead_radius_mm)
         self.lifted = [False, *slot.lifted.tolist(), False]
 
     def once(self, floor: float, level: float, top: float) -> Iterator[str]:
@@ -177,7 +185,7 @@ class _Rounds:
             top: Z of the top of the tabs, mm.
         """
         plunge, approach = f"F{self.machining.plunge_feed_mm_per_min:g}", self.machining.approach_mm
-        yield self.begin
+        yield self.corners[0]
         yield f"G0 {words(Z=max(floor, level) + approach)}"
         yield f"G1 {words(Z=level)} {plunge}"
         at, feed = level, f" F{self.feed:g}"
@@ -191,11 +199,25 @@ class _Rounds:
                 feed = ""
         yield f"G0 {words(Z=self.height)}"
 
+    def off(self, tab: range, level: float) -> Iterator[str]:
+        """A pass that takes a tab off at a level: down in the slot before it, and up in the slot after it.
 
-def _sides(centre: Contour, lead: float) -> tuple[str, list[str]]:
-    """The rapid move to the begin of a round, and a cut for each side from there through both leads; empty if it is
-    shorter than the rounding.
-    """
+        Args:
+            tab: sides of the path along it.
+            level: Z of the pass, mm.
+        """
+        yield self.corners[tab.start + 1]  # the lead-in is the first side of a round
+        yield f"G0 {words(Z=self.machining.approach_mm)}"
+        # The slot is as wide as the cutter: no rapid move beside the finished flank.
+        yield f"G1 {words(Z=level)} F{self.machining.plunge_feed_mm_per_min:g}"
+        first, *others = (line for line in self.sides[tab.start + 1 : tab.stop + 1] if line)
+        yield f"{first} F{self.feed:g}"
+        yield from others
+        yield f"G0 {words(Z=self.height)}"
+
+
+def _sides(centre: Contour, lead: float) -> tuple[list[str], list[str]]:
+    """The rapid move to the begin of each side of a round, and its cut; empty if it is shorter than the rounding."""
     start = centre.vertices[:1]
     ahead = centre.curve().pieces[0].jet(np.zeros(1)).velocity
     ahead = lead * ahead / np.linalg.norm(ahead)
@@ -216,7 +238,7 @@ def _sides(centre: Contour, lead: float) -> tuple[str, list[str]]:
             sides.append(f"{turn} {end} {words(I=to_centre[i, 0], J=to_centre[i, 1])}")
         else:
             sides.append(f"G1 {end}" if length[i] > 0 else "")
-    return f"G0 {words(X=vertices[0, 0], Y=vertices[0, 1])}", sides
+    return [f"G0 {words(X=x, Y=y)}" for x, y in vertices], sides
 
 
 def _farthest(curve: ClosedCurve) -> tuple[int, float]:

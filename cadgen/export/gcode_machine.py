@@ -43,7 +43,11 @@ class Work:
     hub_height: float = 0.0
 
     def top(self, place: Array) -> float:
-        """Height of the work under the tool, mm."""
+        """Height of the work under the tool, mm.
+
+        Args:
+            place: place of the tool, shape (2,), mm.
+        """
         return self.hub_height if hypot(*place) < self.hub_radius else 0.0
 
 
@@ -72,7 +76,11 @@ class Move:
         return hypot(*(self.end - self.start)[:2])
 
     def places(self, step: float) -> Array:
-        """The cutter's places along the move in plan, no two further apart than `step` mm, shape (n, 2)."""
+        """The cutter's places along the move in plan, no two further apart than `step` mm, shape (n, 2).
+
+        Args:
+            step: greatest distance of two places, mm.
+        """
         share = np.linspace(0, 1, int(np.ceil(self.length / step)) + 1)
         if not self.sweep:
             return np.asarray(self.start[:2] + share[:, None] * (self.end - self.start)[:2])

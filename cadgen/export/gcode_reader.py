@@ -1,5 +1,6 @@
 """The outline and the tabs that a milling program leaves, from its moves alone."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import ceil, pi
@@ -21,6 +22,7 @@ _CORNER = 0.02  # rad; a hollow of 3 mm turns by as much between two rays on a c
 _BLOCK = 512  # rays looked at together, so that the table of candidates stays in the processor's cache
 _TAB_MM = 2e-3  # of the width and height of a tab
 _STEP_MM = 0.1  # of the distance between tabs
+_LEAD_MM = 1e-2  # of the way to a tab and away from it: rounded ends
 _TAB_STEP = 0.05  # mm between the cutter's places beside a tab
 
 
@@ -79,7 +81,7 @@ def read_gcode(
     Raises:
         FileError: a word that is not understood, an arc whose ends disagree on its radius, a rapid move
             through the stock, a pass too deep, rounds that differ, a part not cut through or not all round, tabs other
-            than those of the design.
+            than those of the design, a pass through air where a tab is taken off.
     """
     program = run_program(path, Work(safe=machining.safe_height_mm + hub_height))
     number_of_tool = machining.tool_number
@@ -139,32 +141,39 @@ class _Rounds:
         last = len(rounds) if before_stop is None else before_stop
         return cls(tuple(map(tuple, rounds)), tuple(plunges), last)
 
-    def floors(self, count: int, machining: Machining) -> Array:
-        """Depth of every cut of a round after the first `count` rounds, Z in mm, shape (n,).
+    def floors(self, machining: Machining) -> tuple[Array, Array]:
+        """Depth of every cut of a round when the program stops, and at its end, Z in mm, shape (n,) each.
 
         Raises:
-            RefusedError: rounds that differ, or one that cuts too deep.
+            RefusedError: rounds that differ, one that cuts too deep, a pass after the stop that takes nothing off.
         """
         plans = [
             np.array([[*move.start[:2], *move.end[:2], *move.centre, move.sweep] for move in cuts])
-            for cuts in self.rounds[:count]
+            for cuts in self.rounds
         ]
         if not plans:
             raise RefusedError("cuts nothing")
-        floor = np.zeros(len(plans[0]))
-        for plan, cuts in zip(plans, self.rounds, strict=False):
-            if not np.array_equal(plans[0], plan):
+        before = floor = np.zeros(len(plans[0]))
+        for number, (plan, cuts) in enumerate(zip(plans, self.rounds, strict=True)):
+            after = number >= self.before_stop
+            first = _begin_of(plan, plans[0]) if after else 0
+            run = slice(first, first + len(plan))
+            if not np.array_equal(plans[0][run], plan):
                 raise RefusedError("has passes that differ, so the disc's faces would too")
             levels = np.array([move.end[2] for move in cuts])
-            deepest = float((floor - levels).max())
+            deepest = float((floor[run] - levels).max())
             if deepest > machining.step_down_mm + 2 * HALF_DIGIT_MM:
                 raise RefusedError(f"has a pass {deepest:.4f} mm deep; {machining.step_down_mm:g} mm is allowed")
-            floor = np.minimum(floor, levels)
-        return floor
+            if after:
+                _refuse_air(cuts, floor[run] <= levels, machining.lead_radius_mm)
+            floor = floor.copy()
+            floor[run] = np.minimum(floor[run], levels)
+            before = before if after else floor
+        return before, floor
 
     def cuts(self, machining: Machining, thickness: float) -> list[Move]:
         """The cuts of one round and every plunge, after checking that all rounds together reach through."""
-        floor = self.floors(len(self.rounds), machining)
+        _, floor = self.floors(machining)
         if floor.max() > -thickness:
             raise RefusedError(f"ends at Z {floor.max():g}, which does not cut through {thickness:g} mm")
         return [*self.rounds[0], *(move for _, move in self.plunges)]
@@ -173,7 +182,7 @@ class _Rounds:
         """Tabs that are left when the program stops: runs of cuts that do not reach through by then."""
         if self.before_stop == len(self.rounds):
             return ()
-        floor = self.floors(self.before_stop, machining)
+        floor, _ = self.floors(machining)
         high = np.flatnonzero(floor > -thickness)
         if not len(high):
             return ()
@@ -196,6 +205,20 @@ class _Rounds:
     def length(self) -> float:
         """Length of a round between its leads, mm."""
         return sum(move.length for move in self.rounds[0][1:-1])
+
+
+def _begin_of(plan: Array, whole: Array) -> int:
+    """Number of the cut of a round with which a pass begins; 0 if there is none."""
+    return int(np.argmax((whole == plan[0]).all(axis=1)))
+
+
+def _refuse_air(cuts: Sequence[Move], air: NDArray[np.bool_], lead: float) -> None:
+    """Refuse a pass after the stop that begins or ends in a tab, or goes farther through air than its leads, mm."""
+    if not (air[0] and air[-1]):
+        raise RefusedError("goes down or up in a tab, not in the slot beside it")
+    way = sum(move.length for move, empty in zip(cuts, air, strict=True) if empty)
+    if way > 2 * lead + _LEAD_MM:
+        raise RefusedError(f"cuts {way:.1f} mm of air to take a tab off; {2 * lead:g} mm lead to it and away")
 
 
 def _refuse_tabs(tabs: tuple[Tab, ...], machining: Machining, length: float) -> None:

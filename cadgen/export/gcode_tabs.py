@@ -20,10 +20,13 @@ class Slot:
     Attributes:
         centre: path of the cutter's centre, clockwise, mm.
         lifted: whether the cutter passes over a tab on a side, shape (n,).
+        tabs: sides along which each tab is taken off, with as much of the slot before and after it as the cutter is led
+            in and out elsewhere.
     """
 
     centre: Contour
     lifted: NDArray[np.bool_]
+    tabs: tuple[range, ...] = ()
 
 
 def slot_with_tabs(centre: Contour, machining: Machining) -> Slot:
@@ -47,7 +50,7 @@ def slot_with_tabs(centre: Contour, machining: Machining) -> Slot:
             f"need {room:.1f} mm each of the {ends[-1]:.0f} mm round the disc: lower machining.tabs.count or width_mm"
         )
     spans = [_span(centre, ends, (number + 0.5) * step, apart) for number in range(tabs.count)]
-    return _split(centre, ends, np.array(spans))
+    return _split(centre, ends, np.array(spans), machining.lead_radius_mm)
 
 
 def tabs_note(tabs: Tabs) -> str:
@@ -72,14 +75,18 @@ def _point(centre: Contour, ends: Array, at: float) -> Array:
     return point
 
 
-def _split(centre: Contour, ends: Array, spans: Array) -> Slot:
-    """The path with corners added at both ends of every span."""
-    vertices, bulges, lifted = [], [], []
+def _split(centre: Contour, ends: Array, spans: Array, lead: float) -> Slot:
+    """The path with corners added at both ends of every span, and a lead (mm) before and after it."""
+    led = spans + np.array([-lead, lead])
+    corners = np.sort(np.concatenate([spans, led], axis=None))
+    vertices, bulges, middles = [], [], []
     for number, (start, stop) in enumerate(pairwise(ends)):
-        within = np.sort(spans[(spans > start) & (spans < stop)])
+        within = corners[(corners > start) & (corners < stop)]
         shares = (np.concatenate([[start], within, [stop]]) - start) / (stop - start)
         vertices.append(centre.side(number, shares[:-1]))
         bulges.append(np.tan(centre.sweeps[number] * np.diff(shares) / 4))
-        middles = start + (shares[:-1] + shares[1:]) / 2 * (stop - start)
-        lifted.append(((middles[:, None] > spans[:, 0]) & (middles[:, None] < spans[:, 1])).any(axis=1))
-    return Slot(Contour(np.concatenate(vertices), np.concatenate(bulges)), np.concatenate(lifted))
+        middles.append(start + (shares[:-1] + shares[1:]) / 2 * (stop - start))
+    middle = np.concatenate(middles)
+    lifted = np.any((middle[:, None] > spans[:, 0]) & (middle[:, None] < spans[:, 1]), axis=1)
+    tabs = tuple(range(*np.searchsorted(middle, ends_of_tab)) for ends_of_tab in led)
+    return Slot(Contour(np.concatenate(vertices), np.concatenate(bulges)), lifted, tabs)

@@ -8,7 +8,11 @@ SETTINGS = "G21 G90 G17 G40 G94 G91.1"  # mm, absolute, plane XY, no compensatio
 
 
 def words(**values: float) -> str:
-    """Address words with the coordinate's decimals; + 0.0 turns a negative zero positive."""
+    """Address words with the coordinate's decimals; + 0.0 turns a negative zero positive.
+
+    Args:
+        values: coordinates by their letters, mm.
+    """
     return " ".join(f"{letter}{round(float(value), DECIMALS) + 0.0:.{DECIMALS}f}" for letter, value in values.items())
 
 

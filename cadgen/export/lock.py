@@ -38,6 +38,10 @@ def locked(folder: Path, patience_s: float = PATIENCE_S) -> Iterator[bool]:
 
     Yields False, after a warning, where the file system has no locks.
 
+    Args:
+        folder: folder to hold.
+        patience_s: longest wait, s.
+
     Raises:
         FileError: another run kept the lock for longer than `patience_s`, or something else has the lock's name.
         OSError: the folder cannot be written to.

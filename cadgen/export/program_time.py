@@ -28,13 +28,15 @@ def milling_minutes(length: float, machining: Machining, thickness: float, mater
     tabs, levels = machining.tabs, levels_of(machining, thickness)
     round_length = length + TURN * machining.cutter_diameter_mm / 2 + pi * machining.lead_radius_mm
     plunged = len(levels) * machining.approach_mm - levels[-1]
-    rounds = len(levels)
+    cut = len(levels) * round_length
     if tabs is not None:
         top = tabs.height_mm - thickness
         below = [level for level in levels if level < top]
-        plunged += sum(2 * tabs.count * (top - level) + machining.approach_mm for level in below)
-        rounds += len(below)
-    return rounds * round_length / machining.feed(material) + plunged / machining.plunge_feed_mm_per_min
+        # Over each tab in a round, and down to it in the slot when it is taken off.
+        plunged += tabs.count * sum(2 * (top - level) + machining.approach_mm - level for level in below)
+        apart = tabs.width_mm + machining.cutter_diameter_mm + 2 * machining.lead_radius_mm
+        cut += tabs.count * len(below) * apart
+    return cut / machining.feed(material) + plunged / machining.plunge_feed_mm_per_min
 
 
 def drilling_minutes(blank: Blank, machining: Machining, thickness: float, material: DiscMaterial | None) -> float:

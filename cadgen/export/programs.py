@@ -15,6 +15,7 @@ from cadgen.export.gcode_reader import read_gcode
 from cadgen.export.gcode_words import Hub
 from cadgen.motion.friction import DiscMaterial
 from cadgen.parts.blank import Blank
+from cadgen.parts.names import Face
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -43,7 +44,7 @@ class Disc:
     def above(self) -> Hub | None:
         """Hub on the outer face, over which rapid moves pass."""
         hub = self.blank.hub
-        return Hub(hub.diameter / 2, hub.length) if hub and hub.side == "outer" else None
+        return Hub(hub.diameter / 2, hub.length) if hub and hub.side == Face.OUTER else None
 
 
 @dataclass(frozen=True, eq=False)

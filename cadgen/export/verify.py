@@ -1,8 +1,9 @@
 """Comparison of an output folder with its manifest."""
 
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from cadgen.errors import FileError, brief
 from cadgen.export.folder import left_by_killed
@@ -10,7 +11,15 @@ from cadgen.export.lock import NAME as LOCK
 from cadgen.export.manifest import NAME as MANIFEST
 from cadgen.export.manifest import file_hash, is_file, is_plain_name, read_parts
 
-State = Literal["as listed", "changed", "missing", "unreadable", "not listed"]
+
+class State(StrEnum):
+    """How a file stands to the manifest."""
+
+    AS_LISTED = "as listed"
+    CHANGED = "changed"
+    MISSING = "missing"
+    UNREADABLE = "unreadable"
+    NOT_LISTED = "not listed"
 
 
 @dataclass(frozen=True)
@@ -41,7 +50,7 @@ class FolderState:
     @property
     def is_true(self) -> bool:
         """Whether every file in the manifest has the hash stated there, and no killed run has left files half moved."""
-        return not self.half_moved and all(file.state in ("as listed", "not listed") for file in self.files)
+        return not self.half_moved and all(file.state in (State.AS_LISTED, State.NOT_LISTED) for file in self.files)
 
     def facts(self, folder: Path) -> dict[str, Any]:
         """The state as plain values, for JSON."""
@@ -84,7 +93,7 @@ def verify(folder: Path) -> FolderState:
         for name, facts in _listed(part, entry).items()
     ]
     known = {file.name for file in files} | {MANIFEST, LOCK}
-    files += [FileState(name, "", "not listed") for name in present if name not in known]
+    files += [FileState(name, "", State.NOT_LISTED) for name in present if name not in known]
     return FolderState(tuple(files), tuple(folder.name for folder in half), tuple(folder.name for folder in left))
 
 
@@ -97,12 +106,12 @@ def _listed(part: str, entry: Any) -> dict[str, Any]:
 
 def _state(folder: Path, name: str, facts: dict[str, Any]) -> State:
     if not is_plain_name(name):  # it means no file of this folder
-        return "missing"
+        return State.MISSING
     try:
         if not is_file(folder / name):
-            return "changed"
-        return "as listed" if file_hash(folder / name) == facts.get("sha256") else "changed"
+            return State.CHANGED
+        return State.AS_LISTED if file_hash(folder / name) == facts.get("sha256") else State.CHANGED
     except FileNotFoundError:
-        return "missing"
+        return State.MISSING
     except (OSError, ValueError):
-        return "unreadable"
+        return State.UNREADABLE

@@ -100,7 +100,7 @@ class StagePlay(Generic[T]):
     B_max: T
     B_min: T
 
-    def distribution(self: StagePlay[float], law: Law = "normal") -> ZoneSum:
+    def distribution(self: StagePlay[float], law: Law = Law.NORMAL) -> ZoneSum:
         """Distribution of the play on the pitch circle, in mm.
 
         Five independent contributions: the centre distance within ± f_a about a, each gear's thickness from E_sns
@@ -126,11 +126,19 @@ def play_equations(
     centre_distance: T,
     span_to_widths: tuple[T, T],
     driven_pitch_radius: T,
-    thinning: tuple[Thinning | float, Thinning | float] = ("middle", "middle"),
+    thinning: tuple[Thinning | float, Thinning | float] = (Thinning.MIDDLE, Thinning.MIDDLE),
 ) -> StagePlay[T]:
     """Eq. 1-13 on given tolerances, in mm and rad; the sizes may be arrays of one shape.
 
-    `span_to_widths` is l/b of the driver's and of the driven gear's face width, `thinning` what both are cut to.
+    Args:
+        driver, driven: tolerances of both gears, mm.
+        f_a: deviation of the distance of the axes, mm.
+        j_bn0, module: normal backlash of nominal teeth, and normal module, mm.
+        alpha_n, alpha_w: normal and working pressure angle, rad.
+        centre_distance: distance of the axes, mm.
+        span_to_widths: ratio l/b of the bearings' span to the face width, for the driver and for the driven gear.
+        driven_pitch_radius: radius of the driven gear's working pitch circle, mm.
+        thinning: limit to which the teeth of both are thinned, or their deviation, mm.
     """
     tan_n, tan_w, cos_n, cos_t = np.tan(alpha_n), np.tan(alpha_w), np.cos(alpha_n), np.cos(ALPHA_T)
     onto_pitch_circle = cos_n / np.cos(alpha_w)
@@ -227,10 +235,10 @@ def pair_departures(pair: Pair, number: int) -> tuple[Departure, ...]:
 
 def _zone_shift(aim: Thinning | float, E_sns: T, T_sn: T) -> T | float:
     """How far the zone of the thickness lies above that of the grade, in mm; its middle is what the gear is cut to."""
-    if aim == "middle":
+    if aim == Thinning.MIDDLE:
         return 0.0
     if isinstance(aim, str):
-        return T_sn / 2 if aim == "least" else -T_sn / 2
+        return T_sn / 2 if aim == Thinning.LEAST else -T_sn / 2
     return aim - (E_sns - T_sn / 2)
 
 

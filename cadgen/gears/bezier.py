@@ -37,6 +37,10 @@ def bezier_poles(curve: Curve, tolerance: float) -> Points:
 
     The Bézier curve meets `curve` at the Chebyshev-Lobatto points of its parameter, so both ends are exact;
     the deviation is measured across the curve. Raises `DesignError` if `HIGHEST_DEGREE` is not enough.
+
+    Args:
+        curve: curve to approximate, mm.
+        tolerance: greatest distance from the curve, mm.
     """
     samples = np.linspace(0.0, 1.0, DEVIATION_SAMPLES)
     exact, tangent = curve.point(samples), curve.tangent(samples)

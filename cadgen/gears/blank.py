@@ -11,6 +11,7 @@ from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
 from cadgen.parts.features import DFlat, Hub, Keyway
 from cadgen.parts.loop import Loop, circle, loop_of
+from cadgen.parts.names import Face
 
 # Least wall elsewhere in mm: thinner ones bend under the cutter.
 LEAST_WALL = 0.4
@@ -57,6 +58,13 @@ def with_collar(blank: Blank, lower: Wheel, upper: Wheel, length: float, clearan
 
     The collar stays under the roots of both gears by `clearance` (mm), to a tenth of a millimetre, so that the gears in
     mesh with them pass it, and is no thinner than bore and keyway need. Raises `DesignError` where there is no room.
+
+    Args:
+        blank: blank of the part.
+        lower: gear at the bottom.
+        upper: gear on top.
+        length: length of the collar, mm.
+        clearance: distance of the collar from the roots, mm.
     """
     if blank.hub:
         return blank
@@ -76,6 +84,12 @@ def cluster_body(lower: Wheel, upper: Wheel, blank: Blank | None = None, turn: f
 
     `turn` (rad) turns `upper` against `lower`. Raises `DesignError` as `gear_body` does, and where `upper`
     does not fit on the face or the collar it stands on.
+
+    Args:
+        lower: gear at the bottom.
+        upper: gear on top.
+        blank: blank of the part; None for gears without features.
+        turn: angle of the upper gear against the lower one, rad.
     """
     blank = blank or Blank()
     body = gear_body(lower, blank)
@@ -147,7 +161,7 @@ def _check_kinds(blank: Blank, form: Wheel) -> None:
     """Refuse features for a disc alone; keyway and set screw stand at the angle 0, under a tooth."""
     _require(not isinstance(blank.key, DFlat), f"{form} has a D-flat in its bore; give a keyway, or none")
     _require(blank.edge_break == 0, f"{form} has broken edges; give the teeth a tip chamfer instead")
-    _require(not blank.hub or blank.hub.side == "outer", f"{form} has its hub on the inner face; give the outer one")
+    _require(not blank.hub or blank.hub.side == Face.OUTER, f"{form} has its hub on the inner face; give the outer one")
     _require(blank.mark is None, f"{form} has a mark; leave it out, for its hub shows which face is up")
     screw = blank.hub.set_screw if blank.hub else None
     for name, feature in (("keyway", blank.key), ("set screw", screw)):

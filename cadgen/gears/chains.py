@@ -94,6 +94,16 @@ def best_chains(
     `driver`, `driven` (teeth) and `cost` > 0 have the shape (n,), one row per pair. The ratio is met exactly
     if `tolerance` is 0, else within it, relatively. Without `fit` every pair may stand everywhere. Raises
     `DesignError` if the search has no end (`MOST_TRIED`).
+
+    Args:
+        driver: teeth of the driver of each pair, shape (n,).
+        driven: teeth of the driven gear, shape (n,).
+        cost: cost of each pair, a number above 0, shape (n,).
+        ratio: ratio wanted.
+        tolerance: greatest relative error of the ratio; 0 for none.
+        length: number of pairs in a chain.
+        keep: number of chains that are kept.
+        fit: pairs that may stand at each place; None if all may.
     """
     fit = Fit.anywhere(length, driver.size) if fit is None else fit
     classes = _classes(driven / driver, cost, fit.allowed)

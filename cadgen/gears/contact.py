@@ -34,6 +34,10 @@ def contact_ratio(pair: Pair, centre_distance: float | None = None) -> float:
     """ε_α of the formula: the part of the line of action on both gears' usable flanks, in base pitches; 0 if none.
 
     At the pair's own centre distance or at another one, in mm.
+
+    Args:
+        pair: pair of gears.
+        centre_distance: distance of the axes, mm; the pair's own if left out.
     """
     apart = pair.centre_distance if centre_distance is None else centre_distance
     line = apart * sin(pair.pressure_angle(apart))

@@ -3,7 +3,7 @@
 The contributions are independent, and each follows one law scaled to its zone [low, high]:
 
 - `normal`: a process centred in the zone whose ±3 σ fill it, clipped at the limits;
-- `uniform`: every value in the zone equally likely, the honest choice when nothing is known of the process.
+- `uniform`: every value in the zone equally likely, the choice when nothing is known of the process.
 
 Both are symmetric about the middle of the zone, so the mean of the sum is the middle of its range.
 """
@@ -35,7 +35,7 @@ class ZoneSum:
     names: tuple[str, ...]
     low: Array
     high: Array
-    law: Law = "normal"
+    law: Law = Law.NORMAL
 
     @property
     def minimum(self) -> float:
@@ -55,11 +55,15 @@ class ZoneSum:
     @property
     def std(self) -> float:
         """Standard deviation of the sum."""
-        variance = 1 / 12 if self.law == "uniform" else _CLIPPED_VARIANCE / (2 * SIGMAS) ** 2
+        variance = 1 / 12 if self.law == Law.UNIFORM else _CLIPPED_VARIANCE / (2 * SIGMAS) ** 2
         return float(np.sqrt(variance * ((self.high - self.low) ** 2).sum()))
 
     def scaled(self, factor: float) -> Self:
-        """The distribution of the sum times `factor` ≥ 0."""
+        """The distribution of the sum times `factor` ≥ 0.
+
+        Args:
+            factor: factor, 0 or more.
+        """
         return replace(self, low=self.low * factor, high=self.high * factor)
 
     def cdf(self, value: ArrayLike) -> Array:
@@ -68,6 +72,9 @@ class ZoneSum:
         The sum lives on a range of length W, so the Fourier series of its density with period W is exact:
         F(mean + y) = 1/2 + y/W + Σ_k φ(2πk/W) sin(2πk y/W) / (πk), with the product φ of the contributions'
         characteristic functions, which are real by symmetry.
+
+        Args:
+            value: values of the sum, in the unit of the summands (mm or rad).
         """
         offset = np.asarray(value, dtype=np.float64) - self.mean
         width = self.maximum - self.minimum
@@ -79,6 +86,9 @@ class ZoneSum:
         """Value that the sum stays below with the given probability in [0, 1].
 
         Right to about 1e-8 in probability; the least and the greatest sum at 0 and 1.
+
+        Args:
+            probability: probabilities, 0 to 1.
         """
         wanted = np.asarray(probability, dtype=np.float64)
         width = self.maximum - self.minimum
@@ -103,7 +113,7 @@ class ZoneSum:
     def sample_contributions(self, generator: np.random.Generator, size: int) -> Array:
         """Random contributions, shape (size, n)."""
         share = generator.random((size, self.low.size))
-        if self.law == "normal":
+        if self.law == Law.NORMAL:
             tail = ndtr(-SIGMAS)
             share = 0.5 + ndtri(tail + (1 - 2 * tail) * share) / (2 * SIGMAS)
         return np.asarray(self.low + (self.high - self.low) * np.clip(share, 0.0, 1.0))
@@ -125,7 +135,7 @@ def _series(share: Array, coefficients: Array) -> Array:
 
 def _characteristic(argument: Array, law: Law) -> Array:
     """E cos(s·u) of one contribution u spread over [−1/2, 1/2]."""
-    if law == "uniform":
+    if law == Law.UNIFORM:
         return np.sinc(argument / (2 * np.pi))
     # exp(−x²/2)·Re erf((c + ix)/√2) / erf(c/√2) with x = s σ, through the scaled w(z), which cannot overflow.
     c, x = SIGMAS, argument / (2 * SIGMAS)
@@ -138,6 +148,11 @@ QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 
 
 def quantiles(spread: ZoneSum, scale: float) -> dict[str, dict[str, float]]:
-    """Quantiles of a sum, each times a scale factor, by their probability as text."""
+    """Quantiles of a sum, each times a scale factor, by their probability as text.
+
+    Args:
+        spread: distribution of the sum.
+        scale: factor from its unit to the one wanted.
+    """
     values = scale * spread.quantile(QUANTILES)
     return {"quantiles": dict(zip(map(str, QUANTILES), values.tolist(), strict=True))}

@@ -20,19 +20,40 @@ class Engaged(Protocol):
     """Both wheels' outlines, the driver's axis at 0 and the driven wheel's on x; angles are the wheels', rad."""
 
     def middle(self, driver_angle: float) -> float:
-        """Angle of the driven wheel midway between the driver's flanks, rad, at an angle of the driver, rad."""
+        """Angle of the driven wheel midway between the driver's flanks, rad, at an angle of the driver, rad.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
 
     def overlap(self, driver_angle: float, driven_angle: float) -> float:
-        """Common area, mm²."""
+        """Common area, mm².
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            driven_angle: angle of the driven wheel, rad.
+        """
 
     def overlap_midway(self, driver_angle: float) -> float:
-        """The same at `middle`: above `LEAST_OVERLAP` the teeth jam."""
+        """The same at `middle`: above `LEAST_OVERLAP` the teeth jam.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
 
     def overlap_tooth_on_tooth(self, driver_angle: float) -> float:
-        """The same half a pitch on: up to `LEAST_OVERLAP` the teeth do not hold each other."""
+        """The same half a pitch on: up to `LEAST_OVERLAP` the teeth do not hold each other.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
 
     def play(self, driver_angle: float) -> float:
-        """Free angle of the driven wheel while the driver stands still, rad."""
+        """Free angle of the driven wheel while the driver stands still, rad.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
 
     def clearances(self) -> tuple[float, float]:
         """Gap between the driver's tips and the driven wheel's roots, and the other way round, mm."""

@@ -21,7 +21,12 @@ from cadgen.gears.tolerances import standard_tolerance
 
 
 def key_play(clearance: float, diameter: float) -> float:
-    """Free angle of a keyed wheel, rad; clearance of the key in its groove and the shaft's diameter in mm."""
+    """Free angle of a keyed wheel, rad; clearance of the key in its groove and the shaft's diameter in mm.
+
+    Args:
+        clearance: clearance of the key in its groove, mm.
+        diameter: diameter of the shaft, mm.
+    """
     return clearance / (diameter / 2)
 
 

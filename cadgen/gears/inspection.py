@@ -68,6 +68,12 @@ def inspection_of(
 
     `pin_diameter` (mm) is chosen if it is not given. Raises `DesignError` for limits in the wrong order, for
     a tooth that cannot be cut at a limit, and for a given pin that does not rest on the flanks.
+
+    Args:
+        form: numbers of the teeth.
+        upper_deviation: upper limit E_sns of the tooth thickness, mm.
+        lower_deviation: lower limit E_sni, mm.
+        pin_diameter: diameter of the pins, mm; chosen if left out.
     """
     if lower_deviation > upper_deviation:
         raise DesignError(
@@ -102,6 +108,10 @@ def size_over_pins(form: GearForm, pin_diameter: float) -> float:
     The pin's centre lies on d_K = d_b / cos α_K with inv α_K = D_M / d_b − (π/z − ψ_b), where ψ_b is half the
     angle of the tooth on the base circle. Raises `DesignError` if the pin is too thin to stand above the base
     circle.
+
+    Args:
+        form: numbers of the teeth.
+        pin_diameter: diameter D_M of the pins, mm.
     """
     across = 1.0 if form.teeth % 2 == 0 else cos(pi / (2 * form.teeth))
     return form.base_diameter / cos(_pin_angle(form, pin_diameter)) * across + pin_diameter

@@ -34,12 +34,21 @@ class Loose:
     cure: str
 
     def at(self, ratio: float) -> "Loose":
-        """The same on a shaft that turns so many times for one turn of the camshaft."""
+        """The same on a shaft that turns so many times for one turn of the camshaft.
+
+        Args:
+            ratio: turns of the shaft for one turn of the camshaft.
+        """
         return Loose(name=self.name, least=self.least / ratio, greatest=self.greatest / ratio, cure=self.cure)
 
 
 def bearings(train: Train, clearance: float) -> tuple[Loose, ...]:
-    """Free angle that the clearance of the shafts' bearings, mm, adds in every mesh."""
+    """Free angle that the clearance of the shafts' bearings, mm, adds in every mesh.
+
+    Args:
+        train: train of gears.
+        clearance: clearance by which a shaft can move across its bearings, mm.
+    """
     if clearance <= 0:
         return ()
     ratios = [float(ratio) for ratio in train.output_ratios]
@@ -76,7 +85,7 @@ class WholePlay:
         """Greatest, rad."""
         return (self.teeth.return_error_max if self.teeth else 0.0) + sum(one.greatest for one in self.loose)
 
-    def return_error_distribution(self, law: Law = "normal") -> ZoneSum:
+    def return_error_distribution(self, law: Law = Law.NORMAL) -> ZoneSum:
         """Distribution, rad: every contribution free in its own zone."""
         joints = ZoneSum(
             names=tuple(one.name for one in self.loose),

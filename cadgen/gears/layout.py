@@ -21,6 +21,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
 from cadgen.gears.blank import cluster_body, gear_body, with_collar
 from cadgen.gears.stage import Stage, Wheel
@@ -93,7 +94,7 @@ class TrainPart:
 
         # y = ρ sin t makes the integrand smooth on either side of the keyway's edge.
         edge = asin(min(key.width / 2 / hole, 1.0)) if key else 0.0
-        nodes, weights = np.polynomial.legendre.leggauss(_SCREW_NODES)
+        nodes, weights = gauss_nodes(_SCREW_NODES)
         removed = 0.0
         for start, end in ((0.0, edge), (edge, pi / 2)):
             t = start + (end - start) * (nodes + 1) / 2
@@ -145,6 +146,12 @@ def lay_out(
     one entry per stage, None for any; `clearance` in mm. Raises `DesignError` for a gear or blank that cannot be
     made, for bearings nearer together than the stack is high, and where bodies on different shafts collide however
     they are laid out.
+
+    Args:
+        train: train of gears.
+        blanks: blanks of the places, or one for each shaft from the drive to the output.
+        directions: direction of each stage's line of centres, rad, None for any; None for any of all.
+        clearance: least gap between bodies on different shafts, mm.
     """
     wanted = tuple(directions or (None,) * len(train.stages))
     on_shafts = blanks.by_shaft(len(train.stages) + 1) if isinstance(blanks, Blanks) else tuple(blanks)
@@ -171,7 +178,11 @@ def lay_out(
 
 
 def collar_length(clearance: float) -> float:
-    """Length in mm of a collar that is not given, between gears as wide as those that they mesh with."""
+    """Length in mm of a collar that is not given, between gears as wide as those that they mesh with.
+
+    Args:
+        clearance: least gap between bodies, mm.
+    """
     return max(COLLAR, 2 * clearance)
 
 

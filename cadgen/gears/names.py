@@ -1,14 +1,33 @@
 """Names that files of designs and the gears share: light to import."""
 
-from typing import Literal, get_args
+from enum import StrEnum
 
-# How a quantity varies within its tolerance zone: normal with 3 sigma at the limits and clipped there, or uniform.
-Law = Literal["normal", "uniform"]
-# To which limit of their grade teeth are thinned, or to the middle.
-Thinning = Literal["least", "middle", "greatest"]
-# Order of the stages in a car: as the design has them, or that of least return error.
-StageOrder = Literal["as-given", "reordered"]
-# What a train may be planned by: these, or the best teeth within limits.
-Order = Literal[StageOrder, "search"]
-STAGE_ORDERS: tuple[StageOrder, ...] = get_args(StageOrder)
-ORDERS: tuple[Order, ...] = get_args(Order)
+
+class Law(StrEnum):
+    """Spread of a quantity in its tolerance zone: normal with 3 sigma at the limits and clipped there, or uniform."""
+
+    NORMAL = "normal"
+    UNIFORM = "uniform"
+
+
+class Thinning(StrEnum):
+    """Limit of their grade to which teeth are thinned, or the middle of the two."""
+
+    LEAST = "least"
+    MIDDLE = "middle"
+    GREATEST = "greatest"
+
+
+class StageOrder(StrEnum):
+    """Order of a train's stages in the car: as the design has them, or that of least return error."""
+
+    AS_GIVEN = "as-given"
+    REORDERED = "reordered"
+
+
+class Order(StrEnum):
+    """Plan of a train: an order of its stages, or a search for the best teeth within limits."""
+
+    AS_GIVEN = StageOrder.AS_GIVEN.value
+    REORDERED = StageOrder.REORDERED.value
+    SEARCH = "search"

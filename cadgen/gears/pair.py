@@ -34,7 +34,7 @@ class Gear:
     form: GearForm
     grade: int = 7
     overrides: ToleranceOverrides = field(default_factory=ToleranceOverrides)
-    thinning: Thinning | float = "middle"
+    thinning: Thinning | float = Thinning.MIDDLE
     pin_diameter: float | None = None
 
     def __post_init__(self) -> None:
@@ -119,6 +119,10 @@ class Pair:
         `thickness_deviation` is ΣE_sn, the sum of both gears' deviations on their reference circles, negative
         for thinned teeth: j_bn = cos α [m Σz (inv α_w − inv α) − 2 m Σx tan α − ΣE_sn]. It turns the driven
         gear by j_bn / r_b. Raises `DesignError` if the base circles overlap.
+
+        Args:
+            centre_distance: distance of the axes, mm.
+            thickness_deviation: sum of both gears' deviations E_sn, mm, negative for thinned teeth.
         """
         form, other = self.driver.form, self.driven.form
         alpha = form.transverse_pressure_angle
@@ -131,6 +135,9 @@ class Pair:
         """Free angle of the driven gear in rad by the exact geometry of involutes, as cut.
 
         At the pair's own centre distance or at another one, in mm.
+
+        Args:
+            centre_distance: distance of the axes, mm; the pair's own if left out.
         """
         apart = self.centre_distance if centre_distance is None else centre_distance
         deviation = sum(gear.form.tooth_thickness_deviation for gear in (self.driver, self.driven))
@@ -152,7 +159,11 @@ class Pair:
         )
 
     def pressure_angle(self, centre_distance: float) -> float:
-        """α_w in rad at a centre distance in mm; `DesignError` if the base circles overlap there."""
+        """α_w in rad at a centre distance in mm; `DesignError` if the base circles overlap there.
+
+        Args:
+            centre_distance: distance of the axes, mm.
+        """
         base = (self.driver.form.base_diameter + self.driven.form.base_diameter) / 2
         if not centre_distance >= base:
             raise DesignError(

@@ -1,7 +1,7 @@
 """Which order of stages, and which tooth numbers, leave the output the least return error.
 
 In eq. 25 a stage's return error reaches the output divided by the ratios behind it, so the last stage counts
-most and wants a large wheel and a high ratio. `all_orders` ranks every order of given stages, `search_trains`
+most, and is best with a large wheel and a high ratio. `all_orders` ranks every order of given stages, `search_trains`
 every choice of teeth, module and face width within limits; both by the greatest return error, least first.
 """
 
@@ -30,9 +30,9 @@ def arrange(train: Train, order: Order, limits: SearchLimits | None = None) -> t
     `as-given` gives the train alone, `reordered` every order of its stages, `search` the trains within
     `limits`, by default those `SearchLimits.like` the train.
     """
-    if order == "search":
+    if order == Order.SEARCH:
         return search_trains(limits or SearchLimits.like(train))
-    return all_orders(train) if order == "reordered" else (train_play(train),)
+    return all_orders(train) if order == Order.REORDERED else (train_play(train),)
 
 
 def all_orders(train: Train) -> tuple[TrainPlay, ...]:
@@ -51,6 +51,11 @@ def search_trains(limits: SearchLimits, blanks: Blanks | None = None, clearance:
     With `blanks` only trains whose gears fit them, each at its place, and whose wheels pass the shafts beside them
     with `clearance` (mm). Raises `DesignError` if no train is within the limits, and for limits so wide that the
     search would not end.
+
+    Args:
+        limits: limits of the search.
+        blanks: blanks that the gears must fit; None for any.
+        clearance: least gap between a wheel and the shafts beside it, mm.
     """
     return TrainSearch(limits, blanks, clearance).best(limits.keep)
 

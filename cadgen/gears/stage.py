@@ -68,7 +68,7 @@ class Play(Protocol):
     def B_max(self) -> float:  # noqa: N802  # noqa: N802
         """Greatest, rad."""
 
-    def distribution(self, law: Law = "normal") -> ZoneSum:
+    def distribution(self, law: Law = Law.NORMAL) -> ZoneSum:
         """Its independent contributions as arcs of the driven wheel's pitch circle, mm."""
 
 
@@ -137,7 +137,11 @@ class Stage(ABC):
         """Play at the driven shaft as it is made, its sizes in the middle, rad."""
 
     def opened(self, clearance: float) -> float:
-        """Play that axes further apart by as much, mm, add at the driven shaft, rad; none where they are pressed on."""
+        """Play that axes further apart by as much, mm, add at the driven shaft, rad; none where they are pressed on.
+
+        Args:
+            clearance: growth of the distance of the axes, mm.
+        """
         return 0.0
 
     def as_cut(self) -> Self:

@@ -24,7 +24,13 @@ def as_cut(pair: P, play: StagePlay[float]) -> P:
 
 
 def with_deviations(pair: P, driver: float, driven: float) -> P:
-    """The pair with teeth cut to E_sn = `driver` and `driven`, in mm."""
+    """The pair with teeth cut to E_sn = `driver` and `driven`, in mm.
+
+    Args:
+        pair: pair of gears.
+        driver: deviation E_sn of the driver, mm.
+        driven: deviation E_sn of the driven gear, mm.
+    """
     driver_cut, driven_cut = (
         replace(gear, form=with_deviation(gear.form, deviation))
         for gear, deviation in ((pair.driver, driver), (pair.driven, driven))
@@ -33,7 +39,12 @@ def with_deviations(pair: P, driver: float, driven: float) -> P:
 
 
 def with_deviation(form: GearForm, deviation: float) -> GearForm:
-    """`form` cut with the tooth-thickness deviation E_sn = `deviation` (mm)."""
+    """`form` cut with the tooth-thickness deviation E_sn = `deviation` (mm).
+
+    Args:
+        form: numbers of the teeth.
+        deviation: deviation E_sn of the tooth thickness, mm.
+    """
     return replace(form, tooth_thickness_deviation=deviation)
 
 

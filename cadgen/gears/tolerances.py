@@ -68,13 +68,26 @@ CENTRE_DISTANCE_GRADES = {3: 6, 4: 6, 5: 7, 6: 7, 7: 8, 8: 8, 9: 9, 10: 9, 11: 1
 
 
 def single_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """f_pt = 0.3 (m + 0.4 √d) + 4 µm at grade 5; the deviation may have either sign."""
+    """f_pt = 0.3 (m + 0.4 √d) + 4 µm at grade 5; the deviation may have either sign.
+
+    Args:
+        diameter: reference diameter d, mm.
+        module: normal module, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     d, m = _part_1(diameter, module, "f_pt")
     return _graded(_f_pt(d, m), grade, finest=0.1)
 
 
 def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, grade: int) -> Array:
-    """F_pk = f_pt + 1.6 √((k − 1) m) µm at grade 5, over k = `pitches`, 2 to z/8 in the standard."""
+    """F_pk = f_pt + 1.6 √((k − 1) m) µm at grade 5, over k = `pitches`, 2 to z/8 in the standard.
+
+    Args:
+        diameter: reference diameter d, mm.
+        module: normal module, mm.
+        pitches: number k of pitches.
+        grade: tolerance grade, 3 to 12.
+    """
     if pitches < 2:
         raise DesignError(f"F_pk over {pitches} pitches is not defined; give 2 or more")
     d, m = _part_1(diameter, module, "F_pk")
@@ -82,38 +95,74 @@ def span_pitch_deviation(diameter: ArrayLike, module: ArrayLike, pitches: int, g
 
 
 def total_pitch_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """F_p = 0.3 m + 1.25 √d + 7 µm at grade 5."""
+    """F_p = 0.3 m + 1.25 √d + 7 µm at grade 5.
+
+    Args:
+        diameter: reference diameter d, mm.
+        module: normal module, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     d, m = _part_1(diameter, module, "F_p")
     return _graded(0.3 * m + 1.25 * np.sqrt(d) + 7, grade, finest=0.1)
 
 
 def total_profile_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """F_α = 3.2 √m + 0.22 √d + 0.7 µm at grade 5."""
+    """F_α = 3.2 √m + 0.22 √d + 0.7 µm at grade 5.
+
+    Args:
+        diameter: reference diameter d, mm.
+        module: normal module, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     d, m = _part_1(diameter, module, "F_alpha")
     return _graded(3.2 * np.sqrt(m) + 0.22 * np.sqrt(d) + 0.7, grade, finest=0.1)
 
 
 def total_helix_deviation(diameter: ArrayLike, width: ArrayLike, grade: int) -> Array:
-    """F_β = 0.1 √d + 0.63 √b + 4.2 µm at grade 5."""
+    """F_β = 0.1 √d + 0.63 √b + 4.2 µm at grade 5.
+
+    Args:
+        diameter: reference diameter d, mm.
+        width: width of the face b, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     d = _step_mean(diameter, DIAMETER_STEPS, "reference diameter", "ISO 1328-1", "F_beta")
     b = _step_mean(width, WIDTH_STEPS, "face width", "ISO 1328-1", "F_beta")
     return _graded(0.1 * np.sqrt(d) + 0.63 * np.sqrt(b) + 4.2, grade, finest=0.1)
 
 
 def radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """F_i'' = 3.2 m_n + 1.01 √d + 6.4 µm at grade 5: the variation of the centre distance in a tight mesh."""
+    """F_i'' = 3.2 m_n + 1.01 √d + 6.4 µm at grade 5: the variation of the centre distance in a tight mesh.
+
+    Args:
+        diameter: reference diameter d, mm.
+        module: normal module, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     d, m = _part_2(diameter, module, "F_i_radial")
     return _graded(3.2 * m + 1.01 * np.sqrt(d) + 6.4, grade, finest=0.5)
 
 
 def tooth_radial_composite_deviation(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """f_i'' = 2.96 m_n + 0.01 √d + 0.8 µm at grade 5: the part of F_i'' within one pitch."""
+    """f_i'' = 2.96 m_n + 0.01 √d + 0.8 µm at grade 5: the part of F_i'' within one pitch.
+
+    Args:
+        diameter: reference diameter d, mm.
+        module: normal module, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     d, m = _part_2(diameter, module, "f_i_radial")
     return _graded(2.96 * m + 0.01 * np.sqrt(d) + 0.8, grade, finest=0.5)
 
 
 def radial_runout(diameter: ArrayLike, module: ArrayLike, grade: int) -> Array:
-    """F_r = 0.8 F_p = 0.24 m_n + 1.0 √d + 5.6 µm at grade 5, in the steps of part 1."""
+    """F_r = 0.8 F_p = 0.24 m_n + 1.0 √d + 5.6 µm at grade 5, in the steps of part 1.
+
+    Args:
+        diameter: reference diameter d, mm.
+        module: normal module, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     d, m = _part_1(diameter, module, "F_r")
     return _graded(0.24 * m + np.sqrt(d) + 5.6, grade, finest=0.5)
 
@@ -126,6 +175,12 @@ def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", s
     IT1 = 0.8 + 0.020 D and IT5. Rounded to 1 µm, above 100 µm to 5, above 200 µm to 10; `IT_DEPARTURES` are
     the values printed otherwise. (The standard goes on to 3150 mm with another formula.) `quantity` is what is
     sized, and `symbol` what for, in the words of an error.
+
+    Args:
+        size: nominal size, mm.
+        it_grade: number of the grade, 3 to 12.
+        quantity: name of what is sized, for the words of an error.
+        symbol: symbol of what it is for, likewise.
     """
     sizes = np.asarray(size, dtype=np.float64)
     if not np.all(sizes > 0):
@@ -135,12 +190,22 @@ def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", s
 
 
 def centre_distance_deviation(centre_distance: ArrayLike, grade: int) -> Array:
-    """f_a (mm) of the centre distance a ± f_a: half of IT6 (grades 3-4), 7 (5-6), 8 (7-8), 9 (9-10) or 11."""
+    """f_a (mm) of the centre distance a ± f_a: half of IT6 (grades 3-4), 7 (5-6), 8 (7-8), 9 (9-10) or 11.
+
+    Args:
+        centre_distance: distance a of the axes, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     return standard_tolerance(centre_distance, CENTRE_DISTANCE_GRADES[_checked(grade)], "centre distance", "f_a") / 2
 
 
 def cutting_feed_tolerance(diameter: ArrayLike, grade: int) -> Array:
-    """b_r (mm): IT7 for grade 3, 1.26 IT7 for 4, IT8 for 5, 1.26 IT8 for 6, IT9 for 7, and so on."""
+    """b_r (mm): IT7 for grade 3, 1.26 IT7 for 4, IT8 for 5, 1.26 IT8 for 6, IT9 for 7, and so on.
+
+    Args:
+        diameter: reference diameter d, mm.
+        grade: tolerance grade, 3 to 12.
+    """
     step, coarser = divmod(_checked(grade) - GRADES[0], 2)
     return standard_tolerance(diameter, 7 + step, "reference diameter", "b_r") * (1.26 if coarser else 1.0)
 

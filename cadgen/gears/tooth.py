@@ -166,11 +166,19 @@ class GearForm:
         return self.tooth_thickness / self.reference_diameter + involute(self.transverse_pressure_angle)
 
     def half_angle(self, diameter: float) -> float:
-        """Half the angle of a tooth's thickness on the circle `diameter` ≥ d_b, in rad (ψ_b − inv α)."""
+        """Half the angle of a tooth's thickness on the circle `diameter` ≥ d_b, in rad (ψ_b − inv α).
+
+        Args:
+            diameter: diameter of the circle, d_b or more, mm.
+        """
         return self.base_half_angle - involute(acos(self.base_diameter / diameter))
 
     def roll_angle(self, diameter: float) -> float:
-        """Roll angle tan α of the involute on the circle `diameter` ≥ d_b, in rad."""
+        """Roll angle tan α of the involute on the circle `diameter` ≥ d_b, in rad.
+
+        Args:
+            diameter: diameter of the circle, d_b or more, mm.
+        """
         return sqrt((diameter / self.base_diameter) ** 2 - 1)
 
 
@@ -276,7 +284,11 @@ def tooth_of(form: GearForm) -> Tooth:
 
 
 def involute(angle: float) -> float:
-    """inv α = tan α − α."""
+    """inv α = tan α − α.
+
+    Args:
+        angle: angle α, rad.
+    """
     return tan(angle) - angle
 
 

@@ -69,7 +69,7 @@ class TrainPlay:
         """Least B_Σ in rad: every stage at its B_min."""
         return sum(stage.B_min / i for stage, i in self._at_output())
 
-    def return_error_distribution(self, law: Law = "normal") -> ZoneSum:
+    def return_error_distribution(self, law: Law = Law.NORMAL) -> ZoneSum:
         """Distribution of B_Σ in rad: every contribution of every stage free in its own zone."""
         parts = [
             play.distribution(law).scaled(1 / (stage.driven_pitch_radius * i))

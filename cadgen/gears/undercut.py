@@ -29,6 +29,11 @@ def missing_shifts(rack: GearForm, teeth: ArrayLike, x_E: ArrayLike) -> Array:
     """The same for gears of `teeth` teeth and generating profile shift `x_E`, arrays of one shape.
 
     `rack` is any gear with their pressure angle and basic rack.
+
+    Args:
+        rack: gear with the pressure angle and the basic rack of all.
+        teeth: numbers of teeth, shape (n,).
+        x_E: generating profile shifts, as factors of the module, shape (n,).
     """
     roll, radius = _tangent_roll(rack, teeth, x_E), np.asarray(teeth) / 2
     angle = rack.transverse_pressure_angle
@@ -39,6 +44,12 @@ def contact_ratios(rack: GearForm, teeth: tuple[Array, Array], x_E: tuple[Array,
     """ε_α of unshifted pairs at the centre distance m Σz / 2.
 
     `teeth`, `x_E` (driver, driven) and `chamfer` (of the tips, in modules) are arrays of one shape; `rack` as above.
+
+    Args:
+        rack: gear with the pressure angle and the basic rack of all.
+        teeth: numbers of teeth of drivers and driven gears, shape (n,) each.
+        x_E: their generating profile shifts, as factors of the module, shape (n,) each.
+        chamfer: chamfers of the tips, as factors of the module, shape (n,).
     """
     angle = rack.transverse_pressure_angle
     line = (teeth[0] + teeth[1]) / 2 * sin(angle)

@@ -53,6 +53,11 @@ def _contradicted(diagnosis: EvidenceDiagnosis) -> EvidenceDiagnosis:
 def calibrate_tricycle(records: Sequence[Record], wheelbase: float, step: Step = lambda text: None) -> PathDiagnosis:
     """Diagnose runs of a tricycle whose steering was logged.
 
+    Args:
+        records: records of runs.
+        wheelbase: distance of the axles, mm.
+        step: travel and time of a step of the log.
+
     Raises:
         FileError: see `record.join` and `units.refuse_wrong_units`.
     """

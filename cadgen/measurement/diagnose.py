@@ -20,7 +20,7 @@ from cadgen.measurement.models.base import Model, repeating, slopes
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Datum, Record
 from cadgen.measurement.search import find
-from cadgen.measurement.verdict import Judgement, judge, registered
+from cadgen.measurement.verdict import Judgement, Verdict, judge, registered
 
 Step = Callable[[str], None]
 # A subset less likely than this does not change what is expected of the car.
@@ -32,7 +32,7 @@ SURE_SIGMAS = 4.0
 # Of many runs several are left out at a time, for so many fits at most.
 MOST_FITS = 10
 # Verdicts beside which it counts that a quantity is not named.
-SOUND = ("none", "traced", "combination")
+SOUND = (Verdict.NONE, Verdict.TRACED, Verdict.COMBINATION)
 
 
 def diagnose(
@@ -217,13 +217,18 @@ def _figures(
 
 
 def _unnamed(part: Part, result: Weighed) -> dict[Quantity, Finding]:
-    """How much of some quantities there could be where several runs and a sound verdict name none."""
+    """How much of some quantities there could be where several runs and a sound verdict name none.
+
+    Where it is not clear what is there, one that the likeliest subset has but cannot be claimed is looked at by itself:
+    play that friction may hold is none in the run.
+    """
     joint, best, judgement = result.joint, result.best, result.judgement
     # Beside a form that has a place and a size, what is not there would have been seen too.
-    sound = judgement.verdict in SOUND or (judgement.verdict == "partial" and best.spectrum.within)
+    doubtful = judgement.verdict == Verdict.AMBIGUOUS
+    sound = doubtful or judgement.verdict in SOUND or (judgement.verdict == Verdict.PARTIAL and best.spectrum.within)
     if part.model.rows.runs < 2 or not sound:
         return {}
-    named = {e.quantity for e in best.effects}
+    named = {e.quantity for e in best.effects if e.name in judgement.claimed or not doubtful}
     unnamed: dict[Quantity, Finding] = {}
     for effect in joint.core:
         quantity = effect.quantity
@@ -234,7 +239,8 @@ def _unnamed(part: Part, result: Weighed) -> dict[Quantity, Finding]:
         if effect.beside and effect.beside.name not in judgement.claimed:
             continue
         # With the effects found free beside it, what they could hide of it widens its error.
-        beside = fit(joint, (*best.effects, effect), best.active, Search(1))
+        others = tuple(e for e in best.effects if quantity not in (e.quantity, e.beside and e.beside.quantity))
+        beside = fit(joint, (*others, effect), best.active, Search(1))
         unnamed[quantity] = next(_finding(beside, *entry) for entry in beside.values() if entry[0] == effect)
     return unnamed
 

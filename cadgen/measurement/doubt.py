@@ -16,7 +16,7 @@ from cadgen.measurement.noise import Noise
 from cadgen.measurement.record import Record
 from cadgen.measurement.remarks import instrument
 from cadgen.measurement.search import MOST_CAUSES
-from cadgen.measurement.verdict import SIGMAS, Judgement, unclaimed, within_error, within_words
+from cadgen.measurement.verdict import SIGMAS, Judgement, Verdict, unclaimed, within_error, within_words
 
 # What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
 # made to the design at all, and no effect stands beside such a rest with a name.
@@ -66,6 +66,13 @@ def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis, resi
 
     r' C^-1 r is chi-square with as many degrees of freedom as rows less parameters. Those from which the noise was told
     are left out: they are as large as the noise by definition.
+
+    Args:
+        model: model of the record.
+        evidence: evidence of the record.
+        noise: noise of the record.
+        best: subset of effects that is judged.
+        residual: residual that the subset leaves, shape (n,), mm or rad.
     """
     if not noise.freedom:
         return 1.0
@@ -108,9 +115,9 @@ def doubted(
             f"What the best effects leave is {left / allowed:.0f} times what noise and the stated form error make, and "
             "dwarfs every effect: check that the design and the profile belong to this file, and the file's units."
         )
-        return replace(judgement, verdict="unexplained", sentence=sentence, claimed=())
+        return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=sentence, claimed=())
     if no_noise := _no_noise(record, model, noise):
-        return replace(judgement, verdict="unexplained", sentence=no_noise, claimed=())
+        return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=no_noise, claimed=())
     if not judgement.claimed:
         return judgement
     if left > LARGE * allowed:
@@ -121,7 +128,7 @@ def doubted(
             f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "
             f"form error: there are more than {MOST_CAUSES} effects, so sizes are not sure and nothing is claimed."
         )
-        return replace(judgement, verdict="ambiguous", sentence=sentence, claimed=())
+        return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence, claimed=())
     # That there is no friction is as sure a finding as that there is some.
     free = {e.name for e, v, s in best.values() if e.beside and v[0] + SIGMAS * s[0] <= NO_FRICTION}
     named = [e for e in best.effects if not e.shape and e.name not in free]

@@ -13,7 +13,7 @@ from cadgen.arrays import Array
 from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.quantities import Quantity
 from cadgen.measurement.record import Kind
-from cadgen.measurement.verdict import SIGMAS, Judgement, within_error
+from cadgen.measurement.verdict import SIGMAS, Judgement, Verdict, within_error
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,7 +162,7 @@ class Diagnosis:
     backwards: NDArray[np.bool_] | None = None
 
     @property
-    def verdict(self) -> str:
+    def verdict(self) -> Verdict:
         """The class of verdict."""
         return self.judgement.verdict
 

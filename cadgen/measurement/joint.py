@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Active, Effect, key_of
+from cadgen.deviations.effect import READING, Active, Effect, key_of
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.merged import Merged
 from cadgen.measurement.models.base import Model, slopes
@@ -207,20 +207,33 @@ class Joint:
         return part.names[effect.key].name
 
     def shape_column(self, shape: Effect, step: Array) -> Array:
-        """Reading of a form without a name, which acts in one part alone and has parameters `step`, shape (n,)."""
+        """Reading of a form without a name with parameters `step`, where it is searched for, shape (n,).
+
+        Args:
+            shape: form without a name.
+            step: values of its parameters, internal units (mm, rad).
+        """
         out = np.zeros(self.rows)
         for part, span in zip(self.parts, self.spans, strict=True):
-            if shape.key in part.names:
+            if shape.key in part.names and part.names[shape.key].stage is READING:
                 rows = part.model.rows
                 out[span] = part.names[shape.key].act(np.zeros(len(rows.run)), step, rows)
         return out
 
     def whiten(self, columns: Array) -> Array:
-        """Divide each part by its noise; see `Evidence.whiten`."""
+        """Divide each part by its noise; see `Evidence.whiten`.
+
+        Args:
+            columns: columns, shape (n, m), internal units (mm, rad).
+        """
         return np.concatenate([p.evidence.whiten(columns[s]) for p, s in zip(self.parts, self.spans, strict=True)])
 
     def halves(self, white: Array) -> Array:
-        """See `Evidence.halves`; those of all parts below each other, shape (g, q, m)."""
+        """See `Evidence.halves`; those of all parts below each other, shape (g, q, m).
+
+        Args:
+            white: whitened columns, shape (n, m).
+        """
         return np.concatenate(
             [p.evidence.halves(white[s]) for p, s in zip(self.parts, self.spans, strict=True)], axis=1
         )

@@ -59,6 +59,9 @@ class Merged:
         datum = [(e, n, e) for n, (_, m) in enumerate(records) for e in m.datum]
         for effect, number, own in (*shapes, *datum):
             names[number][effect.key] = own
+            for other, (_, model) in enumerate(records):
+                if own.form_of and other != number and model.rolled is not None:
+                    names[other][effect.key] = model.rolled.shown(effect)
         every = [(e, n) for e, n, _ in (*leaders, *shapes, *datum)]
         return cls(
             catalogue=tuple(e for e, _, _ in leaders),

@@ -48,6 +48,10 @@ def estimate_noise(model: Model, residual: Array) -> Noise:
 
     Rows taken under equal conditions in several runs are compared with their mean; where no conditions repeat,
     a constant and a Fourier series of all orders of the form error stand for the mean.
+
+    Args:
+        model: model of the record.
+        residual: residual, shape (n,), mm or rad.
     """
     rows = model.rows
     slipping = model.slip.size > 0 and rows.runs > 1

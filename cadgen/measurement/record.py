@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from enum import Enum
+from enum import Enum, StrEnum
 from itertools import pairwise
 from typing import Any
 
@@ -39,6 +39,13 @@ class Abscissa(Enum):
     CAM_ANGLE = "cam angle (°)"
     TRAVEL = "travel of the drive wheel (m)"
     SHARE = "part of the run (%)"
+
+
+class Direction(StrEnum):
+    """Direction in which the cam turned to a reading, as files have it."""
+
+    FORWARD = "forward"
+    REVERSE = "reverse"
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,8 +10,12 @@ _HEAD = """\
 # The effects that measured data are traced to
 
 `cadgen calibrate` looks for these; [measurement.md](measurement.md) says how. An effect is written to `[as_built]`
-with its name, the kind of data, a place (the first is the default; any effect may be `noted`), and its numbers, in the
-unit at the end of their names and within their bounds.
+with its name, the kind of data, its numbers, in the unit at the end of their names and within their bounds, and a
+[place](measurement.md#the-as-built-design), which says how other commands use it (the first is the default; any effect
+may be `noted`).
+
+*Cannot be told from* names the [twins](glossary.md#twin): no data of this kind separate the two. *Looks like* names
+effects that such data may resemble; *told apart by* says how to separate them.
 
 **Frame.** x and y are those of the exported files and of a measured profile: the bore at the origin, +x towards the rod
 at a cam angle of 0°. The polar angle counts counterclockwise, and the cam angle at which a point of the outline meets
@@ -19,7 +23,7 @@ the rod is about its polar angle. Left and right are those of a driver. The stee
 cam steers, since a lifted rod turns the car right; where it was logged it is positive to the left, as the heading is.
 """
 _UNITS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
-# Of effects that there are many of, which stand for all of them.
+# Effects that come in series (orders, stages): one row stands for all of a series.
 _MANY = ((re.compile(r", order \d+$"), ", order n"), (re.compile(r" of (the camshaft|stage \d)$"), " of ..."))
 
 
@@ -30,7 +34,7 @@ def page() -> str:
 
 _INDICES = {
     "nose_number": "which one, counted from 1 by polar angle",
-    "turns_per_turn": "turns of that shaft for one of the cam; only what is whole may be of the `car`",
+    "turns_per_turn": "turns of that shaft for one of the cam; only a whole number may have the place `car`",
 }
 
 

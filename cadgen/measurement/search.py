@@ -34,8 +34,9 @@ BASES = 20
 ROUNDS = 4
 # What is left is more than chance if its chi-square is so many standard deviations above its mean.
 CHANCE = 3.0
-# An effect of the instrument and one of the part are told apart by data in which they differ by this share.
-PARTED = 0.02
+# An effect of the instrument and one of the part are told apart by data in which they differ by this share: more than a
+# part differs that is clamped anew by eye (one degree), less than one that is turned on purpose.
+PARTED = 0.05
 # Values that are better than those fitted by this much, in -2 log L, lie in another valley.
 BETTER = 1.0
 # A subset that stays behind the best one by so much of the criterion is not fitted to the end.
@@ -56,6 +57,23 @@ class Rated:
     columns: Index
 
 
+@dataclass(frozen=True)
+class Alike:
+    """Some of the numerous effects, k of them, that have the same number of columns.
+
+    Attributes:
+        effects: numbers of the effects, shape (k,).
+        columns: columns of each, shape (k, width).
+        products: products of these columns for every spectrum, shape (g, k, width, width).
+        size: sizes of the columns, shape (g, k, width); infinite where nothing is left of one.
+    """
+
+    effects: Index
+    columns: Index
+    products: Array
+    size: Array
+
+
 class Numerous:
     """The many effects that enter one at a time: whitened once, with their products among their own columns."""
 
@@ -65,17 +83,12 @@ class Numerous:
         self.halves = joint.halves(self.white)
         sorts = [(s.stop - s.start, bool(e.parts)) for e, s in zip(self.effects, self.spans, strict=True)]
         self.groups = [
-            self._group(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
+            self._alike(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
             for sort in sorted(set(sorts))
         ]
 
-    def _group(self, width: int, which: Index) -> tuple[int, Index, Index, Array, Array]:
-        """Effects that have so many columns.
-
-        Returns:
-            Number of columns of each, the effects, their columns, shape (k, width), the products of these, shape
-            (g, k, width, width), and the columns' sizes, shape (g, k, width).
-        """
+    def _alike(self, width: int, which: Index) -> Alike:
+        """Effects by their numbers, each of which has so many columns."""
         columns = np.array([self.spans[i].start for i in which], dtype=np.intp)[:, None] + np.arange(width)
         own = np.einsum("nki,nkj->kij", self.white[:, columns], self.white[:, columns])
         taken = np.einsum("gqki,gqkj->gkij", self.halves[:, :, columns], self.halves[:, :, columns])
@@ -83,7 +96,7 @@ class Numerous:
         left = np.maximum(whole - np.einsum("gkii->gki", taken), 0.0)
         # What the discrepancy hides but for rounding is of no size that anything could be measured against.
         size = np.where(left > _HIDDEN * whole, np.sqrt(left), np.inf)
-        return width, which, columns, own - taken, size
+        return Alike(which, columns, own - taken, size)
 
 
 @dataclass(frozen=True)
@@ -168,7 +181,7 @@ def parted(joint: Joint) -> tuple[Effect, ...]:
         if np.linalg.norm(mine - others @ (others.T @ mine), 2) < PARTED:
             del kept[effect.key]
             by = f"{other.separated_by}; {effect.name}: {effect.separated_by}"
-            kept[other.key] = replace(other, twins=(*other.twins, effect.name), separated_by=by)
+            kept[other.key] = replace(other, twins=tuple(dict.fromkeys((*other.twins, effect.name))), separated_by=by)
     return tuple(kept.values())
 
 
@@ -198,9 +211,7 @@ def _promising(
         np.arange(width, width + datum.shape[1]),
     )
     leaves_more = _leaves_more(joint, best)
-    subsets = set(_subsets(free.effects))
-    if leaves_more:
-        subsets |= set(_grown(free.effects, best))
+    subsets = {*_subsets(free.effects), *_grown(free.effects, best)}
     rated = sorted(_rate_free(this, subsets, search), key=lambda r: r.score)
     most = MOST_CAUSES if leaves_more else LARGEST_SUBSET
     bases = [r for r in rated if causes(r.effects) < most][:BASES]
@@ -210,13 +221,14 @@ def _promising(
     named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
     datum_start = [(e, v) for e, v in best.active if e in joint.datum]
     chosen = rated[:REFINED] + named[:NAMED]
-    starts: list[Start] = []
-    if leaves_more or any(e.shape for e in best.effects):
-        # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted; and a
-        # shape without a name may stand for it.
-        beside = [r for r in rated if any(e.beside for e in r.effects) and not any(e.shape for e in r.effects)]
+    # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted; and a
+    # shape without a name, or the disc, may stand for it.
+    beside = [r for r in rated if any(e.beside for e in r.effects) and not any(e.shape for e in r.effects)]
+    more = leaves_more or any(e.shape for e in best.effects)
+    companions = [e for e in core if e.beside and (more or e.beside in best.effects) and e not in best.effects]
+    if companions:
         chosen += [r for r in beside[:NAMED] if r not in chosen]
-        starts = [_accompanied(effect, core, beside, best) for effect in core if effect.beside]
+    starts = [_accompanied(effect, core, beside, best) for effect in companions]
     return [*starts, *((r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen)]
 
 
@@ -296,12 +308,13 @@ def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> It
     left = np.swapaxes(right, 1, 2)
     target = this.cross[:, -1] - np.einsum("gkm,gk->gm", this.cross[:, held], solved[:, :, -1])
     square = this.products[:, -1, -1] - np.einsum("gk,gk->g", right[:, :, -1], solved[:, :, -1])
-    for width, which, columns, own, size in many.groups:
+    for alike in many.groups:
+        columns, width = alike.columns, alike.columns.shape[1]
         a, b = columns[:, :, None], columns[:, None, :]
-        taken = own - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
-        score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, size)
+        taken = alike.products - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
+        score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, alike.size)
         for row in np.argsort(np.where(sound, score, np.inf))[:3]:
-            effects = (*base.effects, many.effects[which[row]])
+            effects = (*base.effects, many.effects[alike.effects[row]])
             tail = effects[-1].start.copy()
             tail[:width] = estimate[row]
             values = np.concatenate([base.estimate, tail])
@@ -335,9 +348,9 @@ def _range(span: slice) -> Index:
 
 
 def _compatible(effects: list[Effect]) -> bool:
-    """At most one of each family."""
-    families = [e.family for e in effects if e.family]
-    return len(set(families)) == len(families)
+    """At most one of each group."""
+    groups = [e.group for e in effects if e.group is not None]
+    return len(set(groups)) == len(groups)
 
 
 def _completed(effects: tuple[Effect, ...], estimate: Array, spans: list[slice]) -> Array:

@@ -4,11 +4,13 @@ All act at the stage `READING` on what the instrument shows, and know a row only
 """
 
 from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.deviations.effect import READING, UNITS, Effect, Parameter
+from cadgen.deviations.effect import READING, UNITS, Effect, Parameter, Stage
 from cadgen.deviations.rows import Rows
 
 BUMP_WIDTHS_DEG = (2.0, 4.0, 8.0, 16.0)
@@ -25,7 +27,12 @@ def _size(name: str, unit: str) -> Parameter:
 
 
 def harmonic(order: float, unit: str) -> Effect:
-    """Harmonic of an order n: p0 cos(n theta) + p1 sin(n theta)."""
+    """Harmonic of an order n: p0 cos(n theta) + p1 sin(n theta).
+
+    Args:
+        order: order n, a number.
+        unit: unit of the size on screen, such as `um`.
+    """
 
     def act(reading: Array, p: Array, at: Rows) -> Array:
         return np.asarray(reading + p[0] * np.cos(order * at.place) + p[1] * np.sin(order * at.place))
@@ -34,7 +41,13 @@ def harmonic(order: float, unit: str) -> Effect:
 
 
 def bump(centre_deg: float, width_deg: float, unit: str) -> Effect:
-    """A local bump or dent: height, centre and half-width, the latter two searched from where it was offered."""
+    """A local bump or dent: height, centre and half-width, the latter two searched from where it was offered.
+
+    Args:
+        centre_deg: middle from which the search begins, degrees.
+        width_deg: half-width from which it begins, degrees.
+        unit: unit of the size on screen, such as `um`.
+    """
 
     def act(reading: Array, p: Array, at: Rows) -> Array:
         off = (at.place - p[1] + np.pi) % TURN - np.pi
@@ -51,7 +64,13 @@ def bump(centre_deg: float, width_deg: float, unit: str) -> Effect:
 
 
 def sector(centre_deg: float, half_deg: float, unit: str) -> Effect:
-    """A part of the turn that stands higher than the rest: height, centre and half-width; edges of two degrees."""
+    """A part of the turn that stands higher than the rest: height, centre and half-width; edges of two degrees.
+
+    Args:
+        centre_deg: middle from which the search begins, degrees.
+        half_deg: half-width from which it begins, degrees.
+        unit: unit of the size on screen, such as `um`.
+    """
 
     def act(reading: Array, p: Array, at: Rows) -> Array:
         off = np.abs((at.place - p[1] + np.pi) % TURN - np.pi)
@@ -68,7 +87,13 @@ def sector(centre_deg: float, half_deg: float, unit: str) -> Effect:
 
 
 def step(run: int, when: float, unit: str) -> Effect:
-    """A jump of the zero within one run, at a share `when` of it, counted from its middle: -1/2 to 1/2."""
+    """A jump of the zero within one run, at a share `when` of it, counted from its middle: -1/2 to 1/2.
+
+    Args:
+        run: number of the run.
+        when: share of the run at which the zero jumps, from its middle, -1/2 to 1/2.
+        unit: unit of the size on screen, such as `um`.
+    """
 
     def act(reading: Array, p: Array, at: Rows) -> Array:
         return np.asarray(reading + p[0] * ((at.run == run) & (at.elapsed >= when)))
@@ -97,11 +122,18 @@ def _shape(
     )
 
 
-def shapes(rows: Rows, unit: str, orders: Array | range) -> tuple[Effect, ...]:
-    """Every competing form: harmonics of given orders, bumps and sectors all over the turn, steps in each run."""
+def shapes(rows: Rows, unit: str, orders: Array | range, form_of: Stage[Any] | None = None) -> tuple[Effect, ...]:
+    """Every competing form: harmonics of given orders, bumps and sectors all over the turn, steps in each run.
+
+    Args:
+        rows: where they were measured.
+        unit: of the reading.
+        orders: of the harmonics, dimensionless.
+        form_of: stage of the car that bumps and sectors are a form of; None if they may be the instrument's.
+    """
     if unit not in UNITS:
         raise KeyError(unit)
-    forms = [harmonic(float(order), unit) for order in orders]
+    forms: list[Effect] = []
     for width in BUMP_WIDTHS_DEG:
         centres = np.arange(0.0, 360.0, BUMP_PITCH * width)
         near = np.min(np.abs((rows.place[:, None] - np.radians(centres) + np.pi) % TURN - np.pi), axis=0)
@@ -110,4 +142,6 @@ def shapes(rows: Rows, unit: str, orders: Array | range) -> tuple[Effect, ...]:
         first = np.arange(0.0, 360.0, SECTOR_PITCH_DEG)
         forms += [sector(float(edge + wide / 2) % 360, float(wide) / 2, unit) for edge in first]
     places = np.linspace(-0.5, 0.5, STEPS_PER_RUN + 2)[1:-1]
+    waves = (harmonic(float(order), unit) for order in orders)
+    forms = [*waves, *(replace(form, form_of=form_of) for form in forms)]
     return (*forms, *(step(run, float(when), unit) for run in range(rows.runs) for when in places))

@@ -88,20 +88,20 @@ def _judgement(left_out: LeftOut) -> Judgement:
     common = set(names).intersection(*({e.name for e in t.effects} for t in rivals))
     verdict: Verdict
     if not names or gained < LEAST_GAIN:
-        verdict, common, sentence = "none", set(), "No effect lowers the path error on runs left out."
+        verdict, common, sentence = Verdict.NONE, set(), "No effect lowers the path error on runs left out."
     elif runs < LEAST_RUNS:
-        verdict, common = "ambiguous", set()
+        verdict, common = Verdict.AMBIGUOUS, set()
         sentence = f"Consistent with {_names(chosen)}, but too few runs to tell it from chance."
     elif rivals:
-        verdict = "ambiguous"
+        verdict = Verdict.AMBIGUOUS
         sentence = f"Consistent with {_names(chosen)}; or {'; or '.join(_names(t) for t in rivals)}."
     else:
-        verdict = "traced" if len(names) == 1 else "combination"
+        verdict = Verdict.TRACED if len(names) == 1 else Verdict.COMBINATION
         sentence = (
             f"Traced to {_names(chosen)}: the path error on runs left out falls from "
             f"{before:.0f} to {chosen.error:.0f} mm."
         )
-    likely = [chosen, *rivals] if verdict != "none" else []
+    likely = [chosen, *rivals] if verdict != Verdict.NONE else []
     limits: tuple[str, ...] = ()
     if runs < LEAST_RUNS:
         given = "one run" if runs == 1 else f"{runs} runs"

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from itertools import chain, combinations
 from math import log
-from typing import Literal
 
 import numpy as np
 from scipy.stats import f as f_distribution
@@ -18,16 +18,19 @@ from cadgen.measurement.joint import Joint, Part
 from cadgen.measurement.models.base import Model, fourier, per_run, repeating
 from cadgen.measurement.noise import Noise
 
-Verdict = Literal[
-    "none",
-    "traced",
-    "combination",
-    "ambiguous",
-    "partial",
-    "untraced shape",
-    "unexplained",
-    "runs disagree",
-]
+
+class Verdict(StrEnum):
+    """Class of a verdict."""
+
+    NONE = "none"
+    TRACED = "traced"
+    COMBINATION = "combination"
+    AMBIGUOUS = "ambiguous"
+    PARTIAL = "partial"
+    UNTRACED_SHAPE = "untraced shape"
+    UNEXPLAINED = "unexplained"
+    RUNS_DISAGREE = "runs disagree"
+
 
 # A name is claimed if the subsets that hold it have this probability together. That is of the least sure claim; of all
 # claims far more are right (docs/measurement.md).
@@ -92,7 +95,11 @@ def sigmas_of(freedom: float, choices: int = 1) -> float:
 
 
 def within_words(sigmas: float = SIGMAS) -> str:
-    """Why a number is not claimed."""
+    """Why a number is not claimed.
+
+    Args:
+        sigmas: number of standard deviations.
+    """
     return f"within {sigmas:.3g} standard deviations of nothing"
 
 
@@ -126,10 +133,10 @@ def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement
         claimed=tuple(name for name in judgement.claimed if name not in dropped),
         limits=(*judgement.limits, limit),
     )
-    if judgement.verdict not in ("traced", "combination"):
+    if judgement.verdict not in (Verdict.TRACED, Verdict.COMBINATION):
         return judgement
     sentence = f"Consistent with {' and '.join(judgement.reported)}, but not sure of {' and '.join(dropped)}: {why}."
-    return replace(judgement, verdict="ambiguous", sentence=sentence)
+    return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence)
 
 
 def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
@@ -142,23 +149,23 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
     else:
         judgement, best = _beyond_floor(joint, loose, found)
     left, where = max((_left_over(part, joint, best), part.record.source) for part in joint.parts)
-    if judgement.verdict in ("untraced shape", "partial", "none") and left > LEFT_OVER:
+    if judgement.verdict in (Verdict.UNTRACED_SHAPE, Verdict.PARTIAL, Verdict.NONE) and left > LEFT_OVER:
         sentence = (
             f"What remains is {left:.1f} times the noise and neither an effect of the catalogue nor a shape that "
             "repeats: check that the design belongs to this file, and the file's units."
         )
-        return replace(judgement, verdict="unexplained", sentence=sentence, claimed=()), best
+        return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=sentence, claimed=()), best
     if left > LEFT_OVER:
         limit = f"what remains in {where} is {left:.1f} times its noise and has no name: something else is at work too"
         judgement = replace(judgement, limits=(*judgement.limits, limit))
-    if judgement.verdict != "none" and any(_runs_disagree(part, best) for part in joint.parts):
+    if judgement.verdict != Verdict.NONE and any(_runs_disagree(part, best) for part in joint.parts):
         sentence = "The runs differ from each other by more than the noise within them: nothing is claimed."
-        return replace(judgement, verdict="runs disagree", sentence=sentence, claimed=()), best
+        return replace(judgement, verdict=Verdict.RUNS_DISAGREE, sentence=sentence, claimed=()), best
     if all(part.noise.runs == 1 for part in joint.parts):
         limit = "one run only: noise cannot be told from what repeats, so no name is certain; repeat the measurement"
         words = f"One run only: consistent with {_names(best)}, but noise cannot be told from what repeats."
-        if judgement.verdict != "none":
-            judgement = replace(judgement, verdict="ambiguous", sentence=words)
+        if judgement.verdict != Verdict.NONE:
+            judgement = replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=words)
         return replace(judgement, claimed=(), limits=(limit, *judgement.limits)), best
     return _less_single_runs(joint, judgement, best), best
 
@@ -190,17 +197,17 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
     verdict: Verdict
     if not best.effects:
         disagree = any(_runs_disagree(part, best) for part in joint.parts)
-        verdict, rivals = ("runs disagree" if disagree else "none"), []
+        verdict, rivals = (Verdict.RUNS_DISAGREE if disagree else Verdict.NONE), []
     elif anonymous and not best.claims:
-        verdict = "untraced shape"
+        verdict = Verdict.UNTRACED_SHAPE
     elif anonymous:
-        verdict = "partial"
+        verdict = Verdict.PARTIAL
         if _explained(joint, found, best) < MOST:
             common = frozenset()
     elif best.claims != common:
-        verdict = "ambiguous"
+        verdict = Verdict.AMBIGUOUS
     else:
-        verdict = "traced" if len(best.effects) == 1 else "combination"
+        verdict = Verdict.TRACED if len(best.effects) == 1 else Verdict.COMBINATION
     judgement = Judgement(
         verdict=verdict,
         sentence=_sentence(verdict, best, rivals, sorted(reported - best.claims)),
@@ -239,7 +246,14 @@ def _shows(part: Part, whole: Active, rest: Active) -> bool:
 
 
 def registered(model: Model, noise: Noise, residual: Array, more: Array | None = None) -> Array:
-    """The residual less the linear datum freedoms, and less further columns, shape (n, m)."""
+    """The residual less the linear datum freedoms, and less further columns, shape (n, m).
+
+    Args:
+        model: model of the record.
+        noise: noise of the record.
+        residual: residual, shape (n,), mm or rad.
+        more: further columns, shape (n, k), mm or rad; None without.
+    """
     weight = 1 / noise.sigma
     free = model.offsets if more is None else np.hstack([model.offsets, more])
     if not free.shape[1]:
@@ -265,7 +279,7 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
     best = loose if loose.claims and loose.loose_score < alone.loose_score - BESIDE_UNKNOWN else alone
     if best.claims and _explained(joint, found, best) < MOST:
         best = alone
-    verdict: Verdict = "partial" if best.claims else "untraced shape"
+    verdict: Verdict = Verdict.PARTIAL if best.claims else Verdict.UNTRACED_SHAPE
     beyond = best.at(joint, loose=True)
     _, place, size, part = max((_largest(part, joint, beyond) for part in joint.parts), key=lambda found: found[0])
     unit = part.model.unit
@@ -336,19 +350,19 @@ def _runs_disagree(part: Part, best: Hypothesis) -> bool:
 
 
 def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> str:
-    if verdict == "none":
+    if verdict == Verdict.NONE:
         return "No effect beyond noise and the stated form error."
-    if verdict == "runs disagree":
+    if verdict == Verdict.RUNS_DISAGREE:
         return "The runs differ from each other by more than the noise within them: nothing is claimed."
     names = _names(best)
-    if verdict in ("traced", "combination"):
-        names = f"Traced to {names}{' together' if verdict == 'combination' else ''}"
+    if verdict in (Verdict.TRACED, Verdict.COMBINATION):
+        names = f"Traced to {names}{' together' if verdict == Verdict.COMBINATION else ''}"
         twins = [f"{e.name} from {' or '.join(e.twins)}" for e in best.effects if e.twins]
         names += f"; this data cannot tell {' nor '.join(twins)}" if twins else ""
         return f"{names}; less likely but not ruled out: {', '.join(possible)}." if possible else f"{names}."
-    if verdict == "untraced shape":
+    if verdict == Verdict.UNTRACED_SHAPE:
         return f"A shape that no effect of the catalogue makes: {names} ({_numbers(best)})."
-    if verdict == "partial":
+    if verdict == Verdict.PARTIAL:
         named = [e for e in best.effects if not e.shape]
         rest = [e for e in best.effects if e.shape]
         return (

@@ -5,6 +5,7 @@ by m - B. Least squares of three means with their standard errors gives B and m;
 """
 
 from dataclasses import dataclass
+from enum import StrEnum
 from math import sqrt
 
 import numpy as np
@@ -16,8 +17,17 @@ from cadgen.measurement.findings import Finding, Value
 from cadgen.measurement.record import Record
 from cadgen.measurement.verdict import Judgement, Verdict, sigmas_of
 
+
+class Zone(StrEnum):
+    """Zone over which the cam turns: without an event, with a jump, or with a wait."""
+
+    SMOOTH = "smooth"
+    JUMP = "jump"
+    REVERSE = "reverse"
+
+
 # Turns of the cam per return error in each zone.
-EVENTS = {"smooth": 0.0, "jump": 1.0, "reverse": -1.0}
+EVENTS = {Zone.SMOOTH: 0.0, Zone.JUMP: 1.0, Zone.REVERSE: -1.0}
 CONFIDENCE = 0.95
 # Standard errors that zones of one return error do not stray apart (odds of a thousand to one).
 MOST_MISFIT = 3.3
@@ -75,7 +85,7 @@ class Shortfall:
 
 
 def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
-    """Estimate B from zone means.
+    """Estimate B from zone means, normally distributed about the turn of the zone (eq. 31-33).
 
     Args:
         record: of kind `zones`.
@@ -88,7 +98,7 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
     if set(names) != set(EVENTS):
         raise FileError(f"{record.source}: zones {', '.join(names)}; give {', '.join(EVENTS)}, each at least once")
     mean, error = record["cam_angle_deg"], record["std_deg"] / np.sqrt(record["n"])
-    design = np.stack([np.ones(len(names)), np.array([EVENTS[name] for name in names])], axis=1)
+    design = np.stack([np.ones(len(names)), np.array([EVENTS[Zone(name)] for name in names])], axis=1)
     covariance = np.linalg.inv(design.T @ (design / error[:, None] ** 2))
     smooth, B = covariance @ (design.T @ (mean / error**2))
     sigma = sqrt(covariance[1, 1])
@@ -97,7 +107,7 @@ def return_error(record: Record, tabled_deg: tuple[float, ...] = ()) -> Zones:
     reach = float(student.ppf((1 + CONFIDENCE) / 2, freedom)) * sigma
     compared = tuple(Compared(t, float((B - t) / sigma), bool(abs(B - t) <= reach)) for t in tabled_deg)
     left = (mean - design @ np.array([smooth, B])) / error
-    over = np.sign(left[names.index("smooth")]) * np.sqrt(np.sum(left**2) / (len(names) - 2))
+    over = np.sign(left[names.index(Zone.SMOOTH)]) * np.sqrt(np.sum(left**2) / (len(names) - 2))
     return Zones(
         return_error_deg=float(B),
         sigma_deg=sigma,
@@ -118,22 +128,29 @@ def judged(record: Record, zones: Zones) -> tuple[Judgement, Finding]:
     finding = Finding(RETURN_ERROR.name, (value,), (), (), sigmas=sigmas_of(zones.freedom))
     verdict: Verdict
     if abs(zones.misfit) > MOST_MISFIT:
-        verdict = "unexplained"
+        verdict = Verdict.UNEXPLAINED
         sentence = (
             f"The three zones do not agree with one return error, by {abs(zones.misfit):.1f} standard errors: "
             "check that all runs were started and stopped alike."
         )
     elif low <= 0.0 or finding.within_error:
-        verdict, sentence = "none", f"No return error beyond chance: {size}."
+        verdict, sentence = Verdict.NONE, f"No return error beyond chance: {size}."
     else:
-        verdict, sentence = "traced", f"Traced to return error: {size}."
-    names = (finding.effect,) if verdict == "traced" else ()
+        verdict, sentence = Verdict.TRACED, f"Traced to return error: {size}."
+    names = (finding.effect,) if verdict == Verdict.TRACED else ()
     judgement = Judgement(verdict=verdict, sentence=sentence, claimed=names, reported=names, rivals=(), separate=())
     return judgement, finding
 
 
 def shortfall(zones: Zones, *, rpm: float, seconds: float, ratio: float) -> Shortfall:
-    """Weigh the causes for a turn that is not the expected one; one mean cannot choose between them."""
+    """Weigh the causes for a turn that is not the expected one; one mean cannot choose between them.
+
+    Args:
+        zones: return error over zones.
+        rpm: mean speed of the motor, rpm.
+        seconds: time of a run, s.
+        ratio: ratio of the train.
+    """
     expected = rpm / 60 * seconds * 360 / ratio
     share = zones.smooth_deg / expected
     return Shortfall(

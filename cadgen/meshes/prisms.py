@@ -18,7 +18,12 @@ Corners = dict[tuple[Loop, float], int]
 
 
 def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
-    """Mesh of `body` whose chords stay within `chord_tolerance` (mm) of the exact outlines."""
+    """Mesh of `body` whose chords stay within `chord_tolerance` (mm) of the exact outlines.
+
+    Args:
+        body: body of prisms.
+        chord_tolerance: greatest distance of a chord from an outline, mm.
+    """
     polygons: dict[Loop, Points] = {}
     corners: Corners = {}
     vertices: list[NDArray[np.float64]] = []

@@ -56,7 +56,13 @@ class Section:
         return float(np.abs(self.corners).min())
 
     def near(self, angle: float, towards: float, beside: int = TEETH_BESIDE) -> Points:
-        """Outline of the teeth that point `towards` (rad) when the gear stands at `angle`, closed over its axis."""
+        """Outline of the teeth that point `towards` (rad) when the gear stands at `angle`, closed over its axis.
+
+        Args:
+            angle: angle of the gear, rad.
+            towards: direction of the teeth, rad.
+            beside: number of teeth on either side.
+        """
         if 2 * beside + 1 >= self.teeth:
             return np.asarray(self.corners.ravel() * np.exp(1j * angle))
         middle = round((towards - angle) * self.teeth / (2 * pi))
@@ -78,26 +84,47 @@ class MeasuredPair:
         return self.centre_distance * self.driven.teeth / (self.driver.teeth + self.driven.teeth)
 
     def middle(self, driver_angle: float) -> float:
-        """Angle of the driven gear with its teeth midway between the driver's, in rad, continuous."""
+        """Angle of the driven gear with its teeth midway between the driver's, in rad, continuous.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
         return pi + (pi - self.driver.teeth * driver_angle) / self.driven.teeth
 
     def overlap(self, driver_angle: float, driven_angle: float) -> float:
-        """Overlap of both sections in mm²."""
+        """Overlap of both sections in mm².
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            driven_angle: angle of the driven gear, rad.
+        """
         driven = self.centre_distance + self.driven.near(driven_angle, pi)
         return float((_held(self.driver, driver_angle) ^ _section(driven)).area())
 
     def overlap_midway(self, driver_angle: float) -> float:
-        """Overlap in mm² with the teeth midway between the other's: above `LEAST_OVERLAP` they jam."""
+        """Overlap in mm² with the teeth midway between the other's: above `LEAST_OVERLAP` they jam.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
         return self.overlap(driver_angle, self.middle(driver_angle))
 
     def overlap_tooth_on_tooth(self, driver_angle: float) -> float:
-        """Overlap in mm² half a pitch on: up to `LEAST_OVERLAP` the teeth do not hold each other."""
+        """Overlap in mm² half a pitch on: up to `LEAST_OVERLAP` the teeth do not hold each other.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
         return self.overlap(driver_angle, self.middle(driver_angle) + pi / self.driven.teeth)
 
     def limit(self, driver_angle: float, side: int) -> float:
         """Angle in rad at which the driven gear, turned from the middle to `side` (±1), begins to overlap the driver.
 
         Raises `CheckError` if it overlaps already, or not even half a pitch from the middle.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            side: direction of the turn, 1 or -1.
         """
         middle = self.middle(driver_angle)
         free, blocked = 0.0, pi / self.driven.teeth
@@ -114,7 +141,11 @@ class MeasuredPair:
         return middle + side * (free + blocked) / 2
 
     def play(self, driver_angle: float) -> float:
-        """Free angle of the driven gear while the driver stands still, in rad."""
+        """Free angle of the driven gear while the driver stands still, in rad.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+        """
         return self.limit(driver_angle, 1) - self.limit(driver_angle, -1)
 
     def clearances(self) -> tuple[float, float]:
@@ -130,13 +161,23 @@ class MeasuredPair:
 
 
 def section_of(wheel: Wheel, chord_tolerance: float = CHORD_TOLERANCE) -> Section:
-    """Section of a wheel from its exact curves, by chords no further off than `chord_tolerance`, mm."""
+    """Section of a wheel from its exact curves, by chords no further off than `chord_tolerance`, mm.
+
+    Args:
+        wheel: gear with its place on a part.
+        chord_tolerance: greatest distance of a chord from a curve, mm.
+    """
     outline = wheel.outline
     return Section(outline.polygon(chord_tolerance).reshape(outline.repeats, -1))
 
 
 def measured_pair(stage: Stage, centre_distance: float | None = None) -> MeasuredPair:
-    """A stage by its exact curves, as cut, at its own centre distance or at another one, mm."""
+    """A stage by its exact curves, as cut, at its own centre distance or at another one, mm.
+
+    Args:
+        stage: stage of gears.
+        centre_distance: distance of the axes, mm; the stage's own if left out.
+    """
     apart = stage.centre_distance if centre_distance is None else centre_distance
     driver, driven = stage.wheels
     return MeasuredPair(section_of(driver), section_of(driven), apart)
@@ -147,6 +188,10 @@ def return_error(stages: Sequence[MeasuredPair], drive_angle: float = 0.0) -> fl
 
     Every stage is held against one flank after the other at the angle that the stage before leaves it; the
     shafts turn against each other, so the driver's last angle gives the driven gear's first.
+
+    Args:
+        stages: stages from the drive to the output.
+        drive_angle: angle of the drive, rad.
     """
     low = high = drive_angle
     for stage in stages:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from enum import StrEnum
 from functools import cache
 
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.gears.engaged import CONTRADICTION, PLAY_LIMIT_UM
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.stage import Stage
@@ -26,7 +26,7 @@ def gear_checks(layout: TrainLayout, chords: Sequence[float]) -> tuple[Check, ..
     if meshes(cut):
         error = return_error_um(cut, [_built(stage, stage.centre_distance) for stage in cut])
         code, name = CheckCode.RETURN_ERROR, "return error - computed"
-        checks.append(Check(code, name, abs(error), "µm", PLAY_LIMIT_UM, "max", "whole train", CONTRADICTION))
+        checks.append(Check(code, name, abs(error), "µm", PLAY_LIMIT_UM, Bound.MAX, "whole train", CONTRADICTION))
     return tuple(checks)
 
 
@@ -81,7 +81,7 @@ def _bodies(layout: TrainLayout, chords: Sequence[float]) -> list[Check]:
     worst, place = max(shared)
     advice = "give a longer collar, smaller hubs, or more thinning"
     met = place if worst > 0 else ""
-    return [Check(CheckCode.BODIES_OVERLAP, "bodies overlap", worst, "mm3", OVERLAP_LIMIT, "max", met, advice)]
+    return [Check(CheckCode.BODIES_OVERLAP, "bodies overlap", worst, "mm3", OVERLAP_LIMIT, Bound.MAX, met, advice)]
 
 
 def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
@@ -101,8 +101,8 @@ def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
 
 def _reserve(check: Check, other_limit: float) -> float:
     """Margin of a value to its limit: in its unit, or as a share of the limit where stages have different limits."""
-    value = -check.value if check.bound == "max" else check.value
+    value = -check.value if check.bound == Bound.MAX else check.value
     if check.limit == other_limit:
         return value
-    limit = -check.limit if check.bound == "max" else check.limit
+    limit = -check.limit if check.bound == Bound.MAX else check.limit
     return (value - limit) / abs(check.limit) if check.limit else value - limit

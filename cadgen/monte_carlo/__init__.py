@@ -2,6 +2,7 @@
 
 | module        | what it holds                                                            |
 |---------------|--------------------------------------------------------------------------|
+| `parameters`  | quantities in which cars may differ: names, units, columns               |
 | `fleet`       | many cars at once, each with its own dimensions                          |
 | `derivatives` | change of the steering with small deviations, to first order             |
 | `stretches`   | jumps and waits of many cars' cams, each car with its own friction       |

@@ -13,18 +13,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, run_fleet
+from cadgen.monte_carlo.fleet import Fleet, run_fleet
+from cadgen.monte_carlo.parameters import Directed, Parameter, Tolerance
 from cadgen.monte_carlo.processes import HALF_WIDTHS, Process
 from cadgen.monte_carlo.robust import MOST_STEERING, ONE_SIDED, steering_effect
 
 Complex = NDArray[np.complex128]
 
 # These differ from run to run, or the trim itself sets them no closer (the base radius, by which it is set).
-FLEETING = ("base_radius", "cam_phase", "start_x", "start_y", "start_heading", "steering_lost_motion", "temperature")
+FLEETING = (
+    Parameter.BASE_RADIUS,
+    Parameter.CAM_PHASE,
+    Parameter.START_X,
+    Parameter.START_Y,
+    Parameter.START_HEADING,
+    Parameter.STEERING_LOST_MOTION,
+    Parameter.TEMPERATURE,
+)
 _DIRECTIONS = 24  # of a deviation that has one, searched for the worst
 _TRIM_STEPS = 4  # of Newton's method
 _TRIM_PROBE = radians(0.01)
-_COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,7 +41,7 @@ class Cost:
 
     Attributes:
         name: name of the tolerance, or place of the play.
-        parameter: parameter that deviates: one of `robust.TOLERANCES`, or `play`.
+        parameter: parameter that deviates: one of `TOLERANCES`, or `play`.
         half_width: half of the tolerance zone, in the unit of the parameter.
         before: greatest distance by which the end of the run is moved, mm.
         after: that distance after a trim, mm; equal to `before` for a deviation that does not repeat.
@@ -42,7 +50,7 @@ class Cost:
     """
 
     name: str
-    parameter: str
+    parameter: Tolerance
     half_width: float
     before: float
     after: float
@@ -67,7 +75,7 @@ class Budget:
         return float(np.sqrt(sum(cost.after**2 for cost in self.costs)))
 
 
-def error_budget(fleet: Fleet, half_widths: Mapping[str, float], plays: Mapping[str, float]) -> Budget:
+def error_budget(fleet: Fleet, half_widths: Mapping[Tolerance, float], plays: Mapping[str, float]) -> Budget:
     """Rank all deviations by their cost at the end of the run.
 
     Args:
@@ -75,8 +83,10 @@ def error_budget(fleet: Fleet, half_widths: Mapping[str, float], plays: Mapping[
         half_widths: half widths of the tolerances, as in `robust.Tolerances`.
         plays: half of the zone of each play, rad, by the place of the play.
     """
-    deviations = [(name, name, half) for name, half in half_widths.items() if half > 0]
-    deviations += [(name, "play", half) for name, half in plays.items() if half > 0]
+    deviations: list[tuple[str, Tolerance, float]] = [
+        (name, name, half) for name, half in half_widths.items() if half > 0
+    ]
+    deviations += [(name, Parameter.PLAY, half) for name, half in plays.items() if half > 0]
     if not deviations:
         return Budget(())
     at = [fleet.end]
@@ -94,7 +104,7 @@ def error_budget(fleet: Fleet, half_widths: Mapping[str, float], plays: Mapping[
     costs = []
     for number, (name, parameter, half) in enumerate(deviations):
         rows = slice(first[number], first[number] + len(tables[number]))
-        repeats = name not in FLEETING
+        repeats = parameter not in FLEETING
         worst = float(before[rows].max())
         costs.append(
             Cost(
@@ -104,7 +114,7 @@ def error_budget(fleet: Fleet, half_widths: Mapping[str, float], plays: Mapping[
                 before=worst,
                 after=float(after[rows].max()) if repeats else worst,
                 repeats=repeats,
-                rough=parameter != "play" and half * steering_effect(fleet, parameter) > MOST_STEERING,
+                rough=parameter != Parameter.PLAY and half * steering_effect(fleet, parameter) > MOST_STEERING,
             )
         )
     return Budget(tuple(sorted(costs, key=lambda cost: -cost.after)))
@@ -115,18 +125,16 @@ def by_process(fleet: Fleet) -> dict[Process, Budget]:
     return {process: error_budget(fleet, halves, {}) for process, halves in HALF_WIDTHS.items()}
 
 
-def _cases(parameter: str, half: float) -> Array:
+def _cases(parameter: Tolerance, half: float) -> Array:
     """Cars at the limits of one tolerance, in every direction if it has one; shape (k, columns)."""
-    if parameter in DIRECTED:
+    if isinstance(parameter, Directed):
         angle = TURN / _DIRECTIONS * np.arange(_DIRECTIONS)
-        cars = np.zeros((_DIRECTIONS, len(PARAMETERS)))
-        cars[:, [_COLUMN[part] for part in DIRECTED[parameter]]] = half * np.stack(
-            [np.cos(angle), np.sin(angle)], axis=1
-        )
+        cars = np.zeros((_DIRECTIONS, len(Parameter)))
+        cars[:, [part.column for part in parameter.parts]] = half * np.stack([np.cos(angle), np.sin(angle)], axis=1)
         return cars
     ends = [half] if parameter in ONE_SIDED else [-half, half]
-    cars = np.zeros((len(ends), len(PARAMETERS)))
-    cars[:, _COLUMN[parameter]] = ends
+    cars = np.zeros((len(ends), len(Parameter)))
+    cars[:, parameter.column] = ends
     return cars
 
 
@@ -135,10 +143,10 @@ def _moved(fleet: Fleet, cases: Array) -> tuple[Array, Array]:
 
     def ends(turn: Array) -> Complex:
         turned = cases.copy()
-        turned[:, _COLUMN["steering_zero"]] += turn
+        turned[:, Parameter.STEERING_ZERO.column] += turn
         return np.asarray(run_fleet(fleet, turned).position[:, fleet.end] - nominal)
 
-    nominal = run_fleet(fleet, np.zeros((1, len(PARAMETERS)))).position[0, fleet.end]
+    nominal = run_fleet(fleet, np.zeros((1, len(Parameter)))).position[0, fleet.end]
     turn = np.zeros(len(cases))
     now = before = ends(turn)
     for _ in range(_TRIM_STEPS):

@@ -24,11 +24,27 @@ from cadgen.arrays import Array
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.followers.rod_first_order import FirstOrder
 from cadgen.cam.rolled import Contact
+from cadgen.monte_carlo.parameters import Parameter
 
 # The rows, in order.
 STEERING = (
-    *("base_radius", "inner_face", "outer_face", "rod_radius", "profile_offset", "steering_zero"),
-    *("taper", "rod_height", "eccentricity_0", "eccentricity_90", "wobble_0", "wobble_90", "temperature"),
+    *(
+        Parameter.BASE_RADIUS,
+        Parameter.INNER_FACE,
+        Parameter.OUTER_FACE,
+        Parameter.ROD_RADIUS,
+        Parameter.PROFILE_OFFSET,
+        Parameter.STEERING_ZERO,
+    ),
+    *(
+        Parameter.TAPER,
+        Parameter.ROD_HEIGHT,
+        Parameter.ECCENTRICITY_0,
+        Parameter.ECCENTRICITY_90,
+        Parameter.WOBBLE_0,
+        Parameter.WOBBLE_90,
+        Parameter.TEMPERATURE,
+    ),
 )
 
 
@@ -44,7 +60,7 @@ class OtherEdge:
     below: Array
     rising: Array
 
-    PARTS: ClassVar[tuple[str, ...]] = ("taper", "wobble_0", "wobble_90")
+    PARTS: ClassVar[tuple[Parameter, ...]] = (Parameter.TAPER, Parameter.WOBBLE_0, Parameter.WOBBLE_90)
 
     @classmethod
     def of(cls, contact: Contact, follower: LeaningRod) -> "OtherEdge":

@@ -19,6 +19,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.cam.rolled import Contact
 from cadgen.errors import DesignError
 from cadgen.monte_carlo.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
+from cadgen.monte_carlo.parameters import Directed, Parameter
 from cadgen.monte_carlo.stretches import Forces, Stretches, behind_a_brake, stretches
 from cadgen.monte_carlo.watch import Watch
 from cadgen.motion.drive import Run
@@ -28,42 +29,6 @@ from cadgen.steering.car import Car, pace, wheel_tangent
 
 Complex = NDArray[np.complex128]
 
-# Quantities that may deviate, with their units. The order is that of the columns of a table of deviations.
-PARAMETERS: dict[str, str] = {
-    "base_radius": "mm",  # a, camshaft to fork axis
-    "inner_face": "mm",  # of the disc from the fork axis
-    "outer_face": "mm",
-    "rod_radius": "mm",
-    "profile_offset": "mm",  # the disc cut too large all round, along its normal
-    "steering_zero": "rad",  # of the front wheel against the rod
-    "wheelbase": "mm",
-    "drive_wheel_offset": "mm",
-    "wheel_radius": "mm",  # of the drive wheel: it scales the travel
-    "cam_phase": "rad",  # the cam set ahead on its shaft, or the run started late
-    "start_x": "mm",
-    "start_y": "mm",
-    "start_heading": "rad",
-    "play": "rad",  # B, added to the nominal one
-    "friction": "1",  # sliding, between rod and disc
-    "drag": "Nmm",  # on the disc or its shaft
-    "rod_force": "N",  # at zero lift
-    "edge_break": "mm",  # leg of the chamfer on both edges of the rim
-    "edge_wear": "mm",  # what the rod wears off both edges, as a chamfer would
-    "taper": "mm",  # by which the outer face is cut larger than the inner one
-    "rod_height": "mm",  # of the rod's axis over the camshaft's plane
-    "eccentricity_0": "mm",  # of the disc on its shaft, towards its polar angles 0 and 90 degrees
-    "eccentricity_90": "mm",
-    "wobble_0": "rad",  # of the disc, tilted towards these
-    "wobble_90": "rad",
-    "steering_lost_motion": "rad",  # of the front wheel against the rod
-    "wheel_runout_0": "mm",  # eccentricity of the drive wheel, towards the ground at the start and a quarter turn on
-    "wheel_runout_90": "mm",
-    "temperature": "K",
-}
-# Deviations drawn as a size and a direction: half a width stands for both.
-DIRECTED: dict[str, tuple[str, str]] = {
-    name: (f"{name}_0", f"{name}_90") for name in ("eccentricity", "wobble", "wheel_runout")
-}
 _ALWAYS = 6  # rows of `STEERING` that every car has
 _MARGIN = 2  # cells of the grid beyond the cam angles of the run
 
@@ -186,18 +151,18 @@ def run_fleet(fleet: Fleet, deviations: Array, stations: Array | None = None) ->
         deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
         stations: motor positions of each car, shape (m, g), rad; those of the fleet for all if left out.
     """
-    column = dict(zip(PARAMETERS, deviations.T, strict=True))
+    column = dict(zip(Parameter, deviations.T, strict=True))
     column = {**column, **_combined(fleet, column)}
-    play = np.maximum(fleet.play + column["play"], 0.0)
-    rate = fleet.length / TURN * (1 + column["wheel_radius"] / fleet.wheel_radius)
-    phase = column["cam_phase"]
+    play = np.maximum(fleet.play + column[Parameter.PLAY], 0.0)
+    rate = fleet.length / TURN * (1 + column[Parameter.WHEEL_RADIUS] / fleet.wheel_radius)
+    phase = column[Parameter.CAM_PHASE]
     first, last = float(phase.min()), float(fleet.stations[-1] + phase.max() + play.max())
     track = _Track.of(fleet, column, rate, first, last)
 
     stretch = _stretches(fleet, column, play, phase, last)
     turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
     zero = np.zeros((len(play), 1))
-    heading = column["start_heading"][:, None] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
+    heading = column[Parameter.START_HEADING][:, None] + np.concatenate([zero, np.cumsum(turned, axis=1)], axis=1)
     position = np.concatenate([zero, np.cumsum(np.exp(1j * heading[:, :-1]) * moved, axis=1)], axis=1)
 
     motor = (fleet.stations if stations is None else stations) + phase[:, None]
@@ -207,24 +172,24 @@ def run_fleet(fleet: Fleet, deviations: Array, stations: Array | None = None) ->
     rows = np.arange(len(play))[:, None]
     turned, moved = track.between(stretch.cam[rows, at], motor - stretch.motor[rows, at], stretch.waits[rows, at])
     position = position[rows, at] + np.exp(1j * heading[rows, at]) * moved
-    start = (column["start_x"] + 1j * column["start_y"])[:, None]
+    start = (column[Parameter.START_X] + 1j * column[Parameter.START_Y])[:, None]
     return Poses(heading[rows, at] + turned, start + rate[:, None] * position)
 
 
-def _combined(fleet: Fleet, column: dict[str, Array]) -> dict[str, Array]:
+def _combined(fleet: Fleet, column: dict[Parameter, Array]) -> dict[Parameter, Array]:
     """Columns that combine several deviations: broken and worn edges, play in the steering, a frame grown by heat."""
-    edges = column["edge_break"] + column["edge_wear"]
-    growth = fleet.expansion.frame * column["temperature"]
+    edges = column[Parameter.EDGE_BREAK] + column[Parameter.EDGE_WEAR]
+    growth = fleet.expansion.frame * column[Parameter.TEMPERATURE]
     return {
-        "inner_face": column["inner_face"] + edges,
-        "outer_face": column["outer_face"] - edges,
-        "steering_zero": column["steering_zero"] + column["steering_lost_motion"],
-        "wheelbase": column["wheelbase"] + fleet.car.wheelbase * growth,
-        "drive_wheel_offset": column["drive_wheel_offset"] + fleet.car.drive_wheel_offset * growth,
+        Parameter.INNER_FACE: column[Parameter.INNER_FACE] + edges,
+        Parameter.OUTER_FACE: column[Parameter.OUTER_FACE] - edges,
+        Parameter.STEERING_ZERO: column[Parameter.STEERING_ZERO] + column[Parameter.STEERING_LOST_MOTION],
+        Parameter.WHEELBASE: column[Parameter.WHEELBASE] + fleet.car.wheelbase * growth,
+        Parameter.DRIVE_WHEEL_OFFSET: column[Parameter.DRIVE_WHEEL_OFFSET] + fleet.car.drive_wheel_offset * growth,
     }
 
 
-def _stretches(fleet: Fleet, column: dict[str, Array], play: Array, phase: Array, last: float) -> Stretches:
+def _stretches(fleet: Fleet, column: dict[Parameter, Array], play: Array, phase: Array, last: float) -> Stretches:
     forces = fleet.forces
     if forces is None:
         return stretches(fleet.falls[None, :, 0], fleet.falls[None, :, 1], play, phase, last)
@@ -246,7 +211,7 @@ class _Track:
     y: Array
 
     @classmethod
-    def of(cls, fleet: Fleet, column: dict[str, Array], rate: Array, first: float, last: float) -> "_Track":
+    def of(cls, fleet: Fleet, column: dict[Parameter, Array], rate: Array, first: float, last: float) -> "_Track":
         count = len(fleet.tan_beta)
         step = TURN / count
         index = np.arange(int(np.floor(first / step)) - _MARGIN, int(np.ceil(last / step)) + _MARGIN + 1)
@@ -260,15 +225,15 @@ class _Track:
             near, more = fleet.other.raised(parts, index % count)
             T[:, near] += more
         # Without slip and run-out a single 1 stands for all, and nothing is multiplied.
-        runs_out = column["wheel_runout_0"].any() or column["wheel_runout_90"].any()
+        runs_out = column[Parameter.WHEEL_RUNOUT_0].any() or column[Parameter.WHEEL_RUNOUT_90].any()
         slips = fleet.car.slip != 0
         going = pace(T, fleet.car) if slips else np.ones((1, 1))
         if runs_out:
             going = np.asarray(going * _rolling(fleet, column, np.asarray(index * step)))
         varies = slips or runs_out
         T = wheel_tangent(T, fleet.car)
-        divisor = T * (fleet.car.drive_wheel_offset + column["drive_wheel_offset"])[:, None]
-        divisor += (fleet.car.wheelbase + column["wheelbase"])[:, None]
+        divisor = T * (fleet.car.drive_wheel_offset + column[Parameter.DRIVE_WHEEL_OFFSET])[:, None]
+        divisor += (fleet.car.wheelbase + column[Parameter.WHEELBASE])[:, None]
         turning = np.divide(T, divisor, out=T)
         turning *= -rate[:, None]
         if varies:
@@ -309,10 +274,10 @@ class _Track:
         return heading, position, (1 - u) * q0 + u * q1, (1 - u) * p0 + u * p1
 
 
-def _rolling(fleet: Fleet, column: dict[str, Array], motor: Array) -> Array:
+def _rolling(fleet: Fleet, column: dict[Parameter, Array], motor: Array) -> Array:
     """Travel of an eccentric drive wheel for that of a round one, at motor positions (j,), rad; shape (m, j)."""
     turned = fleet.length / (TURN * fleet.wheel_radius) * motor
-    low, quarter = (column[name][:, None] / fleet.wheel_radius for name in DIRECTED["wheel_runout"])
+    low, quarter = (column[name][:, None] / fleet.wheel_radius for name in Directed.WHEEL_RUNOUT.parts)
     return np.asarray(1 + low * np.cos(turned) + quarter * np.sin(turned))
 
 

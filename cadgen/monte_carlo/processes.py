@@ -14,59 +14,68 @@ call them normal for it; a shop's own figures are better, and go into [tolerance
   the bead.
 """
 
+from enum import StrEnum
 from math import radians
-from typing import Literal
 
+from cadgen.monte_carlo.parameters import Directed, Parameter, Tolerance
 from cadgen.motion.friction import DiscMaterial
 
-Process = Literal["milled", "wire-cut", "laser-cut", "printed"]
 
-HALF_WIDTHS: dict[Process, dict[str, float]] = {
-    "milled": {
-        "profile_offset": 0.025,
-        "taper": 0.01,
-        "edge_break": 0.05,
-        "eccentricity": 0.01,
-        "wobble": radians(0.05),
-        "inner_face": 0.05,
-        "outer_face": 0.05,
+class Process(StrEnum):
+    """Process by which a disc is made."""
+
+    MILLED = "milled"
+    WIRE_CUT = "wire-cut"
+    LASER_CUT = "laser-cut"
+    PRINTED = "printed"
+
+
+HALF_WIDTHS: dict[Process, dict[Tolerance, float]] = {
+    Process.MILLED: {
+        Parameter.PROFILE_OFFSET: 0.025,
+        Parameter.TAPER: 0.01,
+        Parameter.EDGE_BREAK: 0.05,
+        Directed.ECCENTRICITY: 0.01,
+        Directed.WOBBLE: radians(0.05),
+        Parameter.INNER_FACE: 0.05,
+        Parameter.OUTER_FACE: 0.05,
     },
-    "wire-cut": {
-        "profile_offset": 0.005,
-        "taper": 0.005,
-        "edge_break": 0.01,
-        "eccentricity": 0.005,
-        "wobble": radians(0.05),
-        "inner_face": 0.05,
-        "outer_face": 0.05,
+    Process.WIRE_CUT: {
+        Parameter.PROFILE_OFFSET: 0.005,
+        Parameter.TAPER: 0.005,
+        Parameter.EDGE_BREAK: 0.01,
+        Directed.ECCENTRICITY: 0.005,
+        Directed.WOBBLE: radians(0.05),
+        Parameter.INNER_FACE: 0.05,
+        Parameter.OUTER_FACE: 0.05,
     },
-    "laser-cut": {
-        "profile_offset": 0.1,
-        "taper": 0.06,
-        "edge_break": 0.02,
-        "eccentricity": 0.05,
-        "wobble": radians(0.1),
-        "inner_face": 0.1,
-        "outer_face": 0.1,
+    Process.LASER_CUT: {
+        Parameter.PROFILE_OFFSET: 0.1,
+        Parameter.TAPER: 0.06,
+        Parameter.EDGE_BREAK: 0.02,
+        Directed.ECCENTRICITY: 0.05,
+        Directed.WOBBLE: radians(0.1),
+        Parameter.INNER_FACE: 0.1,
+        Parameter.OUTER_FACE: 0.1,
     },
-    "printed": {
-        "profile_offset": 0.15,
-        "taper": 0.1,
-        "edge_break": 0.1,
-        "eccentricity": 0.1,
-        "wobble": radians(0.2),
-        "inner_face": 0.1,
-        "outer_face": 0.1,
+    Process.PRINTED: {
+        Parameter.PROFILE_OFFSET: 0.15,
+        Parameter.TAPER: 0.1,
+        Parameter.EDGE_BREAK: 0.1,
+        Directed.ECCENTRICITY: 0.1,
+        Directed.WOBBLE: radians(0.2),
+        Parameter.INNER_FACE: 0.1,
+        Parameter.OUTER_FACE: 0.1,
     },
 }
 
 # Linear thermal expansion per K near room temperature: handbooks' tables, such as those that The Engineering ToolBox
 # collects; PLA by makers of filament.
 EXPANSION: dict[DiscMaterial, float] = {
-    "aluminium": 23e-6,
-    "steel": 12e-6,
-    "brass": 19e-6,
-    "acrylic": 70e-6,
-    "PLA": 68e-6,
-    "POM": 110e-6,
+    DiscMaterial.ALUMINIUM: 23e-6,
+    DiscMaterial.STEEL: 12e-6,
+    DiscMaterial.BRASS: 19e-6,
+    DiscMaterial.ACRYLIC: 70e-6,
+    DiscMaterial.PLA: 68e-6,
+    DiscMaterial.POM: 110e-6,
 }

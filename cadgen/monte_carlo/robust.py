@@ -13,8 +13,10 @@ from cadgen.errors import DesignError
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.names import Law
 from cadgen.monte_carlo.derivatives import STEERING
-from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet, Poses, run_fleet
-from cadgen.monte_carlo.watch import least_margin
+from cadgen.monte_carlo.fleet import Fleet, Poses, run_fleet
+from cadgen.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance, parts_of, tolerance
+from cadgen.monte_carlo.watch import Seen, seen
+from cadgen.pace import keep_memory
 
 # Type of the built-in `map` and of a pool's: calls may run anywhere, but results come in order.
 Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
@@ -32,12 +34,8 @@ MOST_STEERING = 0.004
 MOST_SHARE = 0.1  # greatest tolerance of a length, as a share of that length
 # The steps that sensitivities are stated for.
 UNITS = {"mm": 0.01, "rad": radians(0.1), "1": 0.01, "Nmm": 1.0, "N": 0.1, "K": 10.0}
-_FIRST = tuple(PARAMETERS)[:13]  # drawn for every car, before its play; others only where they vary
-ONE_SIDED = ("edge_wear",)  # from 0 to their half width
-TOLERANCES = (
-    *(name for name in PARAMETERS if name != "play" and not any(name in pair for pair in DIRECTED.values())),
-    *DIRECTED,
-)
+_FIRST = tuple(Parameter)[:13]  # drawn for every car, before its play; others only where they vary
+ONE_SIDED = (Parameter.EDGE_WEAR,)  # from 0 to their half width
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,21 +51,26 @@ class Tolerances:
             `sample`; or least and greatest, evenly spread. None keeps the nominal play.
     """
 
-    half_widths: Mapping[str, float]
-    law: Law = "normal"
+    half_widths: Mapping[Tolerance, float]
+    law: Law = Law.NORMAL
     play: Sampler | tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "half_widths", {tolerance(name): half for name, half in self.half_widths.items()})
         for name, half in self.half_widths.items():
-            if name not in TOLERANCES:
-                raise DesignError(f"there is no tolerance named {name}; use one of {', '.join(TOLERANCES)}")
             if not half >= 0:
                 raise DesignError(f"the tolerance of {name} is {half:g}; it must be 0 or more")
         if isinstance(self.play, tuple) and not 0 <= self.play[0] <= self.play[1]:
             raise DesignError(f"the return error's band {self.play} must run from 0 or more upwards: put them in order")
 
     def draw(self, generator: np.random.Generator, count: int, nominal_play: float) -> Array:
-        """Deviations of random cars, shape (count, 29), columns as in `PARAMETERS`."""
+        """Deviations of random cars, shape (count, 29), columns as in `PARAMETERS`.
+
+        Args:
+            generator: source of the random numbers.
+            count: number of cars.
+            nominal_play: nominal return error, rad.
+        """
         half = np.array([self.half_widths.get(name, 0.0) for name in _FIRST])
         drawn = ZoneSum(_FIRST, -half, half, self.law).sample_contributions(generator, count)
         if self.play is None:
@@ -76,37 +79,31 @@ class Tolerances:
             play = np.asarray(self.play(generator, count), dtype=float)
         else:
             play = generator.uniform(*self.play, count)
-        deviations = np.zeros((count, len(PARAMETERS)))
+        deviations = np.zeros((count, len(Parameter)))
         deviations[:, : len(_FIRST)] = drawn
-        deviations[:, _COLUMN["play"]] = play - nominal_play
+        deviations[:, Parameter.PLAY.column] = play - nominal_play
         for name in TOLERANCES[len(_FIRST) :]:
             if self.half_widths.get(name, 0.0) > 0:
                 size = self.zone(name).sample(generator, count)
-                if name in DIRECTED:
+                if isinstance(name, Directed):
                     angle = generator.uniform(0.0, TURN, count)
                     deviations[:, _columns(name)] = size[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
                 else:
-                    deviations[:, _COLUMN[name]] = size
+                    deviations[:, name.column] = size
         return deviations
 
-    def zone(self, name: str) -> ZoneSum:
+    def zone(self, name: Tolerance) -> ZoneSum:
         """Distribution of one tolerance about the nominal value; of its size if the deviation has a direction."""
         half = self.half_widths.get(name, 0.0)
         return ZoneSum((name,), np.array([0.0 if name in ONE_SIDED else -half]), np.array([half]), self.law)
 
 
 _WORDS = {"mm": "mm", "rad": "degrees", "1": "", "Nmm": "N mm", "N": "N", "K": "K"}
-_COLUMN = {name: number for number, name in enumerate(PARAMETERS)}
 
 
-def _parts(name: str) -> tuple[str, ...]:
-    """Parameters that a tolerance acts on."""
-    return DIRECTED.get(name, (name,))
-
-
-def _columns(name: str) -> list[int]:
+def _columns(name: Tolerance) -> list[int]:
     """Columns of a tolerance's parameters in a table of deviations."""
-    return [_COLUMN[part] for part in _parts(name)]
+    return [part.column for part in parts_of(name)]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -148,7 +145,11 @@ class FleetEnds:
         return np.hypot(self.along, self.across)
 
     def yield_within(self, gate_width: float) -> float:
-        """Share of the cars that pass every station within half of gate_width (mm) to either side."""
+        """Share of the cars that pass every station within half of gate_width (mm) to either side.
+
+        Args:
+            gate_width: width of the gates, mm.
+        """
         return float(np.mean(self.widest <= gate_width / 2))
 
 
@@ -157,7 +158,7 @@ class Sensitivity:
     """Effect of one parameter on the end of the run.
 
     Attributes:
-        name: name of the parameter, one of `TOLERANCES`, or `play`.
+        name: tolerance, one of `TOLERANCES`, or play.
         step: change that the figures are for, as in `UNITS`; if it has a direction, in the worst direction.
         heading: heading error per step, rad.
         along: position error per step along the planned heading, mm.
@@ -165,7 +166,7 @@ class Sensitivity:
         share: share of the variance of the position error at the end, 0 to 1, to first order.
     """
 
-    name: str
+    name: Tolerance
     step: float
     heading: float
     along: float
@@ -231,7 +232,7 @@ def tolerance_run(
         blocks = range(-(-len(chunks) // _BLOCK))
         rows = _gathered(map_with(partial(_block, run, len(chunks)), blocks), count, samples, done)
     elif processes > 1:
-        with ProcessPoolExecutor(processes) as pool:
+        with ProcessPoolExecutor(processes, initializer=keep_memory) as pool:
             results = pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes)))
             rows = _gathered(results, count, samples, done)
     else:
@@ -247,16 +248,42 @@ def _block(run: Callable[[int], Array], chunks: int, number: int) -> Array:
 
 def _chunk(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number: int) -> Array:
     """Rows of `FleetEnds` for one chunk of random cars."""
-    generator = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(number,)))
-    count = min(CHUNK, samples - number * CHUNK)
-    poses = run_fleet(fleet, tolerances.draw(generator, count, fleet.play))
+    poses = _cars(fleet, tolerances, seed, samples, number)
     errors = _errors(fleet, poses)
     ends = (each[:, fleet.end] for each in (errors.heading, errors.along, errors.across))
     rows = [*ends, np.abs(errors.across).max(axis=1)]
     if fleet.watches:
-        planned = fleet.planned.heading, fleet.planned.position
-        rows.append(least_margin(fleet.watches, poses.heading, poses.position, planned))
+        rows.append(_seen(fleet, poses).margins.min(axis=0))
     return np.stack(rows)
+
+
+def _cars(fleet: Fleet, tolerances: Tolerances, seed: int, samples: int, number: int) -> Poses:
+    """Poses of one chunk of random cars."""
+    generator = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(number,)))
+    count = min(CHUNK, samples - number * CHUNK)
+    return run_fleet(fleet, tolerances.draw(generator, count, fleet.play))
+
+
+def _seen(fleet: Fleet, poses: Poses) -> Seen:
+    planned = fleet.planned.heading, fleet.planned.position
+    return seen(fleet.watches, poses.heading, poses.position, planned)
+
+
+def watched_run(fleet: Fleet, tolerances: Tolerances, samples: int, *, seed: int) -> Seen:
+    """Things that a fleet watches, as the random cars of `tolerance_run` meet it.
+
+    Args:
+        fleet: nominal car with its watches.
+        tolerances: tolerances within which the cars differ.
+        samples: number of cars.
+        seed: seed of the random numbers.
+
+    Raises:
+        DesignError: a tolerance is too large for first order.
+    """
+    _refuse_wide(fleet, tolerances)
+    chunks = [_seen(fleet, _cars(fleet, tolerances, seed, samples, number)) for number in range(-(-samples // CHUNK))]
+    return Seen(*(np.concatenate([getattr(each, name) for each in chunks], axis=1) for name in ("margins", "aside")))
 
 
 def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[int], None]) -> Array:
@@ -276,9 +303,9 @@ def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[
 def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
     """Refuse tolerances that are no longer small beside the car, or too large for first order."""
     for name, size in (
-        ("wheelbase", fleet.car.wheelbase),
-        ("wheel_radius", fleet.wheel_radius),
-        ("wheel_runout", fleet.wheel_radius),
+        (Parameter.WHEELBASE, fleet.car.wheelbase),
+        (Parameter.WHEEL_RADIUS, fleet.wheel_radius),
+        (Directed.WHEEL_RUNOUT, fleet.wheel_radius),
     ):
         half = tolerances.half_widths.get(name, 0.0)
         if half > size * MOST_SHARE:
@@ -289,7 +316,7 @@ def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
     for name, half in tolerances.half_widths.items():
         steepest = steering_effect(fleet, name)
         if half * steepest > MOST_STEERING:
-            unit = PARAMETERS[_parts(name)[0]]
+            unit = name.unit
             shown = degrees if unit == "rad" else float
             raise DesignError(
                 f"the tolerance of {name} is {shown(half):g} {_WORDS[unit]}, which turns the front wheel by up to "
@@ -298,14 +325,14 @@ def _refuse_wide(fleet: Fleet, tolerances: Tolerances) -> None:
             )
 
 
-def steering_effect(fleet: Fleet, name: str) -> float:
+def steering_effect(fleet: Fleet, name: Tolerance) -> float:
     """Greatest angle by which one unit of a tolerance turns the front wheel, rad."""
     row = dict(zip(STEERING, fleet.derivatives, strict=True))
-    if name in ("edge_break", "edge_wear"):
-        return float(np.abs(row["inner_face"] - row["outer_face"]).max())
-    if name == "steering_lost_motion":
-        return float(np.abs(row["steering_zero"]).max())
-    parts = [row[part] for part in _parts(name) if part in row]
+    if name in (Parameter.EDGE_BREAK, Parameter.EDGE_WEAR):
+        return float(np.abs(row[Parameter.INNER_FACE] - row[Parameter.OUTER_FACE]).max())
+    if name == Parameter.STEERING_LOST_MOTION:
+        return float(np.abs(row[Parameter.STEERING_ZERO]).max())
+    parts = [row[part] for part in parts_of(name) if part in row]
     return float(np.sqrt(sum(part**2 for part in parts)).max()) if parts else 0.0
 
 
@@ -322,8 +349,8 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
     if not names:
         return ()
     parts = [(name, column) for name in names for column in _columns(name)]
-    steps = np.array([UNITS[PARAMETERS[_parts(name)[0]]] for name, _ in parts])
-    deviations = np.zeros((2 * len(parts), len(PARAMETERS)))
+    steps = np.array([UNITS[name.unit] for name, _ in parts])
+    deviations = np.zeros((2 * len(parts), len(Parameter)))
     for row, (_, column) in enumerate(parts):
         deviations[2 * row : 2 * row + 2, column] = np.array([-0.5, 0.5]) * steps[row]
     errors = fleet_errors(fleet, deviations)
@@ -339,15 +366,15 @@ def sensitivities(fleet: Fleet, tolerances: Tolerances) -> tuple[Sensitivity, ..
         heading, along, across = worst @ moved[rows]
         variance = float((moved[rows, 1:] ** 2).sum() / len(rows) * (spreads[name] / step) ** 2)
         effects.append((variance, name, step, float(heading), float(along), float(across)))
-    whole = float(np.sum([effect[0] for effect in effects]))
+    whole = float(np.sum([effect[0] for effect in effects])) or 1.0  # nothing moves the end: no share of it
     return tuple(
         Sensitivity(name=name, step=step, heading=heading, along=along, across=across, share=variance / whole)
         for variance, name, step, heading, along, across in sorted(effects, key=lambda effect: -effect[0])
     )
 
 
-def _spreads(fleet: Fleet, tolerances: Tolerances) -> dict[str, float]:
+def _spreads(fleet: Fleet, tolerances: Tolerances) -> dict[Tolerance, float]:
     """Standard deviation of each tolerance; a sampler's from its own random numbers."""
     spreads = {name: tolerances.zone(name).std for name in tolerances.half_widths}
-    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, fleet.play)[:, _COLUMN["play"]]
-    return {**spreads, "play": float(play.std())}
+    play = tolerances.draw(np.random.default_rng(0), _SPREAD_SAMPLES, fleet.play)[:, Parameter.PLAY.column]
+    return {**spreads, Parameter.PLAY: float(play.std())}

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
+from cadgen.monte_carlo.parameters import Parameter
 from cadgen.motion.mechanics import Mechanics, levers
 from cadgen.motion.play import falls
 
@@ -56,7 +57,13 @@ class Forces:
 
     @classmethod
     def of(cls, mechanics: Mechanics, cut: LiftCurve, least_swing: float) -> "Forces":
-        """Lever arms over the falls of a lift; swings of tan(beta) smaller than `least_swing` are passed over."""
+        """Lever arms over the falls of a lift; swings of tan(beta) smaller than `least_swing` are passed over.
+
+        Args:
+            mechanics: forces and friction on the cam.
+            cut: lift that is cut.
+            least_swing: least rise or fall of tan(beta) that counts.
+        """
         pieces = [np.linspace(p, v, int((v - p) / _STEP) + 9) for p, v in falls(cut, least_swing).tolist()]
         pieces = [np.union1d(piece, _sides(cut, piece)) for piece in pieces]
         last = np.cumsum([len(piece) for piece in pieces], dtype=int)
@@ -66,14 +73,14 @@ class Forces:
         ends = np.concatenate([np.append(0, last[:-1]), last - 1]) if pieces else np.empty(0, dtype=int)
         return cls(mechanics=mechanics, cut=cut, angle=angle, ends=ends.astype(np.intp), parts=np.stack(parts))
 
-    def of_cars(self, deviations: dict[str, Array]) -> tuple[Array, Array, Array]:
+    def of_cars(self, deviations: dict[Parameter, Array]) -> tuple[Array, Array, Array]:
         """Friction, drag and rod force of cars, each of shape (m,)."""
         nominal = self.mechanics
-        friction = np.maximum(nominal.friction + deviations["friction"], 0.0)
-        drag = np.maximum(nominal.drag + deviations["drag"], 0.0)
-        return friction, drag, nominal.rod_force + deviations["rod_force"]
+        friction = np.maximum(nominal.friction + deviations[Parameter.FRICTION], 0.0)
+        drag = np.maximum(nominal.drag + deviations[Parameter.DRAG], 0.0)
+        return friction, drag, nominal.rod_force + deviations[Parameter.ROD_FORCE]
 
-    def leads(self, deviations: dict[str, Array]) -> tuple[Array, Array]:
+    def leads(self, deviations: dict[Parameter, Array]) -> tuple[Array, Array]:
         """Cam angles between which each of m cars' cams lead, both of shape (m, k), rad, in order.
 
         A car with fewer stretches than another has some of no length at the end.
@@ -140,8 +147,18 @@ def stretches(peak: Array, valley: Array, play: Array, phase: Array, last: float
     return Stretches(motor, cam, np.broadcast_to(waits, cam.shape))
 
 
-def behind_a_brake(forces: Forces, deviations: dict[str, Array], play: Array, phase: Array, last: float) -> Stretches:
-    """Runs of cams with play on a shaft that is braked: car by car, for there shaft and cam lead in turn."""
+def behind_a_brake(
+    forces: Forces, deviations: dict[Parameter, Array], play: Array, phase: Array, last: float
+) -> Stretches:
+    """Runs of cams with play on a shaft that is braked: car by car, for there shaft and cam lead in turn.
+
+    Args:
+        forces: torques on the cam.
+        deviations: deviations of the cars by their parameters, shape (m,) each, mm and rad.
+        play: return error of each car, rad, shape (m,).
+        phase: angle by which each cam stands ahead on its shaft, rad, shape (m,).
+        last: motor position at which the runs end, rad.
+    """
     friction, drag, force = forces.of_cars(deviations)
     cars = []
     for car, (car_play, start) in enumerate(zip(play, phase, strict=True)):

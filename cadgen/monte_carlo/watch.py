@@ -13,11 +13,16 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 
 Complex = NDArray[np.complex128]
+_SQUARE = 0.2  # sine of the least angle between track and segment that is reckoned with
 _FAILED = -1e-6  # mm; at most, of a gate that is passed in the wrong direction or order
 
 
 class Watch(Protocol):
     """A thing on the course at a station of the fleet's runs; all places in the frame of the nominal start, x + iy."""
+
+    @property
+    def key(self) -> str:
+        """Its key in the design file."""
 
     @property
     def station(self) -> int:
@@ -35,6 +40,13 @@ class Watch(Protocol):
             turned: heading error of each car there, shape (m,), rad.
         """
 
+    def aside(self, places: Complex) -> Array:
+        """How far cars are off on the line on which its margin is measured, with a sign, shape (m,), mm.
+
+        Args:
+            places: its points as they lie to each car's planned run, shape (m, p), mm.
+        """
+
 
 @dataclass(frozen=True)
 class GateWatch:
@@ -47,6 +59,7 @@ class GateWatch:
         track: planned track of the point of the car that must pass it, about there, shape (w,), mm.
         heading: angle from the heading wanted to the planned one, and the greatest allowed, rad; None if any will do.
         passed: whether the planned run passes it in its order.
+        key: its key in the design file.
     """
 
     station: int
@@ -55,15 +68,30 @@ class GateWatch:
     track: Complex
     heading: tuple[float, float] | None = None
     passed: bool = True
+    key: str = ""
 
     def margin(self, places: Complex, turned: Array) -> Array:
-        """As `Watch.margin`: radius less the distance of the track, or distance of the crossing from the nearer end."""
+        """As `Watch.margin`: radius less the distance of the track, or distance of the crossing from the nearer end.
+
+        Args:
+            places: places of the cars, x + iy, shape (m, k), mm.
+            turned: headings of the cars against the planned one, shape (m, k), rad.
+        """
         margin = self._disc(places[:, 0]) if places.shape[1] == 1 else self._segment(places)
         failed = np.full(len(margin), not self.passed)
         if self.heading is not None:
             off, most = self.heading
             failed |= np.abs((off + turned + TURN / 2) % TURN - TURN / 2) > most
         return np.asarray(np.where(failed, np.minimum(margin, _FAILED), margin))
+
+    def aside(self, places: Complex) -> Array:
+        """As `Watch.aside`: across the track, or along a segment to where it is crossed."""
+        moved, middle = places.mean(axis=1) - self.places.mean(), self.places.mean()
+        along = np.diff(self.track)[np.abs(self.track[1:] - middle).argmin()]
+        along /= abs(along)
+        across = 1j * along if len(self.places) == 1 else self.places[1] - self.places[0]
+        square = float((across * along.conjugate()).imag / abs(across))
+        return np.asarray((moved * along.conjugate()).imag / np.copysign(max(abs(square), _SQUARE), square))
 
     def _disc(self, centre: Complex) -> Array:
         start, along = self.track[:-1], np.diff(self.track)
@@ -93,22 +121,44 @@ class ClearanceWatch:
         places: its nearest point, one, mm.
         away: direction from the car to it, x + iy of length 1; for the edge and where they overlap, inwards.
         clearance: clearance there less the margin that is wanted, mm.
+        key: its key in the design file.
     """
 
     station: int
     places: Complex
     away: complex
     clearance: float
+    key: str = ""
 
     def margin(self, places: Complex, turned: Array) -> Array:
-        """As `Watch.margin`, to first order: the clearance grows as its nearest point moves away from the car."""
-        return np.asarray(self.clearance + np.real((places[:, 0] - self.places[0]) * np.conj(self.away)))
+        """As `Watch.margin`, to first order: the clearance grows as its nearest point moves away from the car.
+
+        Args:
+            places: places of the cars, x + iy, shape (m, k), mm.
+            turned: headings of the cars against the planned one, shape (m, k), rad.
+        """
+        return np.asarray(self.clearance + self.aside(places))
+
+    def aside(self, places: Complex) -> Array:
+        """As `Watch.aside`: away from the car."""
+        return np.asarray(np.real((places[:, 0] - self.places[0]) * np.conj(self.away)))
 
 
-def least_margin(
-    watches: tuple[Watch, ...], heading: Array, position: Complex, planned: tuple[Array, Complex]
-) -> Array:
-    """Least of all margins of each car, shape (m,), mm; infinite where nothing is watched.
+@dataclass(frozen=True)
+class Seen:
+    """Things that are watched, as cars meet them.
+
+    Attributes:
+        margins: margin of each car to each thing, shape (w, m), mm.
+        aside: how far each car is off there on the line on which that is measured, shape (w, m), mm.
+    """
+
+    margins: Array
+    aside: Array
+
+
+def seen(watches: tuple[Watch, ...], heading: Array, position: Complex, planned: tuple[Array, Complex]) -> Seen:
+    """Things that are watched, as cars meet them.
 
     Args:
         watches: what the cars must keep.
@@ -116,10 +166,10 @@ def least_margin(
         position: positions of their drive wheels, shape (m, g), mm.
         planned: the planned run's, shape (1, g).
     """
-    least = np.full(len(heading), np.inf)
-    for watch in watches:
+    margins, aside = np.empty((2, len(watches), len(heading)))
+    for number, watch in enumerate(watches):
         k = watch.station
         turned = heading[:, k] - planned[0][0, k]
         back = (watch.places - position[:, k, None]) * np.exp(-1j * turned)[:, None] + planned[1][0, k]
-        least = np.minimum(least, watch.margin(back, turned))
-    return least
+        margins[number], aside[number] = watch.margin(back, turned), watch.aside(back)
+    return Seen(margins, aside)

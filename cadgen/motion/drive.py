@@ -107,7 +107,11 @@ class Running:
 
 
 def turns_of(stop: float) -> int:
-    """Turns of the motor's shaft in cam units that are begun up to a motor position, rad."""
+    """Turns of the motor's shaft in cam units that are begun up to a motor position, rad.
+
+    Args:
+        stop: motor position at which the run ends, rad.
+    """
     return max(ceil(stop / TURN - 1e-9), 1)
 
 

@@ -7,11 +7,11 @@ reverse zones after the valley, where eq. 29-30 have the part before it, and wit
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Literal
+from enum import StrEnum
 
 import numpy as np
 
-from cadgen.arrays import TURN, Array
+from cadgen.arrays import TURN, Array, gauss_nodes
 from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.errors import DesignError
@@ -22,30 +22,45 @@ from cadgen.steering.car import Car, pace, track_curvature
 GAUSS_POINTS = 8  # on every piece of the lift: exact to rounding, for pieces are half a degree wide
 
 
+class EventKind(StrEnum):
+    """Kind of an event: at a peak the cam jumps, in a valley it waits (the paper's reverse)."""
+
+    JUMP = "jump"
+    REVERSE = "reverse"
+
+
 @dataclass(frozen=True, kw_only=True)
 class Event:
     """A peak, where the cam jumps, or a valley, where it waits (the paper's reverse).
 
     Attributes:
-        kind: kind of event, `jump` or `reverse`.
+        kind: kind of event.
         cam_angle: cam angle of the peak or valley, rad.
         lift: lift there, mm.
         deflection: change of heading by the event, rad, positive to the left (eq. 28, 30).
     """
 
-    kind: Literal["jump", "reverse"]
+    kind: EventKind
     cam_angle: float
     lift: float
     deflection: float
 
 
 def turning(lift: LiftCurve, car: Car, length: float, start: float, stop: float) -> float:
-    """Heading gained while the cam turns from `start` to `stop` without play, rad (integral of eq. 21)."""
+    """Heading gained while the cam turns from `start` to `stop` without play, rad (integral of eq. 21).
+
+    Args:
+        lift: lift of the cam.
+        car: dimensions of the car.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        start: cam angle at which it begins, rad.
+        stop: cam angle at which it ends, rad.
+    """
     breaks = lift.tan_beta.x
     turns = TURN * np.arange(np.floor(start / TURN), np.ceil(stop / TURN))
     edges = np.unique(np.concatenate([[start, stop], (breaks + turns[:, None]).ravel()]))
     edges = edges[(edges >= start) & (edges <= stop)]
-    nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    nodes, weights = gauss_nodes(GAUSS_POINTS)
     half = np.diff(edges) / 2
     theta = (edges[:-1] + half)[:, None] + half[:, None] * nodes
     tan_beta = lift.tan_beta(theta)
@@ -85,7 +100,7 @@ def deflections(
         DesignError: the play is negative or no number.
     """
 
-    def event(kind: Literal["jump", "reverse"], angle: float, deflection: float) -> Event:
+    def event(kind: EventKind, angle: float, deflection: float) -> Event:
         height = float(follower.lift(lift.tan_beta(angle)))
         return Event(kind=kind, cam_angle=angle, lift=height, deflection=deflection)
 
@@ -93,8 +108,8 @@ def deflections(
     for peak, valley in follow(lift, play, least_swing=least_swing, leads=leads).leads.tolist():
         skipped = min(play, valley - peak)
         events += [
-            event("jump", peak, -turning(lift, car, length, peak, peak + skipped)),
-            event("reverse", valley % TURN, turning(lift, car, length, valley - skipped, valley)),
+            event(EventKind.JUMP, peak, -turning(lift, car, length, peak, peak + skipped)),
+            event(EventKind.REVERSE, valley % TURN, turning(lift, car, length, valley - skipped, valley)),
         ]
     events = [item for item in events if item.cam_angle < lift.blend_start]
     return tuple(sorted(events, key=lambda item: item.cam_angle))

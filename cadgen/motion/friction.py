@@ -9,20 +9,30 @@ from the figures for plastics and for greased metals: measure the pair if it mat
 sliding; with its seals it holds the cam as friction below 0.02 would, an estimate too.
 """
 
-from typing import Literal
+from enum import StrEnum
 
 from cadgen.cam.followers.rod_kind import RodMaterial
 
-DiscMaterial = Literal["aluminium", "steel", "brass", "acrylic", "PLA", "POM"]
+
+class DiscMaterial(StrEnum):
+    """Material of a disc."""
+
+    ALUMINIUM = "aluminium"
+    STEEL = "steel"
+    BRASS = "brass"
+    ACRYLIC = "acrylic"
+    PLA = "PLA"
+    POM = "POM"
+
 
 # Least and greatest sliding friction of a steel rod on a disc: dry, and greased.
 STEEL_ON: dict[DiscMaterial, tuple[tuple[float, float], tuple[float, float]]] = {
-    "aluminium": ((0.25, 0.50), (0.05, 0.20)),
-    "steel": ((0.20, 0.60), (0.03, 0.16)),
-    "brass": ((0.25, 0.45), (0.08, 0.20)),
-    "acrylic": ((0.35, 0.55), (0.15, 0.50)),
-    "PLA": ((0.25, 0.60), (0.08, 0.30)),
-    "POM": ((0.15, 0.35), (0.05, 0.15)),
+    DiscMaterial.ALUMINIUM: ((0.25, 0.50), (0.05, 0.20)),
+    DiscMaterial.STEEL: ((0.20, 0.60), (0.03, 0.16)),
+    DiscMaterial.BRASS: ((0.25, 0.45), (0.08, 0.20)),
+    DiscMaterial.ACRYLIC: ((0.35, 0.55), (0.15, 0.50)),
+    DiscMaterial.PLA: ((0.25, 0.60), (0.08, 0.30)),
+    DiscMaterial.POM: ((0.15, 0.35), (0.05, 0.15)),
 }
 BEARING = (0.0, 0.02)
 # Friction of a steel rod on a disc of unknown material, greased and dry. The first is also used for the sentence on
@@ -33,7 +43,7 @@ USUAL_DRY = (0.15, 0.60)
 
 def friction_band(follower: RodMaterial, disc: DiscMaterial | None, *, greased: bool) -> tuple[float, float]:
     """Least and greatest coefficient of sliding friction; `USUAL`, or dry `USUAL_DRY`, for a rod on an unknown disc."""
-    if follower == "ball_bearing":
+    if follower == RodMaterial.BALL_BEARING:
         return BEARING
     if disc is None:
         return USUAL if greased else USUAL_DRY

@@ -65,7 +65,13 @@ class Levers:
 
 
 def levers(lift: LiftCurve, follower: LeaningRod, theta: Array) -> Levers:
-    """Levers of the rod's force on a cam at cam angles, rad."""
+    """Levers of the rod's force on a cam at cam angles, rad.
+
+    Args:
+        lift: lift of the cam.
+        follower: rod.
+        theta: cam angles, rad, shape (n,).
+    """
     T, slope = lift.tan_beta(theta), lift.tan_beta(theta, nu=1)
     w, r = follower.contact_face(T), follower.radius
     d, growth, stretch = follower.base_radius + w * T, w * slope, 1 + T**2
@@ -121,13 +127,21 @@ class Mechanics:
     behind: float = 0.0
 
     def force(self, lift: Array) -> Array:
-        """Force of the rod along the lift, N, at lifts in mm."""
+        """Force of the rod along the lift, N, at lifts in mm.
+
+        Args:
+            lift: lifts, mm.
+        """
         return self.rod_force + self.rod_rate * np.asarray(lift)
 
     def torque(self, lift: LiftCurve, theta: Array) -> Array:
         """Torque M that turns the cam ahead at cam angles (rad), N mm.
 
         Negative where the gears must push it, and -inf where no push turns it: a rise on which the rod jams.
+
+        Args:
+            lift: lift of the cam.
+            theta: cam angles, rad, shape (n,).
         """
         at = levers(lift, self.follower, theta)
         against = at.along + self.friction * at.across
@@ -136,7 +150,12 @@ class Mechanics:
         return np.where(free, normal * (at.driving - self.friction * at.holding), -np.inf)
 
     def needed(self, lift: LiftCurve, theta: Array) -> Array:
-        """Torque that the gears must give the cam at cam angles (rad), drag included, N mm; negative where it leads."""
+        """Torque that the gears must give the cam at cam angles (rad), drag included, N mm; negative where it leads.
+
+        Args:
+            lift: lift of the cam.
+            theta: cam angles, rad, shape (n,).
+        """
         return self.drag - self.torque(lift, theta)
 
     def leads(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> "Leads":
@@ -245,7 +264,12 @@ class MechanicsBand:
     behind: float = 0.0
 
     def at(self, friction: float, drag: float) -> Mechanics:
-        """One car of the band, with a friction coefficient and a drag in N mm."""
+        """One car of the band, with a friction coefficient and a drag in N mm.
+
+        Args:
+            friction: coefficient of friction, a number.
+            drag: torque of a brake, N mm.
+        """
         return Mechanics(
             follower=self.follower,
             rod_force=self.rod_force,

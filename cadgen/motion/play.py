@@ -51,9 +51,9 @@ def falls(lift: LiftCurve, least_swing: float = LEAST_SWING) -> Array:
     """
     # Found once for each lift: its runs with many plays and frictions ask again and again.
     known = lift.derived
-    if ("falls", least_swing) not in known:
-        known["falls", least_swing] = _falls(lift, least_swing)
-    return known["falls", least_swing].copy()
+    if (_falls, least_swing) not in known:
+        known[_falls, least_swing] = _falls(lift, least_swing)
+    return known[_falls, least_swing].copy()
 
 
 def _falls(lift: LiftCurve, least_swing: float) -> Array:
@@ -163,7 +163,11 @@ class Following:
     shaft: "Following | None" = None
 
     def cam_angle(self, motor: Array) -> Array:
-        """Cam angle theta at motor positions, rad, any shape; at the instant of a jump, the angle after it."""
+        """Cam angle theta at motor positions, rad, any shape; at the instant of a jump, the angle after it.
+
+        Args:
+            motor: motor positions, rad.
+        """
         motor = np.asarray(motor, dtype=float)
         if self.shaft is not None:
             motor = self.shaft.cam_angle(motor)
@@ -176,11 +180,20 @@ class Following:
         return motor + np.where(base < valley, ahead, 0.0)
 
     def tan_beta(self, motor: Array) -> Array:
-        """Tangent of the steering angle at motor positions (rad)."""
+        """Tangent of the steering angle at motor positions (rad).
+
+        Args:
+            motor: motor positions, rad.
+        """
         return self.lift.tan_beta(self.cam_angle(motor))
 
     def joints(self, start: float, stop: float) -> Array:
-        """Motor positions between `start` and `stop` at which the cam jumps, stops, goes on or meets a kink, rad."""
+        """Motor positions between `start` and `stop` at which the cam jumps, stops, goes on or meets a kink, rad.
+
+        Args:
+            start: motor position, rad.
+            stop: a greater one, rad.
+        """
         peak, valley = self.leads.reshape(-1, 2).T
         arrive = np.maximum(peak, valley - self.play)
         places = np.concatenate([peak, arrive, valley, self.lift.kinks, self.lift.kinks - self.play])
@@ -200,6 +213,8 @@ def follow(
     shaft: Following | None = None,
 ) -> Following:
     """Let a cam follow gears with a return error.
+
+    At a peak the cam jumps ahead by it (eq. 27), and in a valley it waits until the gears have caught up (eq. 29).
 
     Args:
         lift: lift of the cam.

@@ -249,6 +249,12 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     A staircase of many small falls, each followed by a rise, would hold the cam against the gears and escape this;
     it would shake the rod, and a rod of any thickness cannot follow it on a falling flank.
 
+    Args:
+        lift: lift wanted.
+        car: dimensions of the car.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        band: least and greatest return error, rad.
+
     Raises:
         DesignError: the band does not run upwards from 0 or more.
     """

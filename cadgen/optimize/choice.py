@@ -38,13 +38,14 @@ class Choice:
     reasons: tuple[str, ...]
 
 
-def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, objective: str) -> Choice:
+def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, objective: str, unit: str) -> Choice:
     """Choose the candidate that keeps every limit and has the least value of a figure.
 
     Args:
         candidates: at least one candidate, each with a value for every figure named.
         limits: limits to be kept; a figure that is not a number keeps no limit.
         objective: name of the figure that is to be least.
+        unit: its unit, for the reasons.
 
     Raises:
         CheckError: no candidate keeps the limits. The message has the limit that binds on the nearest candidate, and
@@ -65,12 +66,12 @@ def choose(candidates: Sequence[Candidate], limits: Sequence[Limit], *, objectiv
     reasons = []
     for candidate, breaks in zip(candidates, broken, strict=True):
         if candidate is best:
-            figure = f"{candidate.figures[objective]:.4g}"
+            figure = f"{candidate.figures[objective]:.4g} {unit}"
             verdict = f"chosen: the least {objective}, {figure}, of {len(kept)} that keep every limit"
         elif breaks:
             verdict = "refused: it " + ", and ".join(_beyond(candidate, limit) for limit in breaks)
         else:
-            verdict = f"not chosen: its {objective} is {candidate.figures[objective]:.4g}"
+            verdict = f"not chosen: its {objective} is {candidate.figures[objective]:.4g} {unit}"
         reasons.append(f"{candidate.name} {verdict}")
     return Choice(best=best, reasons=tuple(reasons))
 

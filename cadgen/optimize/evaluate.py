@@ -14,6 +14,7 @@ from cadgen.cam.envelope import ActualProfile
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve
+from cadgen.gears.names import StageOrder
 from cadgen.motion.drive import Run
 from cadgen.motion.errors import Event, RunError, deflection_sum, deflections, run_error
 from cadgen.motion.play import LEAST_SWING
@@ -33,7 +34,7 @@ class Evaluation:
 
     Attributes:
         profile: profile that was evaluated.
-        train: name of the train.
+        train: order of the stages of the train.
         play: return error of the run, rad.
         made_for: width of the window by which its lift is dilated, rad; see `CutLift`.
         lift: lift that the profile is cut for.
@@ -52,7 +53,7 @@ class Evaluation:
     """
 
     profile: Profile
-    train: str
+    train: StageOrder
     play: float
     made_for: float
     lift: LiftCurve

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.motion.drive import Run
 from cadgen.motion.laps import Drift, drift
 from cadgen.optimize.evaluate import Evaluation
@@ -49,8 +49,8 @@ class Laps:
         place, advice = "without play, against the start", "the lap does not close: report this design"
         heading = degrees(abs(turned))
         checks = [
-            Check(CheckCode.LAP_DRIFT, "drift of a lap", off, "mm", _MOST_MM, "max", place, advice),
-            Check(CheckCode.LAP_TURN, "drift of a lap, heading", heading, "°", _MOST_DEG, "max", place, advice),
+            Check(CheckCode.LAP_DRIFT, "drift of a lap", off, "mm", _MOST_MM, Bound.MAX, place, advice),
+            Check(CheckCode.LAP_TURN, "drift of a lap, heading", heading, "°", _MOST_DEG, Bound.MAX, place, advice),
         ]
         if chosen is None:
             return tuple(checks)
@@ -60,12 +60,12 @@ class Laps:
             (CheckCode.LAPS_DRIFT_PLAY, CheckCode.LAPS_TURN_PLAY, f"drift of laps, {self.in_run}", with_play.end),
         ):
             checks += [
-                Check(code, f"{name}, with play", off, "mm", inf, "max", place),
-                Check(turning, f"{name}, heading, with play", degrees(abs(turned)), "°", inf, "max", place),
+                Check(code, f"{name}, with play", off, "mm", inf, Bound.MAX, place),
+                Check(turning, f"{name}, heading, with play", degrees(abs(turned)), "°", inf, Bound.MAX, place),
             ]
         furthest = with_play.furthest
         checks.append(
-            Check(CheckCode.LAP_FURTHEST_PLAY, "off on the last lap, with play", furthest, "mm", inf, "max", place)
+            Check(CheckCode.LAP_FURTHEST_PLAY, "off on the last lap, with play", furthest, "mm", inf, Bound.MAX, place)
         )
         return tuple(checks)
 

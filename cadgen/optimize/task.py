@@ -6,6 +6,7 @@ from functools import cached_property
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.deviations.as_built import AS_DESIGNED, AsBuilt
+from cadgen.gears.names import StageOrder
 from cadgen.motion.drive import Pose, Run, drive
 from cadgen.motion.mechanics import Mechanics, MechanicsBand
 from cadgen.motion.play import LEAST_SWING, Following, follow
@@ -73,7 +74,15 @@ class Task:
         cut: LiftCurve | None = None,
         mechanics: Mechanics | None = None,
     ) -> Following:
-        """Motion of a cam that follows the motor; arguments as in `run`."""
+        """Motion of a cam that follows the motor.
+
+        Args:
+            lift: lift that the follower gets.
+            play: return error, rad.
+            least_swing: least rise or fall of tan(beta) that counts.
+            cut: lift that the cam was cut for; `lift` itself if left out.
+            mechanics: forces and friction on the cam; those of the task if left out.
+        """
         if mechanics is None and self.mechanics is not None:
             mechanics = self.mechanics.nominal
         if mechanics is None:
@@ -87,12 +96,12 @@ class TrainTask:
 
     Attributes:
         task: lift wanted, car and follower.
-        train: name of the train.
+        train: order of its stages.
         band: return error of the train, rad.
     """
 
     task: Task
-    train: str
+    train: StageOrder
     band: PlayBand
 
     @cached_property

@@ -3,6 +3,7 @@
 | module        | what it does                                                      |
 |---------------|-------------------------------------------------------------------|
 | `content`     | what is on it, from the plans of a design                         |
+| `names`       | kinds of cells, figures, marks and parts                          |
 | `document`    | content of a page: tables, curves, meshes, motion                 |
 | `words`       | the page's texts in English and Chinese                           |
 | `check_words` | names and places of checks in Chinese                             |

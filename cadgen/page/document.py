@@ -8,14 +8,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import isfinite
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from cadgen.arrays import Array
 from cadgen.meshes.mesh import Mesh
+from cadgen.page.names import Colour, FigureKind, MarkKind, State
 from cadgen.page.shading import Shaded, shaded
-
-State = Literal["", "good", "bad", "strong", "muted"]
-FigureKind = Literal["edge", "post", "wall", "zone", "gate", "start", "finish"]
 
 
 class Words(NamedTuple):
@@ -42,10 +40,10 @@ class Cell:
     text: Text
     value: float | None = None
     unit: str = ""
-    state: State = ""
+    state: State = State.PLAIN
 
 
-def number(value: float | None, unit: str = "", state: State = "", digits: int | None = None) -> Cell:
+def number(value: float | None, unit: str = "", state: State = State.PLAIN, digits: int | None = None) -> Cell:
     """Cell of a number, rounded as the commands round it; of a dash for None.
 
     Args:
@@ -55,12 +53,17 @@ def number(value: float | None, unit: str = "", state: State = "", digits: int |
         digits: decimals; by the size of the number if left out.
     """
     if value is None:
-        return Cell("–", None, "", state or "muted")
+        return Cell("–", None, "", state or State.MUTED)
     return Cell(rounded(value, digits), float(value), unit, state)
 
 
 def rounded(value: float, digits: int | None = None) -> str:
-    """A number as text: to three decimals, a very small one to three digits."""
+    """A number as text: to three decimals, a very small one to three digits.
+
+    Args:
+        value: number to show.
+        digits: digits after the point; chosen by its size if left out.
+    """
     if not isfinite(value):
         return "–"
     if digits is not None:
@@ -78,6 +81,7 @@ class Table:
         heads: heads of the columns.
         rows: cells by row.
         words: number of columns from the left that hold words; the others hold numbers.
+        tail: number of columns from the right that hold words again.
     """
 
     code: str
@@ -85,6 +89,11 @@ class Table:
     heads: tuple[Text, ...]
     rows: tuple[tuple[Cell, ...], ...]
     words: int = 1
+    tail: int = 0
+
+    def numeric(self, place: int) -> bool:
+        """Whether a column holds numbers, by its place from the left, from 0."""
+        return self.words <= place < len(self.heads) - self.tail
 
 
 @dataclass(frozen=True)
@@ -152,9 +161,9 @@ class Chart:
 
 @dataclass(frozen=True)
 class Mark:
-    """A place on the turn that charts and slider mark: a peak, a valley, the begin of the blend, a jump, a wait."""
+    """A place on the turn that charts and slider mark."""
 
-    kind: Literal["peak", "valley", "blend", "jump", "reverse"]
+    kind: MarkKind
     angle: float
 
 
@@ -176,7 +185,7 @@ class Part:
     mesh: Mesh
     coarse: Mesh
     shaft: int
-    colour: Literal["cam", "gear", "pinion", "frame"] = "gear"
+    colour: Colour = Colour.GEAR
 
     @cached_property
     def shades(self) -> tuple[Shaded, Shaded]:

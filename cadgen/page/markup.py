@@ -4,6 +4,7 @@ from html import escape
 from typing import Final
 
 from cadgen.page.document import Cell, Section, Table, Text, Words
+from cadgen.page.names import State
 from cadgen.page.words import named
 
 EMPTY: Final = frozenset({"meta", "input", "br", "path", "circle", "ellipse", "line", "rect", "polyline", "polygon"})
@@ -67,7 +68,7 @@ def cell(content: Cell, *, numeric: bool) -> str:
 def table(content: Table) -> str:
     """A table that scrolls sideways where it is too wide."""
     head = "".join(
-        text(words, "th", scope="col", class_="n" if place >= content.words else None)
+        text(words, "th", scope="col", class_="n" if content.numeric(place) else None)
         if english(words)
         else "<td></td>"
         for place, words in enumerate(content.heads)
@@ -75,8 +76,8 @@ def table(content: Table) -> str:
     rows = "".join(
         tag(
             "tr",
-            *(cell(item, numeric=place >= content.words) for place, item in enumerate(row)),
-            class_="bad" if any(item.state == "bad" for item in row) else None,
+            *(cell(item, numeric=content.numeric(place)) for place, item in enumerate(row)),
+            class_="bad" if any(item.state == State.BAD for item in row) else None,
         )
         for row in content.rows
     )

@@ -98,8 +98,8 @@ _CLAUSES: tuple[tuple[str, str], ...] = (
         r"警告：摩擦系数在 \1 附近变化 \2 会使终点移动 \3 mm。",
     ),
     (
-        rf"{_PROFILE} chosen: the least {_FIGURE}, {_N}, of {_N} that keep every limit",
-        r"选用\1：在满足全部限制的 \4 个中，\2最小，为 \3",
+        rf"{_PROFILE} chosen: the least {_FIGURE}, {_N} mm, of {_N} that keep every limit",
+        r"选用\1：在满足全部限制的 \4 个中，\2最小，为 \3 mm",
     ),
     (
         rf"{_PROFILE} refused: it has an? {_FIGURE} of {_N} (\S+), {_N} \S+ more than the {_N} allowed",
@@ -109,7 +109,7 @@ _CLAUSES: tuple[tuple[str, str], ...] = (
         rf", and has an? {_FIGURE} of {_N} (\S+), {_N} \S+ more than the {_N} allowed",
         r"；且\1为 \2 \3，超出允许值 \5 达 \4 \3",
     ),
-    (rf"{_PROFILE} not chosen: its {_FIGURE} is {_N}", r"未选用\1：其\2为 \3"),
+    (rf"{_PROFILE} not chosen: its {_FIGURE} is {_N} mm", r"未选用\1：其\2为 \3 mm"),
     (rf"{_PROFILE} refused: it fails .+", r"\1不合格：有检查项未通过"),
     (
         rf"of the others, none of the profiles compared keeps the design's limits: the nearest, {_PROFILE}, has an? "

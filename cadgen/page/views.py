@@ -8,7 +8,9 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.page.document import CarShape, Figure, Going, Scene, Words
 from cadgen.page.markup import labels, tag, text
+from cadgen.page.names import FigureKind
 from cadgen.page.words import say
+from cadgen.parts.names import Face
 
 _MARGIN = 4.0  # mm about the cam
 _ROOM = 220.0  # mm about the floor
@@ -69,10 +71,10 @@ def _follower(scene: Scene) -> list[str]:
             cy=0,
             rx=_n(rod.radius / cos(atan(tan_beta))),
             ry=_n(rod.radius),
-            class_="rod" if (name == "inner") == inner else "rod far",
-            id=f"rod-{name}",
+            class_="rod" if (side == Face.INNER) == inner else "rod far",
+            id=f"rod-{side}",
         )
-        for name, face in zip(("outer", "inner"), reversed(rod.faces), strict=True)
+        for side, face in zip(Face, reversed(rod.faces), strict=True)
     ]
 
 
@@ -91,7 +93,7 @@ def course_view(
         points: further places to have in the picture, mm.
     """
     tracks = {going.code: _track(going, car) for going in goings if car is not None}
-    edges = [np.array(figure.points) for figure in floor if figure.kind == "edge"]
+    edges = [np.array(figure.points) for figure in floor if figure.kind == FigureKind.EDGE]
     places = [*tracks.values(), *(np.array(figure.points) for figure in floor), *(np.array([at]) for at in points)]
     seen = edges or places or [np.zeros((1, 2))]
     room = _ROOM / 2 if edges else _ROOM

@@ -2,6 +2,7 @@
 
 | module     | what it holds                                                                        |
 |------------|--------------------------------------------------------------------------------------|
+| `names`    | the faces of a part                                                                   |
 | `features` | keyway, D-flat, set screw, hub, web, lightening holes, as a drawing dimensions them    |
 | `loop`     | closed loops of exact lines, arcs, involutes and trochoids                           |
 | `body`     | a body as a stack of prisms between such loops, and the walls and caps that bound it |

@@ -28,11 +28,13 @@ class Wall:
         between: names of the two features.
         thickness: thickness of the wall, mm; negative where one feature cuts into the other.
         place: point where the wall is thinnest, shape (2,), mm.
+        at_rim: whether one of the two is the profile.
     """
 
     between: str
     thickness: float
     place: Array
+    at_rim: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,7 +90,12 @@ class Blank:
         return inner_face + self.edge_break, outer_face - self.edge_break
 
     def faces(self, inner: float, outer: float) -> tuple[float, float]:
-        """Lateral distances of the disc's faces from the fork axis, mm, from those of the planes of `carrying`."""
+        """Lateral distances of the disc's faces from the fork axis, mm, from those of the planes of `carrying`.
+
+        Args:
+            inner: distance of the plane nearer to the fork axis, mm.
+            outer: distance of the farther plane, mm.
+        """
         return inner - self.edge_break, outer + self.edge_break
 
     def bore(self) -> Contour:
@@ -120,7 +127,11 @@ class Blank:
         return self.bore(), *self.holes()
 
     def boss(self, thickness: float) -> Boss | None:
-        """Hub on a disc from z = 0 to z = thickness (mm); None without a hub."""
+        """Hub on a disc from z = 0 to z = thickness (mm); None without a hub.
+
+        Args:
+            thickness: thickness of the disc, mm.
+        """
         hub = self.hub
         if hub is None:
             return None
@@ -136,6 +147,10 @@ class Blank:
         """Volume of the disc without its hub, mm^3: profile_area (mm^2) less the contours, times the thickness (mm).
 
         The chamfers of broken edges are not taken off: see `cadgen.curves.inset.chamfered_off`.
+
+        Args:
+            profile_area: area inside the profile, mm².
+            thickness: thickness of the disc, mm.
         """
         return (profile_area - sum(contour.area() for contour in self.inner_contours())) * thickness
 
@@ -152,6 +167,9 @@ class Blank:
 
     def require_walls(self, profile: Outline) -> None:
         """Refuse a blank of which no solid can be made.
+
+        Args:
+            profile: dense points of the disc's outline.
 
         Raises:
             DesignError: one feature cuts into another or through the profile, or is for gears only.
@@ -172,18 +190,18 @@ class Blank:
 @lru_cache(maxsize=8)  # checks, solids and meshes of a disc ask for the same walls
 def _walls(blank: Blank, profile: Outline) -> tuple[Wall, ...]:
     core, name = blank.bore(), "bore"
-    walls = [_enclosed(core, name, profile, "profile")]
+    walls = [_to_rim(core, name, profile)]
     if blank.hub:
         hub = circle((0.0, 0.0), blank.hub.diameter / 2)
         walls.append(_enclosed(core, name, hub.outline(_STEP), "hub"))
         core, name = hub, "hub"
-        walls.append(_enclosed(core, name, profile, "profile"))
+        walls.append(_to_rim(core, name, profile))
         walls += _screw_walls(blank.hub)
     holes, ring = blank.holes(), blank.lightening
     names = [f"lightening hole {n}" for n in range(1, ring.count + 1)] if ring else []
     names += ["mark"] if blank.mark else []
     if holes:
-        rim = [_enclosed(hole, of_hole, profile, "profile") for hole, of_hole in zip(holes, names, strict=True)]
+        rim = [_to_rim(hole, of_hole, profile) for hole, of_hole in zip(holes, names, strict=True)]
         walls.append(min(rim, key=lambda wall: wall.thickness))
         centers, radii = np.array([hole.centers[0] for hole in holes]), np.array([hole.radii[0] for hole in holes])
         aside = _distance(core, centers) * np.sign(_beyond(centers, core.outline(_STEP)))
@@ -197,10 +215,7 @@ def _walls(blank: Blank, profile: Outline) -> tuple[Wall, ...]:
         between = np.linalg.norm(centers[:-1] - centers[-1], axis=1) - radii[:-1] - radii[-1]
         near = int(np.argmin(between))
         walls.append(Wall(f"{names[near]} and mark", float(between[near]), (centers[near] + centers[-1]) / 2))
-    return tuple(
-        replace(wall, thickness=wall.thickness - blank.edge_break) if wall.between.endswith("and profile") else wall
-        for wall in walls
-    )
+    return tuple(replace(wall, thickness=wall.thickness - blank.edge_break) if wall.at_rim else wall for wall in walls)
 
 
 def _screw_walls(hub: Hub) -> tuple[Wall, ...]:
@@ -214,6 +229,10 @@ def _screw_walls(hub: Hub) -> tuple[Wall, ...]:
         Wall("set screw and disc", below, place),
         Wall("set screw and the hub's end", hub.length - screw.height - screw.diameter / 2, place),
     )
+
+
+def _to_rim(inner: Contour, name: str, profile: Outline) -> Wall:
+    return replace(_enclosed(inner, name, profile, "profile"), at_rim=True)
 
 
 def _enclosed(inner: Contour, name: str, outer: Outline, outer_name: str) -> Wall:

@@ -85,7 +85,11 @@ class Wall:
     outward: bool
 
     def within(self, slab: Slab) -> bool:
-        """Whether the wall lies between the heights of `slab`."""
+        """Whether the wall lies between the heights of `slab`.
+
+        Args:
+            slab: slab with its heights, mm.
+        """
         return slab.start <= self.start and self.end <= slab.end
 
 
@@ -103,6 +107,9 @@ def walls_of(body: Body) -> Iterator[Wall]:
     """The walls of `body` by rising height, one per outline and unbroken run of slabs.
 
     A slab with a radial hole keeps its walls apart from those of its neighbours.
+
+    Args:
+        body: body of prisms.
     """
     drilled = body.drilled
     open_walls: dict[tuple[Loop, bool], float] = {}
@@ -121,6 +128,9 @@ def caps_of(slabs: tuple[Slab, ...]) -> Iterator[Cap]:
     """The flat faces of the stack by rising height: where the section below differs from the one above.
 
     Raises `DesignError` if outlines that meet at one height cross.
+
+    Args:
+        slabs: slabs by rising height.
     """
     void = Slab(0.0, 0.0, ())
     heights = [slabs[0].start, *(slab.end for slab in slabs)]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.errors import DesignError
+from cadgen.parts.names import Face
 
 # DIN 6885-1 (ISO 773): bore above and up to, in mm; width b and depth t2 of the keyway in the hub, in mm.
 STANDARD_KEYWAYS = (
@@ -47,7 +47,11 @@ class Keyway:
 
     @classmethod
     def standard(cls, bore_diameter: float) -> Keyway:
-        """The keyway of DIN 6885-1 (ISO 773) for a bore in mm; `DesignError` for one it does not cover."""
+        """The keyway of DIN 6885-1 (ISO 773) for a bore in mm; `DesignError` for one it does not cover.
+
+        Args:
+            bore_diameter: diameter of the bore, mm.
+        """
         for above, up_to, width, depth in STANDARD_KEYWAYS:
             if above < bore_diameter <= up_to:
                 return cls(width=width, depth=depth)
@@ -98,12 +102,17 @@ class Hub:
 
     diameter: float
     length: float = 0.0
-    side: Literal["outer", "inner"] = "outer"
+    side: Face = Face.OUTER
     set_screw: SetScrew | None = None
 
     def level(self, height: float, thickness: float) -> float:
-        """Coordinate z of a point `height` mm above the hub's face, on a part from z = 0 to z = thickness, mm."""
-        return thickness + height if self.side == "outer" else -height
+        """Coordinate z of a point `height` mm above the hub's face, on a part from z = 0 to z = thickness, mm.
+
+        Args:
+            height: height above the hub's face, mm.
+            thickness: thickness of the part, mm.
+        """
+        return thickness + height if self.side == Face.OUTER else -height
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -147,7 +156,11 @@ class Lightening:
         return _on_circle(self.circle_diameter, self.start_angle + TURN / self.count * np.arange(self.count))
 
     def centers_off_keyway(self, circle_diameter: float) -> Array:
-        """Centres on a circle, the first half a step off a keyway on the x axis, shape (count, 2), mm."""
+        """Centres on a circle, the first half a step off a keyway on the x axis, shape (count, 2), mm.
+
+        Args:
+            circle_diameter: diameter of the circle, mm.
+        """
         return _on_circle(circle_diameter, TURN * (np.arange(self.count) + 0.5) / self.count)
 
 

@@ -13,6 +13,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from cadgen.arrays import gauss_nodes
 from cadgen.curves.contour import Contour
 from cadgen.curves.spacing import even_nodes, inside_spans
 
@@ -49,11 +50,19 @@ class Line:
     end: complex
 
     def point(self, t: ArrayLike) -> Points:
-        """Points (mm) at parameters t."""
+        """Points (mm) at parameters t.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
         return np.asarray(self.start + (self.end - self.start) * np.asarray(t), dtype=np.complex128)
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t."""
+        """Unit tangent at t.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
         step = self.end - self.start
         return np.full(np.shape(t), step / abs(step), dtype=np.complex128)
 
@@ -62,7 +71,11 @@ class Line:
         return float((self.start.conjugate() * self.end).imag) / 2
 
     def rotated(self, angle: float) -> Self:
-        """The curve turned about the origin by `angle` in rad."""
+        """The curve turned about the origin by `angle` in rad.
+
+        Args:
+            angle: angle, rad.
+        """
         turn = complex(_unit(angle))
         return replace(self, start=self.start * turn, end=self.end * turn)
 
@@ -80,11 +93,19 @@ class Arc:
         return _share(self.start, self.start + self.sweep, t)
 
     def point(self, t: ArrayLike) -> Points:
-        """Points (mm) at parameters t."""
+        """Points (mm) at parameters t.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
         return self.centre + self.radius * _unit(self._angle(t))
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t."""
+        """Unit tangent at t.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
         return _unit(self._angle(t) + np.copysign(np.pi / 2, self.sweep))
 
     def swept_area(self) -> float:
@@ -94,7 +115,11 @@ class Arc:
         return float(self.radius**2 * self.sweep + moment) / 2
 
     def rotated(self, angle: float) -> Self:
-        """The curve turned about the origin by `angle` in rad."""
+        """The curve turned about the origin by `angle` in rad.
+
+        Args:
+            angle: angle, rad.
+        """
         return replace(self, start=self.start + angle, centre=self.centre * complex(_unit(angle)))
 
 
@@ -112,12 +137,20 @@ class Involute:
     roll_end: float
 
     def point(self, t: ArrayLike) -> Points:
-        """Points (mm) at parameters t."""
+        """Points (mm) at parameters t.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
         roll = self.hand * _share(self.roll_start, self.roll_end, t)
         return self.base_radius * _unit(self.origin + roll) * (1 - 1j * roll)
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t: d(point)/dξ = r_b·ξ·exp(i(origin + hand·ξ))."""
+        """Unit tangent at t: d(point)/dξ = r_b·ξ·exp(i(origin + hand·ξ)).
+
+        Args:
+            t: parameters, 0 to 1.
+        """
         roll = self.hand * _share(self.roll_start, self.roll_end, t)
         return _unit(self.origin + roll) * float(np.sign(self.roll_end - self.roll_start))
 
@@ -126,7 +159,11 @@ class Involute:
         return self.hand * self.base_radius**2 * (self.roll_end**3 - self.roll_start**3) / 6
 
     def rotated(self, angle: float) -> Self:
-        """The curve turned about the origin by `angle` in rad."""
+        """The curve turned about the origin by `angle` in rad.
+
+        Args:
+            angle: angle, rad.
+        """
         return replace(self, origin=self.origin + angle)
 
     def mirrored(self) -> Self:
@@ -164,14 +201,22 @@ class Trochoid:
         return _unit(self.origin + self.hand * rolled)
 
     def point(self, t: ArrayLike) -> Points:
-        """Points (mm) at parameters t."""
+        """Points (mm) at parameters t.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
         q = self._q(t)
         along = self.centre_depth * np.sinh(q) + self.tip_radius * np.tanh(q)
         outward = self.reference_radius - self.centre_depth - self.tip_radius / np.cosh(q)
         return (outward - 1j * self.hand * along) * self._turn(q)
 
     def tangent(self, t: ArrayLike) -> Points:
-        """Unit tangent at t: across the common normal."""
+        """Unit tangent at t: across the common normal.
+
+        Args:
+            t: parameters, 0 to 1.
+        """
         q, sense = self._q(t), float(np.sign(self.q_end - self.q_start))
         return self._turn(q) * (np.tanh(q) - 1j * self.hand / np.cosh(q)) * sense
 
@@ -185,13 +230,17 @@ class Trochoid:
 
     def swept_area(self) -> float:
         """½∫(x dy − y dx) in mm² by Gauss-Legendre quadrature (`AREA_NODES`), exact to rounding."""
-        node, weight = np.polynomial.legendre.leggauss(AREA_NODES)
+        node, weight = gauss_nodes(AREA_NODES)
         t = (node + 1) / 2
         integrand = (np.conj(self.point(t)) * self.tangent(t)).imag * self._speed(t)
         return float(weight @ integrand) / 4
 
     def rotated(self, angle: float) -> Self:
-        """The curve turned about the origin by `angle` in rad."""
+        """The curve turned about the origin by `angle` in rad.
+
+        Args:
+            angle: angle, rad.
+        """
         return replace(self, origin=self.origin + angle)
 
     def mirrored(self) -> Self:
@@ -210,6 +259,10 @@ def chord_parameters(curve: Curve, chord_tolerance: float) -> Reals:
     """Parameters 0 = t_0 < … < t_n = 1 whose chords stay within `chord_tolerance` (mm) of the curve.
 
     The sag of a chord grows with the square of its length, and the spacing makes all sags equal.
+
+    Args:
+        curve: curve, mm.
+        chord_tolerance: greatest distance of a chord from the curve, mm.
     """
     if isinstance(curve, Line):
         return np.array([0.0, 1.0])
@@ -247,7 +300,11 @@ class Loop:
         return self.repeats * sum(curve.swept_area() for curve in self.curves)
 
     def polygon(self, chord_tolerance: float) -> Points:
-        """Corners, shape (n,), on the outline, whose chords stay within `chord_tolerance` (mm) of it."""
+        """Corners, shape (n,), on the outline, whose chords stay within `chord_tolerance` (mm) of it.
+
+        Args:
+            chord_tolerance: greatest distance of a chord from the curve, mm.
+        """
         pitch = np.concatenate([curve.point(chord_parameters(curve, chord_tolerance)[:-1]) for curve in self.curves])
         return np.asarray(np.outer(self.turns, pitch).ravel())
 
@@ -257,12 +314,21 @@ class Loop:
         return _unit(2 * np.pi / self.repeats * np.arange(self.repeats))
 
     def rotated(self, angle: float) -> Loop:
-        """The outline turned about the origin by `angle` in rad."""
+        """The outline turned about the origin by `angle` in rad.
+
+        Args:
+            angle: angle, rad.
+        """
         return Loop(tuple(curve.rotated(angle) for curve in self.curves), self.repeats)
 
 
 def circle(diameter: float, centre: complex = 0j) -> Loop:
-    """Circle of `diameter` (mm) as a loop."""
+    """Circle of `diameter` (mm) as a loop.
+
+    Args:
+        diameter: diameter, mm.
+        centre: centre, x + iy, mm.
+    """
     return Loop((Arc(diameter / 2, 0.0, 2 * np.pi, centre),))
 
 
@@ -270,6 +336,9 @@ def loop_of(contour: Contour) -> Loop:
     """A counterclockwise contour of lines and arcs as a loop, begun with its second side.
 
     A bore's first side is its arc, so that the loop begins with the keyway or the flat.
+
+    Args:
+        contour: contour, counterclockwise.
     """
     count = len(contour.bulges)
     return Loop(tuple(_side(contour, number % count) for number in range(1, count + 1)))

@@ -37,7 +37,11 @@ class PlannedPath:
     points_key: str = "path.waypoints_mm"
 
     def derivatives(self, u: Array) -> Array:
-        """Position and first four derivatives by u, shape (5, n, 2); beyond the spline's degree they vanish."""
+        """Position and first four derivatives by u, shape (5, n, 2); beyond the spline's degree they vanish.
+
+        Args:
+            u: parameters, shape (n,).
+        """
         return np.stack([self.spline(u, nu=order) for order in range(5)])
 
 
@@ -60,7 +64,7 @@ def plan_path(waypoints: Array, kind: SplineKind) -> PlannedPath:
     chords = np.linalg.norm(np.diff(waypoints, axis=0), axis=1)
     # The stubs of scipy know only scalar end conditions; its documentation has lists of (order, value).
     zero = np.zeros(2)
-    if kind == "quintic":
+    if kind == SplineKind.QUINTIC:
         knots = np.concatenate([[0.0], np.cumsum(np.sqrt(chords))])
         natural = [(3, zero), (4, zero)]
         spline = make_interp_spline(knots, waypoints, k=5, bc_type=(natural, natural))  # type: ignore[arg-type]
@@ -69,7 +73,7 @@ def plan_path(waypoints: Array, kind: SplineKind) -> PlannedPath:
         # Derivative at 0 of the cubic through u = 0, 1, 2, 3.
         slope = np.array([-11.0, 18.0, -9.0, 2.0]) @ waypoints[:4] / 6.0
         spline = make_interp_spline(knots, waypoints, k=3, bc_type=([(1, slope)], [(2, zero)]))  # type: ignore[arg-type]
-    return PlannedPath(knots=knots, spline=spline, smooth=kind == "quintic")
+    return PlannedPath(knots=knots, spline=spline, smooth=kind == SplineKind.QUINTIC)
 
 
 def plan_lap(waypoints: Array) -> PlannedPath:

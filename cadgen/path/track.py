@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import PPoly
 
-from cadgen.arrays import Array
+from cadgen.arrays import Array, gauss_nodes
 from cadgen.errors import DesignError
 from cadgen.path.hermite import quintic_hermite
 from cadgen.path.spline import PlannedPath
@@ -60,12 +60,20 @@ class Track:
         return round(self.turn / self.length) if self.closed else 1
 
     def heading(self, arc: Array) -> Array:
-        """Direction of travel at arc lengths (mm), rad, unwrapped along the array."""
+        """Direction of travel at arc lengths (mm), rad, unwrapped along the array.
+
+        Args:
+            arc: arc lengths along the track, mm, shape (n,).
+        """
         tangent = self.position(arc, nu=1)
         return np.unwrap(np.arctan2(tangent[..., 1], tangent[..., 0]))
 
     def where(self, arc: float) -> str:
-        """Place on the path at an arc length (mm), in words."""
+        """Place on the path at an arc length (mm), in words.
+
+        Args:
+            arc: arc length along the track, mm.
+        """
         x, y = self.planned(arc)
         span = int(np.clip(np.searchsorted(self.waypoint_arc, arc, side="right"), 1, len(self.waypoint_arc) - 1))
         after = 1 if self.closed and span + 1 == len(self.waypoint_arc) else span + 1
@@ -75,7 +83,8 @@ class Track:
 def offset_track(path: PlannedPath, offset: float, turn: float | None = None, *, laps: int | None = None) -> Track:
     """Offset the planned path to the left and return the track by arc length.
 
-    With the planned path's curvature k and left offset m: ds_track = (1 - m k) ds, k_track = k / (1 - m k).
+    With the planned path's curvature k (eq. 14, with its sign) and left offset m: ds_track = (1 - m k) ds,
+    k_track = k / (1 - m k).
 
     Args:
         path: the planned path.
@@ -133,7 +142,7 @@ def offset_track(path: PlannedPath, offset: float, turn: float | None = None, *,
 
 def _arc_steps(path: PlannedPath, offset: float, u: Array) -> Array:
     """Arc length of the track between neighbouring parameters of each row, mm, by Gauss quadrature."""
-    nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    nodes, weights = gauss_nodes(GAUSS_POINTS)
     middle, half = (u[:, :-1] + u[:, 1:]) / 2, np.diff(u, axis=1) / 2
     quad_u = middle[..., None] + half[..., None] * nodes
     _, _, speed, k, _, _ = _jets(path, quad_u.ravel())

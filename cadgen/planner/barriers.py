@@ -7,7 +7,8 @@ the direction in which the car gets out soonest.
 """
 
 import itertools
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -20,7 +21,7 @@ from cadgen.course.names import Side
 from cadgen.course.scaled import Draw
 from cadgen.planner.basis import Basis
 from cadgen.planner.motion import Motion
-from cadgen.planner.rows import Rows
+from cadgen.planner.rows import Limit, LimitKind, Rows
 from cadgen.planner.task import Vehicle
 
 _EACH = 20  # places of a span at which clearances are held
@@ -150,23 +151,30 @@ class Clearances:
         basis: B-splines of the path.
         vehicle: the car.
         barriers: what it must keep clear of.
+        spare: distance to keep besides where it costs little, by the keys of the barriers, mm.
     """
 
     basis: Basis
     vehicle: Vehicle
     barriers: tuple[Barrier, ...]
+    spare: Mapping[str, float] = field(default_factory=dict)
 
     @cached_property
     def _parts(self) -> tuple[tuple[Array, bool], ...]:
         return parts_of(self.vehicle)
 
     def rows(self, points: Array) -> list[Rows]:
-        """Constraints of the barriers on a path by its control points, shape (n, 2), mm."""
+        """Constraints of the barriers on a path by its control points, shape (n, 2), mm.
+
+        Args:
+            points: control points of the path, shape (n, 2), mm.
+        """
         if not self.barriers:
             return []
         motion = Motion(self.basis.even(_EACH), points, self.vehicle.path_offset)
         radius = max(float(np.linalg.norm(corners, axis=1).max()) for corners, _ in self._parts)
-        return [rows for barrier in self.barriers if (rows := self._rows(barrier, motion, radius)) is not None]
+        rows = [rows for barrier in self.barriers if (rows := self._rows(barrier, motion, radius)) is not None]
+        return rows + [each.spared(spare) for each in rows if (spare := self.spare.get(each.limit.key, 0.0)) > 0]
 
     def _rows(self, barrier: Barrier, motion: Motion, radius: float) -> Rows | None:
         place, far = motion.jets[0], radius * barrier.grown + barrier.reach + barrier.margin + _FAR
@@ -182,7 +190,8 @@ class Clearances:
         if barrier.side is not None:
             distance, by = _on_side(barrier, close, parts, distance, by)
         value = barrier.margin + barrier.reach + _INSIDE - distance
-        return Rows(barrier.key, value, _PER_MM, close.places.both, -by, close.places.u)
+        kind = LimitKind.FIELD if barrier.inside else LimitKind.CLEARANCE
+        return Rows(Limit(kind, barrier.key), value, _PER_MM, close.places.both, -by, close.places.u)
 
 
 def _nearest(barrier: Barrier, motion: Motion, parts: list[Array]) -> tuple[Array, Array]:
@@ -240,7 +249,7 @@ def _on_side(barrier: Barrier, motion: Motion, parts: list[Array], distance: Arr
     every = np.vstack(parts)
     beside = (seen[:, 0] >= every[:, 0].min()) & (seen[:, 0] <= every[:, 0].max())
     # A car that passes to the left of a barrier has it on its right: beyond its right side.
-    sign, edge = (1.0, every[:, 1].min()) if barrier.side == "left" else (-1.0, every[:, 1].max())
+    sign, edge = (1.0, every[:, 1].min()) if barrier.side == Side.LEFT else (-1.0, every[:, 1].max())
     lateral = sign * (edge - seen[:, 1])
     wrong = beside & (sign * (seen[:, 1] - every[:, 1].mean()) > 0)
     if wrong.any():
@@ -279,7 +288,12 @@ def _from_line(points: Array, line: Array) -> tuple[Array, Array]:
 
 
 def polygon_holds(points: Array, corners: Array) -> NDArray[np.bool_]:
-    """Whether points, shape (m, 2), mm, are inside a polygon of corners in mm, by the crossings of a ray."""
+    """Whether points, shape (m, 2), mm, are inside a polygon of corners in mm, by the crossings of a ray.
+
+    Args:
+        points: points, shape (m, 2), mm.
+        corners: corners of the polygon in order, shape (c, 2), mm.
+    """
     x, y = points[..., 0], points[..., 1]
     inside = np.zeros(len(points), dtype=bool)
     for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):

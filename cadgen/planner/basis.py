@@ -31,7 +31,11 @@ class Places:
     count: int
 
     def jets(self, points: Array) -> Array:
-        """Position and four derivatives by u of a path by its control points in mm, shape (5, m, 2)."""
+        """Position and four derivatives by u of a path by its control points in mm, shape (5, m, 2).
+
+        Args:
+            points: control points of the path, shape (n, 2), mm.
+        """
         return np.asarray(np.einsum("oml,mlc->omc", self.values, points[self.columns]))
 
     def __getitem__(self, which: NDArray[np.intp] | NDArray[np.bool_]) -> "Places":
@@ -68,7 +72,11 @@ class Basis:
         return tuple(spline.derivative(order) if order else spline for order in range(ORDERS))
 
     def at(self, u: Array) -> Places:
-        """B-splines at parameters, shape (m,)."""
+        """B-splines at parameters, shape (m,).
+
+        Args:
+            u: parameters, shape (m,).
+        """
         first = np.clip(np.floor(u).astype(np.intp), 0, self.spans - 1)
         number = first[:, None] + np.arange(LOCAL)
         values = np.stack([np.take_along_axis(order(u), number, axis=1) for order in self._orders])

@@ -4,7 +4,8 @@ At each gate the limit is on the place where the path comes nearest to it, which
 the path is free to pass it sooner or later. In a disc only the distance across the path counts there.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from math import cos, pi
 
 import numpy as np
@@ -14,7 +15,7 @@ from cadgen.course.body import place_of
 from cadgen.course.course import Gate
 from cadgen.planner.basis import Basis
 from cadgen.planner.motion import Motion
-from cadgen.planner.rows import Rows
+from cadgen.planner.rows import Limit, LimitKind, Rows
 from cadgen.planner.task import Vehicle
 
 _EACH = 24  # places of a span among which the nearest is looked for
@@ -104,6 +105,7 @@ class Passing:
         finish: where it must end, likewise.
         vehicle: the car.
         margin: distance to keep from the edges of the gates, mm.
+        spare: distance to keep besides where it costs little, by the keys of the gates, mm.
     """
 
     basis: Basis
@@ -112,9 +114,14 @@ class Passing:
     finish: Gate | None
     vehicle: Vehicle
     margin: float = 0.0
+    spare: Mapping[str, float] = field(default_factory=dict)
 
     def rows(self, points: Array) -> list[Rows]:
-        """Constraints of the gates on a path by its control points, shape (n, 2), mm."""
+        """Constraints of the gates on a path by its control points, shape (n, 2), mm.
+
+        Args:
+            points: control points of the path, shape (n, 2), mm.
+        """
         fine = Motion(self.basis.even(_EACH), points, self.vehicle.path_offset)
         u = passing_places(fine, self.gates, self.vehicle)
         passed = [(gate, at, False) for gate, at in zip(self.gates, u.tolist(), strict=True)]
@@ -124,12 +131,17 @@ class Passing:
         rows = []
         for gate, at, ends in passed:
             motion = Motion(self.basis.at(np.array([at])), points, self.vehicle.path_offset)
-            rows += _through(gate, motion, self.vehicle, self.margin, ends=ends)
+            kept = self.margin, self.spare.get(gate.key, 0.0)
+            rows += _through(gate, motion, self.vehicle, kept, ends=ends)
         return rows
 
 
-def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, ends: bool) -> list[Rows]:
-    """Limits of one gate at the place where it is passed; where a run starts or ends it is held in every direction."""
+def _through(gate: Gate, motion: Motion, vehicle: Vehicle, kept: tuple[float, float], *, ends: bool) -> list[Rows]:
+    """Limits of one gate at the place where it is passed; where a run starts or ends it is held in every direction.
+
+    From its edges a margin is `kept`, and where it costs little a spare distance besides, up to its middle.
+    """
+    margin, spare = kept
     x, y = planned_place(gate, vehicle)
     track, along = motion.point(x, y)[0], _along(motion, x, y)
     rows = []
@@ -138,7 +150,18 @@ def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, end
         by = motion.moved(direction[None], x, y)[0] if slopes is None else slopes
         values = np.array([off - most, -off - most])
         columns = np.repeat(motion.places.both, 2, axis=0)
-        rows.append(Rows(gate.key, values, _PER_MM, columns, np.stack([by, -by]), np.repeat(motion.places.u, 2)))
+        rows.append(
+            Rows(
+                Limit(LimitKind.GATE, gate.key),
+                values,
+                _PER_MM,
+                columns,
+                np.stack([by, -by]),
+                np.repeat(motion.places.u, 2),
+            )
+        )
+        if (more := min(spare, most)) > 0:
+            rows.append(rows[-1].spared(more))
 
     if len(gate.place.points) == 1:
         off = track - np.array(gate.place.points[0])
@@ -172,7 +195,7 @@ def _through(gate: Gate, motion: Motion, vehicle: Vehicle, margin: float, *, end
             by = motion.turning[0]
             values = np.array([turned - most, -turned - most])
             columns, u = np.repeat(motion.places.both, 2, axis=0), np.repeat(motion.places.u, 2)
-            rows.append(Rows(f"{gate.key} heading", values, _PER_RAD, columns, np.stack([by, -by]), u))
+            rows.append(Rows(Limit(LimitKind.HEADING, gate.key), values, _PER_RAD, columns, np.stack([by, -by]), u))
     return rows
 
 

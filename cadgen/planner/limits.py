@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.planner.motion import Motion
-from cadgen.planner.rows import Rows
+from cadgen.planner.rows import Limit, LimitKind, Rows
 from cadgen.planner.sensitivity import Line
 from cadgen.planner.task import Limits, Vehicle
 from cadgen.steering.car import tan_steering
@@ -39,20 +39,38 @@ def driving_rows(motion: Motion, line: Line, vehicle: Vehicle, limits: Limits) -
     turn = np.where(K > 0, K / limits.left, -K / limits.right)
     by_turn = np.where(K > 0, 1 / limits.left, -1 / limits.right)
     zero = np.zeros_like(K)
+    ends = _step(motion, line, vehicle, limits)
     rows = [
-        _rows("turn", turn, (by_turn, zero, zero), motion),
-        _rows("pressure angle", pressure, tuple(each[0].imag / _STEP for each in by), motion),
-        _rows("convex radius", convex, tuple(each[1].imag / _STEP for each in by), motion),
+        *ends,
+        _rows(LimitKind.TURN, turn, (by_turn, zero, zero), motion),
+        _rows(LimitKind.PRESSURE_ANGLE, pressure, tuple(each[0].imag / _STEP for each in by), motion),
+        _rows(LimitKind.CONVEX_RADIUS, convex, tuple(each[1].imag / _STEP for each in by), motion),
     ]
     if limits.valley < inf:
-        rows.append(_rows("valley", valley, tuple(each[2].imag / _STEP for each in by), motion))
-    for name, value, limit, order in (("slope", K1, limits.slope, 1), ("bend", K2, limits.bend, 2)):
+        rows.append(_rows(LimitKind.VALLEY, valley, tuple(each[2].imag / _STEP for each in by), motion))
+    for kind, value, limit, order in ((LimitKind.SLOPE, K1, limits.slope, 1), (LimitKind.BEND, K2, limits.bend, 2)):
         if limit < inf:
             sign = np.sign(value) / limit
             rows.append(
-                _rows(name, np.abs(value) / limit, tuple(sign if i == order else zero for i in range(3)), motion)
+                _rows(kind, np.abs(value) / limit, tuple(sign if i == order else zero for i in range(3)), motion)
             )
     return rows
+
+
+def _step(motion: Motion, line: Line, vehicle: Vehicle, limits: Limits) -> list[Rows]:
+    """Limit of the step that the closing blend must come over."""
+    if limits.step == inf:
+        return []
+    first, last = 0, line.end[0] + round(line.end[1])
+    K = motion.quantities[0][[first, last]]
+    none = np.zeros(2)
+    R = _axis(K, none, none, vehicle, line.rate)[0]
+    by = _axis(*_moved(K, none, none)[0], vehicle, line.rate)[0].imag / _STEP
+    sign = float(np.sign(R[1] - R[0])) / limits.step
+    columns = motion.places.both[[first, last]].reshape(1, -1)
+    slopes = (sign * np.array([-1.0, 1.0]) * by)[:, None] * motion.slopes[0][[first, last]]
+    value = np.array([abs(float(R[1] - R[0])) / limits.step - 1.0])
+    return [Rows(Limit(LimitKind.BLEND), value, _WEIGHT, columns, slopes.reshape(1, -1), motion.places.u[[last]])]
 
 
 def even_rows(motion: Motion) -> list[Rows]:
@@ -60,8 +78,8 @@ def even_rows(motion: Motion) -> list[Rows]:
     speed, slopes = motion.quantities[4], motion.slopes[4]
     mean, places = float(speed.mean()), motion.places
     return [
-        Rows("fast", speed / mean - _FASTEST, _EVENNESS, places.both, slopes / mean, places.u),
-        Rows("slow", _SLOWEST - speed / mean, _EVENNESS, places.both, -slopes / mean, places.u),
+        Rows(Limit(LimitKind.FAST), speed / mean - _FASTEST, _EVENNESS, places.both, slopes / mean, places.u),
+        Rows(Limit(LimitKind.SLOW), _SLOWEST - speed / mean, _EVENNESS, places.both, -slopes / mean, places.u),
     ]
 
 
@@ -70,7 +88,7 @@ def length_rows(line: Line, vehicle: Vehicle, variables: int) -> list[Rows]:
     if vehicle.most_length == inf:
         return []
     over, columns = np.array([line.length - vehicle.most_length * _SHORTER]), np.arange(variables)[None, :]
-    return [Rows("length", over, _WEIGHT, columns, line.by_points[None, :], np.array([0.0]))]
+    return [Rows(Limit(LimitKind.LENGTH), over, _WEIGHT, columns, line.by_points[None, :], np.array([0.0]))]
 
 
 def _moved(K: Array, K1: Array, K2: Array) -> list[tuple[Any, Any, Any]]:
@@ -95,9 +113,9 @@ def _axis(K: Array, K1: Array, K2: Array, vehicle: Vehicle, rate: float) -> tupl
     )
 
 
-def _rows(name: str, share: Array, by: tuple[Array, ...], motion: Motion) -> Rows:
+def _rows(kind: LimitKind, share: Array, by: tuple[Array, ...], motion: Motion) -> Rows:
     slopes = sum(part[:, None] * motion.slopes[order] for order, part in enumerate(by))
-    return Rows(name, share - 1.0, _WEIGHT, motion.places.both, np.asarray(slopes), motion.places.u)
+    return Rows(Limit(kind), share - 1.0, _WEIGHT, motion.places.both, np.asarray(slopes), motion.places.u)
 
 
 def curvature_limits(vehicle: Vehicle, smallest: float = 1.0) -> tuple[float, float]:

@@ -72,7 +72,12 @@ class Motion:
         return np.asarray((normal[:, :, None] * self.places.values[1][:, None, :]).reshape(len(speed), -1))
 
     def point(self, x: float | Array, y: float | Array) -> Array:
-        """Position of a point of the car, x ahead of the planned point and y to its left, shape (m, 2), mm."""
+        """Position of a point of the car, x ahead of the planned point and y to its left, shape (m, 2), mm.
+
+        Args:
+            x: distance ahead of the planned point, mm.
+            y: distance to its left, mm.
+        """
         return np.asarray(self.jets[0] + _column(x) * self.ahead + _column(y) * self.left)
 
     def moved(self, direction: Array, x: float | Array, y: float | Array) -> Array:

@@ -9,7 +9,7 @@ from scipy.spatial import KDTree
 from cadgen.arrays import Array
 from cadgen.planner.basis import Basis
 from cadgen.planner.motion import Motion
-from cadgen.planner.rows import Rows
+from cadgen.planner.rows import Limit, LimitKind, Rows
 
 _EACH = 8  # places of a span that are held
 _PER_MM = 3.0
@@ -43,11 +43,15 @@ class Near:
         return np.stack([-along[:, 1], along[:, 0]], axis=1)
 
     def rows(self, points: Array) -> list[Rows]:
-        """Constraints of nearness on a path by its control points, shape (n, 2), mm."""
+        """Constraints of nearness on a path by its control points, shape (n, 2), mm.
+
+        Args:
+            points: control points of the path, shape (n, 2), mm.
+        """
         motion = Motion(self.basis.even(_EACH), points, self.offset)
         _, number = self._tree.query(motion.track)
         normal = self._normals[number]
         off = np.sum(normal * (motion.track - self.track[number]), axis=1)
         by = motion.moved(normal, 0.0, self.offset)
         most, both, u = self.within - min(_INSIDE, self.within / 2), motion.places.both, motion.places.u
-        return [Rows("near", sign * off - most, _PER_MM, both, sign * by, u) for sign in (1.0, -1.0)]
+        return [Rows(Limit(LimitKind.NEAR), sign * off - most, _PER_MM, both, sign * by, u) for sign in (1.0, -1.0)]

@@ -14,7 +14,7 @@ from cadgen.planner.gates import Passing
 from cadgen.planner.near import Near
 from cadgen.planner.programme import Fixed
 from cadgen.planner.route import planned_end, route_of
-from cadgen.planner.rows import Rows
+from cadgen.planner.rows import Limit, LimitKind, Rows
 from cadgen.planner.search import Path, Search, fixed_ends, fixed_start
 from cadgen.planner.start import End, fitted_to, smooth_path
 from cadgen.planner.task import Task, Vehicle
@@ -26,9 +26,18 @@ _LEAST_SPANS, _MOST_SPANS = 16, 110
 # a calmer one misses the gates, and is drawn to them.
 _CALMNESS = (1.0, 10.0, 40.0)
 # Limits whose violation is not by such a turn.
-_STANDING = ("course.posts", "course.walls", "course.zones", "course.field")
-UNEVEN = ("fast", "slow")  # limits that serve the search alone
-KEPT = 2e-3  # of a limit, or mm of a gate or a clearance: what a search may leave
+_STANDING = (LimitKind.CLEARANCE, LimitKind.FIELD)
+UNEVEN = (LimitKind.FAST, LimitKind.SLOW)  # limits that serve the search alone
+_LEFT, _LEFT_MM = 2e-3, 0.01  # of a limit or rad, and mm of a gate or a clearance: what a search may leave
+_IN_MM = (LimitKind.GATE, LimitKind.CLEARANCE, LimitKind.FIELD)
+
+
+def left(limit: Limit) -> float:
+    """Most of a violation that a search may leave, in the unit of the limit: a share, rad or mm.
+
+    Of a gate and a clearance that is less than is kept from their edges for what happens between the places.
+    """
+    return _LEFT_MM if limit.kind in _IN_MM else _LEFT
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,9 +55,14 @@ class Plan:
     begin: Array
 
     @property
-    def missed(self) -> dict[str, float]:
+    def missed(self) -> dict[Limit, float]:
         """Limits that are not kept, with most of what each is beyond."""
-        return {name: most for name, most in self.path.violated.items() if most > KEPT and name not in UNEVEN}
+        violated = self.path.violated.items()
+        return {
+            limit: most
+            for limit, most in violated
+            if most > left(limit) and limit.kind not in UNEVEN and not limit.spare
+        }
 
 
 def plan(
@@ -105,18 +119,18 @@ def _searched(task: Task, begin: Array | None, report: Callable[[str], None] | N
     words = None if report is None else (lambda cost: report(f"end of the run {cost:.0f} mm"))
     for points in begins:
         plans.append(Plan(search.best(points, words), task, points))
-        if all(name.startswith(_STANDING) for name in plans[-1].missed):
+        if all(limit.kind in _STANDING for limit in plans[-1].missed):
             break
     return min(plans, key=_merit)
 
 
-def search_of(task: Task, count: int, loose: str = "") -> Search:
+def search_of(task: Task, count: int, loose: Limit | None = None) -> Search:
     """The search of a task from scratch with some number of control points.
 
     Args:
         task: what is planned.
         count: number of control points.
-        loose: name of a limit that may be violated at little cost.
+        loose: limit that may be violated at little cost; None if there is none.
     """
     vehicle, course = task.vehicle, task.course
     ends = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
@@ -158,8 +172,8 @@ def _course_rows(task: Task, basis: Basis, start: End, finish: End) -> Callable[
     course, vehicle = task.course, task.vehicle
     first = course.start if start.place is None else None
     last = course.finish if finish.place is None and not basis.closed else None
-    passing = Passing(basis, course.gates, first, last, vehicle, task.gate_margin)
-    clearances = Clearances(basis, vehicle, barriers_of(course, vehicle.body, task.draw))
+    passing = Passing(basis, course.gates, first, last, vehicle, task.gate_margin, task.spare)
+    clearances = Clearances(basis, vehicle, barriers_of(course, vehicle.body, task.draw), task.spare)
     near = None if task.near is None else Near(basis, vehicle.path_offset, task.near, task.within)
 
     def rows(points: Array) -> list[Rows]:

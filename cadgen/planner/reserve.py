@@ -36,6 +36,7 @@ class Reserve:
         valley: factor on the greatest lift error.
         margin: from obstacles, mm.
         gate: from the edges of the gates, mm.
+        blend: how often the step that the closing blend must come over is made smaller.
     """
 
     pressure: float = 0.0
@@ -43,6 +44,7 @@ class Reserve:
     valley: float = 1.0
     margin: float = 0.0
     gate: float = 0.0
+    blend: int = 0
 
     def after(self, failed: Iterable[Check]) -> "Reserve":
         """Distances to keep besides, so that checks pass on which the planner has influence."""
@@ -57,6 +59,8 @@ class Reserve:
                     reserve = replace(reserve, pressure=reserve.pressure + _FLATTER)
                 case CheckCode.CONVEX_RADIUS_THEORY | CheckCode.CONVEX_RADIUS_PROFILE | CheckCode.LOST_LIFT_UNDERCUT:
                     reserve = replace(reserve, radius=reserve.radius + _MORE_RADIUS)
+                case CheckCode.BLEND_PRESSURE_ANGLE_RISE | CheckCode.BLEND_PRESSURE_ANGLE_RETURN:
+                    reserve = replace(reserve, blend=reserve.blend + 1)
                 case CheckCode.LIFT_ERROR_WITH_PLAY:
                     reserve = replace(reserve, valley=reserve.valley * 0.8 * check.limit / check.value)
                 case code if code in _CLEARANCES:
@@ -73,4 +77,5 @@ class Reserve:
             valley=min(self.valley, other.valley),
             margin=max(self.margin, other.margin),
             gate=max(self.gate, other.gate),
+            blend=max(self.blend, other.blend),
         )

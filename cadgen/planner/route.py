@@ -16,6 +16,7 @@ from scipy.sparse.csgraph import dijkstra
 
 from cadgen.arrays import Array
 from cadgen.course.course import Course, Gate
+from cadgen.course.names import Side
 from cadgen.errors import DesignError
 from cadgen.planner.barriers import Barrier, barriers_of, parts_of, polygon_holds
 from cadgen.planner.gates import is_exact, planned_place
@@ -161,7 +162,7 @@ def _beside_posts(
         leg = int(off.argmin())
         normal = np.array([-legs[leg, 1], legs[leg, 0]]) / max(float(np.linalg.norm(legs[leg])), 1e-9)
         # To the left of the post the car has it on its right.
-        aside = (right if barrier.side == "left" else -left) + (1 if barrier.side == "left" else -1) * (
+        aside = (right if barrier.side == Side.LEFT else -left) + (1 if barrier.side == Side.LEFT else -1) * (
             barrier.reach + barrier.margin
         )
         # No nearer than that to the post; where the leg is clear of it already it stays.

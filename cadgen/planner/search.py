@@ -10,7 +10,7 @@ from cadgen.planner.basis import Basis
 from cadgen.planner.limits import driving_rows, even_rows, length_rows
 from cadgen.planner.motion import Motion
 from cadgen.planner.programme import Fixed, best_step
-from cadgen.planner.rows import Rows
+from cadgen.planner.rows import Limit, Rows
 from cadgen.planner.sensitivity import Line, Sensitivity
 from cadgen.planner.task import Task
 
@@ -44,16 +44,20 @@ class Path:
     rows: tuple[Rows, ...]
 
     def total(self, penalty: float) -> float:
-        """Cost with penalties, mm."""
+        """Cost with penalties, mm.
+
+        Args:
+            penalty: factor of the cost of what is violated.
+        """
         return self.cost.cost + penalty * sum(rows.weight * rows.violation for rows in self.rows)
 
     @property
-    def violated(self) -> dict[str, float]:
+    def violated(self) -> dict[Limit, float]:
         """Most by which each limit is violated, of those that are."""
-        worst: dict[str, float] = {}
+        worst: dict[Limit, float] = {}
         for rows in self.rows:
             if rows.worst > 0:
-                worst[rows.name] = max(worst.get(rows.name, 0.0), rows.worst)
+                worst[rows.limit] = max(worst.get(rows.limit, 0.0), rows.worst)
         return worst
 
 
@@ -66,17 +70,21 @@ class Search:
         basis: B-splines of the path.
         fixed: what of the control points stays as it is.
         course_rows: limits that depend on the course.
-        loose: name of a limit that may be violated at little cost; empty if there is none.
+        loose: limit that may be violated at little cost; None if there is none.
     """
 
     task: Task
     basis: Basis
     fixed: Fixed
     course_rows: CourseRows
-    loose: str = ""
+    loose: Limit | None = None
 
     def path(self, points: Array) -> Path:
-        """A path by its control points, shape (n, 2), mm."""
+        """A path by its control points, shape (n, 2), mm.
+
+        Args:
+            points: control points of the path, shape (n, 2), mm.
+        """
         vehicle, limits = self.task.vehicle, self.task.limits
         motion = Motion(self.basis.even(EACH), points, vehicle.path_offset)
         line = Line(motion, vehicle)
@@ -86,8 +94,8 @@ class Search:
             *length_rows(line, vehicle, 2 * self.basis.count),
             *self.course_rows(points),
         ]
-        if self.loose:
-            rows = [replace(each, weight=each.weight * _LOOSE) if each.name == self.loose else each for each in rows]
+        if self.loose is not None:
+            rows = [replace(each, weight=each.weight * _LOOSE) if each.limit == self.loose else each for each in rows]
         return Path(points, Sensitivity(line, vehicle.spread), tuple(rows))
 
     def best(self, points: Array, report: Callable[[float], None] | None = None, *, rounds: int = _MOST_ROUNDS) -> Path:

@@ -185,6 +185,9 @@ class Sensitivity:
         """Derivative of the error along a direction by the control points, the changes of curvature held, shape (2 n,).
 
         The length counts in the factor where the turn of the cam is as long as the path.
+
+        Args:
+            direction: unit vector of the direction, shape (2,).
         """
         motion, (interval, share) = self.line.motion, self.line.end
         m = len(self.line.arc)

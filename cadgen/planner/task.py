@@ -1,6 +1,7 @@
 """A task of the planner: a car, its limits, and a course. Lengths in mm, angles in rad."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from math import inf
 
 from cadgen.arrays import Array
@@ -51,6 +52,8 @@ class Limits:
         rise: greatest pressure angle while the lift rises, rad.
         fall: greatest pressure angle while it falls, rad.
         convex_radius: least convex radius of the rod axis's path about the camshaft, mm.
+        step: greatest difference of the rod axis's distance from the camshaft between the end of the run and its start,
+            mm: the closing blend must come over it.
         slope: greatest slope of the curvature by arc length, 1/mm^2.
         bend: greatest second derivative of the curvature by arc length, 1/mm^3.
         valley: greatest second derivative of the lift by cam angle where it curves upwards, mm: in a valley the lift
@@ -62,6 +65,7 @@ class Limits:
     rise: float
     fall: float
     convex_radius: float
+    step: float = inf
     slope: float = inf
     bend: float = inf
     valley: float = inf
@@ -79,6 +83,7 @@ class Task:
             scratch.
         within: how far the drive wheel's track may be from `near`, mm.
         gate_margin: distance to keep from the edges of the gates, mm.
+        spare: distance to keep besides from gates' edges and from obstacles where it costs little, by their keys, mm.
         draw: spacings at which obstacles are kept clear of, too; None where the course has one spacing.
     """
 
@@ -88,4 +93,5 @@ class Task:
     near: Array | None = None
     within: float = inf
     gate_margin: float = 0.0
+    spare: Mapping[str, float] = field(default_factory=dict)
     draw: Draw | None = None

@@ -102,13 +102,18 @@ def _polyline(content: bytes, name: str, layer: str | None, closed: bool) -> Poi
     unit = drawing.header.get("$INSUNITS", 0)
     if unit not in _UNITS:
         raise FileError(f"{name} is in a unit that is not known ($INSUNITS {unit}): draw it in mm, cm, m or inches")
-    lines = [line for line in drawing.modelspace().query("LWPOLYLINE POLYLINE") if _closed(line) == closed]
+    every = list(drawing.modelspace().query("LWPOLYLINE POLYLINE"))
+    lines = [line for line in every if _closed(line) == closed]
     layers = sorted({line.dxf.layer for line in lines})
     if layer is not None:
         lines = [line for line in lines if line.dxf.layer == layer]
     if len(lines) != 1:
         where = "" if layer is None else f" on layer {escaped(layer)}"
         names, kind = ", ".join(map(escaped, layers)) or "none", "closed" if closed else "open"
+        if not lines and layer is None and every:
+            cure = "close it, or leave --closed out" if closed else "open it, or give --closed for a lap"
+            other = "open" if closed else "closed"
+            raise FileError(f"{name} has no {kind} polyline, but one that is {other}: {cure}")
         raise FileError(
             f"{name} has {len(lines)} {kind} polylines{where} (layers with one: {names}); the path must be one: join "
             "its parts, or name its layer with --layer"

@@ -64,10 +64,10 @@ def draw_record(diagnosis: Diagnosis, length: float | None, folder: Path, name: 
         several = f", {diagnosis.runs} runs, coloured from the first to the last" if _many(diagnosis) else ""
         space = "" if unit == "°" else " "
         unit = f"{space}{unit}{' per coordinate' if plan and isinstance(diagnosis, EvidenceDiagnosis) else ''}"
-        before.set_title(f"before: rms {rms[0]:.3g}{unit}{', if the start is fitted too' if plan else ''}{several}")
+        before.set_title(f"before: rms {_three(rms[0])}{unit}{', if the start is fitted too' if plan else ''}{several}")
         finer = rms[0] / rms[1] if rms[1] > 0 else 1.0
         scale = f"; scale {finer:.0f} times finer" if finer > _MAGNIFIED else ""
-        after.set_title(f"after: rms {rms[1]:.3g}{unit}{scale}")
+        after.set_title(f"after: rms {_three(rms[1])}{unit}{scale}")
         after.set_xlabel(diagnosis.kind.abscissa.value)
         _runs_legend(before, diagnosis)
         if plan:
@@ -88,6 +88,11 @@ def _rms(diagnosis: Diagnosis) -> tuple[float, float]:
     """Root mean square of the residual, before and after."""
     assert isinstance(diagnosis, EvidenceDiagnosis | PathDiagnosis)
     return diagnosis.residual.before, diagnosis.residual.after
+
+
+def _three(value: float) -> str:
+    """A number of three digits, without a power of ten."""
+    return f"{float(f'{value:.3g}'):.12g}"
 
 
 def _place(diagnosis: Diagnosis, length: float | None) -> Array:

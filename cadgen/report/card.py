@@ -7,7 +7,8 @@ from typing import Any
 
 _STYLE = """
 @page { size: A4; margin: 12mm; }
-body { font: 10pt/1.35 sans-serif; margin: 0; color: #000; }
+body { font: 10pt/1.35 sans-serif; margin: 0; color: #000; background: #fff; }
+@media screen { body { margin: 1.5em auto; max-width: 60em; padding: 0 1.5em; } }
 h1 { font-size: 14pt; margin: 0 0 2mm; }
 p { margin: 0 0 1mm; }
 table { border-collapse: collapse; width: 100%; margin: 3mm 0; font-variant-numeric: tabular-nums; }

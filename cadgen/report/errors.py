@@ -15,6 +15,7 @@ _COLORS = (VERMILLION, ORANGE, SKY, GREEN, BLUE)
 _HATCHES = ("", "///", "...", "\\\\\\", "xxx")
 _SHARES = (0.5, 0.9, 0.99)
 _BINS = 60
+_MOST_EVENTS = 12  # whose labels stand upright beside each other
 _MOST_BARS, _LEAST_SHARE = 10, 5e-4
 
 
@@ -28,10 +29,11 @@ def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path
         name: name of the files, without ending.
     """
     first = next(iter(methods.values()))
-    labels = [f"{event.kind}\n{degrees(event.cam_angle):.1f}°" for event in first]
+    many = len(first) > _MOST_EVENTS  # beside each other their labels would stand in one another
+    labels = [f"{event.kind}{' ' if many else chr(10)}{degrees(event.cam_angle):.1f}°" for event in first]
     width = 0.8 / len(methods)
-    with figure(8.5, 4.2) as picture:
-        axes, total = picture.subplots(1, 2, width_ratios=(len(first), 1.4))
+    with figure(8.5, 4.6 if many else 4.2) as picture:
+        axes, total = picture.subplots(1, 2, width_ratios=(len(first), max(1.4, 0.14 * len(first))))
         for number, (method, events) in enumerate(methods.items()):
             style = {"color": _COLORS[number], "hatch": _HATCHES[number], "edgecolor": "white", "linewidth": 0.0}
             place = (number - (len(methods) - 1) / 2) * width
@@ -42,7 +44,7 @@ def draw_events(title: str, methods: Mapping[str, Sequence[Event]], folder: Path
         for panel in (axes, total):
             zero_line(panel)
             panel.grid(axis="x", visible=False)
-        axes.set_xticks(range(len(labels)), labels)
+        axes.set_xticks(range(len(labels)), labels, **({"rotation": 90, "fontsize": 7} if many else {}))
         axes.set(title=title, ylabel="deflection error (°)", xlabel="event and its cam angle")
         picture.legend(loc="outside lower center", ncols=len(methods), fontsize=8)  # no bar may lie under it
         total.set_xticks([0], ["sum"])

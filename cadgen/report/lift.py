@@ -51,8 +51,8 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
     motor = np.linspace(0.0, min(content.wanted.blend_start, TURN), _POINTS)
     events = (("The cam jumps", content.peak), ("The cam waits", content.valley))
     close = [(title, angle) for title, angle in events if angle is not None]
-    with figure(8.0, 9.0) as picture:
-        grid = picture.add_gridspec(3, 2, height_ratios=(1.2, 1.2, 1.0))
+    with figure(8.0, 9.0 if close else 6.0) as picture:
+        grid = picture.add_gridspec(3 if close else 2, 2, height_ratios=(1.2, 1.2, 1.0) if close else (1.2, 1.0))
         picture.suptitle(f"{content.title}: lift, return error {degrees(content.play):.3f}°", x=0.02, ha="left")
 
         axes = picture.add_subplot(grid[0, :])
@@ -83,10 +83,11 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
             axes.plot(x, _lift(content, content.after.tan_beta(near)), color=AFTER, linestyle=(0, (5, 2)))
             axes.set(title=f"{title} ({degrees(angle) % 360:.1f}°)", xlabel="motor, as cam angle (°)")
             axes.set_ylabel("lift with play (mm)")
+            axes.ticklabel_format(axis="y", useOffset=False)  # lifts themselves, also where they hardly change
             if column == 0:
                 axes.legend(["wanted", content.before_name, content.after_name], loc="best")
 
-        axes = picture.add_subplot(grid[2, :])
+        axes = picture.add_subplot(grid[-1, :])
         wanted = _lift(content, content.wanted.tan_beta(motor))
         for following, color, style, label in (
             (content.before, BEFORE, "-", content.before_name),
@@ -94,13 +95,18 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
         ):
             off = _lift(content, following.tan_beta(motor)) - wanted
             worst = float(np.abs(off).max())
-            axes.plot(np.degrees(motor), off, color=color, linestyle=style, label=f"{label}: up to {worst:.3f} mm")
+            axes.plot(np.degrees(motor), off, color=color, linestyle=style, label=f"{label}: up to {_length(worst)}")
         zero_line(axes)
         axes.set(title="Lift with play, less the lift wanted", xlabel="motor, as cam angle (°)", ylabel="error (mm)")
         axes.set_xlim(0, 360)
         axes.set_xticks(range(0, 361, 30))
         axes.legend(loc="best")
         return save(picture, folder, name)
+
+
+def _length(value: float) -> str:
+    """A length (mm) in words, a small one in micrometres."""
+    return f"{value:.3f} mm" if value >= 0.01 else f"{1e3 * value:.2g} µm"
 
 
 def _lift(content: LiftPicture, tan_beta: Array) -> Array:

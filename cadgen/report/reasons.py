@@ -5,17 +5,18 @@ from math import atan, degrees, radians, tan
 from cadgen.course.turning import largest_circle, least_steering, turning_circle
 from cadgen.design.schema import Design
 from cadgen.planner.reasons import Reason
+from cadgen.planner.rows import LimitKind
 from cadgen.planner.task import Task
 
 _STEEPEST = radians(75)
 # Limits that a field brings about in which the car cannot turn round.
-_OF_TURNS = ("turn", "pressure angle", "convex radius", "course.field")
+_OF_TURNS = (LimitKind.TURN, LimitKind.PRESSURE_ANGLE, LimitKind.CONVEX_RADIUS, LimitKind.FIELD)
 
 
 def narrow_field(reason: Reason, task: Task) -> str:
     """Sentence on a field in which the car cannot turn round, where that may be why; empty if it can."""
-    field, vehicle = task.course.edge, task.vehicle
-    if field is None or reason.limit not in _OF_TURNS or (reason.enough and reason.limit != "course.field"):
+    field, vehicle, kind = task.course.edge, task.vehicle, reason.limit.kind
+    if field is None or kind not in _OF_TURNS or (reason.enough and kind != LimitKind.FIELD):
         return ""
     car, body = vehicle.car, vehicle.body
     taken, room = turning_circle(body, car, car.max_steering_angle) + task.course.margin, largest_circle(field)
@@ -34,59 +35,62 @@ def fault(reason: Reason, task: Task) -> str:
     """The fault, and its amount, as the end of a sentence."""
     x, y = reason.place
     where = f"near ({x:.0f}, {y:.0f}) mm"
-    limits, name, amount = task.limits, reason.limit, reason.amount
-    if name == "turn":
+    limits, kind, key, amount = task.limits, reason.limit.kind, reason.limit.key, reason.amount
+    if kind == LimitKind.TURN:
         held = 1 / min(limits.left, limits.right)
         return (
             f"it needs a turn {where} that is {100 * amount:.0f} % tighter than the {held:.0f} mm that the fork holds"
         )
-    if name == "pressure angle":
+    if kind == LimitKind.PRESSURE_ANGLE:
         steep = degrees(atan((1 + amount) * tan(limits.rise)))
         most = degrees(limits.rise)
         return f"it needs a pressure angle of {steep:.1f} degrees {where}, and {most:.1f} are planned for"
-    if name in ("convex radius", "valley"):
+    if kind == LimitKind.BLEND:
+        return f"the closing blend must come over {100 * amount:.0f} % more lift than the rod can follow"
+    if kind in (LimitKind.CONVEX_RADIUS, LimitKind.VALLEY):
         return f"the lift must turn {100 * amount:.0f} % more sharply {where} than the outline can follow"
-    if name in ("slope", "bend"):
+    if kind in (LimitKind.SLOPE, LimitKind.BEND):
         return f"the curvature must change {100 * amount:.0f} % faster {where} than the path it is compared with"
-    if name == "length":
+    if kind == LimitKind.LENGTH:
         return f"the path is {amount:.0f} mm longer than wheel and train drive before the closing blend"
-    if name == "near":
+    if kind == LimitKind.NEAR:
         return f"the path must leave the given one by {amount:.1f} mm more than it may, {where}"
-    if name.endswith(" heading"):
-        return f"{name.removesuffix(' heading')} cannot be passed in its direction, by {degrees(amount):.1f} degrees"
-    if name.startswith(("course.gates", "course.finish", "course.start", "path")):
-        return f"{name} is missed by {amount:.1f} mm"
-    return f"the car comes {amount:.1f} mm too near to {name} {where}"
+    if kind == LimitKind.HEADING:
+        return f"{key} cannot be passed in its direction, by {degrees(amount):.1f} degrees"
+    if kind == LimitKind.GATE:
+        return f"{key} is missed by {amount:.1f} mm"
+    return f"the car comes {amount:.1f} mm too near to {key} {where}"
 
 
 def cure(reason: Reason, task: Task, design: Design) -> str:
     """The change that would do, as the end of a sentence."""
-    name, amount = reason.limit, reason.amount
-    if name == "turn":
+    kind, key, amount = reason.limit.kind, reason.limit.key, reason.amount
+    if kind == LimitKind.TURN:
         steering = degrees(atan((1 + amount) * tan(task.vehicle.car.max_steering_angle)))
         return f"raise car.max_steering_angle_deg to {steering + 0.5:.0f}"
-    if name == "pressure angle":
+    if kind == LimitKind.PRESSURE_ANGLE:
         return f"raise cam.base_radius_mm to {(1 + amount) * design.cam.base_radius_mm + 0.5:.0f}"
-    if name == "convex radius":
+    if kind == LimitKind.CONVEX_RADIUS:
         return (
             f"raise cam.base_radius_mm to {(1 + amount) * design.cam.base_radius_mm + 0.5:.0f}, or take a thinner rod"
         )
-    if name == "valley":
+    if kind == LimitKind.BLEND:
+        return f"raise cam.blend_deg to {(1 + amount) * design.cam.blend_deg + 0.5:.0f}"
+    if kind == LimitKind.VALLEY:
         most = (1 + amount) * (design.optimize.max_lift_error_um or 0.0)
         return f"raise optimize.max_lift_error_um to {most + 1:.0f}"
-    if name in ("slope", "bend"):
+    if kind in (LimitKind.SLOPE, LimitKind.BEND):
         return f"allow the curvature to change {100 * amount + 1:.0f} % faster"
-    if name == "length":
+    if kind == LimitKind.LENGTH:
         radius = design.car.drive_wheel_radius_mm or 0.0
         wheel = radius * (1 + amount / task.vehicle.most_length)
         return f"raise car.drive_wheel_radius_mm to {wheel + 0.01:.2f}"
-    if name == "near":
+    if kind == LimitKind.NEAR:
         return f"allow {task.within + amount + 0.1:.1f} mm"
-    if name.endswith(" heading"):
-        key = name.removesuffix(" heading")
+    if kind == LimitKind.HEADING:
         return f"raise {key}.heading_tolerance_deg by {degrees(amount) + 0.1:.1f}"
-    if name.startswith(("course.gates", "course.finish", "course.start")):
-        return f"make {name} {amount + 0.1:.1f} mm wider to either side, or move it by that"
-    if name == "course.field":
+    if kind == LimitKind.GATE:
+        return f"make {key} {amount + 0.1:.1f} mm wider to either side, or move it by that"
+    if kind == LimitKind.FIELD:
         return f"make the field {amount + 0.1:.1f} mm larger there, or lower course.margin_mm by that"
-    return f"move {name} by {amount + 0.1:.1f} mm, or lower course.margin_mm by that"
+    return f"move {key} by {amount + 0.1:.1f} mm, or lower course.margin_mm by that"

@@ -35,7 +35,12 @@ _SETTINGS: dict[Any, Any] = {
 
 @contextmanager
 def figure(width: float, height: float) -> Iterator["Figure"]:
-    """Yield an empty figure of width and height in inches; the style of the program holds while it is drawn."""
+    """Yield an empty figure of width and height in inches; the style of the program holds while it is drawn.
+
+    Args:
+        width: width of the figure, inches.
+        height: height, inches.
+    """
     import matplotlib as mpl
     from matplotlib.figure import Figure
 

@@ -70,7 +70,12 @@ class Edge(NamedTuple):
 
 
 def spline_edges(arcs: Iterable[SplineArc], z: float) -> list[Edge]:
-    """Return B-spline edges in the plane at height z, mm."""
+    """Return B-spline edges in the plane at height z, mm.
+
+    Args:
+        arcs: splines, mm.
+        z: height of the plane, mm.
+    """
     edges = []
     for spline in arcs:
         values, counts = np.unique(spline.knots, return_counts=True)
@@ -87,7 +92,12 @@ def spline_edges(arcs: Iterable[SplineArc], z: float) -> list[Edge]:
 
 
 def contour_edges(contour: Contour, z: float) -> list[Edge]:
-    """Return the lines and arcs of a contour in the plane at height z, mm; a circle is one edge."""
+    """Return the lines and arcs of a contour in the plane at height z, mm; a circle is one edge.
+
+    Args:
+        contour: contour, mm.
+        z: height of the plane, mm.
+    """
     up = gp_Dir(0.0, 0.0, 1.0)
     if contour.is_circle:
         x, y = contour.centers[0].tolist()

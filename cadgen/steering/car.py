@@ -41,7 +41,12 @@ class Car:
 
 
 def wheel_tangent(tan_beta: Array, car: Car) -> Array:
-    """Tangent of the front wheel's angle from T, that of the rod: tan(atan(g T) + beta_0), by the addition theorem."""
+    """Tangent of the front wheel's angle from T, that of the rod: tan(atan(g T) + beta_0), by the addition theorem.
+
+    Args:
+        tan_beta: tangents of the rod's steering angle, shape (n,).
+        car: dimensions of the car.
+    """
     if car.steering_gain == 1 and car.steering_zero == 0:
         return tan_beta
     geared, zero = car.steering_gain * tan_beta, tan(car.steering_zero)
@@ -49,12 +54,22 @@ def wheel_tangent(tan_beta: Array, car: Car) -> Array:
 
 
 def pace(tan_beta: Array, car: Car) -> Array:
-    """Travel of the drive wheel for each mm of its rim, 1 - slip |tan(beta_w)|, from the rod's tan(beta)."""
+    """Travel of the drive wheel for each mm of its rim, 1 - slip |tan(beta_w)|, from the rod's tan(beta).
+
+    Args:
+        tan_beta: tangents of the rod's steering angle, shape (n,).
+        car: dimensions of the car.
+    """
     return wheel_pace(wheel_tangent(tan_beta, car), car)
 
 
 def wheel_pace(wheel: Array, car: Car) -> Array:
-    """Travel of the drive wheel for each mm of its rim, from the front wheel's tan(beta_w)."""
+    """Travel of the drive wheel for each mm of its rim, from the front wheel's tan(beta_w).
+
+    Args:
+        wheel: tangents of the front wheel's angle.
+        car: dimensions of the car.
+    """
     return 1.0 - car.slip * np.abs(wheel)
 
 
@@ -62,17 +77,31 @@ def tan_steering(curvature: Array, car: Car) -> Array:
     """Tangent of the rod's steering angle from the signed curvature of the drive wheel's track, mm^-1.
 
     tan(beta_w) = L k_r / (1 - A1 k_r) with k_r = -curvature (eq. 17-19 with signs; right turns have beta > 0).
+
+    Args:
+        curvature: signed curvatures of the drive wheel's track, mm^-1.
+        car: dimensions of the car.
     """
     return _rod_tangent(-car.wheelbase * curvature / (1.0 + car.drive_wheel_offset * curvature), car)
 
 
 def track_curvature(tan_beta: Array, car: Car) -> Array:
-    """Signed curvature of the drive wheel's track, mm^-1, from the rod's tan(beta): the inverse of `tan_steering`."""
+    """Signed curvature of the drive wheel's track, mm^-1, from the rod's tan(beta): the inverse of `tan_steering`.
+
+    Args:
+        tan_beta: tangents of the rod's steering angle, shape (n,).
+        car: dimensions of the car.
+    """
     return wheel_curvature(wheel_tangent(tan_beta, car), car)
 
 
 def wheel_curvature(wheel: Array, car: Car) -> Array:
-    """Signed curvature of the drive wheel's track, mm^-1, from the front wheel's tan(beta_w) (eq. 21 with signs)."""
+    """Signed curvature of the drive wheel's track, mm^-1, from the front wheel's tan(beta_w) (eq. 21 with signs).
+
+    Args:
+        wheel: tangents of the front wheel's angle.
+        car: dimensions of the car.
+    """
     return -wheel / (car.wheelbase + car.drive_wheel_offset * wheel)
 
 
@@ -96,11 +125,11 @@ def steering_jets(track: Track, car: Car) -> Array:
     if not holds.all():
         strain = np.where(divisor > 0, np.abs(k) / np.maximum(divisor, 1e-300), np.inf)
         worst = int(np.argmax(np.where(holds, 0.0, strain)))
-        side = "left" if k[worst] > 0 else "right"
+        left = bool(k[worst] > 0)
         tightest = car.wheelbase / tan(car.max_steering_angle)
-        tightest += -car.drive_wheel_offset if side == "left" else car.drive_wheel_offset
+        tightest += -car.drive_wheel_offset if left else car.drive_wheel_offset
         raise DesignError(
-            f"the drive wheel turns {side} with a radius of {1 / abs(k[worst]):.0f} mm "
+            f"the drive wheel turns {'left' if left else 'right'} with a radius of {1 / abs(k[worst]):.0f} mm "
             f"{track.where(track.arc[worst])}; steering of {degrees(car.max_steering_angle):.0f} degrees holds "
             f"no less than {tightest:.0f} mm there: lead the path through a wider turn ({track.points_key}), or raise "
             f"car.max_steering_angle_deg"

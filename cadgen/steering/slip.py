@@ -6,7 +6,7 @@ The cam turns in proportion to r, so steering known by s must be converted to st
 
 import numpy as np
 
-from cadgen.arrays import Array
+from cadgen.arrays import Array, gauss_nodes
 from cadgen.errors import DesignError
 from cadgen.path.hermite import quintic_hermite
 from cadgen.steering.car import Car, pace, wheel_tangent
@@ -27,7 +27,7 @@ def rim_travel(arc: Array, jets: Array, car: Car) -> Array:
     """
     if car.slip == 0:
         return arc
-    nodes, weights = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    nodes, weights = gauss_nodes(GAUSS_POINTS)
     half = np.diff(arc)[:, None] / 2
     left = pace(quintic_hermite(arc, jets)(arc[:-1, None] + half * (nodes + 1)), car)
     if not left.min() > 0:
@@ -39,7 +39,12 @@ def rim_travel(arc: Array, jets: Array, car: Car) -> Array:
 
 
 def by_rim(jets: Array, car: Car) -> Array:
-    """Jets of the rod's tan(beta) by the travel of the rim, from those by the travel of the wheel, shape (n, 3)."""
+    """Jets of the rod's tan(beta) by the travel of the rim, from those by the travel of the wheel, shape (n, 3).
+
+    Args:
+        jets: tan(beta) with its first two derivatives by the travel of the wheel, in mm, shape (n, 3).
+        car: dimensions of the car.
+    """
     T, T1, T2 = jets.T
     p = pace(T, car)
     wheel, zero = wheel_tangent(T, car), np.tan(car.steering_zero)

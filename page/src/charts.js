@@ -1,5 +1,6 @@
 // Curves over the cam angle, one under the other, with one cursor; the slider's place is a line across all of them.
 import uPlot from "uplot";
+import { MANY } from "./transport.js";
 import { pick, translated } from "./words.js";
 
 const TURN = 360;
@@ -41,7 +42,7 @@ class Drawn {
     Object.assign(this, { chart, marks, motion, sync, choose });
     this.box = document.getElementById(`chart-${chart.code}`);
     this.now = this.box.querySelector(".now");
-    this.data = [Array.from(chart.angle), ...chart.curves.map(({ values }) => Array.from(values, (v) => (Number.isNaN(v) ? null : v)))];
+    this.data = [chart.angle, ...chart.curves.map(({ values }) => (values.some(Number.isNaN) ? Array.from(values, (v) => (Number.isNaN(v) ? null : v)) : values))];
     this.hovered = null;
     this.angle = 0;
   }
@@ -108,7 +109,7 @@ class Drawn {
       } else {
         ctx.fillStyle = css("--muted");
         const up = kind === "peak" ? -1 : 1;
-        const [half, y] = [4 * devicePixelRatio, bbox.top - 1];
+        const [half, y] = [(this.marks.length > MANY ? 2 : 4) * devicePixelRatio, bbox.top - 1];
         ctx.beginPath();
         ctx.moveTo(x - half, y - (up < 0 ? 0 : half * 1.4));
         ctx.lineTo(x + half, y - (up < 0 ? 0 : half * 1.4));

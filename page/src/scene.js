@@ -1,8 +1,8 @@
 // The assembly in 3D. Its frame is that of the cam's file: the camshaft is z, to the car's left; x is ahead and y down.
 import {
-  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide,
+  AmbientLight, Box3, BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide,
   FrontSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Plane,
-  Scene, Vector2, Vector3, WebGLRenderer,
+  Scene, Sphere, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
@@ -141,7 +141,7 @@ export class Assembly {
     this.root.updateWorldMatrix(true, true);
     this.root.traverse((node) => {
       if (!node.isMesh) return;
-      node.geometry.computeBoundingBox();
+      if (!node.geometry.boundingBox) node.geometry.computeBoundingBox();
       const box = node.geometry.boundingBox.clone().applyMatrix4(node.matrixWorld);
       low.min(box.min);
       high.max(box.max);
@@ -299,12 +299,21 @@ function wheelGeometry(radius) {
   return [...turned, ...spokes];
 }
 
+const STEPS = 65535; // of a vertex across its part's box
+
 function partGeometry({ low, step, vertices, normals, triangles }) {
   const places = new Float32Array(vertices.length);
-  for (let i = 0; i < places.length; i++) places[i] = low[i % 3] + step[i % 3] * vertices[i];
+  const [[x, y, z], [dx, dy, dz]] = [low, step];
+  for (let i = 0; i < places.length; i += 3) {
+    places[i] = x + dx * vertices[i];
+    places[i + 1] = y + dy * vertices[i + 1];
+    places[i + 2] = z + dz * vertices[i + 2];
+  }
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(places, 3));
   geometry.setAttribute("normal", new BufferAttribute(normals, 3, true));
   geometry.setIndex(new BufferAttribute(triangles, 1));
+  geometry.boundingBox = new Box3(new Vector3(...low), new Vector3(...low.map((value, i) => value + STEPS * step[i])));
+  geometry.boundingSphere = geometry.boundingBox.getBoundingSphere(new Sphere());
   return geometry;
 }

@@ -5,6 +5,8 @@ const TURN = 360;
 const SECONDS = 24; // of a turn at speed 1
 const QUIET = 700; // ms without a change until a screen reader is told
 
+export const MANY = 16; // peaks and valleys, whose triangles would stand in one another
+
 const plain = (value, digits) => value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
 /** The bar; `use` gives it a model to move, and later another one at the same angle. */
@@ -49,6 +51,7 @@ export function transport() {
       return [mark, kind, degrees];
     });
     strip.replaceChildren(...titles.map(([mark]) => mark));
+    strip.classList.toggle("many", marks.length > MANY);
     fields = [
       ["lift", ["lift", "升程"], (s) => `${plain(s.lift, 3)} mm`],
       ["steer", ["steering", "转向角"], (s) => `${plain((motion.scene.car.steering * Math.atan(s.tan) * 180) / Math.PI, 2)}°`],

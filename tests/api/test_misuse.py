@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cadgen
-from cadgen import Design, Gear, GearPair, Measured, Train, verify
+from cadgen import Design, Gear, GearPair, Measured, Report, Train, draw, merge, verify, write_script
 from cadgen.api.files import Written
 from cadgen.design.keys import tables
 from cadgen.design.names import name_fault, usable_name
@@ -63,6 +63,28 @@ REFUSED = {
     "a device as name": (lambda car: replace(GEAR, name="Nul.x"), "on Windows Nul is a device"),
     "a name that ends in a dot": (lambda car: replace(GEAR, name="gear."), "it must not end in a dot"),
     "a design named after a device": (lambda car: car.with_({"name": "com1"}), "on Windows com1 is a device"),
+    "no trial runs": (lambda car: car.adjust(None), "trials is None; it must be the path of a file, or several"),
+    "trial runs as a number": (lambda car: car.adjust(3), "trials is 3; it must be the path of a file"),
+    "a knob as a number": (lambda car: car.adjust("a.csv", knobs=3), "knobs is 3; it must be several"),
+    "a path to improve as a name": (lambda car: car.plan("carbon_free_car"), "it must be a Design"),
+    "a calm path as a name": (lambda car: car.plan(calm_as="x"), "calm_as is 'x'; it must be a Design"),
+    "a report on a name": (
+        lambda car: Report.of("carbon_free_car"),
+        "design is 'carbon_free_car'; it must be a Design",
+    ),
+    "a drawing of a number": (lambda car: draw("out", cam=3), "cam is 3; it must be a Cam"),
+    "a drawing of a design's values": (lambda car: draw("out", train=car), "it must be a GearTrain"),
+    "a new design's name as a number": (lambda car: Design.new(3), "name is 3; it must be a text"),
+    "a new field of one side": (lambda car: Design.new("a", field_mm=(1000,)), "it must be width and height, mm"),
+    "a new field of words": (lambda car: Design.new("a", field_mm="ab"), "field_mm is 'ab'; it must be width and"),
+    "new gates of a word": (lambda car: Design.new("a", gate_radius_mm="50"), "gate_radius_mm is '50'; it must be a"),
+    "new gates turned inside out": (lambda car: Design.new("a", gate_radius_mm=-5), "gate_radius_mm is -5; it must"),
+    "a new design nowhere": (lambda car: Design.new("a", None), "folder is None; it must be a path"),
+    "points of a number": (lambda car: Design.new("a", points=3), "points is 3; it must be the path of a file"),
+    "no columns": (lambda car: Measured(None), "columns is None; it must map names with units to values"),
+    "shards as a text": (lambda car: merge("folder"), "folders is 'folder'; it must be several"),
+    "shards as nothing": (lambda car: merge(None), "folders is None; it must be several"),
+    "processes of a script": (lambda car: write_script("paper_car", "out", "slurm", 2, -1), "processes is -1; it must"),
     # Both gave numbers out of memory that nobody had written.
     "a map of nothing": (lambda car: car.tolerance(10, map=lambda work, numbers: []), "the results of 0 of 10 cars"),
     "a map of too much": (

@@ -1,7 +1,6 @@
 """The named limits of the pressure angle against their sources."""
 
 from math import degrees
-from typing import get_args
 
 import pytest
 
@@ -9,7 +8,7 @@ from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, PressureAngleLimitName
 
 
 def test_every_name_has_its_limit() -> None:
-    assert tuple(PRESSURE_ANGLE_LIMITS) == get_args(PressureAngleLimitName)
+    assert tuple(PRESSURE_ANGLE_LIMITS) == tuple(PressureAngleLimitName)
 
 
 @pytest.mark.parametrize(

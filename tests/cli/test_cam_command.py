@@ -188,8 +188,11 @@ def test_an_interrupted_run_leaves_nothing(cadgen, tmp_path, number):
         f"signal.signal({int(number)}, signal.SIG_DFL)\n"  # jobs in a background may ignore it
         "from cadgen.cli import main\n"
         "from cadgen.workflow.cam import files\n"
-        "assert len(list(files._FORMATS)) == 5\n"
-        f"files._FORMATS['DXF'] = lambda job: os.kill(os.getpid(), {int(number)}) or iter(())\n"
+        "assert len(files._WRITERS) == 5\n"
+        "dxf, make = 2, files.replace\n"
+        "assert files._WRITERS[dxf].label == 'DXF'\n"
+        f"killed = make(files._WRITERS[dxf], make=lambda job: os.kill(os.getpid(), {int(number)}) or iter(()))\n"
+        "files._WRITERS = (*files._WRITERS[:dxf], killed, *files._WRITERS[dxf + 1 :])\n"
         "main()\n"
     )
     result = cadgen("cam", "--profile", "actual", "--out", "out", code=130, script=script)

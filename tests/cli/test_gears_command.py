@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.cli.show import figures
 from tests.cli.conftest import one_sentence
 from tests.forks import MAIN
@@ -214,7 +214,7 @@ def test_a_search_of_which_nothing_fits_prints_its_ranking_and_one_sentence(cadg
 
 
 def test_checks_that_failed_without_advice_say_no_empty_sentence(capsys):
-    given = Check(CheckCode.ROOT_CLEARANCE, "gap", 1.0, "mm", 2.0, "min", advice="move it")
+    given = Check(CheckCode.ROOT_CLEARANCE, "gap", 1.0, "mm", 2.0, Bound.MIN, advice="move it")
     figures("checks", [given, replace(given, name="other", advice="")])
     said = capsys.readouterr().out
     assert "gap: move it." in said

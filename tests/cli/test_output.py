@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import pytest
 from click.testing import CliRunner
 
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
@@ -120,7 +120,7 @@ def test_what_is_left_out_is_said_with_its_reason(capsys, monkeypatch):
 @pytest.mark.parametrize("columns", [40, 80, 200])
 def test_numbers_are_never_folded(capsys, monkeypatch, columns):
     monkeypatch.setenv("COLUMNS", str(columns))
-    check = Check(CheckCode.ROD_PUSHED_OUT, "rod pushed out", 0.000456, "µm", 0.2, "max", "cam angle 126.40°", "")
+    check = Check(CheckCode.ROD_PUSHED_OUT, "rod pushed out", 0.000456, "µm", 0.2, Bound.MAX, "cam angle 126.40°", "")
     plan = SimpleNamespace(
         wheel="",
         design=SimpleNamespace(name="car"),
@@ -145,7 +145,7 @@ def test_brackets_and_colons_are_printed_as_they_are(capsys, monkeypatch):
         1.0,
         "mm",
         2.0,
-        "min",
+        Bound.MIN,
         "hole :smile: [blank]",
         "move it (the design's [blank])",
     )

@@ -1,5 +1,6 @@
 """The documentation does what it says: its commands print what it shows, its designs load, its words are explained."""
 
+import inspect
 import json
 import re
 import tomllib
@@ -166,6 +167,23 @@ def test_commands_in_the_text_exist() -> None:
     assert found > 40
 
 
+def test_commands_in_blocks_that_are_not_run_exist() -> None:
+    """In a block of plain text a command may stand with remarks beside it; verbs and options must be there."""
+    found = 0
+    for block in FENCES:
+        for verb, rest in re.findall(r"\bcadgen ([a-z]+)((?: \S+)*)", block.text if block.language == "text" else ""):
+            assert verb in cli.commands, f"{block.page}:{block.line}: {verb}"
+            options = {option for o in cli.commands[verb].params for option in o.opts}
+            for option in re.findall(r"(?<!\S)(--[\w-]+)", rest):
+                assert option in options, f"{block.page}:{block.line}: {verb} {option}"
+            found += 1
+    assert found > 20
+
+
+def test_the_version_to_cite_is_that_of_the_package() -> None:
+    assert f"\nversion: {cadgen.__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+
+
 def test_terms_are_in_the_glossary() -> None:
     glossary = (DOCS / "glossary.md").read_text(encoding="utf-8")
     rows = re.findall(r"^### (.*)\n(.*)", glossary, re.M)
@@ -192,6 +210,19 @@ def test_every_equation_of_the_paper_has_its_function() -> None:
     text = (DOCS / "theory/paper.md").read_text()
     for name in set(re.findall(r"`(cadgen\.[\w.]+)`", text)):
         assert resolve(name) is not None
+    uncited = [f"{number}: {name}" for number, name in rows if int(number) not in cited(f"cadgen.{name}")]
+    assert not uncited, uncited
+
+
+def cited(name: str) -> set[int]:
+    """Equations of the paper that a function's docstring, or that of its module, names: `eq. 28, 30`, `eq. 1-11`."""
+    function = resolve(name)
+    texts = (inspect.getdoc(function) or "", inspect.getdoc(inspect.getmodule(function)) or "")
+    found: set[int] = set()
+    for listed in re.findall(r"\b[Ee]q\. ([\d\s,-]+)", " ".join(texts)):
+        for first, last in re.findall(r"(\d+)(?:-(\d+))?", listed):
+            found |= set(range(int(first), int(last or first) + 1))
+    return found
 
 
 def resolve(name: str) -> object:

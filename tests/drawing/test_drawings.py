@@ -201,6 +201,19 @@ def test_another_reader_sees_the_sheet_and_the_outlines(trains_folder):
 
 
 @pytest.mark.slow
+def test_what_the_sheets_leave_open_is_named_with_its_key(folder, cam, tmp_path):
+    entry = json.loads((folder / "manifest.json").read_text())["parts"]["carbon_free_car_cam_drawings"]
+    assert entry["not_stated"] == {
+        "material": "blank.material",
+        "fit of the bore": "blank.bore_fit",
+        "finish": "drawing.finish",
+    }
+    stated = {"blank.material": "aluminium", "blank.bore_fit": "H7/g6", "drawing.finish": "Ra 1.6"}
+    told = Design.load("carbon_free_car").with_(stated).cam("actual")
+    assert "not_stated" not in draw(tmp_path, cam=told).entry
+
+
+@pytest.mark.slow
 def test_the_sheet_names_the_files_by_their_hashes(folder, cam):
     import ezdxf
 
@@ -318,3 +331,54 @@ def test_what_cannot_be_drawn_is_said(design, cam, train, tmp_path):
         draw(tmp_path, cam=bad)
     assert not list(tmp_path.iterdir())
     assert draw(tmp_path, cam=bad, force=True)
+
+
+def texts_of(sheet):
+    """Box and text of every text of a sheet, measured by ezdxf with the letters of the page; labels and dimensions."""
+    import ezdxf
+    import shapely
+    from ezdxf.tools.text_size import mtext_size, text_size
+    from shapely.affinity import rotate, translate
+
+    from cadgen.drawing.fonts import know_font
+
+    know_font()
+    document = ezdxf.readfile(sheet)
+    for entity in document.modelspace().query("DIMENSION TEXT"):
+        drawn = list(entity.virtual_entities()) if entity.dxftype() == "DIMENSION" else [entity]
+        for text in drawn:
+            if text.dxftype() == "MTEXT":
+                size = mtext_size(text)
+                box = shapely.box(
+                    -size.total_width / 2, -size.total_height / 2, size.total_width / 2, size.total_height / 2
+                )
+                yield (
+                    text.plain_text(),
+                    translate(rotate(box, text.get_rotation(), origin=(0, 0)), *text.dxf.insert.vec2),
+                )
+            elif text.dxftype() == "TEXT":
+                size, (_, place, _) = text_size(text), text.get_placement()
+                middle = text.get_align_enum().name == "MIDDLE_CENTER"
+                left, low = (place.x - size.width / 2, place.y - size.cap_height / 2) if middle else (place.x, place.y)
+                yield text.dxf.text, shapely.box(left, low, left + size.width, low + size.cap_height)
+
+
+@pytest.mark.slow
+def test_no_text_stands_in_another_or_on_an_edge_of_the_part(trains_folder, folder):
+    """The pinion's Ø5 stood in its teeth, 3 in 11 under its section, and the plate's 1 and 40 in circles."""
+    import ezdxf
+    import shapely
+    from ezdxf.path import make_path
+
+    for sheet in (*trains_folder.glob("*_drawing.dxf"), *folder.glob("*_drawing.dxf")):
+        texts = [(text, box.buffer(-0.1)) for text, box in texts_of(sheet)]
+        assert len(texts) > 20
+        for number, (text, box) in enumerate(texts):
+            for other, beside in texts[number + 1 :]:
+                assert not box.intersects(beside), (sheet.name, text, other)
+        edges = [
+            shapely.LineString([point.vec2 for point in make_path(curve).flattening(0.05)])
+            for curve in ezdxf.readfile(sheet).modelspace().query('LWPOLYLINE CIRCLE[layer=="VISIBLE"]')
+        ]
+        for text, box in texts:
+            assert not any(edge.intersects(box) for edge in edges), (sheet.name, text)

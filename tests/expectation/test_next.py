@@ -1,5 +1,7 @@
 """Advice on the next measurement: its linear algebra, and cars of which it is plain what they lack."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -10,6 +12,8 @@ from cadgen.deviations.usual import LOGGED, USUAL
 from cadgen.expectation.linear import Rows
 from cadgen.measurement.kinds import LIFT, PROFILE, TRACK, TRANSMISSION
 from cadgen.workflow.calibration import advice, plan
+from tests.measurement.synthetic import Car as Bed
+from tests.studies.circles_truth import Car, World, drawn_form
 
 
 @pytest.mark.parametrize("kind", ["LIFT", "PROFILE", "TRACK", "TRANSMISSION", "STEERED_TRACK"])
@@ -57,9 +61,11 @@ def test_of_a_car_of_which_nothing_is_known_the_run_itself_says_most(design):
 
 @pytest.mark.slow
 @pytest.mark.long
-def test_what_has_no_name_is_asked_of_the_kind_of_data_that_names_it(design, loop):
-    """A track of a car with an eccentric bore, which no track can name."""
-    sources = plan.read([loop / "C13" / "track.csv"])
+def test_what_has_no_name_is_asked_of_the_kind_of_data_that_shows_it(design, carbon_free_car):
+    """A track of a car whose disc has a dent of 0.3 mm."""
+    world = World(carbon_free_car, Bed(carbon_free_car), drawn_form(np.random.default_rng(1)))
+    record = world.track(Car(dent=(0.3, np.radians(130.0))), np.random.default_rng(2))
+    sources = [plan.Source(Path("track.csv"), record, "0")]
     told = plan.calibrate(design, "actual", sources)
     assert told.diagnoses[0].verdict in ("partial", "untraced shape", "unexplained")
     ranking = advice.after(told)

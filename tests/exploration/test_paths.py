@@ -5,6 +5,7 @@ import pytest
 from cadgen.api.design import Design
 from cadgen.api.exploration import explore
 from cadgen.design.load import packaged_studies
+from cadgen.errors import DesignError
 from cadgen.exploration.figures.table import kind_of
 from cadgen.exploration.paths import Planner, path_key
 from cadgen.exploration.plans import plan
@@ -61,11 +62,27 @@ def test_a_path_that_takes_too_long_is_a_row(tmp_path):
     assert (planned.text, planned.fault) == ("", "its path: it took longer than 0.01 s (each.seconds)")
 
 
+def test_room_for_the_scatter_of_the_cars_is_planned_as_the_study_says(tmp_path, monkeypatch):
+    asked = []
+
+    def refused(design, text, drawn, wanted):
+        asked.append((wanted.reserve, wanted.within))
+        raise DesignError("no more than that is asked here")
+
+    monkeypatch.setattr("cadgen.exploration.paths.plan_design", refused)
+    file = tmp_path / "study.toml"
+    for given, key in (("", "{}"), ("reserve = 2.0", "{}"), ("reserve = 2.0", '{"replan.reserve": 1.0}')):
+        file.write_text(STUDY.replace("[replan]", f"[replan]\n{given}"))
+        study, _ = read_study(file)
+        Planner.of(study).planned(key)
+    assert asked == [(0.0, 25.0), (2.0, 25.0), (1.0, 25.0)]
+
+
 def test_the_packaged_study_is_read():
     study, _ = read_study(packaged_studies()["paper_car"])
     values = list(map(plan("sobol", study.variations, study.count, 1), range(study.count)))
     assert study.count == 2000
-    assert len({path_key(study, each) for each in values}) == 8
+    assert len({path_key(study, each) for each in values}) == 13
     assert len(set(values)) == 2000
 
 

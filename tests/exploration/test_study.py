@@ -97,6 +97,11 @@ def read(folder: Path, text: str) -> None:
         ("[plan]", f"profile = {'[' * 5000}\n[plan]", r"nests keys or brackets more deeply than any study does"),
         (
             'cam.base_radius_mm"\nleast = 60\nmost = 80',
+            'replan.reserve"\nvalues = [-1.0]\n[replan]',
+            r"replan\.reserve is -1\.0; it must be 0 to 10",
+        ),
+        (
+            'cam.base_radius_mm"\nleast = 60\nmost = 80',
             'replan.seeds"\nvalues = ["x"]\n[replan]',
             r"replan\.seeds is 'x'; it must be a whole number from 1 to 100",
         ),

@@ -55,6 +55,8 @@ def test_the_time_is_that_of_the_moves(machining, tmp_path):
         notes=(),
     )
     outline, *drills = [minutes_of(tmp_path / each.name) for each in programs(disc, machining, tmp_path, 1e-4, 0.1)]
-    assert milling_minutes(120 * pi, machining, 3.0, "aluminium") == pytest.approx(outline, rel=1e-5)
+    # The way along a tab is reckoned as straight: on this circle 0.003 mm of 7 are left out.
+    close = 1e-5 if machining.tabs is None else 5e-5
+    assert milling_minutes(120 * pi, machining, 3.0, "aluminium") == pytest.approx(outline, rel=close)
     assert drilling_minutes(blank, machining, 3.0, "aluminium") == pytest.approx(sum(drills), rel=1e-5)
     assert len(drills) == (3 if machining.drilling else 0)

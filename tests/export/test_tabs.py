@@ -75,9 +75,26 @@ def test_the_stock_that_is_left_before_the_stop_are_the_tabs(tabbed):
         assert narrow == pytest.approx(3.0, abs=2e-3)
         assert (tab.width, tab.height) == pytest.approx((3.0, 1.2), abs=1e-3)
     # What follows the stop cuts the tabs off, in passes that the design allows.
-    assert cut_at(after, THICKNESS, 2.0).buffer(1e-6).covers(slot)
+    off = cut_at(after, THICKNESS, 2.0).buffer(1e-6)
+    assert all(off.covers(part) for part in left)
     depths = [float(z) for z in re.findall(r"G1 Z(-[\d.]+)", after)]
-    assert depths == pytest.approx([-2.475, -3.3])
+    assert depths == pytest.approx(4 * [-2.475, -3.3])
+
+
+def test_a_tab_is_taken_off_where_it_stands(tabbed):
+    """After the stop the cutter is in the work only at the tabs, with a lead before and after, and nowhere else."""
+    _, after = tabbed.read_text().split("\nM0\n")
+    # Every move sideways after the stop, at feed, by shapely: four short pieces of the slot.
+    ways = shapely.get_parts(cut_at(after, THICKNESS, 1e-3))
+    lengths = [part.length / 2 for part in ways]
+    print("ways at the tabs:", [round(length, 2) for length in lengths], "mm")
+    assert len(ways) == 4
+    assert lengths == pytest.approx(4 * [3.0 + 4.0 + 2 * 3.0], abs=0.1)
+    # Rapid moves sideways are at the safe height, and those down end above the work: the slot is as wide as the cutter.
+    rapid = re.findall(r"G0 ([XYZ].*)", after)
+    assert {word for word in rapid if word.startswith("Z")} == {"Z1.0000", "Z5.0000"}
+    assert [word[0] for word in rapid] == 8 * ["X", "Z", "Z"]
+    assert rapid[2::3] == 8 * ["Z5.0000"]
 
 
 def test_nothing_of_the_tabs_is_left_on_the_rim(tabbed, tmp_path):
@@ -105,7 +122,8 @@ def test_the_program_says_when_to_clamp(tabbed):
         (r"G1 Z-1\.8000", "G1 Z-1.6400", "leaves a tab at X .* with a height of 1.350 mm, not 1.2 mm"),
         (r"\nM0\n", "\n", "leaves 0 tabs where the design has 4"),
         (r"M5\n\(clamp", "(clamp", "stops for a clamp with the spindle on"),
-        (r"(?s)\(tabs, pass 2.*?M5", "M5", "does not cut through"),
+        (r"(?s)\(tab 4 of 4, pass 2.*?M5", "M5", "does not cut through"),
+        (r"(?s)\(tab 2 of 4, pass 1.*?\(tab 2 of 4, pass 2", "(tab 2 of 4, pass 2", "pass 1.5000 mm deep"),
     ],
 )
 def test_other_tabs_are_refused(tabbed, tmp_path, pattern, replacement, message):
@@ -114,6 +132,46 @@ def test_other_tabs_are_refused(tabbed, tmp_path, pattern, replacement, message)
     (tmp_path / "edited.nc").write_text(text)
     with pytest.raises(FileError, match=message):
         read_gcode(tmp_path / "edited.nc", TABBED, THICKNESS)
+
+
+def test_a_pass_that_begins_in_a_tab_or_beside_the_path_is_refused(tabbed, tmp_path):
+    before, after = tabbed.read_text().split("\nM0\n")
+    lines = after.splitlines()
+    down = next(i for i, line in enumerate(lines) if line.startswith("G1 Z"))
+    places = [re.search(r"X(\S+) Y(\S+)", line) for line in lines]
+    start = np.array(places[down - 2].groups(), dtype=float)
+    # The last corner of the lead, where the tab begins.
+    inside = next(
+        i
+        for i in range(down + 1, len(lines))
+        if np.linalg.norm(np.array(places[i].groups(), dtype=float) - start) > 2.9
+    )
+
+    def refused(changed, message):
+        (tmp_path / "edited.nc").write_text("\nM0\n".join([before, "\n".join(changed) + "\n"]))
+        with pytest.raises(FileError, match=message):
+            read_gcode(tmp_path / "edited.nc", TABBED, THICKNESS)
+
+    kept = [*lines[: down - 2], f"G0 {places[inside].group()}", *lines[down - 1 : down + 1]]
+    refused([*kept, f"{lines[inside + 1]} F240", *lines[inside + 2 :]], "in a tab, not in the slot beside it")
+    x = start[0]
+    # From another place: beside the path of the rounds.
+    aside = [line.replace(f"X{x:.4f}", f"X{x + 0.01:.4f}") for line in lines]
+    refused(aside, "differ|radius")
+
+
+def test_a_round_through_air_is_refused(tabbed, tmp_path):
+    """The passes of before: round the whole outline at the depths of the tabs, most of it through air."""
+    before, after = tabbed.read_text().split("\nM0\n")
+    rounds = before.split("(pass ")
+    whole = re.sub(r"(?m)^G1 Z-1\.8000.*\n|^G1 Z-3\.3000.*\n", "", rounds[4])
+    whole = whole.replace("G0 Z-1.4750\n", "G0 Z-1.4750\nG1 Z-2.4750 F60\n", 1)
+    body = "\n".join(line for line in whole.splitlines()[1:] if not line.startswith(("M", "(")))
+    (tmp_path / "air.nc").write_text(
+        "\nM0\n".join([before, "\n".join([after.splitlines()[0], body, "M5", "M30"]) + "\n"])
+    )
+    with pytest.raises(FileError, match=r"cuts \d+\.\d mm of air to take a tab off; 6 mm lead to it and away"):
+        read_gcode(tmp_path / "air.nc", TABBED, THICKNESS)
 
 
 def test_tabs_of_another_width_or_place_are_refused(tmp_path):

@@ -1,127 +1,133 @@
-"""Error rate of an ideal judge, who knows noise, spectrum of the form error and every other cause.
+"""An ideal judge, who knows noise, spectrum of the form error, and every effect but which it is.
 
-    python -m tests.measurement.limit
-
-For a twin of true size x the misfits of the two names differ by D ~ N(d^2, 4 d^2), d = x / s, where s is the size at
-which the data, noise and form error known, tell the twins apart by one standard error. Claiming a name at odds of r to
-one or better (D > 2 ln r) is right with probability Phi((d^2 - 2 ln r) / 2d) and wrong with Phi(-(d^2 + 2 ln r) / 2d):
-no method that is told less does better on the average (Neyman and Pearson 1933), but for a prior of the sizes.
+For names A and B of true distance d (the part of A's signal that B cannot make, in standard errors) the misfits differ
+by D ~ N(d^2, 4 d^2). Claiming A at odds of r to one or better (D > 2 ln r) is right with probability
+Phi((d^2 - 2 ln r) / 2d): no method that is told less does better on the average (Neyman and Pearson 1933), but for a
+prior of the sizes. A name with more numbers pays ln n for each, as in the criterion of Schwarz (1978). Of all names
+that could stand instead the nearest one is the limit; the error of a size has the covariance of Cramer and Rao.
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 from scipy.stats import norm
 
+from cadgen.deviations.effect import Active, Effect
 from cadgen.measurement.models.base import Model, fourier, slopes
 from cadgen.measurement.verdict import SURE
 from tests.measurement import study
 from tests.measurement import synthetic as syn
 
-TWINS = {"lift": ("lever gain", "axial offset"), "profile": ("cutter compensation", "uniform scale")}
-ORDERS = 90
-NOISES_UM = np.geomspace(2.0, 20.0, 6)
 KNOWN = 1e6  # standard deviation of a datum, in its own unit: not known at all
-SIZES = 200
-DRAWS = 400
+INDEX_DEG = 0.01  # of the divider, as `synthetic.lift_record` draws it
+DRAWS = 20  # errors of sizes for each case
 
 
-def spectra() -> Iterator[np.ndarray]:
-    """Variance by order of the generator's form errors over what it draws them from."""
-    order = np.arange(1, ORDERS + 1)
-    for width in (4, 8, 12, 16, 20):
-        yield np.exp(-((order * width * syn.DEG) ** 2))
-    for width in (10, 15, 20, 25, 30):
-        yield 1 / (1 + (order * width * syn.DEG) ** 2)
-
-
-def covariance(model: Model, columns: np.ndarray, noise: np.ndarray, variance: np.ndarray) -> np.ndarray:
-    """That of the least squares estimate of some columns' sizes, noise and form error known: Cramer and Rao's bound.
+def information(model: Model, columns: np.ndarray, noise: np.ndarray, variance: np.ndarray) -> np.ndarray:
+    """Products of columns by the inverse covariance of what is measured, form error and datum integrated out.
 
     Args:
         model: with its datum, which is fitted.
         columns: responses to one unit each, shape (n, k).
         noise: standard deviation of each row, shape (n,).
-        variance: of each harmonic's amplitude, shape (ORDERS,).
+        variance: of each harmonic's amplitude, from order 1 on.
     """
-    waves, _ = fourier(model.rows.place, ORDERS)
+    waves, _ = fourier(model.rows.place, len(variance))
     datum = np.hstack([model.offsets, slopes(model, model.datum, [(e, e.start) for e in model.datum])])
     unsure = np.hstack([waves * np.sqrt(np.tile(variance, 2)), datum * KNOWN]) / noise[:, None]
     z = columns / noise[:, None]
     mixed = unsure.T @ z
-    information = z.T @ z - mixed.T @ np.linalg.solve(np.eye(unsure.shape[1]) + unsure.T @ unsure, mixed)
-    return np.asarray(np.linalg.inv(information))
+    return np.asarray(z.T @ z - mixed.T @ np.linalg.solve(np.eye(unsure.shape[1]) + unsure.T @ unsure, mixed))
+
+
+def covariance(model: Model, columns: np.ndarray, noise: np.ndarray, variance: np.ndarray) -> np.ndarray:
+    """That of the least squares estimate of some columns' sizes; arguments as of `information`."""
+    return np.asarray(np.linalg.inv(information(model, columns, noise, variance)))
 
 
 def rates(d: np.ndarray, odds: float) -> tuple[float, float]:
-    """How often the right and the wrong twin are claimed at such odds, on the average over d."""
+    """How often the right and the wrong of two names are claimed at such odds, on the average over d."""
     bar = 2 * np.log(odds)
     right, wrong = norm.cdf((d**2 - bar) / (2 * d)), norm.cdf(-(d**2 + bar) / (2 * d))
     return float(right.mean()), float(wrong.mean())
 
 
-def distances(car: syn.Car, kind: str) -> np.ndarray:
-    """d of both twins over what the generator draws: noise, form error and size, those too small left out."""
-    way, names = study.KINDS[kind], TWINS[kind]
-    record = way.make(car, syn.Bench(), np.random.default_rng(0), noise_um=0.01)
-    model = study.nominal(car).model(record)
-    effects = tuple(next(e for e in model.catalogue if e.name == name) for name in names)
-    columns = slopes(model, effects, [(e, e.start) for e in model.datum])
-    shown = columns - columns.mean(axis=0) if kind == "lift" else columns
-    rms = np.sqrt(np.mean(shown**2, axis=0))
-    index = np.asarray(model.slip) * 0.01 * syn.DEG if kind == "lift" else np.zeros(len(columns))
-    out = []
-    for noise in NOISES_UM / 1e3:
-        for spectrum in spectra():
-            variance = spectrum / spectrum.sum() * (syn.FORM_UM / 1e3) ** 2
-            told = np.sqrt(np.diag(covariance(model, columns, np.hypot(noise, index), variance)))
-            for name, least, response in zip(names, told, rms, strict=True):
-                _, low, high = way.truths[name]
-                sizes = np.geomspace(low, high, SIZES)
-                out.append(sizes[sizes * response > study.LEAST * noise] / least)
-    return np.concatenate(out)
+def best(car: syn.Car, case: study.Case, rng: np.random.Generator) -> tuple[float, list[float]]:
+    """Chance that an ideal judge names all effects of a case; and relative errors of their sizes, drawn."""
+    model = study.nominal(car).model(case.record)
+    truth = [_entry(model, car, n, v) for n, v in zip(case.truth, case.values, strict=True)]
+    datum: Active = [(e, e.start) for e in model.datum]
+    scales = [np.array([p.scale for p in effect.parameters]) for effect in truth]
+    values = [study.printed(n, v) * s for n, v, s in zip(case.truth, case.values, scales, strict=True)]
+    there: Active = [*datum, *zip(truth, values, strict=True)]
+    whole = model.residual(there)
+    # What each effect adds to the others.
+    signals = [model.residual([(e, v) for e, v in there if e is not lost]) - whole for lost in truth]
+    own = slopes(model, tuple(truth), there)
+    others = tuple(e for e in model.catalogue if _rival(e, truth))
+    noise, variance = _noise(model, case), case.form[: model.form.shape[1] // 2]
+    products = information(model, np.column_stack([*signals, own, slopes(model, others, datum)]), noise, variance)
+    spans = _spans((*truth, *others), len(truth))
+    mine, theirs = spans[: len(truth)], spans[len(truth) :]
+    price, bar = np.log(len(whole)), 2 * np.log(SURE / (1 - SURE))
+    chance, first = 1.0, len(truth)
+    for lost in range(len(truth)):
+        base = np.concatenate([np.empty(0, dtype=int), *(span for k, span in enumerate(mine) if k != lost)])
+        for more in (np.empty(0, dtype=int), *theirs):
+            square = _left(products, lost, np.concatenate([base, more]))
+            paid = (len(more) - len(mine[lost])) * price
+            d = np.sqrt(max(square, 1e-12))
+            chance = min(chance, float(norm.cdf((square + paid - bar) / (2 * d))))
+    known = np.linalg.inv(products[first : first + own.shape[1], first : first + own.shape[1]])
+    drawn = rng.multivariate_normal(np.zeros(len(known)), known, DRAWS)
+    errors = [
+        float(np.linalg.norm(row[span - first] / scale) / np.linalg.norm(value / scale))
+        for row in drawn
+        for span, value, scale in zip(mine, values, scales, strict=True)
+    ]
+    return chance, errors
 
 
-def least_errors(car: syn.Car, draws: int) -> np.ndarray:
-    """Relative errors of a profile's parameters, each effect known to be there alone; wear is left out: not linear."""
-    rng = np.random.default_rng(1)
-    way = study.KINDS["profile"]
-    model = study.nominal(car).model(way.make(car, syn.Bench(), rng, noise_um=0.01))
-    names = [name for name in sorted(way.truths) if name != "worn nose"]
-    shapes = list(spectra())
-    datum = [(e, e.start) for e in model.datum]
-    errors: list[float] = []
-    while len(errors) < draws:
-        name = names[rng.integers(len(names))]
-        make, low, high = way.truths[name]
-        change = make(car, rng)(float(np.exp(rng.uniform(np.log(low), np.log(high)))))
-        order = next((f", order {v[0]}" for k, v in change.items() if k in ("lobes", "ripples")), "")
-        effect = next(e for e in model.catalogue if e.name == name + order)
-        size = np.array(study.PRINTED[name](change)) * [p.scale for p in effect.parameters]
-        columns, noise = slopes(model, (effect,), datum), float(np.exp(rng.uniform(np.log(2e-3), np.log(20e-3))))
-        if np.sqrt(np.mean((columns @ size) ** 2)) < study.LEAST * noise:
-            continue
-        spectrum = shapes[rng.integers(len(shapes))]
-        variance = spectrum / spectrum.sum() * (syn.FORM_UM / 1e3) ** 2
-        known = covariance(model, columns, np.full(len(columns), noise), variance)
-        errors.append(float(np.linalg.norm(rng.multivariate_normal(0 * size, known)) / np.linalg.norm(size)))
-    return np.array(errors)
+def _left(products: np.ndarray, signal: int, chosen: np.ndarray) -> float:
+    """Square of a signal, one of the columns, that chosen columns leave."""
+    if not len(chosen):
+        return float(products[signal, signal])
+    gram, right = products[np.ix_(chosen, chosen)], products[chosen, signal]
+    return float(products[signal, signal] - right @ np.linalg.lstsq(gram, right, rcond=1e-12)[0])
 
 
-def main() -> None:
-    """Print how often the best judge claims the right and the wrong twin, for several odds, and the least errors."""
-    from tests.conftest import build
-
-    car = syn.Car(build("carbon_free_car"))
-    print(f"profile  relative error of the parameters: median {np.median(least_errors(car, DRAWS)):.2%}")
-    for kind in TWINS:
-        d = distances(car, kind)
-        for odds in (1.0, 3.0, SURE / (1 - SURE), 12.0):
-            right, wrong = rates(d, odds)
-            print(
-                f"{kind:8} odds {odds:4.0f}: right {right:6.1%}, wrong {wrong:5.1%}, neither {1 - (right + wrong):5.1%}"
-            )
+def _spans(effects: tuple[Effect, ...], first: int) -> list[np.ndarray]:
+    """Columns of each effect, behind so many of signals."""
+    ends = first + np.cumsum([0, *(len(e.parameters) for e in effects)])
+    return [np.arange(a, b) for a, b in pairwise(ends)]
 
 
-if __name__ == "__main__":
-    main()
+def _rival(effect: Effect, truth: list[Effect]) -> bool:
+    """Whether a name may stand for another: none of these, none that becomes one of these, no twin, none beside it."""
+    if effect.beside or any(effect.name == e.name for e in truth):
+        return False
+    same = [effect.includes, effect.looks_like]
+    same += [e.looks_like for e in same if e]
+    return effect not in truth and not any(e is not None and any(e.key == t.key for t in truth) for e in same)
+
+
+def _entry(model: Model, car: syn.Car, name: str, values: dict) -> Effect:
+    """The catalogue's entry for an effect of the generator."""
+    alike: Iterator[Effect] = (e for e in model.catalogue if study.same(name, e.name))
+    order = next((value[0] for key, value in values.items() if key in ("lobes", "ripples")), None)
+    if order is not None:
+        return next(e for e in alike if e.name.endswith(f" {order}"))
+    if "dent" in values:
+        number = int(np.argmin(np.abs(np.sort(car.noses) - values["dent"][0])))
+        return next(e for e in alike if dict(e.indices)["nose_number"] == number + 1)
+    return next(alike)
+
+
+def _noise(model: Model, case: study.Case) -> np.ndarray:
+    """Standard deviation of each row in the model's internal unit."""
+    rows = len(model.rows.run)
+    if case.kind == "lift":
+        return np.hypot(case.noise * 1e-3, np.asarray(model.slip) * INDEX_DEG * syn.DEG)
+    unit = {"profile": 1e-3, "transmission": syn.DEG, "track": 1.0}[case.kind]
+    return np.full(rows, case.noise * unit)

@@ -49,16 +49,21 @@ class Bench:
 
 def form_error(rng: np.random.Generator, rms: float) -> np.ndarray:
     """Correlated error round the turn, 3600 values: white noise smoothed over 4 to 20 degrees, or a random walk."""
+    return drawn_form(rng, rms)[0]
+
+
+def drawn_form(rng: np.random.Generator, rms: float) -> tuple[np.ndarray, np.ndarray]:
+    """A form error, and the variance that each order from 1 on has beforehand, shape (1800,), adding up to rms^2."""
     white = rng.standard_normal(3600)
     spectrum = np.fft.rfft(white)
     order = np.arange(len(spectrum))
     if rng.random() < 0.5:
-        spectrum *= np.exp(-((order * rng.uniform(4, 20) * DEG) ** 2) / 2)
+        shape = np.exp(-((order * rng.uniform(4, 20) * DEG) ** 2) / 2)
     else:
-        spectrum /= np.sqrt(1 + (order * rng.uniform(10, 30) * DEG) ** 2)
-    spectrum[0] = 0
-    values = np.fft.irfft(spectrum)
-    return values * rms / values.std()
+        shape = 1 / np.sqrt(1 + (order * rng.uniform(10, 30) * DEG) ** 2)
+    shape[0] = 0
+    values = np.fft.irfft(spectrum * shape)
+    return values * rms / values.std(), (shape**2 / np.sum(shape**2) * rms**2)[1:]
 
 
 class Car:

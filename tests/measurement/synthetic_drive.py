@@ -109,13 +109,15 @@ class Wheels:
         return np.interp(at, turn, place.real) + 1j * np.interp(at, turn, place.imag)
 
 
-def track_record(car: Any, wheels: Wheels, rng: np.random.Generator, *, noise_mm: float, runs: int = 4) -> Record:
-    """Every two degrees of the cam, started by hand within 3 mm and 0.15 degrees."""
+def track_record(
+    car: Any, wheels: Wheels, rng: np.random.Generator, *, noise_mm: float, runs: int = 4, start_deg: float = 0.15
+) -> Record:
+    """Every two degrees of the cam, started by hand within 3 mm and 0.15 degrees, or what else is said."""
     degrees = np.arange(0, 361, 2.0)
     clean = wheels.track(car.built, degrees * DEG)
     rows = []
     for _ in range(runs):
-        turned = clean[0] + (clean - clean[0]) * np.exp(1j * rng.normal(0, 0.15) * DEG)
+        turned = clean[0] + (clean - clean[0]) * np.exp(1j * rng.normal(0, start_deg) * DEG)
         turned = turned + rng.normal(0, 3) + 1j * rng.normal(0, 3)
         rows.append(turned + rng.normal(0, noise_mm, len(degrees)) + 1j * rng.normal(0, noise_mm, len(degrees)))
     place = np.concatenate(rows)

@@ -1,4 +1,4 @@
-"""Verdicts on a small slice of synthetic cases; the study of several hundred is a command of its own (study.py)."""
+"""Verdicts on a small slice of synthetic cases; several thousand are a study of their own (tests.studies.rates)."""
 
 import numpy as np
 import pytest

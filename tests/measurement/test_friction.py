@@ -210,3 +210,13 @@ def test_a_play_that_has_the_others_in_it_is_taken_as_it_is():
     assert at_work([train, track]) == (track, track)
     assert shared([train, track]) == ()
     assert at_work([train, replace(track, informed=False)])[1].finding.values[0].value == pytest.approx(0.805)
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_an_eccentric_bore_does_not_stand_for_little_friction():
+    """Play of 0.89 degrees, a friction of 0.068 and a steering zero: a bore off by 14 um does nearly the same."""
+    told = judged(2, 13, 60)
+    assert told.wrong == ()
+    assert told.play_deg == pytest.approx(told.case.car.play_deg, rel=0.01)
+    assert told.friction == pytest.approx(told.case.car.friction, abs=0.01)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.measurement.calibrate import calibrate
+from cadgen.measurement.kinds import PROFILE
 from cadgen.measurement.record import join
 from tests.measurement import synthetic as syn
 
@@ -20,6 +21,29 @@ def _profiles(car, shear, seed=60):
         x, y = record["x_mm"], record["y_mm"]
         records.append(replace(record, columns={"x_mm": x + shear * y, "y_mm": y}))
     return records
+
+
+def test_a_scale_of_the_machine_is_no_likelier_for_shrinking_the_noise(synthetic_car, nominal):
+    """A part that is 0.4 % too large, and a machine that reads 0.4 % too much, leave the same."""
+    rng = np.random.default_rng(61)
+    model = nominal.model(
+        syn.profile_record(synthetic_car, syn.Bench(scale=(1.004, 1.004)), rng, noise_um=10.0, runs=1, scatter=0.0)
+    )
+    left = [
+        np.sum(model.residual([(PROFILE.catalogue.named(name), np.array([0.004]))]) ** 2)
+        for name in ("uniform scale", "scale of the measuring machine")
+    ]
+    assert left[0] == pytest.approx(left[1], rel=1e-4)
+
+
+@pytest.mark.slow
+def test_a_part_that_is_clamped_by_eye_is_not_turned(synthetic_car, nominal):
+    """A scale of the part is named as that, with its twin, where the part lies a degree off."""
+    rng = np.random.default_rng(62)
+    bench = syn.bench_with(syn.form_error(rng, 2e-3), {"scale": (1.003, 0.9985)})
+    (told,) = calibrate([syn.profile_record(synthetic_car, bench, rng, noise_um=8.0, clock_deg=1.1)], nominal)
+    assert told.judgement.claimed == ("anisotropic scale",)
+    assert told.findings[0].twins == ("axis scale of the measuring machine",)
 
 
 @pytest.mark.slow

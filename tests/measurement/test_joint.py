@@ -1,17 +1,21 @@
 """Records joined: their evidence against a dense covariance, their catalogues, and the chain against a generator."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from cadgen.deviations.disc import DISC
 from cadgen.deviations.effect import READING, Effect, Parameter
 from cadgen.deviations.transmission import runout
 from cadgen.measurement.evidence import Evidence, Spectrum
 from cadgen.measurement.joint import Joint, Part
 from cadgen.measurement.kinds import LIFT, TRACK, TRANSMISSION
 from cadgen.measurement.merged import Merged
+from cadgen.measurement.models.rolled import CHANGE
 from cadgen.measurement.noise import Noise
+from cadgen.measurement.shapes import bump
 from tests.measurement import synthetic_drive as drive
 from tests.measurement.synthetic import Bench, lift_record
 from tests.measurement.test_statistics import _model
@@ -89,7 +93,7 @@ def test_catalogues_are_merged_by_what_effects_are(models):
     assert merged.kinds["backlash"] is TRACK
     assert lift["backlash (lift)"].name == "backlash"
     # What the train and the disc have moves the cam and the rod under the track.
-    for name, kind in (("runout of shaft 2", TRANSMISSION), ("eccentric bore", LIFT), ("axial offset", LIFT)):
+    for name, kind in (("runout of shaft 2", TRANSMISSION), ("eccentric bore", TRACK), ("axial offset", LIFT)):
         assert track[name].name == name
         assert merged.kinds[name] is kind
     # What the instrument has stays in its own record, and so do forms without a name.
@@ -124,3 +128,41 @@ def test_effects_of_disc_and_train_move_the_track_as_the_generator_has_it(synthe
         theirs = world.path(Car(**{key: values}))[at]
         assert np.abs(theirs - world.path(Car())[at]).max() > 100
         assert np.abs(moved - theirs - bare).max() < 1.5
+
+
+@pytest.mark.slow
+def test_a_dent_that_a_lift_or_a_profile_shows_moves_the_track_as_the_generator_has_it(synthetic_car, nominal):
+    """0.3 mm at 130 degrees, of the outline, and as the lift has it."""
+    world, dented = World(synthetic_car.built, synthetic_car, np.zeros(1)), Car(dent=(0.3, np.radians(130.0)))
+    model = nominal.model(
+        drive.track_record(synthetic_car, drive.Wheels(), np.random.default_rng(71), noise_mm=1.0, runs=1)
+    )
+    degrees = model.rows.place[: len(model.rows.place) // 2]
+    at = np.round(degrees / (2 * np.pi) * CELLS).astype(int)
+    theirs = world.path(dented)[at] - world.path(Car())[at]
+    assert np.abs(theirs).max() > 100
+    outline = model.rolled.shown(replace(bump(130.0, 3.0, "um"), form_of=DISC))
+    values = np.array([-0.3, np.radians(130.0), np.radians(3.0)])
+    ours = (model.place([(outline, values)]) - model.place([]))[: len(degrees)]
+    assert np.abs(ours - theirs).max() < 2.0
+
+    class Lifted(World):
+        def lift(self, car):
+            off = (np.arange(CELLS) / CELLS * 2 * np.pi - values[1]) / values[2]
+            return super().lift(car) - 0.2 / self.built.follower.inner * np.exp(-(off**2) / 2)
+
+    lifted = Lifted(synthetic_car.built, synthetic_car, np.zeros(1))
+    theirs = lifted.path(Car())[at] - world.path(Car())[at]
+    lift = model.rolled.shown(replace(bump(130.0, 3.0, "um"), form_of=CHANGE))
+    ours = (model.place([(lift, np.array([-0.2, *values[1:]]))]) - model.place([]))[: len(degrees)]
+    assert np.abs(theirs).max() > 100
+    assert np.abs(ours - theirs).max() < 0.5
+
+
+def test_a_form_of_the_lift_acts_in_the_track_and_one_of_a_single_run_does_not(models):
+    merged = Merged.of(models)
+    track = merged.names[0]
+    bumps = [e for e in merged.shapes if e.name.startswith("local bump") and e.name.endswith("(lift)")]
+    assert bumps
+    assert all(track[e.key].stage is CHANGE for e in bumps)
+    assert not any(e.key in track for e in merged.shapes if e.one_run)

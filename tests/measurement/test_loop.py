@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from cadgen.design.load import load_design
@@ -9,6 +10,8 @@ from cadgen.measurement.calibrate import calibrate
 from cadgen.records.load import load
 from cadgen.workflow.calibration import plan
 from cadgen.workflow.calibration.words import report
+from tests.measurement.synthetic import Car as Bed
+from tests.studies.circles_truth import Car, World, drawn_form
 
 LOOP = Path(__file__).parents[1] / "data" / "loop"
 
@@ -131,6 +134,37 @@ def test_a_lift_that_shows_the_disc_makes_its_track_clear(joint):
     assert first.startswith("A new cam made for what is claimed is expected to end the run")
     (bore,) = (b for b in told.built if b.claim.finding.effect == "eccentric bore")
     assert (bore.place, bore.claim.finding.twins) == ("car", ("run-out of the shaft",))
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_track_alone_shows_the_bore_by_what_it_does_to_the_run(joint):
+    """The same car; the end is known closer than by the old name of a rest."""
+    told, values = joint("C13/track.csv")
+    (track,) = told.diagnoses
+    assert track.judgement.claimed == ("backlash", "eccentric bore", "steering zero")
+    assert values["eccentric bore"] == pytest.approx([-20.0, 15.0], abs=4.0)
+    assert told.outlook.old == pytest.approx(2006, rel=0.01)
+    assert told.outlook.most < 40
+    # The form error of the new disc is in it: no cam ends the run nearer than that allows.
+    assert told.outlook.new > 5
+    (bore,) = (b for b in told.built if b.claim.finding.effect == "eccentric bore")
+    assert (bore.place, bore.claim.finding.twins) == ("car", ("run-out of the shaft",))
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_play_that_cannot_be_claimed_and_does_not_show_is_none_for_the_next_cam(carbon_free_car):
+    """An eccentric bore and a bent rod: play that friction holds is likely; a cam for the tabled one would be worse."""
+    world = World(carbon_free_car, Bed(carbon_free_car), drawn_form(np.random.default_rng(4)))
+    car, rng = Car(bore=(-0.0034, 0.0438), bends=0.0053), np.random.default_rng(5)
+    records = [world.track(car, rng), world.profile(car, rng)]
+    sources = [plan.Source(Path(f"{r.kind.code}.csv"), r, r.kind.code) for r in records]
+    told = plan.calibrate(load_design(), "actual", sources)
+    absent = [b.claim.finding.effect for b in told.built if b.claim.absent]
+    assert "backlash" in absent
+    assert told.outlook.new < 0.25 * told.outlook.old
+    assert told.outlook.sound
 
 
 @pytest.mark.slow

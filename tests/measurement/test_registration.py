@@ -6,11 +6,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from cadgen import Design
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.load import load_design
 from cadgen.deviations import catalogue
 from cadgen.deviations.catalogue import Catalogue
 from cadgen.deviations.effect import READING, Effect, Parameter
+from cadgen.deviations.names import Place
 from cadgen.deviations.rows import Rows
 from cadgen.deviations.track import STEERING
 from cadgen.errors import FileError
@@ -177,3 +179,9 @@ def test_a_made_up_effect_is_found_and_named(linkage, carbon_free_car, nominal):
     (value,) = diagnosis.findings[0].values
     assert value.value == pytest.approx(20.0, abs=max(3 * value.sigma, 0.5))
     assert diagnosis.residual.after < 1.1 * diagnosis.residual.noise
+    # The same by the face: written to the design as built, read back, and taken by the next cam.
+    found = Design.load("carbon_free_car").calibrate({"run": record.run, **record.columns})
+    places = {effect.effect: effect.place for effect in found.as_built.values.as_built.effects}
+    print(places)
+    assert places["uneven linkage"] == Place.NOTED
+    assert any("uneven linkage" in note for note in found.as_built.cam("actual").notes)

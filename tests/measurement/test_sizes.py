@@ -54,7 +54,8 @@ def test_a_column_that_the_discrepancy_hides_is_no_candidate():
         halves=lambda white: np.array([[[0.6 * white[0, 0], (1 - 1e-16) * white[0, 1]]]]),
     )
     columns = Columns((effect, effect), (slice(0, 1), slice(1, 2)), np.stack([near, hidden], axis=1))
-    ((width, which, _, own, size),) = Numerous(joint, columns).groups
-    assert (width, which.tolist(), own.shape) == (1, [0, 1], (1, 2, 1, 1))
-    assert size[0, 0] == pytest.approx(np.sqrt(25 - 1.8**2))
-    assert np.isinf(size[0, 1])
+    (alike,) = Numerous(joint, columns).groups
+    assert (alike.columns.tolist(), alike.effects.tolist()) == ([[0], [1]], [0, 1])
+    assert alike.products.shape == (1, 2, 1, 1)
+    assert alike.size[0, 0] == pytest.approx(np.sqrt(25 - 1.8**2))
+    assert np.isinf(alike.size[0, 1])

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.load import load_design
 from cadgen.gears.engaged import PLAY_LIMIT_UM, cycle
 from cadgen.gears.thinning import with_deviations
@@ -104,9 +104,9 @@ def test_the_worst_stage_is_shown_by_check_also_where_stages_have_fewer():
 
     found = _worst(
         [
-            [check("most", 0.1, "max"), check("least", 3.0, "min"), check("gap", 2.0, "min", "as cut")],
-            [check("most", 0.3, "max"), check("least", 1.5, "min")],
-            [check("most", 0.2, "max"), check("least", 2.0, "min"), check("gap", 5.0, "min", "least")],
+            [check("most", 0.1, Bound.MAX), check("least", 3.0, Bound.MIN), check("gap", 2.0, Bound.MIN, "as cut")],
+            [check("most", 0.3, Bound.MAX), check("least", 1.5, Bound.MIN)],
+            [check("most", 0.2, Bound.MAX), check("least", 2.0, Bound.MIN), check("gap", 5.0, Bound.MIN, "least")],
         ]
     )
     assert [(one.name, one.value, one.place) for one in found] == [

@@ -10,9 +10,10 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.errors import DesignError
 from cadgen.monte_carlo.budget import by_process, error_budget
-from cadgen.monte_carlo.fleet import PARAMETERS, make_fleet
+from cadgen.monte_carlo.fleet import make_fleet
+from cadgen.monte_carlo.parameters import PARAMETERS, TOLERANCES, Directed, Parameter, tolerance
 from cadgen.monte_carlo.processes import HALF_WIDTHS
-from cadgen.monte_carlo.robust import TOLERANCES, Tolerances, sensitivities, tolerance_run
+from cadgen.monte_carlo.robust import Tolerances, sensitivities, tolerance_run
 from cadgen.motion.drive import drive
 from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.sampled import sampled_lift
@@ -55,7 +56,7 @@ def end(built, tan_beta, play, turn=0.0) -> complex:
 def test_costs_are_those_of_cars_driven_and_trimmed_by_search(name, fleet, contact, carbon_free_car):
     """A car rolled anew with the deviation, and the best turn of its wheel found by a search along it."""
     built, half = carbon_free_car, {"inner_face": 0.1, "rod_radius": 0.02, "play": np.radians(0.2)}[name]
-    given = ({}, {"the gears": half}) if name == "play" else ({name: half}, {})
+    given = ({}, {"the gears": half}) if name == "play" else ({tolerance(name): half}, {})
     (cost,) = error_budget(fleet, *given).costs
     wanted = end(built, contact.tan_beta, PLAY)
     before, after = [], []
@@ -78,6 +79,7 @@ def test_costs_are_those_of_cars_driven_and_trimmed_by_search(name, fleet, conta
 
 def test_a_trim_takes_out_what_repeats_and_nothing_else(fleet):
     halves = {"steering_zero": 0.002, "start_heading": 0.003, "base_radius": 0.005, "edge_wear": 0.05}
+    halves = {tolerance(name): half for name, half in halves.items()}
     found = {cost.name: cost for cost in error_budget(fleet, halves, {}).costs}
     assert found["steering_zero"].after < 1e-3 < found["steering_zero"].before
     for name in ("start_heading", "base_radius"):
@@ -87,7 +89,9 @@ def test_a_trim_takes_out_what_repeats_and_nothing_else(fleet):
 
 
 def test_the_worst_direction_is_found_and_the_ranking_goes_by_what_a_trim_leaves(fleet):
-    budget = error_budget(fleet, {"eccentricity": 0.01, "wobble": 0.001, "profile_offset": 0.01}, {})
+    budget = error_budget(
+        fleet, {Directed.ECCENTRICITY: 0.01, Directed.WOBBLE: 0.001, Parameter.PROFILE_OFFSET: 0.01}, {}
+    )
     assert [cost.after for cost in budget.costs] == sorted((cost.after for cost in budget.costs), reverse=True)
     assert budget.costs[0].name == "eccentricity"
     (known,) = (one for one in sensitivities(fleet, Tolerances(half_widths={"eccentricity": 0.01})) if one.share)

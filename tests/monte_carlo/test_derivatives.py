@@ -8,7 +8,8 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.monte_carlo.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
-from cadgen.monte_carlo.fleet import PARAMETERS, make_fleet, run_fleet
+from cadgen.monte_carlo.fleet import make_fleet, run_fleet
+from cadgen.monte_carlo.parameters import PARAMETERS
 from cadgen.motion.drive import drive
 from cadgen.motion.sampled import sampled_lift
 from tests.monte_carlo.displaced import Disc, rest

@@ -10,7 +10,8 @@ from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
 from cadgen.errors import DesignError
 from cadgen.monte_carlo.derivatives import steering_derivatives
-from cadgen.monte_carlo.fleet import PARAMETERS, make_fleet, run_fleet
+from cadgen.monte_carlo.fleet import make_fleet, run_fleet
+from cadgen.monte_carlo.parameters import PARAMETERS
 from cadgen.monte_carlo.robust import Tolerances, fleet_errors
 from cadgen.motion.drive import Pose, Run, drive
 from cadgen.motion.errors import run_error

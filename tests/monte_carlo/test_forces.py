@@ -7,7 +7,8 @@ import pytest
 
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
-from cadgen.monte_carlo.fleet import PARAMETERS, make_fleet
+from cadgen.monte_carlo.fleet import make_fleet
+from cadgen.monte_carlo.parameters import PARAMETERS
 from cadgen.monte_carlo.robust import Tolerances, fleet_errors, sensitivities
 from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error

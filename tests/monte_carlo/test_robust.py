@@ -10,7 +10,8 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.cam.contact import roll
 from cadgen.errors import DesignError
-from cadgen.monte_carlo.fleet import PARAMETERS, make_fleet
+from cadgen.monte_carlo.fleet import make_fleet
+from cadgen.monte_carlo.parameters import PARAMETERS
 from cadgen.monte_carlo.robust import CHUNK, MOST_STEERING, Tolerances, fleet_errors, sensitivities, tolerance_run
 from cadgen.motion.drive import drive
 from cadgen.motion.errors import run_error
@@ -206,6 +207,13 @@ def test_without_tolerances_every_car_is_the_nominal_one(fleet):
     nominal = fleet_errors(fleet, np.zeros((1, len(NAMES))))
     np.testing.assert_array_equal(run.across, np.repeat(nominal.across[:, -1], 3))
     assert sensitivities(fleet, Tolerances(half_widths={})) == ()
+
+
+def test_what_moves_nothing_has_no_share(fleet):
+    """Play without a fall does that: the shares of all were divided by nothing."""
+    straight = replace(fleet, falls=np.empty((0, 2)))
+    (only,) = sensitivities(straight, Tolerances(half_widths={}, play=(0.012, 0.015)))
+    assert (only.name, only.share) == ("play", 0)
 
 
 @pytest.mark.parametrize(

@@ -125,9 +125,12 @@ def test_a_distance_is_measured_between_two_points(shown):
 
 @pytest.mark.slow
 @pytest.mark.long
-@pytest.mark.parametrize(("scheme", "width"), [("light", 1280), ("dark", 390)])
-def test_axe_finds_nothing_serious(browser, address, scheme, width):
-    context = browser.new_context(viewport={"width": width, "height": 800}, color_scheme=scheme, locale="en-GB")
+@pytest.mark.parametrize(
+    ("scheme", "width", "locale"),
+    [("light", 1280, "en-GB"), ("dark", 390, "en-GB"), ("dark", 1280, "zh-CN"), ("light", 390, "zh-CN")],
+)
+def test_axe_finds_nothing_serious(browser, address, scheme, width, locale):
+    context = browser.new_context(viewport={"width": width, "height": 800}, color_scheme=scheme, locale=locale)
     page = context.new_page()
     page.goto(address)
     page.wait_for_selector(READY, state="attached")

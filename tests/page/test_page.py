@@ -10,7 +10,7 @@ import pytest
 
 from cadgen import Design, Report
 from cadgen.cam.contact import roll_curve
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.load import load_design
 from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.teeth import measured_pair
@@ -67,7 +67,7 @@ def test_text_of_a_design_is_no_markup():
 
 def test_every_check_has_a_chinese_name_and_places_are_translated():
     for code in CheckCode:
-        words = check_name(Check(code, "its name", 0.0, "", 1.0, "max"))
+        words = check_name(Check(code, "its name", 0.0, "", 1.0, Bound.MAX))
         assert words.en == "its name" != words.zh
     assert place_words("cam angle 113.04° (4 in all)") == Words(
         "cam angle 113.04° (4 in all)", "凸轮转角 113.04° （共 4 处）"
@@ -238,8 +238,12 @@ def test_no_sentence_stays_english_in_the_chinese_view(html, failing):
 @pytest.mark.slow
 @pytest.mark.long
 @pytest.mark.parametrize("name", PACKAGED)
-def test_no_sentence_of_a_packaged_design_stays_english(name):
-    assert left_in_english(html_of(page_of(plan_page(load_design(name), samples=20)))) == []
+def test_the_page_of_a_packaged_design_is_small_and_whole_in_chinese(name):
+    page = page_of(plan_page(load_design(name), samples=20))
+    html = html_of(page)
+    assert left_in_english(html) == []
+    assert len(html.encode()) <= 2e6
+    assert all(0 <= mark.angle <= 2 * np.pi for mark in page.marks)  # a lap has no blend to mark
 
 
 def test_a_sentence_that_is_not_known_stays_english_whole():

@@ -1,5 +1,6 @@
 """Gates and barriers: distances against shapely, places by brute force, derivatives by finite differences."""
 
+from dataclasses import replace
 from itertools import combinations_with_replacement, permutations
 from math import pi
 from pathlib import Path
@@ -17,6 +18,7 @@ from cadgen.planner.motion import Motion
 from cadgen.planner.order import _improved, _inserted, _way, in_order
 from cadgen.planner.reserve import Reserve
 from cadgen.planner.route import route_of
+from cadgen.planner.rows import Limit, LimitKind
 from cadgen.workflow.planning.task import task_of
 from tests.studies import courses
 
@@ -62,9 +64,9 @@ def test_clearances_are_those_of_shapely(seed, paper_points, vehicle):
     for each in rows:
         for u, value in list(zip(each.u.tolist(), each.values.tolist(), strict=True))[::7]:
             cars = [car_at(motion, places[u], corners) for corners, _ in parts_of(vehicle)]
-            reach = 0.0 if each.name == "course.field" else things[each.name].reach
+            reach = 0.0 if each.limit.key == "course.field" else things[each.limit.key].reach
             distance = 10.0 + 0.05 + reach - value
-            if each.name == "course.field":
+            if each.limit.key == "course.field":
                 exact = min(
                     shapely.distance(shapely.Point(spot), shapely.Polygon(FIELD.points).exterior)
                     * (1 if shapely.covers(shapely.Polygon(FIELD.points), shapely.Point(spot)) else -1)
@@ -72,7 +74,7 @@ def test_clearances_are_those_of_shapely(seed, paper_points, vehicle):
                     for spot in shapely.get_coordinates(car)
                 )
             else:
-                shape = things[each.name]
+                shape = things[each.limit.key]
                 there = (
                     shapely.Polygon(shape.points)
                     if shape.filled
@@ -203,3 +205,15 @@ def test_a_way_round_something_begins_in_the_direction_of_its_gate():
     ahead = np.array([np.cos(gate.heading), np.sin(gate.heading)])
     assert not route.is_stop[second + 1]
     assert (route.places[second + 1] - route.places[second]) @ ahead > 200
+
+
+def test_room_besides_gives_way_before_a_gate_does(paper_points, vehicle):
+    """A gate has its limit and, by a tenth of the weight, one that is nearer by the room, up to its middle."""
+    basis = Basis(len(paper_points))
+    gate = Gate(key="course.gates.1", place=Shape.disc((4000.0, 2000.0), 50.0))
+    for room, most in ((20.0, 20.0), (90.0, 49.98)):
+        hard, soft = Passing(basis, (gate,), None, None, vehicle, spare={gate.key: room}).rows(paper_points)
+        np.testing.assert_allclose(soft.values, hard.values + most)
+        assert soft.weight == pytest.approx(hard.weight / 10)
+        assert (soft.limit, hard.limit) == (replace(hard.limit, spare=True), Limit(LimitKind.GATE, gate.key))
+        assert (soft.slopes == hard.slopes).all()

@@ -14,6 +14,7 @@ from cadgen.path.track import offset_track
 from cadgen.planner.basis import Basis
 from cadgen.planner.limits import curvature_limits, driving_rows
 from cadgen.planner.motion import Motion
+from cadgen.planner.rows import Limit, LimitKind
 from cadgen.planner.sensitivity import Line, Sensitivity
 
 STEP = 1e-3  # mm
@@ -118,3 +119,28 @@ def test_a_mirrored_car_on_a_mirrored_path_is_the_same(paper_points, vehicle, li
         rows = driving_rows(motion, line, its_vehicle, its_limits)
         figures.append([Sensitivity(line, its_vehicle.spread).cost, *(each.worst for each in rows)])
     np.testing.assert_allclose(figures[0], figures[1], rtol=1e-9)
+
+
+def test_the_step_that_the_blend_must_come_over(paper_points, vehicle, limits):
+    """Its value from the curvature at start and end of the run, its derivative by finite differences."""
+    random, basis = np.random.default_rng(5), Basis(len(paper_points))
+    change, places = random.normal(size=paper_points.shape), basis.even(8)
+    held = replace(limits, step=2.0)
+
+    def row(points):
+        motion = Motion(places, points, vehicle.path_offset)
+        line = Line(motion, vehicle)
+        (found,) = [rows for rows in driving_rows(motion, line, vehicle, held) if rows.limit == Limit(LimitKind.BLEND)]
+        return found, motion, line
+
+    rows, motion, line = row(paper_points)
+    last = line.end[0] + round(line.end[1])
+    lifts = []
+    for curvature in motion.quantities[0][[0, last]]:
+        tangent = -vehicle.car.wheelbase * curvature / (1 + vehicle.car.drive_wheel_offset * curvature)
+        lifts.append(tangent * vehicle.faces[0 if tangent > 0 else 1])
+    assert rows.values[0] == pytest.approx(abs(lifts[1] - lifts[0]) / 2.0 - 1, abs=1e-9)
+    flat = change.T.ravel()
+    by = float(rows.slopes[0] @ flat[rows.columns[0]])
+    moved = [row(paper_points + sign * STEP * change)[0].values[0] for sign in (1, -1)]
+    assert by == pytest.approx((moved[0] - moved[1]) / (2 * STEP), rel=1e-4)

@@ -110,5 +110,5 @@ def test_what_cannot_be_driven_is_blamed_on_the_right_limit(task, course, limit,
     assert found.missed
     (first, *_) = reasons(found)
     print(first)
-    assert first.limit.startswith(limit)
+    assert str(first.limit).startswith(limit)
     assert least <= first.amount <= most

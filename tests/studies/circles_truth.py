@@ -4,14 +4,15 @@ The rod is let down on the points of the outline (`tests.measurement.synthetic`)
 run out, and walks downhill in their play; the car goes by short arcs. On its way it meets what no catalogue has.
 """
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from cadgen.measurement.kinds import LIFT, TRACK, TRANSMISSION
 from cadgen.measurement.record import Record
-from tests.measurement.synthetic import DEG, TURN, Bench, form_error
+from tests.measurement.synthetic import DEG, TURN, Bench, form_error, profile_record
 from tests.measurement.synthetic import Car as Bed
 
 CELLS = 7200
@@ -32,7 +33,18 @@ class Car:
         drifting: zero at the end of the turn, less that at its start, rad.
         wear: of the wheel at the end of the turn, relative.
         bends: rod that gives more to one side, of the tangent where it is negative.
-        scatters: heading's random walk from run to run, rad per root of metre.
+        creeps: across its heading, for each mm of travel.
+        rubs: slope of the lift, of its greatest, below which friction holds the cam at the end of the turn; it grows
+            from nothing at the start.
+        flank: lift's tangent that a worn edge takes on rises, at the end of the turn.
+        cogs: of the motor, three of its turns' parts, rad of the camshaft.
+        tooth: push of a damaged one, once a turn of a shaft that turns nine times, rad of the camshaft.
+        bounce: of the lift's tangent, behind each top.
+        dent: depth of one in the outline, mm; and its polar angle.
+        spiral: by which the cutter has worn at the end of the outline, mm.
+        offset, lobe: of the outline, mm; only to find the size of what feigns them.
+        square, stylus: of the measuring machine, rad and mm.
+        lag: of the reading of dial or encoder, rad, half of it either way.
     """
 
     zero: float = 0.0
@@ -47,7 +59,19 @@ class Car:
     drifting: float = 0.0
     wear: float = 0.0
     bends: float = 0.0
-    scatters: float = 0.0
+    creeps: float = 0.0
+    rubs: float = 0.0
+    flank: float = 0.0
+    cogs: float = 0.0
+    tooth: float = 0.0
+    bounce: float = 0.0
+    dent: tuple[float, float] = (0.0, 0.0)
+    spiral: float = 0.0
+    offset: float = 0.0
+    lobe: float = 0.0
+    square: float = 0.0
+    stylus: float = 0.0
+    lag: float = 0.0
 
 
 class World:
@@ -55,45 +79,61 @@ class World:
 
     def __init__(self, built: Any, bed: Bed, form: np.ndarray) -> None:
         self.built, self.bed, self.form = built, bed, form
+        self._lifts: dict[Any, np.ndarray] = {}
+
+    def bench(self, car: Car) -> Bench:
+        """The disc: bore, form error, and what has happened to its outline."""
+        spiral = car.spiral * np.arange(len(self.form)) / len(self.form)
+        dent = (car.dent[1], 3 * DEG, car.dent[0])
+        return Bench(
+            shift=car.bore, form=self.form + spiral, dent=dent, offset=car.offset, lobes=(2, car.lobe, TURN / 8)
+        )
 
     def lift(self, car: Car) -> np.ndarray:
         """tan(beta) of the rod on each cell of the turn."""
-        bench = Bench(shift=car.bore, form=self.form)
-        table = self.bed.steering(bench, np.arange(0, CELLS, 5) * STEP)
-        return np.interp(np.arange(CELLS), np.arange(0, CELLS + 5, 5), np.append(table, table[0]))
+        disc = (car.bore, car.dent, car.spiral, car.offset, car.lobe)
+        if disc not in self._lifts:
+            table = self.bed.steering(self.bench(car), np.arange(0, CELLS, 5) * STEP)
+            self._lifts[disc] = np.interp(np.arange(CELLS), np.arange(0, CELLS + 5, 5), np.append(table, table[0]))
+        return self._lifts[disc]
 
     def asked(self, car: Car, motor: np.ndarray) -> np.ndarray:
         """Cam angle that the gears ask for; set on its shaft at the start."""
         c, s = car.runs_out
-        return motor + c * (np.cos(3 * motor) - 1) + s * np.sin(3 * motor)
+        tooth = car.tooth * np.clip(1 - np.abs((9 * motor + 2) % TURN - np.pi) / (18 * DEG), 0, 1)
+        return motor + c * (np.cos(3 * motor) - 1) + s * np.sin(3 * motor) + car.cogs * np.sin(135 * motor) + tooth
 
-    def path(self, car: Car, rng: np.random.Generator | None = None) -> np.ndarray:
+    def path(self, car: Car) -> np.ndarray:
         """Places of the drive wheel at the ends of all cells of the motor's turn, as x + iy."""
-        table = self.lift(car).tolist()
+        lift = self.lift(car)
+        table, fall = lift.tolist(), lift - np.roll(lift, -1)
+        steepest = float(fall.max())
         motor = np.arange(CELLS + 1)
         pushed = np.ceil(self.asked(car, motor * STEP) / STEP - 1e-9).astype(int).tolist()
         cam, now, shift = np.empty(CELLS + 1), pushed[0], round(car.phase / STEP)  # the disc stands ahead of its shaft
         for i, least in enumerate(pushed):
-            now = max(now, least)
-            while now < least + car.play and table[(now + 1 + shift) % CELLS] < table[(now + shift) % CELLS]:
+            now, held = max(now, least), car.rubs * steepest * i / CELLS
+            while now < least + car.play and table[(now + shift) % CELLS] - table[(now + 1 + shift) % CELLS] > held:
                 now += 1
             cam[i] = now
         exact = self.asked(car, motor * STEP) / STEP
         cam = np.where(cam == pushed, exact, cam + exact - np.array(pushed)) + car.phase / STEP
-        T = np.interp(cam, np.arange(-CELLS, 2 * CELLS), np.tile(table, 3))
+        shape = lift + car.bounce * _behind_tops(lift) if car.bounce else lift
+        T = np.interp(cam, np.arange(-CELLS, 2 * CELLS), np.tile(shape, 3))
+        rises = np.interp(cam, np.arange(-CELLS, 2 * CELLS), np.tile(fall < 0, 3))
+        T = T - car.flank * rises * motor / CELLS
         T = T * car.gain * (1 - car.understeer * T**2) * np.where(T < 0, 1 + car.bends, 1.0)
         beta = np.arctan(T) + car.zero + car.drifting * motor / CELLS
         L, A1 = self.built.car.wheelbase, self.built.car.drive_wheel_offset
         bend = -np.tan(beta) / (L + A1 * np.tan(beta))
         travel = self.built.track.length * car.radius / CELLS * (1 - car.wear * (motor[:-1] + 0.5) / CELLS)
         swing = (bend[:-1] + bend[1:]) / 2 * travel
-        if rng is not None and car.scatters:
-            swing = swing + rng.normal(0, car.scatters * np.sqrt(travel / 1000))
         x, y = self.built.track.position(0.0)
         heading = float(self.built.track.heading(np.array([0.0]))[0]) + np.cumsum(swing) - swing / 2
         way = np.exp(1j * heading)
         down = complex(*car.slope)
         creep = (down * way.conj()).imag * 1j * way + 0.3 * (down * way.conj()).real * way
+        creep = creep + 1j * car.creeps * way
         return complex(float(x), float(y)) + np.concatenate(
             [[0], np.cumsum(travel * (way * np.sinc(swing / TURN) + creep))]
         )
@@ -111,7 +151,7 @@ class World:
         degrees = np.arange(0, 361, 2)
         rows = []
         for _ in range(runs):
-            clean = self.path(car, rng)[degrees * CELLS // 360]
+            clean = self.path(car)[degrees * CELLS // 360]
             turned = clean[0] + (clean - clean[0]) * np.exp(1j * rng.normal(0, start[1]) * DEG)
             noise = rng.normal(0, noise_mm, (2, len(degrees)))
             rows.append(turned + rng.normal(0, start[0]) + 1j * rng.normal(0, start[0]) + noise[0] + 1j * noise[1])
@@ -126,8 +166,9 @@ class World:
     def dial(self, car: Car, rng: np.random.Generator, *, runs: int = 3) -> Record:
         """A lift by a dial at the inner face, every degree to 340 and back; the phase is set by a divider."""
         way = np.concatenate([np.arange(341.0), np.arange(340.0, -1, -1)])
+        lagging = way - np.repeat([0.5, -0.5], 341) * car.lag / DEG
         table = self.lift(car)
-        clean = self.built.follower.inner * np.interp(way / 360 * CELLS, np.arange(CELLS), table, period=CELLS)
+        clean = self.built.follower.inner * np.interp(lagging / 360 * CELLS, np.arange(CELLS), table, period=CELLS)
         readings = [np.round(clean + rng.normal(0, 0.02) + rng.normal(0, 4e-3, len(way)), 3) for _ in range(runs)]
         columns = {
             "direction": np.tile(np.repeat(["forward", "reverse"], 341), runs),
@@ -145,10 +186,26 @@ class World:
         for i, angle in enumerate(asked):
             cam = min(max(cam, angle - half), angle + half)
             out[i] = cam
-        clean = out / DEG
+        clean = (out - np.repeat([0.5, -0.5], [361, 360]) * car.lag) / DEG
         readings = [np.round(clean + rng.normal(0, 0.05) + rng.normal(0, 0.03, len(motor)), 2) for _ in range(runs)]
         columns = {"motor_angle_deg": np.tile(motor, runs), "cam_angle_deg": np.concatenate(readings)}
         return _record(TRANSMISSION, columns, runs)
+
+    def profile(self, car: Car, rng: np.random.Generator) -> Record:
+        """The outline on a measuring machine, 3 um of noise."""
+        bench = replace(self.bench(car), offset=car.stylus)
+        record = profile_record(self.bed, bench, rng, noise_um=3.0)
+        x, y = (np.asarray(record.columns[name]) for name in ("x_mm", "y_mm"))
+        return replace(record, columns={"x_mm": np.round(x + y * np.sin(car.square), 4), "y_mm": y})
+
+
+def _behind_tops(lift: np.ndarray) -> np.ndarray:
+    """Half a sine over eight degrees behind each top of the lift."""
+    out, width = np.zeros(CELLS), round(8 * DEG / STEP)
+    smooth = np.array([lift[np.arange(i - 40, i + 41) % CELLS].max() for i in range(CELLS)])
+    for top in np.flatnonzero(lift == smooth):
+        out[(top + np.arange(width)) % CELLS] = np.sin(np.pi * np.arange(width) / width)
+    return out
 
 
 def _record(kind: Any, columns: dict[str, Any], runs: int) -> Record:
@@ -157,7 +214,6 @@ def _record(kind: Any, columns: dict[str, Any], runs: int) -> Record:
     return Record(kind=kind, columns=columns, run=run, remarks=(), source=f"made {kind.code}")
 
 
-# Declared effects, and undeclared ones by a size of one, which is made so that the end moves by a share of the error.
 def declared(rng: np.random.Generator, count: int, second: str) -> dict[str, Any]:
     """Some effects that the catalogue has and a cam takes out, among them one that the second kind of data shows."""
     draws = {
@@ -167,18 +223,58 @@ def declared(rng: np.random.Generator, count: int, second: str) -> dict[str, Any
         "radius": lambda: 1 + rng.choice([-1, 1]) * rng.uniform(0.004, 0.015),
         "bore": lambda: tuple(rng.uniform(0.015, 0.05) * np.array([np.cos(a := rng.uniform(0, TURN)), np.sin(a)])),
     }
-    first = "bore" if second == "lift" else "play"
+    first = "play" if second == "transmission" else "bore"
     others = [name for name in draws if name != first]
     names = [first, *rng.choice(others, count - 1, replace=False)] if count else []
     return {str(name): draws[str(name)]() for name in names}
 
 
+@dataclass(frozen=True)
+class Undeclared:
+    """An effect that no one declared.
+
+    Attributes:
+        put: changes of the car by its size.
+        most: greatest size.
+        feigns: changes of the car that an instrument's error looks like, whose move of the end counts for its size.
+        seconds: second kinds of data that it can be in.
+        stays: whether the car on a new cam still has it; a dent goes with the old disc, an instrument stays at home.
+    """
+
+    put: Callable[[float], dict[str, Any]]
+    most: float
+    feigns: Callable[[float], dict[str, Any]] | None = None
+    seconds: tuple[str, ...] = ("lift", "transmission", "profile")
+    stays: bool = True
+
+
 UNDECLARED = {
-    "floor slope": lambda k: {"slope": (0.6 * k, -0.8 * k)},
-    "understeer": lambda k: {"understeer": k},
-    "drifting zero": lambda k: {"drifting": k},
-    "wheel wear": lambda k: {"wear": k},
-    "bent rod": lambda k: {"bends": k},
+    "floor slope": Undeclared(lambda k: {"slope": (0.6 * k, -0.8 * k)}, 0.01),
+    "creep": Undeclared(lambda k: {"creeps": k}, 0.01),
+    "understeer": Undeclared(lambda k: {"understeer": k}, 2.0),
+    "drifting zero": Undeclared(lambda k: {"drifting": k}, 1.0 * DEG),
+    "wheel wear": Undeclared(lambda k: {"wear": k}, 0.02),
+    "growing friction": Undeclared(lambda k: {"rubs": abs(k)}, 1.0),
+    "edge worn on one flank": Undeclared(lambda k: {"flank": k}, 0.02),
+    "cogging": Undeclared(lambda k: {"cogs": k}, 0.5 * DEG),
+    "damaged tooth": Undeclared(lambda k: {"tooth": k}, 2.0 * DEG),
+    "bounce": Undeclared(lambda k: {"bounce": abs(k)}, 0.05),
+    "bent rod": Undeclared(lambda k: {"bends": k}, 0.1),
+    "dent": Undeclared(lambda k: {"dent": (abs(k), 130 * DEG)}, 0.3, stays=False),
+    "spiral tool wear": Undeclared(lambda k: {"spiral": k}, 0.1),
+    "squareness": Undeclared(
+        lambda k: {"square": k / 15}, 0.06, lambda k: {"lobe": k}, seconds=("profile",), stays=False
+    ),
+    "stylus": Undeclared(
+        lambda k: {"stylus": abs(k)}, 0.5, lambda k: {"offset": abs(k)}, seconds=("profile",), stays=False
+    ),
+    "lag": Undeclared(
+        lambda k: {"lag": abs(k)},
+        1.0 * DEG,
+        lambda k: {"play": round(abs(k) / STEP)},
+        seconds=("lift", "transmission"),
+        stays=False,
+    ),
 }
 
 

@@ -1,4 +1,4 @@
-"""The command line that the studies share: --cases, --seed, --record."""
+"""The command line that the studies share: --cases, --seed, --log, --processes, --record."""
 
 import argparse
 from pathlib import Path
@@ -11,6 +11,8 @@ def options(description: str | None, *, cases: int, seed: int = 1) -> argparse.N
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--cases", type=int, default=cases)
     parser.add_argument("--seed", type=int, default=seed)
+    parser.add_argument("--log", type=Path, help="keep each case here as it comes, and skip what it holds already")
+    parser.add_argument("--processes", type=int, default=1, help="cases at once")
     parser.add_argument("--record", action="store_true", help=f"write the page in {DOCS.parent.name}/{DOCS.name}")
     return parser.parse_args()
 

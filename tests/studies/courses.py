@@ -5,7 +5,7 @@ Gates are put on it where the middle of the car passes, with some error; posts, 
 come near; the field round all of it. A course that cannot be driven is such a course with one thing wrong, and the
 limit that must be blamed is known.
 
-Generator and judge share no code with the planner: the sweep here is by brute force.
+The generator and the check of the result share no code with the planner: the sweep here is by brute force.
 
     python -m tests.studies.courses --cases 50 --broken 20 --seed 1 [--record]
 """
@@ -372,7 +372,7 @@ def main() -> int:
     other = [row for row in rows if row[0].culprits]
     summary = (
         f"{sum(row[2] for row in solvable)} of {len(solvable)} courses planned, each clear by the brute-force sweep; "
-        f"{sum(row[2] for row in other)} of {len(other)} that cannot be driven were told with the right culprit"
+        f"{sum(row[2] for row in other)} of {len(other)} that cannot be driven refused with the right limit named"
     )
     print(summary)
     if given.record:

@@ -15,17 +15,17 @@ Asked:
 
 from __future__ import annotations
 
-import argparse
-from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from tests.studies.command import DOCS, options, tell
 from tests.studies.friction_truth import DEG, STEP_DEG, FrictionCar, World
+from tests.studies.journal import outcomes, stamp
 
-RECORD = Path(__file__).parents[2] / "docs" / "studies" / "friction_cars.md"
 RUNS, NOISE_MM = 4, 3.0
 PLAYS_DEG, FRICTIONS = (0.5, 0.96), (0.0, 0.4)
 LEAST_PARTED = 0.05  # friction from which it is to be named
@@ -139,19 +139,26 @@ def _bench():
     return World(built), nominal
 
 
-def run(seed: int, cases: int, workers: int = 2) -> list[Outcome]:
+def kept(seed: int, number: int, cases: int) -> dict[str, Any]:
+    """The outcome of a case as what a journal holds."""
+    return asdict(judged(seed, number, cases))
+
+
+def run(seed: int, cases: int, log: Path | None = None, processes: int = 1) -> list[Outcome]:
     """Every case and its controls."""
-    numbers = range(cases + cases // 2)
-    if workers == 1:
-        return [judged(seed, number, cases) for number in numbers]
-    with ProcessPoolExecutor(workers) as pool:
-        return list(pool.map(judged, [seed] * len(numbers), numbers, [cases] * len(numbers)))
+    return [
+        Outcome(
+            case=Case(**{**one["case"], "car": FrictionCar(**one["case"]["car"])}),
+            wrong=tuple(one["wrong"]),
+            lifted=one["lifted"] and tuple(one["lifted"]),
+            **{name: one[name] for name in ("verdict", "play_deg", "friction", "parted")},
+        )
+        for one in outcomes(kept, [(seed, number, cases) for number in range(cases + cases // 2)], log, processes)
+    ]
 
 
 def page(seed: int, cases: int, found: list[Outcome]) -> str:
     """The record in Markdown."""
-    from cadgen import __version__
-
     rubbing = [o for o in found if o.case.number < cases and o.case.car.friction >= LEAST_PARTED]
     named = [o for o in rubbing if o.play_deg is not None and o.friction is not None]
     parted = [o for o in rubbing if o.parted]
@@ -193,7 +200,7 @@ def page(seed: int, cases: int, found: list[Outcome]) -> str:
         "effect more; and controls with play on a\nball bearing, and with friction and no play. Parted are play and "
         "friction where both are named without the limit\nthat says that they are not; else the car is calibrated anew "
         f"with a play known within {LIFTED_DEG:g}°.\n\n"
-        f"`python -m tests.studies.friction_cars --cases {cases} --seed {seed} --record`, cadgen {__version__}\n\n"
+        f"`python -m tests.studies.friction_cars --cases {cases} --seed {seed} --record`, {stamp()}\n\n"
         f"| | |\n|---|---|\n{table}\n"
         "| car | play | friction | other effect | verdict | return error named | friction named | parted | "
         f"with the play measured | wrong names |\n|---|---|---|---|---|---|---|---|---|---|\n{whole}"
@@ -226,17 +233,10 @@ def _shown(value: float | None, unit: str = "") -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cases", type=int, default=60)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--record", action="store_true")
-    options = parser.parse_args()
-    text = page(options.seed, options.cases, run(options.seed, options.cases, options.workers))
-    print(text)
-    if options.record:
-        RECORD.parent.mkdir(parents=True, exist_ok=True)
-        RECORD.write_text(text, encoding="utf-8")
+    """Run, print and record."""
+    chosen = options(__doc__, cases=60)
+    found = run(chosen.seed, chosen.cases, chosen.log, chosen.processes)
+    tell(page(chosen.seed, chosen.cases, found), DOCS / "friction_cars.md" if chosen.record else None)
 
 
 if __name__ == "__main__":

@@ -99,10 +99,11 @@ def keys() -> tuple[Key, ...]:
     """Every key of the schema."""
     schema = DesignFile.model_json_schema()
     # The keys of a follower are those of the kind that a file names, or of the rod.
-    schema["properties"]["follower"] = section_of(ROD).model_json_schema()
+    follower = section_of(ROD).model_json_schema()
+    schema["properties"]["follower"] = follower
     # Those of a stage are those of spur gears.
     stage = stage_section(None).model_json_schema()
-    defs = {**schema["$defs"], **stage["$defs"], "Stage": stage}
+    defs = {**schema["$defs"], **follower["$defs"], **stage["$defs"], "Stage": stage}
     return tuple(_walk(schema, defs, ()))
 
 

@@ -11,14 +11,10 @@ within a tenth of the best; where none takes away 5 %, whether that is said.
 
 from __future__ import annotations
 
-import os
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
-from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -129,13 +125,19 @@ def measured(seed: int, number: int) -> Outcome:
     return Outcome(number, first, effects, one.diagnoses[0].verdict, ranking.now.mean, expected, found)
 
 
+def kept(seed: int, number: int) -> dict[str, Any]:
+    """The same as what a journal holds."""
+    return asdict(measured(seed, number))
+
+
 def page(outcomes: list[Outcome], command: str) -> str:
     """The study as a page."""
-    from cadgen import __version__
+    from tests.studies.journal import share, stamp
 
     right = sum(o.right for o in outcomes)
     worth = [o for o in outcomes if not o.idle]
     near = sum(min(o.found.values()) * (1 + WITHIN) >= next(iter(o.found.values())) for o in outcomes)
+    right_share = share(right, len(outcomes))
     rows = [
         "# Study: what to measure next",
         "",
@@ -143,12 +145,12 @@ def page(outcomes: list[Outcome], command: str) -> str:
         "that is ranked first of four against having made each of the four and calibrated again. Distances are those",
         "of the end of the run on a new cam, mean, in mm: expected before and found after the measurement, as ranked.",
         "",
-        f"`{command}`, cadgen {__version__}",
+        f"`{command}`, {stamp()}",
         "",
         "| | |",
         "|---|---|",
         f"| cars | {len(outcomes)} |",
-        f"| the first takes away most, or within 10 % of the best (or none takes away 5 %, as said) | {right} |",
+        f"| the first takes away most, or within 10 % of the best (or none takes away 5 %, as said) | {right_share} |",
         f"| of them with a measurement worth making | {sum(o.right for o in worth)} of {len(worth)} |",
         f"| distance left by the first within 10 % of the least that any leaves | {near} |",
         "",
@@ -169,12 +171,13 @@ def _mm(size: float) -> str:
 def main() -> None:
     """Run the study."""
     from tests.studies.command import DOCS, options, tell
+    from tests.studies.journal import outcomes
 
     chosen = options(__doc__, cases=100)
-    with ProcessPoolExecutor(2) as pool:
-        outcomes = list(pool.map(measured, [chosen.seed] * chosen.cases, range(chosen.cases)))
+    keys = [(chosen.seed, number) for number in range(chosen.cases)]
+    found = [Outcome(**one) for one in outcomes(kept, keys, chosen.log, chosen.processes)]
     command = f"python -m tests.studies.next --cases {chosen.cases} --seed {chosen.seed} --record"
-    tell(page(outcomes, command), DOCS / "next.md" if chosen.record else None)
+    tell(page(found, command), DOCS / "next.md" if chosen.record else None)
 
 
 if __name__ == "__main__":

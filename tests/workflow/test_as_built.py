@@ -23,7 +23,7 @@ from cadgen.workflow.cam.files import write_cam
 from cadgen.workflow.cam.manifest import as_built_facts
 from cadgen.workflow.cam.plan import plan_cam
 from cadgen.workflow.runs.simulation import simulate
-from cadgen.workflow.runs.tolerance import run_tolerance
+from cadgen.workflow.runs.tolerance import CarSample, run_tolerance
 from tests.measurement.synthetic_drive import Wheels
 
 TURN = 2 * np.pi
@@ -86,7 +86,9 @@ def end_of_run(outline: Outline, wheels: Wheels, car: Any, stop: float) -> compl
 @pytest.mark.slow
 def test_the_new_cam_takes_the_end_error_off(built, carbon_free_car, tmp_path, monkeypatch):
     """Cut for a car of undeclared effects as they were traced; the file, driven by arcs, ends within 5 % of before."""
-    monkeypatch.setattr(files, "_FORMATS", {"DXF": files._FORMATS["DXF"]})  # those that are driven
+    monkeypatch.setattr(
+        files, "_WRITERS", [each for each in files._WRITERS if each.label == "DXF"]
+    )  # those that are driven
     design = built(*TRACK)
     plan = plan_cam(design, "optimized")
     assert plan.passed
@@ -294,7 +296,7 @@ def test_tolerances_are_about_the_car_as_built(built):
         effect("track", "slip with curvature", "car", slip_percent=5.0),
         effect("track", "lever gain", "car", gain_percent=2.0),
     )
-    run = run_tolerance(design, "compensated", 40, 1, 1)
+    run = run_tolerance(design, "compensated", CarSample(samples=40))
     nominal = run.plan.comparison.chosen.error.end_distance
     median = run.end_position.quantiles[0.5]
     print(f"{nominal:.2f} mm, median {median:.1f} mm")
@@ -379,16 +381,18 @@ def test_the_outlook_is_of_the_places_that_the_effects_have(built):
             f"chance_worse = 0.0\nplaces = {json.dumps(places)}\n"
         )
 
-    def sentence(zero: str, runout: str) -> str:
+    def sentence(zero: str, runout: str, worse: float = 0.0, *passed: bool) -> str:
         design = built(
-            outlook("outlook", 121.0, "car", "noted"),
+            outlook("outlook", 121.0, "car", "noted").replace("worse = 0.0", f"worse = {worse}"),
             outlook("outlook_agreed", 4.6, "car", "car"),
             effect("track", "steering zero", zero, steering_zero_deg=0.3),
             effect("transmission", "runout of shaft 2", runout, **numbers),
         )
-        assert [check.passed for check in outlook_checks(design)] == [True]
+        assert [check.passed for check in outlook_checks(design)] == list(passed)
         return outlook_sentence(design)
 
-    assert sentence("car", "noted").startswith("The new cam is expected to end the run 121.0 mm off")
-    assert sentence("car", "car").startswith("The new cam is expected to end the run 4.6 mm off")
-    assert sentence("noted", "car").startswith("What the new cam is expected to do is not known")
+    assert sentence("car", "noted", 0.0, True).startswith("The new cam is expected to end the run 121.0 mm off")
+    assert sentence("car", "car", 0.0, True).startswith("The new cam is expected to end the run 4.6 mm off")
+    # What is not known has no figure; but a refusal is not lifted by a change of places.
+    assert sentence("noted", "car", 0.0).startswith("What the new cam is expected to do is not known")
+    assert sentence("noted", "car", 0.31, False).startswith("What the new cam is expected to do is not known")

@@ -19,7 +19,7 @@ def cadgen(*arguments: str) -> None:
 def only_what_the_circle_reads(monkeypatch):
     """Pictures and the other formats, which take long, have tests of their own."""
     monkeypatch.setattr(calibration_files, "draw_record", lambda *content: [])
-    monkeypatch.setattr(cam_files, "_FORMATS", {"DXF": cam_files._FORMATS["DXF"]})
+    monkeypatch.setattr(cam_files, "_WRITERS", [each for each in cam_files._WRITERS if each.label == "DXF"])
 
 
 @pytest.mark.slow

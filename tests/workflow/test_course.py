@@ -10,8 +10,9 @@ from cadgen.build import cam_model
 from cadgen.check import CheckCode
 from cadgen.course.gates import passages
 from cadgen.design.load import load_design
-from cadgen.monte_carlo.fleet import PARAMETERS, run_fleet
-from cadgen.monte_carlo.watch import least_margin
+from cadgen.monte_carlo.fleet import run_fleet
+from cadgen.monte_carlo.parameters import PARAMETERS
+from cadgen.monte_carlo.watch import seen
 from cadgen.motion.drive import STEPS
 from cadgen.workflow.cam.plan import plan_cam
 from cadgen.workflow.runs.fleet import fleet_of
@@ -79,7 +80,8 @@ def test_many_cars_are_held_against_the_course_as_one_car_is(plan):
     for name, size in (("start_x", 2.0), ("start_y", 5.0), ("start_heading", 0.003)):
         deviations[:, column[name]] = rng.uniform(-size, size, 12)
     poses = run_fleet(fleet, deviations)
-    quick = least_margin(fleet.watches, poses.heading, poses.position, (fleet.planned.heading, fleet.planned.position))
+    met = seen(fleet.watches, poses.heading, poses.position, (fleet.planned.heading, fleet.planned.position))
+    quick = met.margins.min(axis=0)
     exact = []
     for row in deviations:
         start = comparison.task.start

@@ -6,7 +6,8 @@ import pytest
 
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.workflow.cam.files import edges_note, write_cam
+from cadgen.export.edges import edges_note
+from cadgen.workflow.cam.files import write_cam
 from cadgen.workflow.cam.plan import plan_cam
 
 FILES = {".step", ".stl", ".3mf", "_arcs.dxf", "_spline.dxf", ".nc", ".xyz", ".csv"}

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from cadgen.build import gear_model
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
 from cadgen.gears.search import search_trains
@@ -192,7 +192,7 @@ def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(mo
 
     def judge(layout, chord):
         wrong = layout.train.stages[0].driver.form.teeth in failing
-        return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, "max"),)
+        return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, Bound.MAX),)
 
     monkeypatch.setattr("cadgen.meshes.train_made.gear_checks", judge)
     design = load_design()
@@ -371,7 +371,7 @@ def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
 
     def judge(layout, chords):
         wrong = any(pair.driven.form.teeth > 140 for pair in layout.train.stages)
-        return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, "max"),)
+        return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, Bound.MAX),)
 
     def failing(layout):
         return [n for n, pair in enumerate(layout.train.stages) if pair.driven.form.teeth > 140]

@@ -16,7 +16,8 @@ from cadgen.check import CheckCode
 from cadgen.design.load import design_of, load_design, with_overrides
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
-from cadgen.monte_carlo.fleet import PARAMETERS, run_fleet
+from cadgen.monte_carlo.fleet import run_fleet
+from cadgen.monte_carlo.parameters import PARAMETERS
 from cadgen.motion.drive import drive
 from cadgen.motion.laps import Drift, drift
 from cadgen.workflow.adjustment.plan import Wanted, adjust

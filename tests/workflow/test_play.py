@@ -287,7 +287,7 @@ def test_a_lift_without_peaks_gets_the_actual_profile_and_it_is_said():
 def test_cars_that_hardly_differ_end_where_the_profile_was_judged_to(carbon_free_car):
     """So the fleet's cams jump and wait where the profile that is cut does, which is not where the wanted lift does."""
     run = tolerance.run_tolerance(
-        with_play(0.74, *TINY, "tolerances.start_y_mm=1e-6"), "compensated", 3, seed=1, processes=1
+        with_play(0.74, *TINY, "tolerances.start_y_mm=1e-6"), "compensated", tolerance.CarSample(samples=3)
     )
     exact = end_of_compensated(carbon_free_car, radians(0.74), radians(0.74))
     np.testing.assert_allclose(np.degrees(run.ends.heading), degrees(exact.end_heading), atol=0.001)
@@ -302,11 +302,11 @@ def test_out_of_memory_for_many_cars_advises_fewer(monkeypatch):
 
     monkeypatch.setattr(tolerance, "tolerance_run", full)
     with pytest.raises(FileError, match="out of memory for 5 cars in 1 processes: lower --samples"):
-        tolerance.run_tolerance(with_play(0.74), "compensated", 5, seed=1, processes=1)
+        tolerance.run_tolerance(with_play(0.74), "compensated", tolerance.CarSample(samples=5))
 
 
 @pytest.mark.slow
 def test_a_prediction_names_the_checks_that_fail():
-    run = tolerance.run_tolerance(load_design("appendix_car"), "compensated", 3, seed=1, processes=1)
+    run = tolerance.run_tolerance(load_design("appendix_car"), "compensated", tolerance.CarSample(samples=3))
     assert not tolerance_facts(run)["passed"]
     assert tolerance_facts(run)["failed_checks"] == ["convex radius, theory", "lost lift, undercut"]

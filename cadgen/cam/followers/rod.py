@@ -44,7 +44,11 @@ class LeaningRod(RodGeometry, Follower):
         return self.radius
 
     def of_lift(self, lift: Array) -> tuple[Array, Array, Array]:
-        """tan(beta), the carrying face and the margin by lift of the axis, mm."""
+        """tan(beta), the carrying face and the margin by lift of the axis, mm.
+
+        Args:
+            lift: lifts of the axis, mm, shape (n,).
+        """
         face = self.contact_face(lift)
         tan_beta = lift / face
         return tan_beta, face, self.land * np.abs(tan_beta)
@@ -54,7 +58,14 @@ class LeaningRod(RodGeometry, Follower):
         refuse_thick_rod(lift, self)
 
     def piece(self, lift: LiftCurve, face: float, start: float, stop: float) -> EnvelopePiece:
-        """The envelope of the rod's ellipse in a plane between two cam angles, rad."""
+        """The envelope of the rod's ellipse in a plane between two cam angles, rad.
+
+        Args:
+            lift: lift of the cam.
+            face: distance of the plane from the fork axis, mm.
+            start: cam angle at which it begins, rad.
+            stop: cam angle at which it ends, rad.
+        """
         return EnvelopePiece(lift=lift, follower=self, face=face, start=start, stop=stop)
 
     def section(self, before: Swept, after: Swept) -> Branch | None:
@@ -79,32 +90,64 @@ class LeaningRod(RodGeometry, Follower):
         )
 
     def least(self, x: Array, y: Array) -> tuple[Array, ...]:
-        """The least tan(beta) at which the rod clears points, in each face plane (see the module's equation)."""
+        """The least tan(beta) at which the rod clears points, in each face plane (see the module's equation).
+
+        Args:
+            x: coordinates along the ray from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+        """
         u = x - self.base_radius
         under, h = _under(y, self.radius)
         return tuple(np.where(under, _clearing(u, h, face), -np.inf) for face in self.planes)
 
     def most(self, x: Array, y: Array, off: Array) -> tuple[Array, ...]:
-        """Bound over all points within `off` (mm), from a point at x + off and |y| - off (mm)."""
+        """Bound over all points within `off` (mm), from a point at x + off and |y| - off (mm).
+
+        Args:
+            x: coordinates along the ray from the camshaft, mm, shape (n,).
+            y: coordinates across it, mm, shape (n,).
+            off: distance within which other points may lie, mm, shape (n,).
+        """
         near, h = _under(np.maximum(np.abs(y) - off, 0.0), self.radius)
         u = x - self.base_radius + off
         return tuple(np.where(near, _clearing(u, h, face), -np.inf) for face in self.planes)
 
     def pressure_angle(self, tan_beta: Array, across: Array) -> Array:
-        """Pressure angle, rad: the axis moves horizontally and the force is square to it, so its sine is y / r."""
+        """Pressure angle, rad: the axis moves horizontally and the force is square to it, so its sine is y / r.
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+            across: distances of the contact from the ray's middle, mm, shape (n,).
+        """
         return np.asarray(np.arcsin(np.clip(across / self.radius, -1.0, 1.0)))
 
     def distance(self, tan_beta: Array, face: Array) -> Array:
-        """Distance of the rod's axis from the camshaft in a plane, mm."""
+        """Distance of the rod's axis from the camshaft in a plane, mm.
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+            face: distance of the plane from the fork axis, mm.
+        """
         return np.asarray(self.base_radius + face * tan_beta)
 
     def ahead(self, tan_beta: Array, face: Array, across: Array) -> Array:
-        """How far ahead of the camshaft the rod touches, mm."""
+        """How far ahead of the camshaft the rod touches, mm.
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+            face: distance of the plane from the fork axis, mm.
+            across: distances of the contact from the ray's middle, mm, shape (n,).
+        """
         half = np.sqrt(np.maximum(self.radius**2 - across**2, 0.0) * (1 + tan_beta**2))
         return np.asarray(self.base_radius + face * tan_beta - half)
 
     def margin(self, apart: Array, face: Array) -> Array:
-        """Lift of a difference of tan(beta), mm."""
+        """Lift of a difference of tan(beta), mm.
+
+        Args:
+            apart: differences of tan(beta) between two planes, shape (n,).
+            face: distance of the plane from the fork axis, mm.
+        """
         return face * apart
 
     def checks(self, cam: RolledCam) -> tuple[Check, ...]:

@@ -7,7 +7,7 @@ from cadgen.cam.contact import ROLLING_TOLERANCE
 from cadgen.cam.followers.rod_geometry import RodGeometry
 from cadgen.cam.place import cam_place
 from cadgen.cam.rolled import RolledCam
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.parts.blank import Blank
 
 # The chamfers recede at 45 degrees along the rim's normal; the rod, which leans along the radius, recedes by no more.
@@ -42,7 +42,7 @@ def _carrying_face(rod: RodGeometry, cam: RolledCam) -> Check:
         float(np.sum(wrong)),
         "stations",
         0.0,
-        "max",
+        Bound.MAX,
         f"inner {inner:.0f} %, outer {100 - inner:.0f} %",
         "the rod rests on the other face than eq. 15 says: use --profile actual",
     )
@@ -60,7 +60,7 @@ def _reach(rod: RodGeometry, theta: Array, steering: Array, blank: Blank) -> Che
         float(beyond[worst] - blank.faces(rod.inner, rod.outer)[1]),
         "mm",
         0.0,
-        "min",
+        Bound.MIN,
         cam_place(theta[worst]),
         "the rod slips off the disc's rim: raise follower.length_mm",
     )
@@ -79,7 +79,7 @@ def _lean(theta: Array, steering: Array, blank: Blank, points_key: str) -> list[
             float(np.degrees(np.arctan(T[worst]))),
             "°",
             CHAMFER_LEAN,
-            "max",
+            Bound.MAX,
             cam_place(theta[worst]),
             "the rod leans so far that it rides on the broken edge: leave the edges sharp (blank.edge_break_mm) or "
             f"widen the turn there ({points_key})",
@@ -106,7 +106,7 @@ def _hub(rod: RodGeometry, theta: Array, steering: Array, blank: Blank) -> list[
             float(nearest[worst]) - blank.hub.diameter / 2,
             "mm",
             0.0,
-            "min",
+            Bound.MIN,
             cam_place(theta[worst]),
             "the rod meets the hub: lower blank.hub.diameter_mm or blank.hub.length_mm",
         )

@@ -36,7 +36,11 @@ class EnvelopePiece(Swept):
     follower: RodGeometry
 
     def touch(self, theta: Array) -> Array:
-        """The section's parameter eta at which it touches the envelope, rad."""
+        """The section's parameter eta at which it touches the envelope, rad.
+
+        Args:
+            theta: cam angles, rad, shape (n,).
+        """
         return self._touch(self._section(theta))
 
     def _touch(self, section: tuple[Array, Array, Array, Array, Array, Array]) -> Array:
@@ -56,7 +60,11 @@ class EnvelopePiece(Swept):
         return eta
 
     def jet(self, t: Array) -> Jet:
-        """Point (mm), velocity by cam angle t (rad), and curvature; on a swallowtail the velocity points backwards."""
+        """Point (mm), velocity by cam angle t (rad), and curvature; on a swallowtail the velocity points backwards.
+
+        Args:
+            t: cam angles, rad, shape (n,).
+        """
         d, d1, d2, A, A1, A2 = section = self._section(t)
         r = self.follower.radius
         eta = self._touch(section)
@@ -98,7 +106,11 @@ class RodArc(Section):
     follower: RodGeometry
 
     def jet(self, t: Array) -> Jet:
-        """Point (mm), velocity by the parameter t, and curvature (negative: the disc is hollow here)."""
+        """Point (mm), velocity by the parameter t, and curvature (negative: the disc is hollow here).
+
+        Args:
+            t: parameters of the points, shape (n,).
+        """
         A, r = self.half_width, self.follower.radius
         c, s = np.cos(t), np.sin(t)
         ray = np.cos(self.theta), np.sin(self.theta)

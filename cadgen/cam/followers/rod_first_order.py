@@ -50,5 +50,10 @@ class FirstOrder:
         return cls(height, root, lean, divisor, -T / divisor, root * stretch / divisor)
 
     def displaced(self, along: Array, across: Array) -> Array:
-        """Change of T with a displacement of the point along the ray and across it, both in mm, shape (n,)."""
+        """Change of T with a displacement of the point along the ray and across it, both in mm, shape (n,).
+
+        Args:
+            along: displacements outwards along the ray, mm, shape (n,).
+            across: displacements across it, mm, shape (n,).
+        """
         return np.asarray((along - self.lean * across) / self.divisor)

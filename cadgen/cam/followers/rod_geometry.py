@@ -39,11 +39,19 @@ class RodGeometry:
         return self.outer - self.inner
 
     def contact_face(self, tan_beta: Array) -> Array:
-        """Lateral distance of the plane the rod rests in, mm: inner for beta >= 0, outer below (eq. 15)."""
+        """Lateral distance of the plane the rod rests in, mm: inner for beta >= 0, outer below (eq. 15).
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+        """
         return np.where(np.asarray(tan_beta) >= 0, self.inner, self.outer)
 
     def lift(self, tan_beta: Array) -> Array:
-        """Lift s = w_contact tan(beta), mm (eq. 16)."""
+        """Lift s = w_contact tan(beta), mm (eq. 16).
+
+        Args:
+            tan_beta: tangents of the rod's steering angle, shape (n,).
+        """
         return self.contact_face(tan_beta) * tan_beta
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Literal
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Gt, Le
 
@@ -14,7 +15,13 @@ if TYPE_CHECKING:
 
 # A rod this many times as long as the outer face is far reaches past it up to some 55 degrees of steering.
 _DEFAULT_REACH = 2.0
-RodMaterial = Literal["steel", "ball_bearing"]
+
+
+class RodMaterial(StrEnum):
+    """Surface of the rod where the disc touches it."""
+
+    STEEL = "steel"
+    BALL_BEARING = "ball_bearing"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,7 +47,7 @@ class RodKeys:
     ] = None
 
     def __post_init__(self) -> None:
-        if self.width_mm is not None and self.material != "ball_bearing":
+        if self.width_mm is not None and self.material != RodMaterial.BALL_BEARING:
             raise ValueError(
                 'follower.width_mm is the width of a ball bearing: set follower.material = "ball_bearing", or remove it'
             )

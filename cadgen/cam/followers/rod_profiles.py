@@ -11,6 +11,7 @@ from cadgen.cam.followers.rod_geometry import RodGeometry, rod_half_width
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.lowest import SAME
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
+from cadgen.curves.zeros import zeros
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,11 @@ class PolarPiece:
     stop: float
 
     def jet(self, t: Array) -> Jet:
-        """Point (mm), velocity by the polar angle t (rad), and curvature."""
+        """Point (mm), velocity by the polar angle t (rad), and curvature.
+
+        Args:
+            t: polar angles, rad, shape (n,).
+        """
         T, T1, T2 = span_jets(self.lift, t, self.start, self.stop)
         A, A1, A2 = rod_half_width(self.rod_radius, T, T1, T2)
         R = self.base_radius + self.face * T - A
@@ -77,7 +82,7 @@ def _face_changes(lift: LiftCurve, follower: RodGeometry) -> Array:
     Where the steering is straight over a stretch tan(beta) changes its sign by rounding: a change counts if between
     it and the next one the two faces' radii differ by more than `SAME`.
     """
-    roots = lift.tan_beta.roots(extrapolate=False)
+    roots = zeros(lift.tan_beta, jumps=True)
     roots = np.unique(roots[np.isfinite(roots)])
     nodes, T = lift.stations
     clear = np.flatnonzero(np.abs(T) * follower.land > SAME)

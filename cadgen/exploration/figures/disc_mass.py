@@ -7,12 +7,12 @@ from cadgen.motion.friction import DiscMaterial
 
 # g/cm3: handbooks' tables, such as those that The Engineering ToolBox collects; PLA by makers of filament.
 DENSITY: dict[DiscMaterial, float] = {
-    "aluminium": 2.70,
-    "steel": 7.85,
-    "brass": 8.50,
-    "acrylic": 1.18,
-    "PLA": 1.24,
-    "POM": 1.41,
+    DiscMaterial.ALUMINIUM: 2.70,
+    DiscMaterial.STEEL: 7.85,
+    DiscMaterial.BRASS: 8.50,
+    DiscMaterial.ACRYLIC: 1.18,
+    DiscMaterial.PLA: 1.24,
+    DiscMaterial.POM: 1.41,
 }
 
 

@@ -11,7 +11,7 @@ from cadgen.optimize.band import PlayBand
 from cadgen.path.track import Track
 from cadgen.workflow.cam.comparison import known_trains
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
-from cadgen.workflow.runs.tolerance import ToleranceRun, tolerance_of
+from cadgen.workflow.runs.tolerance import CarSample, ToleranceRun, tolerance_of
 
 
 class Evaluated:
@@ -58,4 +58,4 @@ class Evaluated:
     @cached_property
     def tolerance(self) -> ToleranceRun:
         """Random cars with that cam."""
-        return tolerance_of(self.plan, self._cars, self._seed, processes=1)
+        return tolerance_of(self.plan, CarSample(samples=self._cars, seed=self._seed))

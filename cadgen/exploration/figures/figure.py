@@ -27,6 +27,10 @@ class Figure:
     cheap: bool = False
 
     def aim(self, value: float) -> float:
-        """A value in the figure's own unit, rounded to its resolution, with the sign by which less is better."""
+        """A value in the figure's own unit, rounded to its resolution, with the sign by which less is better.
+
+        Args:
+            value: value of the figure, a number in its own unit.
+        """
         seen = round(value / self.resolution) * self.resolution if self.resolution else value
         return -seen if self.more else seen

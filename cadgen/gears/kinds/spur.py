@@ -58,7 +58,11 @@ class GearPair(Pair, Stage):
         return self.exact_play()
 
     def opened(self, clearance: float) -> float:
-        """By eq. 1, axes further apart by `clearance`, mm, open 2 C tan(alpha_w) on the pitch circle; in rad."""
+        """By eq. 1, axes further apart by `clearance`, mm, open 2 C tan(alpha_w) on the pitch circle; in rad.
+
+        Args:
+            clearance: growth of the distance of the axes, mm.
+        """
         return 2 * clearance * tan(self.working_pressure_angle) / self.driven_pitch_radius
 
     def as_cut(self) -> Self:
@@ -74,6 +78,10 @@ class GearPair(Pair, Stage):
 
         Both angles are those of a tooth's middle, and `direction` that from the driver's axis to the driven gear's.
         The phases of both in pitches, counted from the line of centres, add up to half a pitch.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            direction: direction from the driver's axis to the driven gear's, rad.
         """
         driver_teeth, driven_teeth = self.driver.form.teeth, self.driven.form.teeth
         phase = driver_teeth * (driver_angle - direction)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from enum import StrEnum
 from functools import cache
 from typing import NamedTuple
 
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.gears.backlash import stage_play
 from cadgen.gears.contact import LEAST_CONTACT_RATIO, LEAST_ROOT_CLEARANCE, contact_ratio, found_contact_ratio
 from cadgen.gears.engaged import CONTRADICTION, LEAST_OVERLAP, PLAY_LIMIT_UM, Engage, cycle
@@ -15,10 +16,20 @@ from cadgen.gears.thinning import with_deviations
 
 # What the contact ratio found on the curves may differ from that of the formula.
 CONTACT_RATIO_ERROR = 0.01
+
+
+class Play(StrEnum):
+    """Play at which a pair is looked at: as it is cut, or the greatest or the least within the tolerances."""
+
+    AS_CUT = "as cut"
+    GREATEST = "greatest"
+    LEAST = "least"
+
+
 _PLAY = {
-    "as cut": CheckCode.PLAY_AS_CUT,
-    "greatest": CheckCode.PLAY_GREATEST,
-    "least": CheckCode.PLAY_LEAST,
+    Play.AS_CUT: CheckCode.PLAY_AS_CUT,
+    Play.GREATEST: CheckCode.PLAY_GREATEST,
+    Play.LEAST: CheckCode.PLAY_LEAST,
 }
 
 
@@ -68,7 +79,7 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
     ratio = found_contact_ratio(pair)
     wider = "lower addendum_factor or the profile shifts"
     greatest, least = limit_states(pair)
-    states = {"as cut": State(pair, pair.centre_distance), "greatest": greatest, "least": least}
+    states = {Play.AS_CUT: State(pair, pair.centre_distance), Play.GREATEST: greatest, Play.LEAST: least}
     jam, jammed = max((engage(*state).overlap_midway(0.0), name) for name, state in states.items())
     hold, loose = min((engage(*state).overlap_tooth_on_tooth(0.0), name) for name, state in states.items())
     closest = least.play() * pair.driven_pitch_radius * 1e3
@@ -79,11 +90,17 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
             min(built.clearances()) / module,
             "modules",
             LEAST_ROOT_CLEARANCE,
-            "min",
+            Bound.MIN,
             advice=wider,
         ),
         Check(
-            CheckCode.CONTACT_RATIO, "contact ratio", ratio, "", LEAST_CONTACT_RATIO, "min", advice="give more teeth"
+            CheckCode.CONTACT_RATIO,
+            "contact ratio",
+            ratio,
+            "",
+            LEAST_CONTACT_RATIO,
+            Bound.MIN,
+            advice="give more teeth",
         ),
         Check(
             CheckCode.CONTACT_RATIO_FORMULA,
@@ -91,12 +108,14 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
             abs(ratio - contact_ratio(pair)),
             "",
             CONTACT_RATIO_ERROR,
-            "max",
+            Bound.MAX,
         ),
-        Check(CheckCode.TEETH_JAM, "teeth jam", jam, "mm2", LEAST_OVERLAP, "max", jammed, _thinner(closest)),
-        Check(CheckCode.TEETH_HOLD, "teeth hold each other", hold, "mm2", LEAST_OVERLAP, "min", loose, _closer(loose)),
+        Check(CheckCode.TEETH_JAM, "teeth jam", jam, "mm2", LEAST_OVERLAP, Bound.MAX, jammed, _thinner(closest)),
+        Check(
+            CheckCode.TEETH_HOLD, "teeth hold each other", hold, "mm2", LEAST_OVERLAP, Bound.MIN, loose, _closer(loose)
+        ),
     ]
-    if _engages(states["as cut"], engage):
+    if _engages(states[Play.AS_CUT], engage):
         over, past = cycle(built, pair.exact_play(), pair.driver.form.teeth, pair.driven_pitch_radius)
         checks.append(
             Check(
@@ -105,18 +124,18 @@ def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
                 over,
                 "mm2",
                 LEAST_OVERLAP,
-                "max",
+                Bound.MAX,
                 advice="tips meet roots: " + wider,
             )
         )
         if ratio >= 1:
             code = CheckCode.OVERLAP_PAST_PLAY
-            checks.append(Check(code, "overlap past the play", past, "mm2", LEAST_OVERLAP, "min"))
+            checks.append(Check(code, "overlap past the play", past, "mm2", LEAST_OVERLAP, Bound.MIN))
     for name, state in states.items():
         # With a contact ratio below 1 there are places where no tooth is in mesh, and the play is greater.
         if _engages(state, engage) and contact_ratio(state.pair, state.apart) >= 1:
             off = (engage(*state).play(0.0) - state.play()) * pair.driven_pitch_radius * 1e3
-            checks.append(Check(_PLAY[name], f"play - computed, {name}", abs(off), "µm", PLAY_LIMIT_UM, "max"))
+            checks.append(Check(_PLAY[name], f"play - computed, {name}", abs(off), "µm", PLAY_LIMIT_UM, Bound.MAX))
     return tuple(check if check.advice else replace(check, advice=CONTRADICTION) for check in checks)
 
 
@@ -125,7 +144,7 @@ def _thinner(least_play: float) -> str:
     return f"thin the teeth, or set the axes apart{at}"
 
 
-def _closer(state: str) -> str:
-    if state == "greatest":
+def _closer(state: Play) -> str:
+    if state == Play.GREATEST:
         return "they pass each other freely where the tolerances open the axes most; lower F_i_radial, f_a or b_r"
     return "they pass each other freely; set the axes closer, or thin the teeth less"

@@ -8,12 +8,12 @@ from cadgen.deviations import catalogue
 from cadgen.measurement.admission import refuse_twice
 from cadgen.measurement.models.lift import LiftModel
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.record import Column, Datum, Kind, Record, Span
+from cadgen.measurement.record import Column, Datum, Direction, Kind, Record, Span
 
 
 def _check(record: Record) -> None:
     angle = record["cam_angle_deg"] % 360.0
-    key = np.stack([record.run, record.columns["direction"] == "forward", angle])
+    key = np.stack([record.run, record.columns["direction"] == Direction.FORWARD, angle])
     refuse_twice(record, key[:, angle != 0], "cam_angle_deg")  # 0 and 360 may both be there
 
 
@@ -31,7 +31,7 @@ KIND = Kind(
     code="lift",
     title="Lift",
     columns=(
-        Column(name="direction", words=("forward", "reverse")),
+        Column(name="direction", words=tuple(Direction)),
         Column(name="cam_angle_deg", lower=-1.0, upper=361.0, least_span=10.0),
         Column(name="lift_mm", lower=-100.0, upper=100.0),
     ),

@@ -123,19 +123,33 @@ def repeating(model: Model) -> Array:
 
 
 def unknown(columns: Array) -> Array:
-    """Infinite standard deviations for freedoms of which nothing is known, one for each column."""
+    """Infinite standard deviations for freedoms of which nothing is known, one for each column.
+
+    Args:
+        columns: columns of the freedoms, shape (n, d), internal units (mm, rad).
+    """
     return np.full(columns.shape[1], np.inf)
 
 
 def fourier(angle: Array, last: int) -> tuple[Array, Array]:
-    """Cosines and sines of orders 1 to `last`, shape (n, 2 last), and the order of each column."""
+    """Cosines and sines of orders 1 to `last`, shape (n, 2 last), and the order of each column.
+
+    Args:
+        angle: angles, rad, shape (n,).
+        last: highest order.
+    """
     orders = np.arange(1, last + 1)
     waves = angle[:, None] * orders
     return np.hstack([np.cos(waves), np.sin(waves)]), np.tile(orders, 2).astype(float)
 
 
 def highest_order(angle: Array, run: NDArray[np.intp]) -> int:
-    """The highest order that the spacing of the points resolves (Nyquist), with a fifth in hand."""
+    """The highest order that the spacing of the points resolves (Nyquist), with a fifth in hand.
+
+    Args:
+        angle: angles of the readings, rad, shape (n,).
+        run: number of the run of each, shape (n,).
+    """
     widest = 0.0
     for number in range(int(run.max()) + 1):
         mine = np.unique(np.round(angle[run == number] % (2 * np.pi), 9))
@@ -165,6 +179,12 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Arr
     lift to first order is varied, so that the rod is rolled once and not for every difference; what follows the lift
     is smooth, so that a small step to one side will do. So does a step for the numerous ones that are not active: they
     are small, and looked at to first order alone. `known` is the residual with what is active, where it is at hand.
+
+    Args:
+        model: model of the record.
+        effects: effects.
+        active: effects that are active, with their values.
+        known: residual with these, shape (n,), mm or rad; computed if left out.
     """
     values = {effect.key: v for effect, v in active}
 
@@ -193,7 +213,14 @@ def slopes(model: Model, effects: tuple[Effect, ...], active: Active, known: Arr
 
 
 def moved(effect: Effect, values: Array, number: int, by: float) -> Array:
-    """Values of an effect of which one is moved by `by`, in its unit (rad, mm), as far as its bounds let it."""
+    """Values of an effect of which one is moved by `by`, in its unit (rad, mm), as far as its bounds let it.
+
+    Args:
+        effect: effect.
+        values: values of its parameters, internal units (mm, rad).
+        number: number of the parameter that is moved.
+        by: change, mm or rad.
+    """
     there, (lower, upper) = values.copy(), effect.bounds
     there[number] = np.clip(there[number] + by, lower[number], upper[number])
     return there

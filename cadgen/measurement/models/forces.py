@@ -47,6 +47,9 @@ class Forces:
     def drawn(self, friction: float) -> tuple[Array, Array]:
         """Where the rod draws a free cam on, and where it draws it back.
 
+        Args:
+            friction: coefficient of friction, a number.
+
         Returns:
             Cam angles between which it does, shape (k, 2) each, rad, begins in [0, 2 pi) and in order: the first draw
             to their ends, the second to their begins.

@@ -12,8 +12,8 @@ from cadgen.deviations.disc import NOSE_WIDTHS_DEG, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, through
 from cadgen.deviations.lift import ANGLE, Readings
 from cadgen.measurement.models.base import Discrepancy, elapsed, fourier, per_run, unknown
-from cadgen.measurement.models.rolled import Rolled
-from cadgen.measurement.record import Record
+from cadgen.measurement.models.rolled import CHANGE, Rolled
+from cadgen.measurement.record import Direction, Record
 from cadgen.measurement.shapes import shapes
 
 FORM_ORDERS = 90
@@ -33,7 +33,7 @@ class LiftModel:
         self._lift, self._follower = lift, follower
         self._reading = record["lift_mm"]
         angle = np.radians(record["cam_angle_deg"])
-        forward = record.columns["direction"] == "forward"
+        forward = record.columns["direction"] == Direction.FORWARD
         key = np.round(record["cam_angle_deg"], 6) + 1000.0 * forward
         slope = np.asarray(lift.tan_beta(angle, nu=1))
         self.rows = Readings(
@@ -57,7 +57,7 @@ class LiftModel:
     @cached_property
     def shapes(self) -> tuple[Effect, ...]:
         """Harmonics, bumps and steps of the reading."""
-        return shapes(self.rows, self.unit, SHAPE_ORDERS)
+        return shapes(self.rows, self.unit, SHAPE_ORDERS, CHANGE)
 
     def residual(self, active: Active) -> Array:
         """Measured less expected reading, mm."""

@@ -89,7 +89,7 @@ class ProfileModel:
     @cached_property
     def shapes(self) -> tuple[Effect, ...]:
         """Bumps and steps; harmonics are in the catalogue."""
-        return shapes(self.rows, self.unit, range(0))
+        return shapes(self.rows, self.unit, range(0), DISC)
 
     def residual(self, active: Active) -> Array:
         """Distance outside the expected outline, mm."""
@@ -97,7 +97,7 @@ class ProfileModel:
         return np.asarray(distance - through(READING, np.zeros(len(distance)), active, self.rows))
 
     def _apart(self, active: Active) -> tuple[Array, Array, Array]:
-        """Polar angles of the changed outline, those at which the rows were taken, and their distances from it."""
+        """Polar angles of the changed outline, those of the rows, and the distances of these from it as read."""
         before = [(effect, values) for effect, values in active if effect.stage is not READING]
 
         def looked() -> tuple[Array, Array, Array]:
@@ -107,7 +107,8 @@ class ProfileModel:
                 seen, radius = _polar(through(MACHINE, self._points, active, self.rows))
             angle = through(CLOCK, seen - self.own[self.rows.run], active, self.rows)
             around = self._table if disc is self._disc else self._around(disc)
-            return around[0], angle, self._distance(around, angle, radius)
+            # In the unit of the machine's reading: else a scale that shrinks the noise would seem the likelier for it.
+            return around[0], angle, self._distance(around, angle, radius) * self._polar[1] / radius
 
         return self._known.of(key_of(before), looked)
 

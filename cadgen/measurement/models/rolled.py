@@ -6,7 +6,7 @@ the second follows from the contacts of that roll, for to first order the rod st
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.interpolate import CubicSpline, PPoly
@@ -21,6 +21,7 @@ from cadgen.curves.closed import Outline
 from cadgen.deviations.disc import DISC, Disc
 from cadgen.deviations.effect import Active, Effect, Stage, key_of, through
 from cadgen.deviations.lift import FOLLOWER, Setting
+from cadgen.deviations.rows import Rows
 from cadgen.errors import DesignError
 from cadgen.measurement.recent import Recent
 from cadgen.motion.sampled import sampled_lift
@@ -176,6 +177,23 @@ class Rolled:
             parameters=(effect.parameters[number],),
             act=lambda change, p, at: _plus(change, slope, float(p[0])),
         )
+
+    def shown(self, form: Effect) -> Effect:
+        """A form without a name that another record shows of the lift or the outline, as it acts here."""
+
+        def read(place: Array, p: Array) -> Array:
+            none = np.zeros(len(place), dtype=np.intp)
+            return np.asarray(form.act(0.0 * place, p, Rows(run=none, place=place, elapsed=0.0 * place, cell=none - 1)))
+
+        def on_lift(change: PPoly | None, p: Array, at: object) -> PPoly:
+            return _plus(change, self._closed(read(self._grid, p) / self._follower.inner), 1.0)
+
+        def on_outline(disc: Disc, p: Array, at: object) -> Disc:
+            return disc.moved(read(disc.angle, p))
+
+        if form.form_of is CHANGE:
+            return replace(form, stage=CHANGE, act=on_lift)
+        return replace(form, stage=DISC, act=on_outline)
 
     def _of(self, active: Active) -> list[tuple[Effect, Array]]:
         return [(e, v) for e, v in active if e.stage in self.stages]

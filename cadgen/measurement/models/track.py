@@ -98,7 +98,12 @@ class TrackModel:
         return complex(self.at(active, np.array([self._lift.blend_start]))[0])
 
     def at(self, active: Active, motor: Array) -> NDArray[np.complex128]:
-        """The same at any motor positions, rad."""
+        """The same at any motor positions, rad.
+
+        Args:
+            active: effects that are active, with their values.
+            motor: motor positions, rad, shape (n,).
+        """
         run = through(RUNNING, self._nominal, active, self._grid)
         lift = self.rolled.lift(active, self.rows)
         nodes, following = self._grid, None

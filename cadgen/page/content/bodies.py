@@ -5,12 +5,15 @@ from functools import lru_cache
 from math import hypot
 
 from cadgen.build import cam_model
+from cadgen.course.names import Side
 from cadgen.errors import CadgenError
 from cadgen.meshes.disc import cam_mesh
 from cadgen.meshes.mesh import Mesh
 from cadgen.page.content.train import GAP, Stand, TurningPart, TurningTrain, turning_train
 from cadgen.page.document import Part, Shaft, Text, Words
+from cadgen.page.names import Colour
 from cadgen.page.words import say
+from cadgen.parts.names import Face
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.plan import GearsPlan
 
@@ -51,7 +54,7 @@ def bodies_of(plan: CamPlan, gears: GearsPlan | None, cam_radius: float) -> Bodi
         gears: plan of the train; None without one.
         cam_radius: greatest radius of the disc, mm.
     """
-    (inner, outer), side = plan.design.cam.faces_mm, -1 if plan.design.cam.side == "right" else 1
+    (inner, outer), side = plan.design.cam.faces_mm, -1 if plan.design.cam.side == Side.RIGHT else 1
     fork = -inner if side > 0 else outer
     train = None if gears is None else _train(plan, gears, side)
     notes: list[Text] = []
@@ -72,7 +75,7 @@ def bodies_of(plan: CamPlan, gears: GearsPlan | None, cam_radius: float) -> Bodi
 def _train(plan: CamPlan, gears: GearsPlan, side: int) -> TurningTrain:
     """The train on the side of the cam that looks to the fork."""
     (inner, outer), hub = plan.design.cam.faces_mm, plan.made_blank.hub
-    towards = hub is not None and (hub.side == "inner") == (side > 0)
+    towards = hub is not None and (hub.side == Face.INNER) == (side > 0)
     stands = hub.length if hub is not None and towards else 0.0
     plane = -GAP - stands if side > 0 else outer - inner + GAP + stands
     return turning_train(gears.layout, _behind(plan), plane, side)
@@ -93,7 +96,7 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[Text]) -> list
             break
     disc = meshes[0]
     coarse = _disc(plan, _COARSE, notes)
-    parts = [] if disc is None or coarse is None else [Part("cam", say("cam"), disc, coarse, 0, "cam")]
+    parts = [] if disc is None or coarse is None else [Part("cam", say("cam"), disc, coarse, 0, Colour.CAM)]
     for number, part in enumerate(turning, 1):
         parts.append(_gear(part.part.name, _label(part), number, part.stand, chord))
     return parts
@@ -101,7 +104,7 @@ def _parts(plan: CamPlan, train: TurningTrain | None, notes: list[Text]) -> list
 
 @lru_cache(maxsize=64)  # the gears of a design whose path is edited stay as they are, normals and edges included
 def _gear(code: str, label: Words, shaft: int, stand: Stand, chord: float) -> Part:
-    return Part(code, label, stand.mesh(chord), stand.mesh(_COARSE), shaft, "gear")
+    return Part(code, label, stand.mesh(chord), stand.mesh(_COARSE), shaft, Colour.GEAR)
 
 
 def _disc(plan: CamPlan, chord: float, notes: list[Text]) -> Mesh | None:

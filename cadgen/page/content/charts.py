@@ -11,6 +11,7 @@ from cadgen.cam.contact import roll_curve
 from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve
 from cadgen.page.document import Chart, Curve, Limit, Mark
+from cadgen.page.names import MarkKind
 from cadgen.page.words import say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.runs.simulation import Simulation
@@ -125,6 +126,9 @@ def _torque(plan: CamPlan, theta: Array) -> Chart | None:
 
 def _marks(plan: CamPlan) -> list[Mark]:
     peaks, valleys = plan.lift.extrema()
-    marks = [Mark("peak", float(angle)) for angle in peaks] + [Mark("valley", float(angle)) for angle in valleys]
-    marks.append(Mark("blend", plan.lift.blend_start))
+    marks = [Mark(MarkKind.PEAK, float(angle)) for angle in peaks] + [
+        Mark(MarkKind.VALLEY, float(angle)) for angle in valleys
+    ]
+    if plan.lift.blended:
+        marks.append(Mark(MarkKind.BLEND, plan.lift.blend_start))
     return sorted(marks, key=lambda mark: mark.angle)

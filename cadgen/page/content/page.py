@@ -5,10 +5,11 @@ from math import degrees
 from cadgen.page.check_words import check_name
 from cadgen.page.content.charts import charts_of
 from cadgen.page.content.parts_sections import calibration_section, inspection_section, parts_section
-from cadgen.page.content.plan import PagePlan
+from cadgen.page.content.plan import PagePlan, Scope, Topic
 from cadgen.page.content.scene import scene_of
 from cadgen.page.content.sections import cam_notes, checks_section, play_section, tolerance_section
 from cadgen.page.document import Cell, Failure, Page, Section, Text, Words, number
+from cadgen.page.names import State
 from cadgen.page.sentences import generated
 from cadgen.page.words import named, say
 from cadgen.version import __version__
@@ -29,7 +30,7 @@ def page_of(plan: PagePlan) -> Page:
         scene=scene,
         charts=charted.charts,
         marks=charted.marks,
-        sections=() if plan.scope == "preview" else _sections(plan),
+        sections=() if plan.scope == Scope.PREVIEW else _sections(plan),
         notes=(*missing, *cam_notes(plan.cam), *notes),
         origin=(
             (say("file of the design"), design.source),
@@ -41,12 +42,14 @@ def page_of(plan: PagePlan) -> Page:
 
 def _sections(plan: PagePlan) -> tuple[Section, ...]:
     reasons = {refusal.part: refusal.reason for refusal in plan.refusals}
-    without = say("not-while-edited" if plan.scope == "edited" else "no-tolerance")
+    without = say("not-while-edited" if plan.scope == Scope.EDITED else "no-tolerance")
     return (
         checks_section(plan),
         play_section(plan),
-        tolerance_section(plan.tolerance, generated(reasons["tolerance"]) if "tolerance" in reasons else without),
-        calibration_section(plan, reasons.get("calibration", "")),
+        tolerance_section(
+            plan.tolerance, generated(reasons[Topic.TOLERANCE]) if Topic.TOLERANCE in reasons else without
+        ),
+        calibration_section(plan, reasons.get(Topic.CALIBRATION, "")),
         inspection_section(plan),
         parts_section(plan),
     )
@@ -72,7 +75,10 @@ def _summary(plan: PagePlan) -> tuple[tuple[Text, Cell], ...]:
     checks = plan.checks
     passing = sum(check.passed for check in checks)
     rows: list[tuple[Text, Cell]] = [
-        (say("checks that pass"), Cell(f"{passing} / {len(checks)}", state="bad" if passing < len(checks) else "good")),
+        (
+            say("checks that pass"),
+            Cell(f"{passing} / {len(checks)}", state=State.BAD if passing < len(checks) else State.GOOD),
+        ),
     ]
     if plan.simulation is not None:
         rows.append(

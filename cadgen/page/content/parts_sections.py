@@ -8,6 +8,7 @@ import numpy as np
 from cadgen.gears.layout import TrainLayout
 from cadgen.page.content.plan import PagePlan
 from cadgen.page.document import Cell, Section, Table, Text, Words, number
+from cadgen.page.names import State
 from cadgen.page.sentences import generated
 from cadgen.page.words import named, say
 from cadgen.workflow.cam.plan import CamPlan
@@ -87,11 +88,11 @@ def _gear_sizes(parts: list[dict[str, Any]]) -> Table | None:
                     Cell(part["name"]),
                     number(gear["teeth"], digits=0),
                     number(gear["teeth_spanned"], digits=0),
-                    number(gear["span_min_mm"], "mm"),
-                    number(gear["span_max_mm"], "mm"),
+                    number(gear["span_min_mm"], "mm", digits=3),
+                    number(gear["span_max_mm"], "mm", digits=3),
                     number(gear["pin_diameter_mm"], "mm"),
-                    number(gear["over_pins_min_mm"], "mm"),
-                    number(gear["over_pins_max_mm"], "mm"),
+                    number(gear["over_pins_min_mm"], "mm", digits=3),
+                    number(gear["over_pins_max_mm"], "mm", digits=3),
                     Cell(""),
                 )
             )
@@ -157,7 +158,7 @@ def _gear_rows(layout: TrainLayout) -> list[tuple[Cell, ...]]:
         rows.append(
             (
                 Cell(part["name"]),
-                Cell("–", state="muted"),
+                Cell("–", state=State.MUTED),
                 number(1, digits=0),
                 Cell(" + ".join(map(str, teeth)) or "–"),
                 Cell(" + ".join(f"{module:g}" for module in modules) or "–", unit="mm" if modules else ""),

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from enum import StrEnum
+from typing import TYPE_CHECKING
 
 from cadgen.build import cam_model, variation
 from cadgen.cam.followers.rod import LeaningRod
@@ -17,10 +18,27 @@ from cadgen.workflow.cam.plan import CamPlan, default_profile, plan_cam
 from cadgen.workflow.cam.remedies import Remedy, remedies
 from cadgen.workflow.gears.plan import GearsPlan, plan_gears
 from cadgen.workflow.runs.simulation import Simulation, simulated
-from cadgen.workflow.runs.tolerance import ToleranceRun, tolerance_of
+from cadgen.workflow.runs.tolerance import CarSample, ToleranceRun, tolerance_of
 
 if TYPE_CHECKING:
     from cadgen.workflow.calibration.plan import Calibration, Source
+
+
+class Scope(StrEnum):
+    """Content of a page: all; without what takes long, while the design is edited; or model and curves alone."""
+
+    REPORT = "report"
+    EDITED = "edited"
+    PREVIEW = "preview"
+
+
+class Topic(StrEnum):
+    """Part of a report."""
+
+    PROFILE = "profile"
+    GEARS = "gears"
+    TOLERANCE = "tolerance"
+    CALIBRATION = "calibration"
 
 
 MakeGears = Callable[[TrainDesign, Order, Progress], GearsPlan]
@@ -31,12 +49,12 @@ class Refusal:
     """A part of the report that could not be computed.
 
     Attributes:
-        part: name of the part: `profile`, `gears`, `tolerance`, `calibration`.
+        part: part of the report.
         reason: sentence of the refusal.
         fails: whether the design thereby fails.
     """
 
-    part: str
+    part: Topic
     reason: str
     fails: bool = False
 
@@ -54,8 +72,7 @@ class PagePlan:
         tolerance: many cars; None where nothing varies.
         calibration: verdict on measured files; None without any.
         refusals: reasons for what is missing.
-        scope: what is shown: all of a `report`; without what takes long while the design is `edited`; or of a
-            `preview` model and curves alone.
+        scope: what is shown.
     """
 
     cam: CamPlan
@@ -66,7 +83,7 @@ class PagePlan:
     tolerance: ToleranceRun | None
     calibration: "Calibration | None"
     refusals: tuple[Refusal, ...]
-    scope: Literal["report", "edited", "preview"] = "report"
+    scope: Scope = Scope.REPORT
 
     @property
     def design(self) -> Design:
@@ -125,9 +142,9 @@ def plan_page(
         if cam.comparison.task.mechanics is not None:
             further = tuple(remedies(design, cam.comparison, progress))
         try:
-            run = tolerance_of(cam, samples, 1, processes, progress)
+            run = tolerance_of(cam, CarSample(samples=samples, processes=processes), progress)
         except DesignError as error:
-            refusals.append(Refusal("tolerance", str(error)))
+            refusals.append(Refusal(Topic.TOLERANCE, str(error)))
     calibration = None
     if sources:
         from cadgen.workflow.calibration.plan import calibrate
@@ -138,7 +155,7 @@ def plan_page(
         except (DesignError, FileError) as error:
             unread = str(error)
     if unread:
-        refusals.append(Refusal("calibration", unread, fails=True))
+        refusals.append(Refusal(Topic.CALIBRATION, unread, fails=True))
     return PagePlan(cam, find_cures(cam, progress), gears, simulation, further, run, calibration, tuple(refusals))
 
 
@@ -158,7 +175,7 @@ def plan_edited(design: Design, make_gears: MakeGears, progress: Progress = sile
     gears = _gears(design, make_gears, refusals, progress)
     progress("running the car")
     simulation = None if cam.comparison is None else simulated(cam)
-    return PagePlan(cam, find_cures(cam, progress), gears, simulation, (), None, None, tuple(refusals), "edited")
+    return PagePlan(cam, find_cures(cam, progress), gears, simulation, (), None, None, tuple(refusals), Scope.EDITED)
 
 
 def plan_preview(design: Design, progress: Progress = silent) -> PagePlan:
@@ -168,7 +185,7 @@ def plan_preview(design: Design, progress: Progress = silent) -> PagePlan:
         DesignError: no cam can be computed.
     """
     cam = plan_cam(design, ACTUAL.code, progress, judged=False)
-    return PagePlan(cam, Cures((), (), 0), None, None, (), None, None, (), "preview")
+    return PagePlan(cam, Cures((), (), 0), None, None, (), None, None, (), Scope.PREVIEW)
 
 
 def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], progress: Progress) -> CamPlan:
@@ -176,7 +193,7 @@ def _cam(design: Design, make: Callable[[], CamPlan], refusals: list[Refusal], p
     try:
         return make()
     except CheckError as error:
-        refusals.append(Refusal("profile", str(error), fails=True))
+        refusals.append(Refusal(Topic.PROFILE, str(error), fails=True))
         return plan_cam(design, ACTUAL.code, progress)
 
 
@@ -185,9 +202,9 @@ def _gears(design: Design, make: MakeGears, refusals: list[Refusal], progress: P
     if design.train is None:
         return None
     try:
-        return make(design, "as-given", progress)
+        return make(design, Order.AS_GIVEN, progress)
     except DesignError as error:
-        refusals.append(Refusal("gears", str(error), fails=True))
+        refusals.append(Refusal(Topic.GEARS, str(error), fails=True))
         return None
 
 

@@ -10,11 +10,13 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.course.body import place_of
 from cadgen.course.course import Course, Gate, Shape
+from cadgen.course.names import CarPoint
 from cadgen.design.schema import Design
 from cadgen.motion.drive import drive, start_pose
 from cadgen.motion.play import Following, follow
 from cadgen.page.content.bodies import Bodies, bodies_of
-from cadgen.page.document import CarShape, Figure, FigureKind, Going, Lift, RodShape, Scene, Text
+from cadgen.page.document import CarShape, Figure, Going, Lift, RodShape, Scene, Text
+from cadgen.page.names import FigureKind
 from cadgen.page.words import say
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.gears.plan import GearsPlan
@@ -111,15 +113,15 @@ def _going(plan: CamPlan, code: str, label: Text, following: Following, play: fl
 
 def _car(plan: CamPlan) -> CarShape:
     car, body = cam_model.car(plan.design), course_model.body(plan.design)
-    drive_wheel = place_of("drive_wheel", car)
+    drive_wheel = place_of(CarPoint.DRIVE_WHEEL, car)
 
     def seen(point: tuple[float, float]) -> tuple[float, float]:
         return point[0] - drive_wheel[0], point[1] - drive_wheel[1]
 
     return CarShape(
-        fork=seen(place_of("fork", car)),
-        idle=seen(place_of("idle_wheel", car)),
-        middle=seen(place_of("middle", car)),
+        fork=seen(place_of(CarPoint.FORK, car)),
+        idle=seen(place_of(CarPoint.IDLE_WHEEL, car)),
+        middle=seen(place_of(CarPoint.MIDDLE, car)),
         corners=tuple(seen(corner) for corner in body.corners),
         wheel=plan.wheel.radius,
         steering=1 if car.steering_gain > 0 else -1,
@@ -134,12 +136,15 @@ def floor_of(design: Design) -> tuple[Figure, ...]:
 
 def _figures(course: Course) -> Iterator[Figure]:
     if course.edge is not None:
-        yield _figure("edge", course.edge)
+        yield _figure(FigureKind.EDGE, course.edge)
     for obstacle in course.obstacles:
-        yield _figure(obstacle.kind, obstacle.shape)
-    stands: tuple[tuple[FigureKind, Gate | None], ...] = (("start", course.start), ("finish", course.finish))
+        yield _figure(FigureKind(obstacle.kind), obstacle.shape)
+    stands: tuple[tuple[FigureKind, Gate | None], ...] = (
+        (FigureKind.START, course.start),
+        (FigureKind.FINISH, course.finish),
+    )
     for gate in course.gates:
-        yield _figure("gate", gate.place)
+        yield _figure(FigureKind.GATE, gate.place)
     for kind, stand in stands:
         if stand is not None:
             yield _figure(kind, stand.place)

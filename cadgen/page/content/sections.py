@@ -3,11 +3,12 @@
 from collections.abc import Iterable
 from math import degrees, isinf
 
-from cadgen.check import Check
+from cadgen.check import Bound, Check
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.page.check_words import check_name, place_words
 from cadgen.page.content.plan import PagePlan
-from cadgen.page.document import Cell, Section, State, Table, Text, Words, number
+from cadgen.page.document import Cell, Section, Table, Text, Words, number
+from cadgen.page.names import State
 from cadgen.page.sentences import generated
 from cadgen.page.words import named, say
 from cadgen.workflow.cam.comparison import PlayComparison
@@ -28,29 +29,30 @@ def checks_section(plan: PagePlan) -> Section:
 
 def _checks(code: str, caption: Text, checks: Iterable[Check]) -> Table:
     rows = [_check(check) for check in sorted(checks, key=lambda check: check.passed)]
-    heads = (say("check"), say("verdict"), say("where"), say("value"), say("limit"))
-    return Table(code, caption, heads, tuple(rows), words=3)
+    heads = (say("check"), say("verdict"), say("value"), say("limit"), say("where"))
+    return Table(code, caption, heads, tuple(rows), words=2, tail=1)
 
 
 def _check(check: Check) -> tuple[Cell, ...]:
     figure = isinf(check.limit)
     verdict = (
-        Cell(say("shown"), state="muted")
+        Cell(say("shown"), state=State.MUTED)
         if figure
-        else Cell(say("ok"), state="good")
+        else Cell(say("ok"), state=State.GOOD)
         if check.passed
-        else Cell(say("FAILS"), state="bad")
+        else Cell(say("FAILS"), state=State.BAD)
     )
-    bound = "≤ " if check.bound == "max" else "≥ "
-    limit = number(None) if figure else number(check.limit, check.unit)
+    bound = "≤ " if check.bound == Bound.MAX else "≥ "
+    unit = check.unit_shown
+    limit = number(None) if figure else number(check.limit, unit)
     if not figure:
         limit = Cell(bound + str(limit.text), limit.value, limit.unit)
     return (
         Cell(check_name(check)),
         verdict,
-        Cell(place_words(check.place)),
-        number(check.value, check.unit, "" if check.passed else "bad"),
+        number(check.value, unit, State.PLAIN if check.passed else State.BAD),
         limit,
+        Cell(place_words(check.place)),
     )
 
 
@@ -87,14 +89,14 @@ def _methods(comparison: PlayComparison) -> Table:
     rows = []
     for evaluation in comparison.evaluations:
         chosen = evaluation is comparison.chosen
-        state: State = "strong" if chosen else ""
+        state: State = State.STRONG if chosen else State.PLAIN
         gain = None if evaluation is comparison.before else comparison.gain(evaluation)[1]
         name = profile_name(evaluation)
         cells = [Cell(name, state=state)]
         if several:
             cells.append(Cell(named(evaluation.train), state=state))
         cells += [
-            Cell(say("chosen") if chosen else "", state="good" if chosen else ""),
+            Cell(say("chosen") if chosen else "", state=State.GOOD if chosen else State.PLAIN),
             number(degrees(evaluation.error.end_heading), "°", state),
             number(evaluation.error.end_distance, "mm", state),
             number(None if gain is None else 100 * gain, "%", state, 1),
@@ -124,7 +126,7 @@ def _runs(simulation: Simulation) -> Table:
             Cell(say("measured cam, with play" if before.measured else "plain profile, with play")),
             simulation.before_error,
         ),
-        (Cell(say("this cam, with play"), state="strong"), simulation.after_error),
+        (Cell(say("this cam, with play"), state=State.STRONG), simulation.after_error),
         (Cell(say("this cam, without play")), chosen.deviation),
     ]
     heads = (say("run"), say("heading at the end"), say("position at the end"), say("greatest on the run"))
@@ -165,8 +167,8 @@ def _course(simulation: Simulation) -> Table:
         (
             Cell(place_words(key)),
             Cell(place_words(where)),
-            number(planned[key][1], "mm", "bad" if planned[key][1] < 0 else ""),
-            number(room, "mm", "bad" if room < 0 else ""),
+            number(planned[key][1], "mm", State.BAD if planned[key][1] < 0 else State.PLAIN),
+            number(room, "mm", State.BAD if room < 0 else State.PLAIN),
         )
         for key, (where, room) in played.items()
     ]

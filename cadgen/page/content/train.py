@@ -39,7 +39,11 @@ class Stand(NamedTuple):
     side: float
 
     def mesh(self, chord: float) -> Mesh:
-        """Its mesh about its own axis at the height where it stands, mm."""
+        """Its mesh about its own axis at the height where it stands, mm.
+
+        Args:
+            chord: greatest distance of a chord from a curve, mm.
+        """
         return _stood(self, chord)
 
 

@@ -32,9 +32,10 @@ class CubicKeys(QuinticKeys):
 def _build(keys: CubicKeys) -> PlannedPath:
     import numpy as np
 
+    from cadgen.path.names import SplineKind
     from cadgen.path.spline import plan_path
 
-    return plan_path(np.array(keys.waypoints_mm), "cubic")
+    return plan_path(np.array(keys.waypoints_mm), SplineKind.CUBIC)
 
 
 CUBIC = PathKind(

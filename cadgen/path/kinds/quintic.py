@@ -40,9 +40,10 @@ class QuinticKeys:
 def _build(keys: QuinticKeys) -> PlannedPath:
     import numpy as np
 
+    from cadgen.path.names import SplineKind
     from cadgen.path.spline import plan_path
 
-    return plan_path(np.array(keys.waypoints_mm), "quintic")
+    return plan_path(np.array(keys.waypoints_mm), SplineKind.QUINTIC)
 
 
 def _build_closed(keys: QuinticKeys) -> PlannedPath:

@@ -10,11 +10,12 @@ import numpy as np
 
 from cadgen.adjustment.choice import LIMITS, Forecast, best_settings, forecast
 from cadgen.adjustment.posterior import Posterior, Prior, explain
-from cadgen.adjustment.trial import Noise, Settings, Trial
+from cadgen.adjustment.trial import STARTS, Noise, Setting, Settings, Trial
 from cadgen.arrays import Array
 from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
-from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet
+from cadgen.monte_carlo.fleet import Fleet
+from cadgen.monte_carlo.parameters import Directed, Parameter, parts_of
 from cadgen.motion.drive import STEPS, start_pose
 from cadgen.motion.friction import USUAL
 from cadgen.motion.mechanics import Mechanics
@@ -32,9 +33,13 @@ _GRID = 1200  # cam angles of a turn: the end of the run errs by less than 0.1 m
 MOST_RESIDUAL = 1.6  # root mean square in standard deviations of a point, beyond which a run is not explained
 WORTH = 60.0  # mm at the end that settings are to leave at most, if the design has no gates
 # No car is better known than so, whatever its tolerances say: mm and rad.
-_LEAST = {"base_radius": 0.01, "steering_zero": radians(0.05), "cam_phase": radians(0.1)}
+_LEAST: dict[Parameter, float] = {
+    Parameter.BASE_RADIUS: 0.01,
+    Parameter.STEERING_ZERO: radians(0.05),
+    Parameter.CAM_PHASE: radians(0.1),
+}
 # Deviations of the start are in each run's own settings and noise.
-_OF_A_RUN = ("start_x", "start_y", "start_heading")
+_OF_A_RUN = tuple(setting.parameter for setting in STARTS)
 
 
 class Point(Enum):
@@ -64,9 +69,9 @@ class Knob(Enum):
     START = "start"
 
     @property
-    def settings(self) -> tuple[str, ...]:
-        """The names of its settings."""
-        return _OF_A_RUN if self is Knob.START else (self.value,)
+    def settings(self) -> tuple[Setting, ...]:
+        """Its settings."""
+        return STARTS if self is Knob.START else (Setting(self.value),)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -259,14 +264,14 @@ class Bench:
             frictions, mechanics = band.friction, band.nominal
         steps = 1 + ceil((frictions[1] - frictions[0]) / FRICTION_STEP - 1e-9)
         grid = {
-            "play": _grid(low, high, PLAYS if high > low else 1) - play,
-            "friction": _grid(*frictions, steps) - mechanics.friction,
+            Parameter.PLAY: _grid(low, high, PLAYS if high > low else 1) - play,
+            Parameter.FRICTION: _grid(*frictions, steps) - mechanics.friction,
         }
         sigma = _spreads(plan)
-        if len(grid["play"]) == 1:
-            sigma["play"] = max(0.03 * play, radians(0.01))
+        if len(grid[Parameter.PLAY]) == 1:
+            sigma[Parameter.PLAY] = max(0.03 * play, radians(0.01))
         noise = Noise(point=wanted.noise, head=wanted.division / sqrt(12))
-        ordered = {name: sigma[name] for name in PARAMETERS if name in sigma}
+        ordered = {name: sigma[name] for name in Parameter if name in sigma}
         fine, coarse = (
             fleet_of(plan, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID) for apart in (FINE, COARSE)
         )
@@ -309,15 +314,15 @@ class Bench:
         )
 
 
-def _spreads(plan: CamPlan) -> dict[str, float]:
+def _spreads(plan: CamPlan) -> dict[Parameter, float]:
     """Standard deviations of what the car may differ by, but for play, friction and the start."""
     sigma = dict(_LEAST)
     for name, width in variation.half_widths(plan.design, comparison_of(plan).task.mechanics).items():
-        if name in (*_OF_A_RUN, "play", "friction"):
+        if name in (*_OF_A_RUN, Parameter.PLAY, Parameter.FRICTION):
             continue
-        for part in DIRECTED.get(name, (name,)):
+        for part in parts_of(name):
             # A value that is anywhere within the zone, or one direction of such a size.
-            spread = WIDER * width / (sqrt(6) if name in DIRECTED else sqrt(3))
+            spread = WIDER * width / (sqrt(6) if isinstance(name, Directed) else sqrt(3))
             sigma[part] = max(sigma.get(part, 0.0), spread)
     return sigma
 

@@ -13,6 +13,7 @@ from cadgen.expectation.next_measurement import Expected, Next, Prior, Range, ne
 from cadgen.measurement.findings import EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, Nominal
 from cadgen.measurement.record import Method, join
+from cadgen.monte_carlo.parameters import Directed, Parameter
 from cadgen.motion.friction import USUAL
 from cadgen.progress import Progress, silent
 from cadgen.report.text import Block, Heading, Table
@@ -96,17 +97,17 @@ def _tolerances(design: Design, nominal: Nominal) -> dict[str, float]:
     half = variation.half_widths(bare, variation.mechanics(bare, nominal.follower, nominal.lift))
     radius = variation.wheel_radius(bare, nominal.track.length)
     known = {
-        "steering_zero_deg": half.get("steering_zero", 0.0),
-        "gain_percent": half.get("wheelbase", 0.0) / nominal.car.wheelbase,
-        "drive_wheel_offset_mm": half.get("drive_wheel_offset", 0.0),
-        "wheel_radius_percent": half.get("wheel_radius", 0.0) / radius,
-        "phase_deg": half.get("cam_phase", 0.0),
-        "rod_radius_um": half.get("rod_radius", 0.0),
-        "cutter_offset_um": half.get("profile_offset", 0.0),
-        "axial_offset_um": half.get("inner_face", 0.0),
-        "eccentric_x_um": half.get("eccentricity", 0.0),
-        "eccentric_y_um": half.get("eccentricity", 0.0),
-        "friction": half.get("friction", 0.0),
+        "steering_zero_deg": half.get(Parameter.STEERING_ZERO, 0.0),
+        "gain_percent": half.get(Parameter.WHEELBASE, 0.0) / nominal.car.wheelbase,
+        "drive_wheel_offset_mm": half.get(Parameter.DRIVE_WHEEL_OFFSET, 0.0),
+        "wheel_radius_percent": half.get(Parameter.WHEEL_RADIUS, 0.0) / radius,
+        "phase_deg": half.get(Parameter.CAM_PHASE, 0.0),
+        "rod_radius_um": half.get(Parameter.ROD_RADIUS, 0.0),
+        "cutter_offset_um": half.get(Parameter.PROFILE_OFFSET, 0.0),
+        "axial_offset_um": half.get(Parameter.INNER_FACE, 0.0),
+        "eccentric_x_um": half.get(Directed.ECCENTRICITY, 0.0),
+        "eccentric_y_um": half.get(Directed.ECCENTRICITY, 0.0),
+        "friction": half.get(Parameter.FRICTION, 0.0),
     }
     return {name: value for name, value in known.items() if value > 0}
 

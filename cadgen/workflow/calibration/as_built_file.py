@@ -62,7 +62,7 @@ def _table(calibration: Calibration) -> str:
         ]
     earlier = calibration.design.as_built
     for known in earlier.effects if earlier else ():
-        if known.place in ("car", "process"):
+        if known.place in (Place.CAR, Place.PROCESS):
             values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
             lines += _effect("cut_for", known.effect, known.kind, known.place, values)
     for built in calibration.built:

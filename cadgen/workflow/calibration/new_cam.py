@@ -34,9 +34,9 @@ def expected_of(
     gone: set[Name] = set()
     for claim, place in placed:
         name = claim.kind.code, claim.finding.effect
-        if place in ("car", "process") and not claim.absent:
+        if place in (Place.CAR, Place.PROCESS) and not claim.absent:
             taken[name] = np.array([value.value * UNITS[value.unit] for value in claim.finding.values])
-        elif place == "part":
+        elif place == Place.PART:
             gone.add(name)
     if not (taken or gone):
         return None

@@ -26,11 +26,11 @@ class Built:
     @property
     def waits(self) -> bool:
         """Whether a new cam takes it out only if the user agrees."""
-        if self.place != "noted" or self.instead or _instruments(self.claim):
+        if self.place != Place.NOTED or self.instead or _instruments(self.claim):
             return False
         finding = self.claim.finding
         repeats = all(number == round(number) for _, number in finding.indices)  # with every turn of the cam
-        return repeats and "car" in self.claim.kind.named(finding.effect, dict(finding.indices)).places
+        return repeats and Place.CAR in self.claim.kind.named(finding.effect, dict(finding.indices)).places
 
 
 def placed(claims: Sequence[Claim]) -> tuple[Built, ...]:
@@ -40,7 +40,7 @@ def placed(claims: Sequence[Claim]) -> tuple[Built, ...]:
         alike = [other for other in claims if other.quantity == claim.quantity]
         best, taken = at_work(alike)
         if best is not claim:
-            built.append(Built(claim, "noted", best))
+            built.append(Built(claim, Place.NOTED, best))
             continue
         built.append(
             Built(taken, _place(taken, alike), mean_of=() if taken is best else tuple(c.source for c in alike))
@@ -51,13 +51,13 @@ def placed(claims: Sequence[Claim]) -> tuple[Built, ...]:
 def _place(claim: Claim, alike: Sequence[Claim]) -> Place:
     """Default place of a claim: none for an effect that may be the instrument's in all kinds of data that show it."""
     if all(_instruments(other) for other in alike):
-        return "noted"
+        return Place.NOTED
     return claim.kind.named(claim.finding.effect, dict(claim.finding.indices)).places[0]
 
 
 def agreed_places(built: Sequence[Built]) -> list[Place]:
     """Places of effects once the user agrees to all that a cam can take out."""
-    return ["car" if each.waits else each.place for each in built]
+    return [Place.CAR if each.waits else each.place for each in built]
 
 
 def _instruments(claim: Claim) -> bool:

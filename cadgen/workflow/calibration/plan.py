@@ -18,6 +18,7 @@ from cadgen.deviations.names import Place
 from cadgen.errors import FileError, brief
 from cadgen.expectation.outlook import Outlook
 from cadgen.gears.kinds.spur import spur_pairs
+from cadgen.gears.names import Order
 from cadgen.gears.search import arrange
 from cadgen.measurement.calibrate import calibrate as judge
 from cadgen.measurement.calibrate import calibrate_tricycle
@@ -27,6 +28,7 @@ from cadgen.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
 from cadgen.measurement.record import Kind, Method, Record, join
 from cadgen.measurement.remarks import printed, said
 from cadgen.measurement.together import Claim, Shared, claims, no_friction, no_play, shared
+from cadgen.measurement.verdict import Verdict
 from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.progress import Progress, silent
@@ -112,7 +114,7 @@ class Calibration:
         """The files of a kind, in the order given."""
         return tuple(source for source in self.sources if source.kind is kind)
 
-    def verdict(self, kind: Kind) -> str:
+    def verdict(self, kind: Kind) -> Verdict:
         """On the files of a kind."""
         if self.zones is not None and kind is self.zones.kind:
             return self.zones.judgement.verdict
@@ -294,7 +296,7 @@ def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
     """Ratio and driven wheel's teeth of each stage, in the order that the car has; nothing without [train]."""
     if design.train is None:
         return (), ()
-    train = arrange(gear_model.train(design), design.optimize.order)[0].train
+    train = arrange(gear_model.train(design), Order(design.optimize.order))[0].train
     pairs = spur_pairs(train, "a calibration is")
     return tuple(float(pair.ratio) for pair in pairs), tuple(pair.driven.form.teeth for pair in pairs)
 
@@ -318,7 +320,12 @@ def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | N
 
 
 def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
-    """Form error to expect on the disc, um rms, and its source."""
+    """Form error to expect on the disc, um rms, and its source.
+
+    Args:
+        sources: measured files.
+        given: form error that the caller gives, um rms; None if none.
+    """
     if given is not None:
         return given, "given"
     if by := next((s for s in sources if printed(s.record)), None):

@@ -9,6 +9,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.design.section import listed
 from cadgen.deviations.friction import MEASURE_FRICTION
+from cadgen.deviations.names import Place
 from cadgen.deviations.transmission import WIND_UP
 from cadgen.expectation.outlook import WORSE, Outlook
 from cadgen.measurement.findings import (
@@ -23,6 +24,7 @@ from cadgen.measurement.findings import (
     Value,
 )
 from cadgen.measurement.together import at_work
+from cadgen.measurement.verdict import Verdict
 from cadgen.report.text import Block, Heading, Table
 from cadgen.workflow.calibration.places import Built
 from cadgen.workflow.calibration.plan import Calibration, Source
@@ -30,10 +32,10 @@ from cadgen.workflow.calibration.zone_means import ZoneMeans
 
 SIGNS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
 PLACES = {
-    "car": "stays with the car: simulate predicts with it, and a new cam is made for it",
-    "process": "every disc made this way has it: simulate predicts with it, and a new cam is cut to come right",
-    "part": "belongs to the disc that was measured: simulate predicts with it, and a new cam has it no more",
-    "noted": "recorded only: it may be the instrument's, or it is nothing that a cam can take out",
+    Place.CAR: "stays with the car: simulate predicts with it, and a new cam is made for it",
+    Place.PROCESS: "every disc made this way has it: simulate predicts with it, and a new cam is cut to come right",
+    Place.PART: "belongs to the disc that was measured: simulate predicts with it, and a new cam has it no more",
+    Place.NOTED: "recorded only: it may be the instrument's, or it is nothing that a cam can take out",
 }
 _SHOWN_CANDIDATES = 6
 
@@ -150,8 +152,8 @@ def _record(diagnosis: Diagnosis, files: Sequence[Source]) -> list[Block]:
     blocks.append(f"Fitted and never claimed: {_datum(diagnosis)}.")
     if isinstance(diagnosis, EvidenceDiagnosis) and diagnosis.discrepancy:
         blocks.append(f"Beside the effects, and never claimed: {sizes([diagnosis.discrepancy])}.")
-    verb = "decide" if diagnosis.verdict == "ambiguous" else "make sure"
-    if diagnosis.verdict not in ("unexplained", "runs disagree"):
+    verb = "decide" if diagnosis.verdict == Verdict.AMBIGUOUS else "make sure"
+    if diagnosis.verdict not in (Verdict.UNEXPLAINED, Verdict.RUNS_DISAGREE):
         blocks += [f"To {verb}, {text}." for text in j.separate]
     blocks += [f"Limit: {text}." for text in j.limits]
     blocks += ["", _candidates(diagnosis, files)]
@@ -327,7 +329,7 @@ def sentence(built: Built) -> str:
         place = f"recorded only: the {built.instead.finding.effect} from {built.instead.kind.code} stands for it"
     name = f"no {finding.effect}" if built.claim.absent else finding.effect
     signs = "; ".join(p.meaning for p in built.claim.kind.named(finding.effect, dict(finding.indices)).parameters)
-    if built.place == "noted" and built.instead is None:
+    if built.place == Place.NOTED and built.instead is None:
         place = _of_train(finding) or place
     of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
     return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."

@@ -7,6 +7,7 @@ import numpy as np
 
 from cadgen.build import variation
 from cadgen.design.schema import Design
+from cadgen.gears.names import StageOrder
 from cadgen.measurement.findings import Finding
 from cadgen.measurement.record import Kind, Record
 from cadgen.measurement.remarks import said
@@ -31,7 +32,7 @@ class ZoneMeans:
     judgement: Judgement
     finding: Finding
     zones: Zones
-    tabled: dict[str, float]
+    tabled: dict[StageOrder, float]
     shortfall: Shortfall | None
 
 

@@ -14,5 +14,6 @@
 | `wheel`     | the drive wheel that a cam is for, and the closing blend on the path      |
 | `course`    | the planned run and those with play, held against the course              |
 | `manifest`  | plan, cures and remedies as plain values                                  |
+| `job`       | what the writers of the files share, computed once                        |
 | `files`     | a checked cam -> every file, read back, rolled, published, on record      |
 """

@@ -4,10 +4,11 @@ from math import degrees, radians
 
 from cadgen.arrays import TURN
 from cadgen.build import cam_model, gear_model, variation
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.as_built import Effect
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
+from cadgen.deviations.names import Place
 
 _SIGNS = {"deg": "°", "um": " µm", "%": " %", "mm": " mm", "s": " s", "": ""}
 _OTHER_PLACES = (
@@ -18,12 +19,17 @@ _LEAST_SHIFT = radians(0.005)  # of the run's end: less than a hundredth of a de
 
 
 def as_built_sentences(design: Design, stop: float) -> list[str]:
-    """Effects that count, effects that are only noted, where to stop the run, and how to set the cam, in words."""
+    """Effects that count, effects that are only noted, where to stop the run, and how to set the cam, in words.
+
+    Args:
+        design: loaded design.
+        stop: motor position at which the run ends, rad.
+    """
     record = design.as_built
     if record is None:
         return []
     used, noted = (
-        [effect for effect in record.effects if (effect.place == "noted") is aside] for aside in (False, True)
+        [effect for effect in record.effects if (effect.place == Place.NOTED) is aside] for aside in (False, True)
     )
     lines = [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
     if noted:
@@ -62,26 +68,33 @@ def outlook_sentence(design: Design) -> str:
 
 
 def outlook_checks(design: Design) -> tuple[Check, ...]:
-    """Whether a new cam is worth its cutting, by what was measured of the car: nothing without [as_built.outlook]."""
-    outlook = design.as_built and (design.as_built.expected or design.as_built.outlook)
+    """Whether a new cam is worth its cutting, by what was measured of the car: nothing without [as_built.outlook].
+
+    The chance to be worse of other places than the effects have is no figure of this cam; it stands if it refuses one,
+    for by a change of places nothing was found that speaks for a cam.
+    """
+    known = design.as_built and design.as_built.expected
+    outlook = known or (design.as_built and design.as_built.outlook)
     if not outlook:
         return ()
     # Only here: it needs the models of all kinds of data, and most designs have no outlook.
     from cadgen.expectation.outlook import WORSE
 
     remedy = "measure what cadgen calibrate asks for, and calibrate again"
-    checks = [
-        Check(
-            CheckCode.CHANCE_WORSE,
-            "chance to be worse than the old cam",
-            100 * outlook.chance_worse,
-            "%",
-            100 * WORSE,
-            "max",
-            "end of the run",
-            remedy,
+    checks = []
+    if known or outlook.chance_worse > WORSE:
+        checks.append(
+            Check(
+                CheckCode.CHANCE_WORSE,
+                "chance to be worse than the old cam",
+                100 * outlook.chance_worse,
+                "%",
+                100 * WORSE,
+                Bound.MAX,
+                "end of the run" if known else "with the places as calibrated",
+                remedy,
+            )
         )
-    ]
     if outlook.explained is not None:
         checks.append(
             Check(
@@ -90,7 +103,7 @@ def outlook_checks(design: Design) -> tuple[Check, ...]:
                 float(outlook.explained),
                 "",
                 1.0,
-                "min",
+                Bound.MIN,
                 "1: yes, 0: no",
                 remedy,
             )

@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.build import cam_model
 from cadgen.cam.checks import check_cam
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.schema import Design
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.optimize.task import Task
@@ -53,7 +53,7 @@ def _lift_check(design: Design, evaluation: Evaluation) -> Check:
         evaluation.worst_lift_error * 1e3,
         "µm",
         inf if most is None else most,
-        "max",
+        Bound.MAX,
         f"motor {degrees(where):.2f}° (play {degrees(evaluation.play):.3f}°)",
         "the profile leaves the planned path: use --profile compensated, or raise optimize.max_lift_error_um",
     )

@@ -7,6 +7,7 @@ from math import degrees
 import numpy as np
 
 from cadgen.check import failing
+from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError
 from cadgen.optimize.band import PlayBand, over_band
@@ -43,11 +44,11 @@ def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileCh
     candidates = {
         name: Candidate(name=name, figures=_figures(checks, evaluation, band)) for name, evaluation in remaining.items()
     }
-    first = remaining[choose(list(candidates.values()), allowed, objective=deciding).best.name]
+    first = remaining[choose(list(candidates.values()), allowed, objective=deciding, unit="mm").best.name]
     refused: list[str] = []
     while remaining:
         try:
-            choice = choose([candidates[name] for name in remaining], allowed, objective=deciding)
+            choice = choose([candidates[name] for name in remaining], allowed, objective=deciding, unit="mm")
         except CheckError as error:  # those left were never allowed
             refused.append(f"of the others, {error}")
             break
@@ -98,7 +99,7 @@ def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> d
             cut=evaluation.lift,
         )
         heading, distance = at_play.worst_heading, at_play.worst_distance
-    if task.mechanics and "trim" in hardware:
+    if task.mechanics and Hardware.TRIM in hardware:
         plays = band.ends if band.measured is None else (band.measured,)
         trimmed = [trim.error for trim in trims(task, evaluation.rolled, evaluation.lift, plays, task.mechanics.cases)]
         heading = max(abs(error.end_heading) for error in trimmed)

@@ -10,6 +10,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
+from cadgen.gears.names import StageOrder
 from cadgen.motion.drive import Run, start_pose
 from cadgen.motion.errors import run_error
 from cadgen.motion.play import LEAST_SWING, Following
@@ -72,7 +73,11 @@ class PlayComparison:
         )
 
     def worst_gain(self, distance: float) -> float | None:
-        """Share by which a worst end position error `distance` (mm) is below that of `before` over its band."""
+        """Share by which a worst end position error `distance` (mm) is below that of `before` over its band.
+
+        Args:
+            distance: distance, mm.
+        """
         return _off(distance, self.before.band.worst_distance, _NO_DISTANCE)
 
     def sum_gain(self, evaluation: Evaluation) -> float | None:
@@ -83,16 +88,29 @@ class PlayComparison:
         """Whether a file whose run ends `end_distance` (mm) off gives away the gain of the profile.
 
         It does if its run ends further off than the profile's by more than 10 mm and one percent of the error before.
+
+        Args:
+            end_distance: distance of the end of the run from the planned one, mm.
         """
         error = run_error(self.run(self.before, self.chosen.play), self.task.planned())
         return end_distance - self.chosen.error.end_distance > max(_LOSS * error.end_distance, _LEAST_LOSS)
 
     def run(self, evaluation: Evaluation, play: float) -> Run:
-        """Run on a profile with any play, rad."""
+        """Run on a profile with any play, rad.
+
+        Args:
+            evaluation: profile that was compared.
+            play: return error, rad.
+        """
         return self.task.run(evaluation.rolled, play, least_swing=evaluation.least_swing, cut=evaluation.lift)
 
     def following(self, evaluation: Evaluation, play: float) -> Following:
-        """Motion of the cam with a profile that follows the motor with any play, rad."""
+        """Motion of the cam with a profile that follows the motor with any play, rad.
+
+        Args:
+            evaluation: profile that was compared.
+            play: return error, rad.
+        """
         return self.task.following(evaluation.rolled, play, least_swing=evaluation.least_swing, cut=evaluation.lift)
 
     def end_of(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> tuple[float, float]:
@@ -130,7 +148,7 @@ def task_of(design: Design, track: Track, lift: LiftCurve, follower: Follower) -
     )
 
 
-def known_trains(design: Design) -> dict[str, PlayBand]:
+def known_trains(design: Design) -> dict[StageOrder, PlayBand]:
     """Return errors of the design's train as given and, if its gears are known, reordered.
 
     Raises:

@@ -10,12 +10,13 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.build import cam_model, course_model
 from cadgen.cam.lift import LiftCurve
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
 from cadgen.course.body import Body
 from cadgen.course.course import Course
 from cadgen.course.gates import Passage, passages
 from cadgen.course.judge import Driven, Stand, judge
 from cadgen.course.laps import judge_laps
+from cadgen.course.names import Judged, ObstacleKind
 from cadgen.course.poses import Poses
 from cadgen.course.refuse import refuse_course
 from cadgen.course.sweep import Approach
@@ -32,7 +33,11 @@ _MOST_STEPS = 40_000
 _LEAST_STEPS = 360  # of a lap
 _ROUNDING = 1e-9  # rad
 _NAMED = 6  # missed gates in a sentence; of ten laps there may be a hundred
-_OF_KIND = {"post": CheckCode.COURSE_POST, "wall": CheckCode.COURSE_WALL, "zone": CheckCode.COURSE_ZONE}
+_OF_KIND = {
+    ObstacleKind.POST: CheckCode.COURSE_POST,
+    ObstacleKind.WALL: CheckCode.COURSE_WALL,
+    ObstacleKind.ZONE: CheckCode.COURSE_ZONE,
+}
 
 
 @dataclass(frozen=True)
@@ -210,7 +215,7 @@ class CourseRun:
                 room[0],
                 "mm",
                 -inf,
-                "min",
+                Bound.MIN,
                 room[1] + ("" if self.play is None else f", return error {degrees(self.play):.3f}°"),
             )
 
@@ -227,7 +232,7 @@ class CourseRun:
                     there.clearance,
                     "mm",
                     margin,
-                    "min",
+                    Bound.MIN,
                     self._by(obstacle.key, there),
                     advice,
                 )
@@ -240,7 +245,7 @@ class CourseRun:
                 driven.edge.clearance,
                 "mm",
                 margin,
-                "min",
+                Bound.MIN,
                 place,
                 advice,
             )
@@ -251,7 +256,7 @@ class CourseRun:
             place = ", ".join(f"{obstacle.key} is not passed on its {obstacle.side}" for obstacle in wrong) or "none"
             advice = "lead the path past it on the other side, or change its key side"
             yield self._check(
-                CheckCode.COURSE_SIDE, "passed on the wrong side", len(wrong), "", 0.0, "max", place, advice
+                CheckCode.COURSE_SIDE, "passed on the wrong side", len(wrong), "", 0.0, Bound.MAX, place, advice
             )
 
     def _gates(self) -> Iterator[Check]:
@@ -265,11 +270,18 @@ class CourseRun:
             place += f", and {len(missed) - _NAMED} more"
         advice = "lead the path through the gates in their order and direction, or make them wider"
         yield self._check(
-            CheckCode.COURSE_GATES, "gates passed", len(passages) - len(missed), "", len(passages), "min", place, advice
+            CheckCode.COURSE_GATES,
+            "gates passed",
+            len(passages) - len(missed),
+            "",
+            len(passages),
+            Bound.MIN,
+            place,
+            advice,
         )
         where = f"{worst.gate.key}, {worst.off:.1f} mm from its middle, {self._at(worst.place)}"
         yield self._check(
-            CheckCode.COURSE_GATE_MARGIN, "least margin of a gate", worst.margin, "mm", 0.0, "min", where, advice
+            CheckCode.COURSE_GATE_MARGIN, "least margin of a gate", worst.margin, "mm", 0.0, Bound.MIN, where, advice
         )
 
     def _stands(self) -> Iterator[Check]:
@@ -277,7 +289,7 @@ class CourseRun:
             ("start", self.driven.start, CheckCode.COURSE_START, CheckCode.COURSE_START_HEADING),
             ("finish", self.driven.finish, CheckCode.COURSE_FINISH, CheckCode.COURSE_FINISH_HEADING),
         ):
-            if stand is None or (name == "start" and self.play is not None):
+            if stand is None or (code == CheckCode.COURSE_START and self.play is not None):
                 continue
             yield from self._stand(name, stand, code, turned)
 
@@ -290,7 +302,7 @@ class CourseRun:
             stand.off,
             "mm",
             wanted.place.reach or course_model.STAND_RADIUS,  # a line has none, and rounding must not fail it
-            "max",
+            Bound.MAX,
             what,
             f"let the path {name} there, or change {wanted.key}",
         )
@@ -301,7 +313,7 @@ class CourseRun:
                 degrees(abs(stand.turned)),
                 "°",
                 degrees(wanted.heading_tolerance),
-                "max",
+                Bound.MAX,
                 what,
                 f"let the path {name} in that direction, or change {wanted.key}.heading_deg",
             )
@@ -311,14 +323,14 @@ class CourseRun:
     ) -> Check:
         if self.play is None:
             return Check(code, name, value, unit, limit, bound, place, advice)  # type: ignore[arg-type]
-        judged, finish = self.on.course.judged == "play", self.on.course.finish
+        judged, finish = self.on.course.judged == Judged.PLAY, self.on.course.finish
         cure = 'make the course keep more room, take play out of the gears, or set course.judged = "planned"'
         if code == CheckCode.COURSE_FINISH and finish is not None and len(finish.place.points) > 1:
             cure = (
                 "with play no run ends on a line: give course.finish as a disc, at_mm with a radius_mm that holds "
                 'where the runs end, or set course.judged = "planned"'
             )
-        free = inf if bound == "max" else -inf
+        free = inf if bound == Bound.MAX else -inf
         return Check(
             CheckCode(f"{code}-play"),
             f"{name}, with play",
@@ -384,4 +396,4 @@ def play_checks(on: OnCourse, comparison: PlayComparison) -> tuple[Check, ...]:
 
 
 def _worse(check: Check, other: Check) -> bool:
-    return check.value > other.value if check.bound == "max" else check.value < other.value
+    return check.value > other.value if check.bound == Bound.MAX else check.value < other.value

@@ -10,6 +10,7 @@ from cadgen.check import Check, failing
 from cadgen.design.load import with_overrides
 from cadgen.design.section import listed
 from cadgen.errors import CadgenError
+from cadgen.path.kinds.cubic import CUBIC
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, replanned_checks
 
@@ -88,7 +89,7 @@ def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
 def _tried(plan: CamPlan) -> Iterator[Cure]:
     """Try one key at a time: the spline, the blend, the rod, the base circle, and at last the limit itself."""
     design = plan.design
-    if design.path.spline == "cubic":
+    if design.path.spline == CUBIC.code:
         yield from _proved(plan, 'path.spline="quintic"', "cubic")
     now = design.cam.blend_deg
     in_blend = any(trim.after >= plan.lift.blend_start for trim in plan.trims)

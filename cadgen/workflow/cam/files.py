@@ -2,30 +2,24 @@
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
-from math import degrees
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cadgen.arrays import Array
-from cadgen.cam.checks import cam_angles
-from cadgen.cam.contact import roll, roll_curve
+from cadgen.aside import Aside
 from cadgen.cam.cutter import largest_cutter
-from cadgen.cam.difference import Exact, dense_stations
-from cadgen.cam.rolled import Contact
 from cadgen.curves.biarc import arcs
-from cadgen.curves.closed import Outline
-from cadgen.curves.inset import chamfered_off
 from cadgen.curves.spline import splines
 from cadgen.errors import CheckError, FileError
+from cadgen.export.edges import edges_note
 from cadgen.export.folder import publishing
-from cadgen.export.formats import CAM_FORMATS, chosen_formats, entry_formats, entry_name
+from cadgen.export.formats import CAM_FORMATS, Format, chosen_formats, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
-from cadgen.motion.sampled import rolled_lift
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.cures import Cures, find_cures
+from cadgen.workflow.cam.job import Job, Result
 from cadgen.workflow.cam.manifest import cam_facts
 from cadgen.workflow.cam.plan import CamPlan
 
@@ -41,117 +35,6 @@ GCODE_LIMIT_UM = 1.0
 SOLID_VOLUME_LIMIT = 1e-6
 # Greatest distance of the DXF's cubic splines from the profile, mm: a tenth of the error allowed to the lift.
 _DXF_SPLINE_TOLERANCE = 1e-4
-# Share of the chord tolerance that the rim's chords may take at a pressure angle of 0; and at least, at 87 degrees.
-_RIM_SHARE = 0.8
-_LEAST_RIM_SHARE = 0.04
-
-
-@dataclass(frozen=True)
-class _Result:
-    """A file that was written and read back; one without an outline has no error at the lift."""
-
-    name: str
-    lift_error_um: float | None
-    lift_limit_um: float | None
-    facts: dict[str, Any]
-
-
-@dataclass(frozen=True)
-class _Job:
-    """Plan, folder and formats that the writers share, with what they compute once."""
-
-    plan: CamPlan
-    staging: Path
-    formats: tuple[str, ...]
-
-    @property
-    def stem(self) -> str:
-        return f"{self.plan.design.name}_{self.plan.profile}"
-
-    @property
-    def description(self) -> str:
-        return f"steering cam, {self.plan.profile} profile, design {self.plan.design.content_hash[:12]}"
-
-    @property
-    def thickness(self) -> float:
-        inner, outer = self.plan.design.cam.faces_mm
-        return outer - inner
-
-    @property
-    def land(self) -> tuple[float, float] | None:
-        """Heights of the edges of the land above the inner face, where the rod rides, mm; None with sharp edges."""
-        return self.plan.made_blank.carrying(0.0, self.thickness) if self.plan.made_blank.edge_break else None
-
-    @cached_property
-    def cam_angle(self) -> Array:
-        return cam_angles(self.plan.lift)
-
-    @cached_property
-    def rolled(self) -> tuple[Contact, float]:
-        """Contact of the follower on the exact curve, and the step of the outline for it, mm."""
-        return roll_curve(self.plan.curve, self.plan.follower, self.cam_angle)
-
-    @property
-    def step(self) -> float:
-        """Distance of the points on an outline that is read back, mm."""
-        return self.rolled[1]
-
-    @cached_property
-    def exact(self) -> Exact:
-        """Exact curve for comparison with a file's lift, in points as close together as on an outline read back."""
-        follower = self.plan.follower
-        return Exact(self.plan.curve.outline(self.step), follower, dense_stations(follower, self.rolled[0]))
-
-    @cached_property
-    def rim_share(self) -> float:
-        """Share of the error allowed to the lift that a chord of the rim may take along its normal.
-
-        A chord that is off by e shifts the lift by e / cos(pressure angle).
-        """
-        steepest = float(np.cos(self.rolled[0].pressure_angle).min())
-        return max(_RIM_SHARE * steepest, _LEAST_RIM_SHARE)
-
-    @cached_property
-    def part(self) -> "Part":
-        """The solid, for STEP, and for its volume."""
-        from cadgen.solids.cam import cam_part
-
-        plan = self.plan
-        return cam_part(plan.curve, plan.made_blank, self.thickness, name=self.stem, description=self.description)
-
-    @cached_property
-    def volume(self) -> float:
-        """Volume for comparison with every file's, mm^3: by the profile, or with a hub that of the exact solid."""
-        from cadgen.solids.kernel import volume
-
-        if self.plan.made_blank.hub is None:
-            whole = self.plan.made_blank.disc_volume(self.plan.area, self.thickness)
-            return whole - 2 * chamfered_off(self.plan.curve, self.plan.made_blank.edge_break)
-        return volume(self.part.solid)
-
-    def result(self, name: str, outline: Outline, lift_limit_um: float, facts: dict[str, Any]) -> _Result:
-        """Roll the rod on an outline that was read back: error of the lift, and end of a run with play.
-
-        Only lifts rolled in equal steps are compared, for the error of rolling is then nearly the same in both.
-        """
-        difference, contact = self.exact.compare(outline)
-        end = self._end_of_run(outline, contact, lift_limit_um)
-        return _Result(name, difference * 1e3, lift_limit_um, {**facts, **end})
-
-    def _end_of_run(self, outline: Outline, contact: Contact, lift_limit_um: float) -> dict[str, float]:
-        comparison = self.plan.comparison
-        if comparison is None:
-            return {}
-        as_built = comparison.task.as_built
-        if as_built.shapes_discs:
-            rolled = roll(as_built.finished(outline), self.plan.follower, self.cam_angle)
-        else:
-            rolled = contact.at(np.searchsorted(contact.cam_angle, self.cam_angle))
-        # Rises and falls within the error allowed to the file are no events of the path.
-        least_swing = max(comparison.chosen.least_swing, lift_limit_um * 1e-3 / comparison.task.follower.inner)
-        lift = rolled_lift(rolled, self.plan.lift, blend_start=self.plan.lift.blend_start)
-        heading, distance = comparison.end_of(lift, least_swing)
-        return {"end_heading_deg": degrees(heading), "end_position_mm": distance}
 
 
 def write_cam(
@@ -178,23 +61,18 @@ def write_cam(
     """
     wanted = chosen_formats(formats, CAM_FORMATS)
     with publishing(out) as staging:
-        job = _Job(plan, staging, wanted)
+        job = Job(plan, staging, wanted)
         files: dict[str, Any] = {}
         omitted: dict[str, str] = {}
         warnings: list[str] = []
-        for label, make in _FORMATS.items():
-            if not any(_LABELS[ending] == label for ending in wanted):
-                continue
-            progress(f"writing and reading back {label}")
-            try:
-                results = list(make(job))
-            except CheckError as error:
+        for writer, results in _made(job, progress).items():
+            if isinstance(results, CheckError):
                 # Only a forced export comes here: the check that failed names the same cause.
-                omitted[label] = str(error)
+                omitted[writer.label] = str(results)
                 continue
             for result in results:
                 files[result.name] = _measured(job, result)
-                warnings += _loss(job, result, _REFINE[label])
+                warnings += _loss(job, result, writer.finer)
         if not files:
             raise CheckError(f"nothing can be written: {'; '.join(omitted.values())}")
         entry = {
@@ -211,9 +89,29 @@ def write_cam(
     return Written(part, entry)
 
 
+def _made(job: Job, progress: Progress) -> dict["_Writer", "list[Result] | CheckError"]:
+    """Results of each writer in turn. STEP is made aside, since the kernel alone takes as long as all other formats."""
+    wanted = [writer for writer in _WRITERS if set(writer.formats) & set(job.formats)]
+    progress(f"writing and reading back {', '.join(writer.label for writer in wanted)}")
+    # The kernel gives the volume of a hub, which every format needs.
+    apart = wanted[0] is _STEP and len(wanted) > 1 and job.plan.made_blank.hub is None
+    if not apart:
+        return {writer: _results(job, writer) for writer in wanted}
+    with Aside(partial(_results, job, _STEP)) as step:
+        rest = {writer: _results(job, writer) for writer in wanted[1:]}
+        return {_STEP: step.result(), **rest}
+
+
+def _results(job: Job, writer: "_Writer") -> "list[Result] | CheckError":
+    try:
+        return list(writer.make(job))
+    except CheckError as error:
+        return error
+
+
 def cam_solid(plan: CamPlan) -> "Part":
     """Solid of the cam, as in its STEP file."""
-    return _Job(plan, Path(), CAM_FORMATS).part
+    return Job(plan, Path(), CAM_FORMATS).part
 
 
 _FRAME = (
@@ -222,14 +120,7 @@ _FRAME = (
 )
 
 
-def edges_note(edge_break: float) -> str:
-    """Note for the shop on the edges, broken by `edge_break` mm, for files of the outline alone; empty where sharp."""
-    if edge_break == 0:
-        return ""
-    return f"afterwards break both edges of the outline by {edge_break:g} mm at 45 degrees: the rod rides between them"
-
-
-def _measured(job: _Job, result: _Result) -> dict[str, Any]:
+def _measured(job: Job, result: Result) -> dict[str, Any]:
     if result.lift_error_um is None or result.lift_limit_um is None:
         return {**file_facts(job.staging / result.name), **result.facts}
     if not result.lift_error_um <= result.lift_limit_um:
@@ -245,7 +136,7 @@ def _measured(job: _Job, result: _Result) -> dict[str, Any]:
     }
 
 
-def _loss(job: _Job, result: _Result, refine: str) -> list[str]:
+def _loss(job: Job, result: Result, refine: str) -> list[str]:
     """A warning if the file keeps its own tolerance, but loses the gain of the profile against play."""
     comparison, end = job.plan.comparison, result.facts.get("end_position_mm")
     if comparison is None or end is None or not comparison.loses(end):
@@ -256,7 +147,7 @@ def _loss(job: _Job, result: _Result, refine: str) -> list[str]:
     ]
 
 
-def _step(job: _Job) -> Iterator[_Result]:
+def _step(job: Job) -> Iterator[Result]:
     from cadgen.solids.step import read_step, step_bytes
 
     name = f"{job.stem}.step"
@@ -271,7 +162,7 @@ def _step(job: _Job) -> Iterator[_Result]:
     yield job.result(name, content.rim, STEP_LIMIT_UM, facts)
 
 
-def _meshes(job: _Job) -> Iterator[_Result]:
+def _meshes(job: Job) -> Iterator[Result]:
     from cadgen.export.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
     from cadgen.meshes.content import inspect
     from cadgen.meshes.disc import cam_mesh
@@ -280,7 +171,7 @@ def _meshes(job: _Job) -> Iterator[_Result]:
     chord = job.plan.design.export.cam_chord_um * 1e-3
     mesh = cam_mesh(job.plan.curve, job.plan.made_blank, job.thickness, chord, job.rim_share)
 
-    def read(name: str, again: Mesh) -> _Result:
+    def read(name: str, again: Mesh) -> Result:
         content = inspect(again, job.step, job.land)
         if not content.watertight or content.bodies != 1:
             raise FileError(f"{name}, read back, is not one watertight body: report this design")
@@ -295,11 +186,11 @@ def _meshes(job: _Job) -> Iterator[_Result]:
         }
         return job.result(name, content.rim, chord * 1e3, facts)
 
-    if "stl" in job.formats:
+    if Format.STL in job.formats:
         name = f"{job.stem}.stl"
         (job.staging / name).write_bytes(stl_bytes(mesh, job.stem))
         yield read(name, read_stl(job.staging / name))
-    if "3mf" not in job.formats:
+    if Format.THREE_MF not in job.formats:
         return
     name = f"{job.stem}.3mf"
     (job.staging / name).write_bytes(threemf_bytes(mesh, job.stem, job.description))
@@ -309,7 +200,7 @@ def _meshes(job: _Job) -> Iterator[_Result]:
     yield read(name, again)
 
 
-def _dxf(job: _Job) -> Iterator[_Result]:
+def _dxf(job: Job) -> Iterator[Result]:
     from cadgen.export.dxf import read_dxf, write_dxf
 
     plan = job.plan
@@ -331,7 +222,7 @@ def _dxf(job: _Job) -> Iterator[_Result]:
         yield job.result(name, drawing.profile, DXF_LIMIT_UM, facts)
 
 
-def _programs(job: _Job) -> Iterator[_Result]:
+def _programs(job: Job) -> Iterator[Result]:
     from cadgen.export.programs import Disc, programs
 
     plan, blank = job.plan, job.plan.made_blank
@@ -347,22 +238,22 @@ def _programs(job: _Job) -> Iterator[_Result]:
     tolerance = plan.design.export.arc_tolerance_um * 1e-3
     for program in programs(disc, plan.design.machining, job.staging, tolerance, job.step):
         if program.outline is None:
-            yield _Result(program.name, None, None, program.facts)
+            yield Result(program.name, None, None, program.facts)
         else:
             yield job.result(program.name, program.outline, GCODE_LIMIT_UM, program.facts)
 
 
-def _points(job: _Job) -> Iterator[_Result]:
+def _points(job: Job) -> Iterator[Result]:
     from cadgen.export.points import contact_outline, contact_rows, read_csv, read_xyz, write_csv, write_xyz
 
     plan = job.plan
     count = plan.design.export.point_count
-    if "xyz" in job.formats:
+    if Format.XYZ in job.formats:
         name = f"{job.stem}.xyz"
         write_xyz(job.staging / name, plan.curve, count)
         cloud = read_xyz(job.staging / name, job.step)
         yield job.result(name, cloud, POINTS_LIMIT_UM, {"points": count})
-    if "csv" not in job.formats:
+    if Format.CSV not in job.formats:
         return
     name = f"{job.stem}.csv"
     contact = contact_rows(plan.curve, plan.follower, count, job.rim_share * POINTS_LIMIT_UM * 1e-3)
@@ -373,28 +264,28 @@ def _points(job: _Job) -> Iterator[_Result]:
     yield replace(result, lift_error_um=max(result.lift_error_um or 0.0, column))
 
 
-_FORMATS: dict[str, Callable[[_Job], Iterator[_Result]]] = {
-    "STEP": _step,
-    "STL and 3MF": _meshes,
-    "DXF": _dxf,
-    "G-code": _programs,
-    "points": _points,
-}
-# The endings of the files -> what makes them.
-_LABELS = {
-    "step": "STEP",
-    "stl": "STL and 3MF",
-    "3mf": "STL and 3MF",
-    "dxf": "DXF",
-    "nc": "G-code",
-    "xyz": "points",
-    "csv": "points",
-}
-# What makes the files of a format finer.
-_REFINE = {
-    "STEP": "report this design",
-    "STL and 3MF": "lower export.mesh_chord_um",
-    "DXF": "lower export.arc_tolerance_um",
-    "G-code": "lower export.arc_tolerance_um",
-    "points": "raise export.point_count",
-}
+@dataclass(frozen=True)
+class _Writer:
+    """Files of one or two formats that are made together.
+
+    Attributes:
+        label: name of the formats for people.
+        formats: formats that it makes.
+        make: function that writes the files, reads them back and yields what they hold.
+        finer: change that makes them finer, in words.
+    """
+
+    label: str
+    formats: tuple[Format, ...]
+    make: Callable[[Job], Iterator[Result]]
+    finer: str
+
+
+_STEP = _Writer("STEP", (Format.STEP,), _step, "report this design")
+_WRITERS = (
+    _STEP,
+    _Writer("STL and 3MF", (Format.STL, Format.THREE_MF), _meshes, "lower export.mesh_chord_um"),
+    _Writer("DXF", (Format.DXF,), _dxf, "lower export.arc_tolerance_um"),
+    _Writer("G-code", (Format.GCODE,), _programs, "lower export.arc_tolerance_um"),
+    _Writer("points", (Format.XYZ, Format.CSV), _points, "raise export.point_count"),
+)

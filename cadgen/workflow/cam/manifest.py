@@ -8,6 +8,7 @@ from cadgen.build import cam_model, gear_model, variation
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check
 from cadgen.design.schema import Design
+from cadgen.deviations.names import Place
 from cadgen.motion.mechanics import MechanicsBand
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.optimize.remedies import holding
@@ -188,7 +189,7 @@ def as_built_facts(design: Design, stop: float) -> dict[str, Any] | None:
         [
             effect.model_dump(mode="json", exclude_none=True)
             for effect in record.effects
-            if (effect.place == "noted") is aside
+            if (effect.place == Place.NOTED) is aside
         ]
         for aside in (False, True)
     )

@@ -8,7 +8,8 @@ from cadgen.build import cam_model, variation
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.lift import LiftCurve
-from cadgen.check import Check, CheckCode
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.motion.errors import run_error
@@ -68,14 +69,14 @@ def mechanics_checks(
         need = holding(lift, band)
         ahead = max(need.with_friction - band.drag[0], 0.0)
         place = f"cam angle {degrees(need.cam_angle):.1f}°"
-        checks.append(Check(CheckCode.CAM_RUNS_AHEAD, "cam runs ahead", ahead, "N·mm", inf, "max", place))
+        checks.append(Check(CheckCode.CAM_RUNS_AHEAD, "cam runs ahead", ahead, "N·mm", inf, Bound.MAX, place))
         if band.drag[1] > 0 and need.torque > 0:
             # A figure, not a verdict: 1 and more holds.
             margin = 0.0 if band.behind > 0 else band.drag[0] / need.torque
             where = f"times what is needed, {need.torque:.3g} N·mm without friction"
             if band.behind > 0:
                 where = f"nothing holds the disc's {degrees(band.behind):.3f}° of play on its shaft"
-            checks.append(Check(CheckCode.CAM_HOLDS, "cam holds", margin, "", -inf, "min", where))
+            checks.append(Check(CheckCode.CAM_HOLDS, "cam holds", margin, "", -inf, Bound.MIN, where))
     keys = cam_model.rod_keys(design)
     if keys is not None and keys.width_mm is not None:
         checks.append(
@@ -85,7 +86,7 @@ def mechanics_checks(
                 touched_width(lift, rod_of(follower, "the width of a bearing")),
                 "mm",
                 keys.width_mm,
-                "max",
+                Bound.MAX,
                 "length that touches the disc in a turn",
                 "the bearing leaves the disc: take a wider one, or two side by side, and set follower.width_mm",
             )
@@ -120,7 +121,7 @@ def border_sentences(design: Design, task: Task, chosen: Evaluation, band: PlayB
             f"{need.torque:.3g} N·mm at {degrees(need.cam_angle):.1f}°, for a rod force of {known.rod_force:g} N; it "
             f"takes {need.energy:.2g} J a turn. The cam is made for that."
         )
-    if "trim" in (design.optimize.hardware or ()):
+    if Hardware.TRIM in (design.optimize.hardware or ()):
         lines.append(
             "Do: after a trial run set the micrometer of the base radius so that the end is met; the choice goes by "
             "the ends after that trim, the figures in the table are before it."

@@ -11,6 +11,7 @@ from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Check, failing
+from cadgen.course.names import Side
 from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.turned import turned
 from cadgen.design.schema import Design
@@ -26,6 +27,7 @@ from cadgen.optimize.profiles.profile import Profile
 from cadgen.optimize.profiles.table import codes, profile_of
 from cadgen.optimize.task import TrainTask
 from cadgen.parts.blank import Blank
+from cadgen.parts.names import Face
 from cadgen.path.track import Track
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.as_built import outlook_checks
@@ -115,9 +117,9 @@ class CamPlan:
     def made_blank(self) -> Blank:
         """Features of the disc as files show it: from the car's left, which is the inner face of a cam on the right."""
         blank = self.blank
-        if self.design.cam.side != "right" or blank.hub is None:
+        if self.design.cam.side != Side.RIGHT or blank.hub is None:
             return blank
-        return replace(blank, hub=replace(blank.hub, side="inner" if blank.hub.side == "outer" else "outer"))
+        return replace(blank, hub=replace(blank.hub, side=Face.INNER if blank.hub.side == Face.OUTER else Face.OUTER))
 
     @property
     def follower(self) -> Follower:

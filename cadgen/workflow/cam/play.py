@@ -5,8 +5,10 @@ from math import degrees
 
 from cadgen.arrays import TURN
 from cadgen.check import failing
+from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
+from cadgen.gears.names import StageOrder
 from cadgen.motion.play import falls
 from cadgen.optimize.evaluate import Evaluation, evaluate, evaluate_measured
 from cadgen.optimize.profiles.actual import ACTUAL
@@ -50,7 +52,7 @@ def against_play(
     works = {name: TrainTask(task, name, band) for name, band in known_trains(design).items()}
     order, first = design.optimize.order, next(iter(works))
     work = works[order]
-    compared_on: dict[str, tuple[Evaluation, ...]] = {}
+    compared_on: dict[StageOrder, tuple[Evaluation, ...]] = {}
     reasons: list[str] = []
     for name, on_train in works.items():
         if name == order or all_trains:
@@ -129,7 +131,7 @@ def _lost_sentences(task: Task, chosen: Evaluation) -> list[str]:
 def _with_friction(design: Design, task: Task) -> str:
     """Advice where friction keeps every profile from its limit; empty if it does not apply."""
     known = task.mechanics
-    if known is None or known.friction[1] == 0 or "drag" in (design.optimize.hardware or ()):
+    if known is None or known.friction[1] == 0 or Hardware.DRAG in (design.optimize.hardware or ()):
         return ""
     return (
         "; with friction no profile gives the lift wanted on each fall, but a brake on the disc does: --set "
@@ -137,7 +139,7 @@ def _with_friction(design: Design, task: Task) -> str:
     )
 
 
-def _other_order(works: Mapping[str, TrainTask], profile: Profile, checks: ProfileChecks) -> str:
+def _other_order(works: Mapping[StageOrder, TrainTask], profile: Profile, checks: ProfileChecks) -> str:
     """Advice on another order of the train's stages that keeps the limits and the checks; empty if there is none."""
     for name, work in works.items():
         try:

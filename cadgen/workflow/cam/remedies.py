@@ -8,10 +8,12 @@ import numpy as np
 from cadgen.build import cam_model, variation
 from cadgen.cam.checks import check_cam
 from cadgen.cam.envelope import actual_profile
+from cadgen.cam.followers.rod_kind import RodMaterial
 from cadgen.cam.lift import LiftCurve
 from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
+from cadgen.gears.names import StageOrder
 from cadgen.motion.friction import BEARING
 from cadgen.motion.mechanics import Mechanics, MechanicsBand
 from cadgen.optimize.band import PlayBand, best_for_band, over_band
@@ -132,9 +134,9 @@ def remedies(design: Design, comparison: PlayComparison, progress: Progress = si
 def _reordered(sheet: _Sheet) -> list[Remedy]:
     """The plain cam on the train with its stages in the other order."""
     bands = known_trains(sheet.design)
-    if "reordered" not in bands or sheet.design.optimize.order == "reordered":
+    if StageOrder.REORDERED not in bands or sheet.design.optimize.order == StageOrder.REORDERED:
         return []
-    lift, plays = sheet.task.lift, list(bands["reordered"].ends)
+    lift, plays = sheet.task.lift, list(bands[StageOrder.REORDERED].ends)
     build = "the train with its stages reordered: --set optimize.order=reordered"
     return [sheet.row("plain cam, reordered", lift, lift, sheet.known.cases, plays=plays, build=build)]
 
@@ -199,7 +201,7 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
     """A ball bearing on the rod, and a cam for its radius, compensated."""
     task, design = sheet.task, sheet.design
     keys = cam_model.rod_keys(design)
-    if keys is None or keys.material == "ball_bearing":
+    if keys is None or keys.material == RodMaterial.BALL_BEARING:
         return []
     fitting = bearing_for(task.lift, task.follower)
     if fitting is None:

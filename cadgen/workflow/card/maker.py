@@ -13,13 +13,14 @@ from cadgen.cam.followers.rod import LeaningRod, rod_of
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.rolled import Contact
 from cadgen.course.course import Course
+from cadgen.course.names import Judged
 from cadgen.course.scaled import Draw
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design.schema import Design
 from cadgen.draws.drawn import Drawn, steering_check
 from cadgen.draws.error import Target, planned_point
 from cadgen.draws.knobs import Setting
-from cadgen.draws.search import best_setting, first_guess
+from cadgen.draws.search import best_settings, first_guess
 from cadgen.draws.steering import Steering, moved_rod
 from cadgen.motion.drive import Pose, Run, drive, turns_of
 from cadgen.motion.sampled import rolled_lift
@@ -50,23 +51,30 @@ class Maker:
     tries: int = TRIES
 
     def drawn(self, spacing: float) -> Drawn:
-        """Setting for a spacing (mm) with the least error that keeps the course; else the one nearest to keeping it."""
+        """Setting for a spacing (mm) with the least error that keeps the course; else the one nearest to keeping it.
+
+        Args:
+            spacing: spacing that is drawn, mm.
+        """
         design, track = self._design, self.cam.track
         target = draw_model.target(design, track, self.draw, spacing, self._nodes, self._motor, self._steering)
         knobs = draw_model.knobs(design, track, self._start(spacing))
         weights = np.ones(len(self._motor))
         middle = (self._rod.inner + self._rod.outer) / 2
         begin = first_guess(knobs, middle, track.turn, spacing / self.draw.stated)
-        rows = []
+        rows: list[Drawn] = []
         for _ in range(self.tries):
-            found = best_setting(target, knobs, begin, weights)
-            row, places = self._driven(spacing, target, found.setting)
-            rows.append(row)
-            if not places:
-                break
-            for place in places:
+            near = best_settings(target, knobs, begin, weights)
+            wrong: list[float] = []  # of the best
+            for found in near:
+                row, places = self._driven(spacing, target, found.setting)
+                rows.append(row)
+                if not places:
+                    return min(rows, key=lambda each: each.merit)
+                wrong = wrong or places
+            for place in wrong:
                 weights[np.abs(self._motor - place) < _ABOUT * self._motor[-1]] *= _HEAVIER
-            begin = found.setting.values
+            begin = near[0].setting.values
         return min(rows, key=lambda each: each.merit)
 
     def _start(self, spacing: float) -> tuple[float, float, float]:
@@ -144,7 +152,7 @@ class Maker:
             lift = rolled_lift(contact, self.cam.lift, blend_start=self._wanted.blend_start)
             comparison = _moved(self.cam.comparison, lift, start, length)
             with_play = self._end_with_play(comparison, spacing)
-            if self._course.judged == "play":
+            if self._course.judged == Judged.PLAY:
                 checks += play_checks(on, comparison)
         checks += riding_checks(lift, rod, contact, self.cam.blank, cam_model.check_limits(self._design))
         worst = int(np.argmax(off))

@@ -5,9 +5,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from cadgen.arrays import TURN
+from cadgen.course.names import Side
 from cadgen.curves.biarc import arcs
 from cadgen.drawing.cam import EVERY, CamPart, cam_drawing
 from cadgen.drawing.sheet import Drawing
+from cadgen.measurement.record import Direction
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.drawing.title import Folder, bore_class, title_of
 
@@ -42,7 +44,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> Drawing:
         thickness=outer - inner,
         bore_fit=bore_class(design.blank.bore_fit),
         profile_tolerance=offset or None,
-        face="inner face" if design.cam.side == "right" else "outer face",
+        face="inner face" if design.cam.side == Side.RIGHT else "outer face",
         files=folder.files(stem, design.content_hash, _ENDINGS),
         notes=tuple(_notes(plan)),
     )
@@ -73,6 +75,9 @@ def inspection_csv(plan: CamPlan) -> str:
         "run,direction,cam_angle_deg,lift_mm",
     ]
     for run in range(1, _RUNS + 1):
-        for direction, angles in (("forward", range(0, 360, _STEP)), ("reverse", range(360 - _STEP, -1, -_STEP))):
+        for direction, angles in (
+            (Direction.FORWARD, range(0, 360, _STEP)),
+            (Direction.REVERSE, range(360 - _STEP, -1, -_STEP)),
+        ):
             lines += [f"{run},{direction},{angle}," for angle in angles]
     return "\n".join(lines) + "\n"

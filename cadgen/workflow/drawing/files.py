@@ -15,7 +15,7 @@ from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan
 from cadgen.workflow.drawing import cam as cam_sheets
 from cadgen.workflow.drawing import train as train_sheets
-from cadgen.workflow.drawing.title import Folder
+from cadgen.workflow.drawing.title import Folder, not_stated
 from cadgen.workflow.gears.plan import GearsPlan
 
 # Greatest difference of a dimension in a file from that of the part, mm: rounding.
@@ -79,10 +79,17 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
             "date": folder.date,
             "versions": versions(),
             **({"omitted": omitted} if omitted else {}),
+            **({"not_stated": open_} if (open_ := _open(parts)) else {}),
             "files": files,
         }
         write_manifest(staging, parts.stem, entry)
     return Written(parts.stem, entry)
+
+
+def _open(parts: Parts) -> dict[str, str]:
+    if parts.cam is not None:
+        return not_stated(parts.cam.design, cam=True)
+    return {} if parts.train is None else not_stated(parts.train.design, cam=False)
 
 
 def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, Drawing]]:

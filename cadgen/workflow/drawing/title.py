@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from cadgen.design.drawing import DrawingText
-from cadgen.design.schema import TrainDesign
+from cadgen.design.schema import Design, TrainDesign
 from cadgen.drawing.sheet import Title
 from cadgen.errors import FileError
 from cadgen.export.manifest import NAME, sound_parts
@@ -80,6 +80,24 @@ def title_of(design: TrainDesign, part: str, material: str, number: str, folder:
         design=f"{design.name} {design.content_hash[:_HASH]}",
         number=number,
     )
+
+
+def not_stated(design: TrainDesign, *, cam: bool) -> dict[str, str]:
+    """Facts that the sheets leave open, each with the key of the design that states it.
+
+    Args:
+        design: design that is drawn.
+        cam: whether its cam is drawn, and not its train alone.
+    """
+    keys: dict[str, tuple[str, object]] = {}
+    if cam and isinstance(design, Design):
+        keys = {
+            "material": ("blank.material", design.blank.material),
+            "fit of the bore": ("blank.bore_fit", design.blank.bore_fit),
+            "tolerance of the outline": ("tolerances.profile_offset_mm", design.tolerances.profile_offset_mm),
+        }
+    keys["finish"] = ("drawing.finish", design.drawing and design.drawing.finish)
+    return {name: key for name, (key, value) in keys.items() if not value}
 
 
 def bore_class(fit: str | None) -> str:

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from cadgen.aside import Aside
 from cadgen.errors import DesignError, FileError
 from cadgen.export.folder import publishing
-from cadgen.export.formats import TRAIN_FORMATS, chosen_formats, entry_formats, entry_name
+from cadgen.export.formats import TRAIN_FORMATS, Format, chosen_formats, entry_formats, entry_name
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.gears.engaged import LEAST_OVERLAP, PLAY_LIMIT_UM, cycle
 from cadgen.gears.layout import TrainLayout, TrainPart
@@ -110,8 +111,8 @@ def write_train(
     makers = {ending: (label, partial(make, plan, plan.stem)) for ending, (label, make) in _MAKERS.items()}
     wanted = chosen_formats(formats, TRAIN_FORMATS)
     teeth = sum(gear.outline.repeats for part in plan.layout.parts for gear in part.gears)
-    if "step" in wanted and teeth > MOST_STEP_TEETH:
-        others = ",".join(ending for ending in TRAIN_FORMATS if ending != "step")
+    if Format.STEP in wanted and teeth > MOST_STEP_TEETH:
+        others = ",".join(ending for ending in TRAIN_FORMATS if ending != Format.STEP)
         raise DesignError(
             f"the gears of train.stages have {teeth} teeth together, too many for STEP, which takes at most "
             f"{MOST_STEP_TEETH}: give them fewer teeth, or write the formats {others}"
@@ -123,8 +124,8 @@ def publish(
     part: str,
     facts: dict[str, Any],
     frame: str,
-    makers: Mapping[str, tuple[str, Callable[[Path], Iterator[Result]]]],
-    wanted: Sequence[str],
+    makers: Mapping[Format, tuple[str, Callable[[Path], Iterator[Result]]]],
+    wanted: Sequence[Format],
     out: Path,
     progress: Progress,
 ) -> Written:
@@ -134,9 +135,9 @@ def publish(
         part: name of the entry of all formats.
         facts: facts on the part, as plain values.
         frame: position of the part in its files, a sentence.
-        makers: label and function for each ending; the function writes files into a folder, reads them back and yields
+        makers: label and function for each format; the function writes files into a folder, reads them back and yields
             their facts.
-        wanted: endings to write, some of those of `makers`.
+        wanted: formats to write, some of those of `makers`.
         out: folder for the files; nothing appears in it unless everything succeeded.
         progress: function that is called with a few words on each step.
 
@@ -144,12 +145,11 @@ def publish(
         FileError: a file cannot be written, or holds something else when it is read back.
     """
     with publishing(out) as staging:
-        files: dict[str, dict[str, Any]] = {}
-        for ending in wanted:
-            label, make = makers[ending]
-            progress(f"writing and reading back {label}")
-            for name, of_file in make(staging):
-                files[name] = {**file_facts(staging / name), **of_file}
+        progress(f"writing and reading back {', '.join(makers[ending][0] for ending in wanted)}")
+        # The first is STEP, if that is wanted: the kernel takes far longer than all else.
+        with Aside(partial(_made, makers, wanted[1:], staging)) as rest:
+            made = [*_made(makers, wanted[:1], staging), *rest.result()]
+        files = {name: {**file_facts(staging / name), **of_file} for name, of_file in made}
         entry = {
             **facts,
             **entry_formats(tuple(wanted), tuple(makers)),
@@ -166,37 +166,41 @@ def publish(
 Result = tuple[str, dict[str, Any]]
 
 
+def _made(
+    makers: Mapping[Format, tuple[str, Callable[[Path], Iterator[Result]]]], endings: Sequence[Format], staging: Path
+) -> list[Result]:
+    return [result for ending in endings for result in makers[ending][1](staging)]
+
+
 def _step_files(plan: PlannedTrain, stem: str, staging: Path) -> Iterator[Result]:
     """The assembly through the kernel, each part through its own text, which must be that of the assembly's solid."""
+    from cadgen.solids.gear_text import solids_in
     from cadgen.solids.train import assembly_bytes, read_assembly, train_parts
 
     name = f"{stem}_train.step"
     parts = train_parts(plan.layout, stem, plan.description)
-    (staging / name).write_bytes(assembly_bytes(parts, plan.layout, f"{stem}_train", plan.description))
-    whole = _assembly(plan, name, read_assembly(staging / name), parts)
-    contents, results = _part_files(plan, staging, parts, name)
+    with Aside(partial(_part_files, plan, staging, parts)) as aside:
+        (staging / name).write_bytes(assembly_bytes(parts, plan.layout, f"{stem}_train", plan.description))
+        whole = _assembly(plan, name, read_assembly(staging / name), parts)
+        contents = aside.result()
+    in_assembly = solids_in((staging / name).read_text(encoding="ascii"))
+    for part, content, solid in zip(parts, contents, in_assembly, strict=True):
+        _require(content.solid == solid, f"{part.name}.step", "is not the solid of the assembly")
     yield name, {**whole, **_in_mesh(plan, name, [content.sections for content in contents])}
-    yield from results
+    for part, content in zip(parts, contents, strict=True):
+        yield f"{part.name}.step", tooth_errors(f"{part.name}.step", content)
 
 
-def _part_files(
-    plan: PlannedTrain, staging: Path, parts: Sequence[Part], assembly: str
-) -> tuple[list[GearContent], list[Result]]:
-    from cadgen.solids.gear_text import read_gear, solids_in
+def _part_files(plan: PlannedTrain, staging: Path, parts: Sequence[Part]) -> list[GearContent]:
+    from cadgen.solids.gear_text import read_gear
     from cadgen.solids.step import step_bytes
 
-    in_assembly = solids_in((staging / assembly).read_text(encoding="ascii"))
-    contents: list[GearContent] = []
-    results: list[Result] = []
-    for part, placed, solid in zip(parts, plan.layout.parts, in_assembly, strict=True):
+    contents = []
+    for part, placed in zip(parts, plan.layout.parts, strict=True):
         file = staging / f"{part.name}.step"
         file.write_bytes(step_bytes(part))
-        content = read_gear(file, placed.gears, placed.starts)
-        if content.solid != solid:
-            raise FileError(f"{file.name}, read back, is not the solid of the assembly: report this design")
-        contents.append(content)
-        results.append((file.name, tooth_errors(file.name, content)))
-    return contents, results
+        contents.append(read_gear(file, placed.gears, placed.starts))
+    return contents
 
 
 def tooth_errors(name: str, content: GearContent) -> dict[str, Any]:
@@ -278,6 +282,12 @@ def _stl_files(plan: PlannedTrain, stem: str, staging: Path) -> Iterator[Result]
 def write_stl(part: TrainPart, staging: Path, stem: str, chord: float) -> Result:
     """Write and read back the mesh of a part in its own frame; `chord` is its greatest chord error, mm.
 
+    Args:
+        part: part of the train.
+        staging: folder for the file.
+        stem: name of the file without its ending.
+        chord: greatest chord error, mm.
+
     Raises:
         FileError: the file holds something else when it is read back.
     """
@@ -349,8 +359,8 @@ def _require(holds: bool, name: str, fault: str) -> None:
 
 
 # For each ending of files, a label for the progress and the function that makes the files.
-_MAKERS: dict[str, tuple[str, Callable[[PlannedTrain, str, Path], Iterator[Result]]]] = {
-    "step": ("STEP", _step_files),
-    "stl": ("STL", _stl_files),
-    "csv": ("tables", _tables),
+_MAKERS: dict[Format, tuple[str, Callable[[PlannedTrain, str, Path], Iterator[Result]]]] = {
+    Format.STEP: ("STEP", _step_files),
+    Format.STL: ("STL", _stl_files),
+    Format.CSV: ("tables", _tables),
 }

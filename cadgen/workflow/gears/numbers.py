@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from cadgen.build.gear_model import usual_chord
 from cadgen.check import Check
 from cadgen.errors import FileError
-from cadgen.export.formats import GEAR_FORMATS, chosen_formats
+from cadgen.export.formats import GEAR_FORMATS, Format, chosen_formats
 from cadgen.export.manifest import Written
 from cadgen.gears.blank import gear_body
 from cadgen.gears.inspection import inspection_of
@@ -171,8 +171,8 @@ def write_gear(
         FileError: a file cannot be written, or holds something else when it is read back.
     """
     makers = {
-        "step": ("STEP", partial(_step_file, form, part, name)),
-        "stl": ("STL", partial(_stl_file, part, name)),
+        Format.STEP: ("STEP", partial(_step_file, form, part, name)),
+        Format.STL: ("STL", partial(_stl_file, part, name)),
     }
     wanted = chosen_formats(formats, GEAR_FORMATS)
     return publish(f"{name}_gear", gear_facts(form, part, name), _FRAME, makers, wanted, out, progress)

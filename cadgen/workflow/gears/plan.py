@@ -13,7 +13,7 @@ from cadgen.gears.joints import WholePlay
 from cadgen.gears.kinds.spur import GearPair, spur_pairs
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.limits import SearchLimits
-from cadgen.gears.names import Order
+from cadgen.gears.names import Order, Thinning
 from cadgen.gears.search import TrainSearch, arrange
 from cadgen.gears.stage import Departure, Stage, Wheel
 from cadgen.gears.train import Train, TrainPlay, teeth_of, train_play
@@ -106,7 +106,7 @@ class GearsPlan:
         return gear_model.mesh_chord(self.design, gears)
 
 
-def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progress = silent) -> GearsPlan:
+def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Progress = silent) -> GearsPlan:
     """Compute the train of a design in an order, lay it out, and measure its teeth in mesh.
 
     Args:
@@ -121,9 +121,9 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progres
     """
     gear_model.train_keys(design)
     designed = gear_model.train(design)
-    progress("computing play and return error" if order != "search" else "searching trains")
+    progress("computing play and return error" if order != Order.SEARCH else "searching trains")
     designed_play, designed_standard = train_play(designed), _by_the_standard(designed)
-    limits = gear_model.search_limits(design, designed) if order == "search" else None
+    limits = gear_model.search_limits(design, designed) if order == Order.SEARCH else None
     ranked = arrange(designed, order, limits)
     trains = _Candidates(ranked, limits, design)
     made, skipped = _first_made(design, designed, trains, _baseline(order, designed_play, designed_standard), progress)
@@ -150,7 +150,7 @@ def plan_gears(design: TrainDesign, order: Order = "as-given", progress: Progres
 
 
 def _baseline(order: Order, designed: TrainPlay, designed_standard: TrainPlay | None) -> TrainPlay:
-    return designed_standard if order == "search" and designed_standard is not None else designed
+    return designed_standard if order == Order.SEARCH and designed_standard is not None else designed
 
 
 def _by_the_standard(train: Train) -> TrainPlay | None:
@@ -289,9 +289,9 @@ def _thinning_notes(design: TrainDesign, made: MadeTrain) -> tuple[str, ...]:
             f"E_sn = {keys.E_sn_um:g} µm is the design's own: teeth are cut within T_sn / 2 = {min(widths) / 2:.0f} to"
             f" {max(widths) / 2:.0f} µm of it, {zone}",
         )
-    if keys.thinning == "middle":
+    if keys.thinning == Thinning.MIDDLE:
         return ()
-    limit = "upper limit E_sns" if keys.thinning == "least" else "lower limit E_sni"
+    limit = "upper limit E_sns" if keys.thinning == Thinning.LEAST else "lower limit E_sni"
     return (f"teeth are cut to the {limit} of their grade, within T_sn / 2 of it, {zone}",)
 
 

@@ -1,21 +1,26 @@
-"""A path planned, run through the exact chain with all its checks, and planned again with what they ask for."""
+"""A path planned, run through the exact chain with all its checks, and planned again with what they ask for.
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+Of several such paths, with more and more room at gates and obstacles, the one is kept that most cars drive (`cars`).
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from math import ceil, pi
 from pathlib import Path
 
 import numpy as np
 
+from cadgen.arrays import Array
 from cadgen.build import cam_model, course_model, draw_model, gear_model
 from cadgen.course.body import place_of
+from cadgen.course.names import Judged
 from cadgen.course.poses import Poses
 from cadgen.course.refuse import refuse_course
 from cadgen.design.load import design_of
 from cadgen.design.planned import planned_text, rounded
 from cadgen.design.schema import Design
 from cadgen.draws.drawn import Drawn
-from cadgen.errors import CheckError
+from cadgen.errors import CheckError, DesignError
 from cadgen.path.track import Track
 from cadgen.planner.gates import is_exact
 from cadgen.planner.plan import Plan
@@ -26,6 +31,7 @@ from cadgen.planner.task import Task
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
 from cadgen.workflow.card.plan import card_of
+from cadgen.workflow.planning.cars import ALL, REFINED, Cars, Tried, best, cars_on, saturated, tried
 from cadgen.workflow.planning.task import task_of
 
 # Of plan and exact chain; most plans need one. More where other runs than the planned one must keep the course.
@@ -44,6 +50,9 @@ class Wanted:
         calm: track whose curvature's slopes are not to be exceeded; None without.
         seeds: number of searches; the best one counts.
         map_with: function like the built-in `map` that runs several searches.
+        replaced: design with the path that the plan takes the place of; None without.
+        reserve: room at gates and obstacles besides their margins, as a factor on the scatter of cars; None to choose
+            it by the share of the cars that keep the course.
     """
 
     near: Track | None = None
@@ -51,6 +60,8 @@ class Wanted:
     calm: Track | None = None
     seeds: int = 1
     map_with: Callable[..., Iterable[Plan]] | None = None
+    replaced: Design | None = None
+    reserve: float | None = None
 
 
 @dataclass(frozen=True)
@@ -66,6 +77,10 @@ class PlannedPath:
         reasons: why the course cannot be driven; empty if it can.
         failed: sentence on a limit of [optimize] that no profile keeps; empty if there is one.
         drawn: settings with which the path was driven at some of the spacings that can be drawn; empty without them.
+        kept: what was kept from the limits besides.
+        cars: cars within the tolerances on this path, on that before it, and on others; None if nothing varies or the
+            course holds nothing that cars could miss.
+        no_cars: why the cars cannot be reckoned, in a sentence; empty if they can.
     """
 
     design: Design
@@ -76,6 +91,9 @@ class PlannedPath:
     reasons: tuple[Reason, ...] = ()
     failed: str = ""
     drawn: tuple[Drawn, ...] = ()
+    kept: Reserve = field(default_factory=Reserve)
+    cars: Cars | None = None
+    no_cars: str = ""
 
     @property
     def passed(self) -> bool:
@@ -86,6 +104,17 @@ class PlannedPath:
     def wheel_radius(self) -> float | None:
         """Radius of the drive wheel that the plan chose, mm; None if it was given or follows from the path."""
         return None if self.cam is None else _chosen_radius(self.design, self.task, self.plan)
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """Everything that a path is planned for; arguments of `plan_design`."""
+
+    design: Design
+    text: str
+    drawn: Track | None
+    wanted: Wanted
+    progress: Progress
 
 
 def plan_design(
@@ -104,14 +133,71 @@ def plan_design(
         DesignError: the design has no course or no start, or its values cannot be.
     """
     _refuse_course(design)
-    rounds = _MORE_ROUNDS if design.course is not None and design.course.judged == "play" else _ROUNDS
+    asked = _Asked(design, text, drawn, wanted, progress)
+    path = _planned(asked, Reserve())
+    if not path.passed or path.cam is None:
+        return path
+    try:
+        first = tried(path.cam, 0.0)
+    except DesignError as error:
+        return replace(path, no_cars=str(error))
+    if first is None:
+        return path
+    return _chosen(asked, path, path.cam, first)
+
+
+def _chosen(asked: _Asked, path: PlannedPath, cam: CamPlan, cars: Tried) -> PlannedPath:
+    """The path that most cars keep the course on, of one without room for their scatter and others with more and more.
+
+    Args:
+        asked: what a path is planned for.
+        path: the first, without such room.
+        cam: its cam.
+        cars: cars on it.
+    """
+    wanted, found = asked.wanted, [(path, cam, cars)]
+    factors = REFINED if cars.kept < ALL else ()
+    if wanted.reserve is not None:
+        factors = (wanted.reserve,) if wanted.reserve > 0 else ()
+    for factor in factors:
+        asked.progress(f"planning with room for {factor:g} times the scatter of the cars")
+        last, _, known = found[-1]
+        path = _planned(asked, last.kept, known.spare(factor), rounded(last.plan.path.points))
+        more = None if path.cam is None or not path.passed else tried(path.cam, factor)
+        if path.cam is not None and more is not None:
+            found.append((path, path.cam, more))
+        elif wanted.reserve is not None:
+            return path
+        if wanted.reserve is None and saturated([each for _, _, each in found]):
+            break
+    every = [cars for _, _, cars in found]
+    number = best(every) if wanted.reserve is None else len(found) - 1
+    path, cam, _ = found[number]
+    return replace(path, cars=cars_on(cam, wanted.replaced, every, number, asked.progress))
+
+
+def _planned(
+    asked: _Asked, reserve: Reserve, spare: Mapping[str, float] | None = None, begin: Array | None = None
+) -> PlannedPath:
+    """Plan a path, with what its checks ask for.
+
+    Args:
+        asked: what it is planned for.
+        reserve: kept from the limits from the beginning.
+        spare: distance to keep besides where it costs little, by the keys of gates and obstacles, mm.
+        begin: control points to go on from, shape (n, 2), mm; None to plan from scratch.
+    """
+    design, wanted, progress = asked.design, asked.wanted, asked.progress
+    rounds = _MORE_ROUNDS if design.course is not None and design.course.judged == Judged.PLAY else _ROUNDS
     if course_model.draw(design) is not None:
         draw_model.settings(design)
         rounds = _MORE_ROUNDS
-    reserve, begin = Reserve(), None
     for number in range(rounds):
         progress("planning the path" if number == 0 else "planning on with what the checks ask for")
-        task = task_of(design, drawn=drawn, near=wanted.near, within=wanted.within, calm=wanted.calm, reserve=reserve)
+        task = task_of(
+            design, drawn=asked.drawn, near=wanted.near, within=wanted.within, calm=wanted.calm, reserve=reserve
+        )
+        task = replace(task, spare=spare or {})
         result = planned(
             task,
             seeds=wanted.seeds,
@@ -123,14 +209,20 @@ def plan_design(
             progress("looking for the reason")
             return PlannedPath(design, task, result, "", None, reasons(result))
         radius = _chosen_radius(design, task, result)
-        written = planned_text(design, text, result.path.points, radius)
+        written = planned_text(design, asked.text, result.path.points, radius)
         progress("checking the planned cam")
         try:
             cam = plan_cam(design_of(written, Path(f"{design.name}.toml")), None, progress)
         except CheckError as error:
             return PlannedPath(design, task, result, "", None, (), str(error))
+        except DesignError:
+            # The closing blend is too steep for the rod to follow it: the other limits are those of the plan.
+            if number == rounds - 1 or task.vehicle.closed:
+                raise
+            reserve, begin = replace(reserve, blend=reserve.blend + 1), rounded(result.path.points)
+            continue
         settings = _settings(task, cam, progress)
-        path = PlannedPath(design, task, result, written, cam, drawn=settings)
+        path = PlannedPath(design, task, result, written, cam, drawn=settings, kept=reserve)
         more = reserve.after(cam.failed)
         for each in settings:
             more = more.larger(reserve.after(each.failed))

@@ -1,7 +1,7 @@
 """From a design to what the planner is asked; degrees become radians here."""
 
 from dataclasses import replace
-from math import inf, radians
+from math import inf, radians, tan
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.build import cam_model, course_model, gear_model, variation
 from cadgen.cam.followers.rod import rod_of
 from cadgen.course.course import Course, Gate, Shape
+from cadgen.course.names import CarPoint
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 from cadgen.path.track import Track
@@ -25,6 +26,7 @@ _ROUND_RESERVE = 1.5  # times the least convex radius: where play is taken out t
 _LIFT_RESERVE = 0.7  # of the greatest lift error with play
 # Between the places at which the planner holds a limit the path may be a little beyond it.
 _CALM_SHARE = 0.98
+_BLEND_ANGLE, _FLATTER = radians(60.0), 0.7  # of the closing blend, and how much less each time it was too steep
 _TRACK_STEP = 1.0  # mm between the points of a track to stay near to
 
 
@@ -102,7 +104,10 @@ def _course(design: Design, drawn: Track | None) -> Course:
             "course.finish is given, but path.closed is true and each lap ends where it starts: remove course.finish"
         )
     if course.start is None and drawn is None:
-        raise DesignError("course.start is missing: add [course.start] with at_mm and heading_deg")
+        raise DesignError(
+            "course.start is missing: add [course.start] with at_mm and heading_deg; radius_mm, or from_mm and to_mm "
+            "in its place, leave open where the run starts, and without heading_deg its direction is open"
+        )
     start, finish = course.start, course.finish
     if start is None and drawn is not None:
         start = _stand("path", drawn, 0.0)
@@ -120,7 +125,9 @@ def _course(design: Design, drawn: Track | None) -> Course:
 def _stand(key: str, track: Track, arc: float) -> Gate:
     x, y = track.position(arc).tolist()
     heading = float(track.heading(np.array([arc]))[0])
-    return Gate(key=key, place=Shape.disc((x, y), 0.0), point="drive_wheel", heading=heading, heading_tolerance=0.0)
+    return Gate(
+        key=key, place=Shape.disc((x, y), 0.0), point=CarPoint.DRIVE_WHEEL, heading=heading, heading_tolerance=0.0
+    )
 
 
 def _vehicle(design: Design, free: bool) -> Vehicle:
@@ -182,12 +189,15 @@ def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reser
         valley = 8 * height / band.ends[1] ** 2
     kept = _PRESSURE_RESERVE + reserve.pressure
     slope, bend = (inf, inf) if calm is None else np.abs(calm.curvature_jets[:, 1:]).max(axis=0).tolist()
+    # A blend without slopes at its ends is 15/8 as steep in its middle as on average.
+    blend = 8 / 15 * radians(design.cam.blend_deg) * vehicle.base_radius * tan(_BLEND_ANGLE) * _FLATTER**reserve.blend
     return Limits(
         left=left,
         right=right,
         rise=max(checks.pressure_angle.rise - kept, radians(5.0)),
         fall=max(checks.pressure_angle.fall - kept, radians(5.0)),
         convex_radius=_ROUND_RESERVE * (rod.radius + least_radius) + reserve.radius,
+        step=blend if reserve.blend and not vehicle.closed else inf,
         slope=slope * _CALM_SHARE,
         bend=bend * _CALM_SHARE,
         valley=valley,

@@ -7,7 +7,8 @@ from math import degrees
 from cadgen.build import variation
 from cadgen.design.schema import Design
 from cadgen.monte_carlo.budget import Budget, Cost, by_process, error_budget
-from cadgen.monte_carlo.fleet import DIRECTED, PARAMETERS, Fleet
+from cadgen.monte_carlo.fleet import Fleet
+from cadgen.monte_carlo.parameters import Tolerance
 from cadgen.monte_carlo.processes import Process
 from cadgen.monte_carlo.robust import Tolerances
 
@@ -77,14 +78,19 @@ def budget_sheet(design: Design, fleet: Fleet, tolerances: Tolerances) -> Budget
     )
 
 
-def unit_of(name: str) -> tuple[str, float]:
+def unit_of(name: Tolerance) -> tuple[str, float]:
     """Unit of a tolerance on screen and in files, and the factor from the internal unit to it."""
-    unit = PARAMETERS[DIRECTED.get(name, (name,))[0]]
+    unit = name.unit
     return _SHOWN.get(unit, (unit, 1.0))
 
 
-def shown_value(name: str, value: float) -> str:
-    """Value of a tolerance as text, with its unit on screen."""
+def shown_value(name: Tolerance, value: float) -> str:
+    """Value of a tolerance as text, with its unit on screen.
+
+    Args:
+        name: tolerance.
+        value: value, mm or rad.
+    """
     unit, scale = unit_of(name)
     return f"{value * scale:.3g}" + {"deg": "°", "1": ""}.get(unit, f" {unit}")
 

@@ -12,7 +12,7 @@ from cadgen.design.schema import Design
 from cadgen.export.folder import publishing
 from cadgen.export.manifest import Written, file_facts, versions, write_manifest
 from cadgen.export.tracks import write_tracks
-from cadgen.motion.errors import RunError, deflected, run_error
+from cadgen.motion.errors import EventKind, RunError, deflected, run_error
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.progress import Progress, silent
 from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
@@ -126,7 +126,7 @@ def _alone(comparison: PlayComparison) -> list[TrackPanel]:
                 comparison.run(evaluation, 0.0), [event for event in evaluation.events if event.kind == kind]
             ),
         )
-        for kind in ("jump", "reverse")
+        for kind in EventKind
         for evaluation in comparison.evaluations
         if not evaluation.profile.dilated and evaluation.events
     ]
@@ -134,8 +134,8 @@ def _alone(comparison: PlayComparison) -> list[TrackPanel]:
 
 def lift_picture(simulation: Simulation) -> LiftPicture:
     """The lift before and after, close by the highest peak and the deepest valley."""
-    jumps = [event for event in simulation.events if event.kind == "jump"]
-    waits = [event for event in simulation.events if event.kind == "reverse"]
+    jumps = [event for event in simulation.events if event.kind == EventKind.JUMP]
+    waits = [event for event in simulation.events if event.kind == EventKind.REVERSE]
     comparison = simulation.comparison
     return LiftPicture(
         title=simulation.plan.design.name + ("" if simulation.plan.design.as_built is None else ", as built"),

@@ -4,6 +4,7 @@ from math import degrees
 from typing import Any
 
 from cadgen.monte_carlo.budget import Budget
+from cadgen.monte_carlo.parameters import Tolerance
 from cadgen.motion.errors import RunError, deflection_sum
 from cadgen.version import __version__
 from cadgen.workflow.cam.manifest import as_built_facts, design_facts, mechanics_facts
@@ -109,7 +110,7 @@ def _quantiles(spread: Spread) -> dict[str, float]:
     return {f"{100 * part:g} %": value for part, value in spread.quantiles.items()}
 
 
-def _shown(name: str, value: float) -> float:
+def _shown(name: Tolerance, value: float) -> float:
     return value * unit_of(name)[1]
 
 

@@ -12,6 +12,7 @@ from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, FileError
 from cadgen.monte_carlo.fleet import Fleet
+from cadgen.monte_carlo.parameters import Parameter, Tolerance
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.motion.drive import STEPS, turns_of
 from cadgen.progress import Progress, silent
@@ -39,7 +40,11 @@ class Spread:
 
 
 def spread(values: Array) -> Spread:
-    """Mean, quantiles and greatest of values, shape (n,), in their own unit."""
+    """Mean, quantiles and greatest of values, shape (n,), in their own unit.
+
+    Args:
+        values: numbers, shape (n,).
+    """
     quantiles = {part: float(np.quantile(values, part)) for part in QUANTILES}
     return Spread(float(values.mean()), quantiles, float(values.max()))
 
@@ -110,36 +115,41 @@ class ToleranceRun:
         """Spread of the sizes of the heading errors at the end, degrees."""
         return spread(np.degrees(np.abs(self.ends.heading)))
 
-    def half_width(self, name: str) -> float:
+    def half_width(self, name: Tolerance) -> float:
         """Half of the zone of a tolerance, or of the band of play, mm or rad."""
-        if name != "play":
+        if name != Parameter.PLAY:
             return variation.half_widths(self.plan.design, comparison_of(self.plan).task.mechanics)[name]
         low, high = comparison_of(self.plan).band.ends
         return (high - low) / 2
 
 
-def run_tolerance(
-    design: Design,
-    profile: str,
-    samples: int,
-    seed: int,
-    processes: int,
-    progress: Progress = silent,
-    *,
-    with_budget: bool = False,
-    map_with: Map | None = None,
-) -> ToleranceRun:
+@dataclass(frozen=True, kw_only=True)
+class CarSample:
+    """Random cars that are asked for.
+
+    Attributes:
+        samples: number of cars.
+        seed: seed of the random numbers.
+        processes: number of processes that run at once; the results do not depend on it.
+        with_budget: whether all deviations are ranked, too.
+        map_with: function that runs the cars instead of `processes`, such as the `map` of a pool.
+    """
+
+    samples: int
+    seed: int = 1
+    processes: int = 1
+    with_budget: bool = False
+    map_with: Map | None = None
+
+
+def run_tolerance(design: Design, profile: str, sample: CarSample, progress: Progress = silent) -> ToleranceRun:
     """Run random cars of a design.
 
     Args:
         design: loaded design.
         profile: profile that all cars have: `actual`, or the code of a profile for play.
-        samples: number of cars.
-        seed: seed of the random numbers.
-        processes: number of processes that run at once; the results do not depend on it.
+        sample: random cars that are asked for.
         progress: function that is called with a few words on each step.
-        with_budget: whether all deviations are ranked, too.
-        map_with: function that runs the cars instead of `processes`, such as the `map` of a pool.
 
     Raises:
         DesignError: as `plan_cam`, or nothing varies.
@@ -147,24 +157,16 @@ def run_tolerance(
         FileError: the memory does not suffice for so many cars.
     """
     plan = plan_cam(design, profile, progress, with_play=True)
-    return tolerance_of(plan, samples, seed, processes, progress, with_budget=with_budget, map_with=map_with)
+    return tolerance_of(plan, sample, progress)
 
 
-def tolerance_of(
-    plan: CamPlan,
-    samples: int,
-    seed: int,
-    processes: int,
-    progress: Progress = silent,
-    *,
-    with_budget: bool = False,
-    map_with: Map | None = None,
-) -> ToleranceRun:
+def tolerance_of(plan: CamPlan, sample: CarSample, progress: Progress = silent) -> ToleranceRun:
     """Run random cars with the cam of a plan.
 
     Args:
         plan: plan of a profile that was compared under play.
-        samples, seed, processes, progress, with_budget, map_with: as in `run_tolerance`.
+        sample: random cars that are asked for.
+        progress: function that is called with a few words on each step.
 
     Raises:
         DesignError: the profile was not compared under play, or nothing varies.
@@ -172,30 +174,39 @@ def tolerance_of(
     """
     design = plan.design
     tolerances = variation.tolerances(design, comparison_of(plan).task.mechanics)
-    fleet = _fleet(plan)
+    fleet = watched_fleet(plan)
     progress("finding sensitivities")
     ranked = sensitivities(fleet, tolerances)
     if not ranked:
         raise DesignError("no dimension of the design varies: give [tolerances] half widths above 0, or a band of play")
 
     def done(cars: int) -> None:
-        progress(f"run {min(cars, samples)} of {samples} cars")
+        progress(f"run {min(cars, sample.samples)} of {sample.samples} cars")
 
     try:
-        ends = tolerance_run(fleet, tolerances, samples, seed=seed, processes=processes, map_with=map_with, done=done)
+        ends = tolerance_run(
+            fleet,
+            tolerances,
+            sample.samples,
+            seed=sample.seed,
+            processes=sample.processes,
+            map_with=sample.map_with,
+            done=done,
+        )
     except MemoryError as error:
         raise FileError(
-            f"out of memory for {samples} cars in {processes} processes: lower --samples or --processes, or close "
-            f"other programs"
+            f"out of memory for {sample.samples} cars in {sample.processes} processes: lower --samples or --processes, "
+            "or close other programs"
         ) from error
     sheet = None
-    if with_budget:
+    if sample.with_budget:
         progress("ranking what may be off")
         sheet = budget_sheet(design, fleet, tolerances)
-    return ToleranceRun(plan, seed, ends, _count(plan), ranked, sheet)
+    return ToleranceRun(plan, sample.seed, ends, _count(plan), ranked, sheet)
 
 
-def _fleet(plan: CamPlan) -> Fleet:
+def watched_fleet(plan: CamPlan) -> Fleet:
+    """The nominal car of a plan that was compared under play, with what it must keep of its course."""
     comparison = comparison_of(plan)
     mechanics = None if comparison.task.mechanics is None else comparison.task.mechanics.nominal
     fleet = fleet_of(plan, _gates(plan), mechanics, comparison.chosen.play)

@@ -14,6 +14,7 @@ from cadgen.workflow.cam.course import CourseRun
 
 _WINDOW = 600.0  # mm of the planned track to either side of a gate, in which a car may be early or late
 _STEP = 10.0  # mm between its points
+_EDGE = "course.field"  # key of the field's edge
 
 
 def watching(fleet: Fleet, planned: CourseRun) -> Fleet:
@@ -34,11 +35,13 @@ def watching(fleet: Fleet, planned: CourseRun) -> Fleet:
 
     for passage in driven.passages:
         watched.append((round(passage.place), _gate(planned, passage, local)))
-    near = [(obstacle.shape, there, False) for obstacle, there in driven.approaches]
-    near += [(course.edge, driven.edge, True)] if course.edge is not None and driven.edge is not None else []
-    for shape, there, edge in near:
-        point, away = nearest_point(planned.poses, planned.on.body, shape, there, edge=edge)
-        watch = ClearanceWatch(0, local(np.array([point])), complex(away * turned), there.clearance - course.margin)
+    near = [(obstacle.key, obstacle.shape, there) for obstacle, there in driven.approaches]
+    if course.edge is not None and driven.edge is not None:
+        near.append((_EDGE, course.edge, driven.edge))
+    for key, shape, there in near:
+        point, away = nearest_point(planned.poses, planned.on.body, shape, there, edge=key == _EDGE)
+        room = there.clearance - course.margin
+        watch = ClearanceWatch(0, local(np.array([point])), complex(away * turned), room, key)
         watched.append((round(there.place), watch))
 
     motor = planned.run.motor[[number for number, _ in watched]]
@@ -76,4 +79,5 @@ def _gate(planned: CourseRun, passage: Passage, local: Callable[[Complex], Compl
         local(poses.track(place_of(gate.point, planned.on.car))[around]),
         heading,
         not passage.fault,
+        gate.key,
     )

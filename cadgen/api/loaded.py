@@ -1,0 +1,143 @@
+"""A design that has been read and checked: its values, and copies with some of them changed."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any, Self
+
+from cadgen.api.files import folder_of
+from cadgen.api.overrides import overrides_of
+from cadgen.api.values import name_or_path, paths, plain_text, real
+from cadgen.design import load
+from cadgen.design.schema import Design as DesignValues
+from cadgen.design.schema import TrainDesign
+from cadgen.errors import DesignError, brief
+
+
+@dataclass(frozen=True, repr=False)
+class LoadedDesign:
+    """A design as it was read: its values, its text and its file. `cadgen.Design` adds the jobs.
+
+    Attributes:
+        values: values of all keys, checked, with defaults; as in docs/design-file.md.
+        text: text of the design file, before overrides.
+        file: path of the design file; for a design from text, its name with the ending .toml.
+    """
+
+    values: TrainDesign
+    text: str
+    file: Path
+
+    @classmethod
+    def load(
+        cls,
+        source: str | PathLike[str] | None = None,
+        changes: Mapping[str, Any] | Iterable[str] = (),
+        *,
+        train_only: bool = False,
+    ) -> Self:
+        """Read a design and check it.
+
+        Args:
+            source: name of a packaged design, or path of a TOML file; the paper's car if left out.
+            changes: changes as for `with_`, applied before the checks.
+            train_only: whether only the gear train is used: sections of the cam may then be missing.
+
+        Raises:
+            DesignError: no such design, a file that is not TOML, or values that are not allowed. The message has a
+                sentence for each of up to five errors, with the key and what is allowed.
+        """
+        text, file = load.read_design(name_or_path("source", source))
+        return cls._checked(text, file, overrides_of(changes), train_only)
+
+    @classmethod
+    def from_toml(cls, text: str, name: str = "design", *, train_only: bool = False) -> Self:
+        """Make a design from the text of a design file; errors as in `load`.
+
+        Args:
+            text: text of the design in TOML.
+            name: name of the design, if the text has none.
+            train_only: same as for `load`.
+        """
+        return cls._checked(plain_text("text", text), Path(f"{name}.toml"), (), train_only)
+
+    @classmethod
+    def new(
+        cls,
+        name: str,
+        folder: str | PathLike[str] = ".",
+        *,
+        points: str | PathLike[str] | None = None,
+        layer: str | None = None,
+        gate_radius_mm: float = 50.0,
+        field_mm: tuple[float, float] | None = None,
+        closed: bool = False,
+        changes: Mapping[str, Any] | Iterable[str] = (),
+    ) -> Self:
+        """Begin a design: write a commented file with the paper's mechanism and a path, and load it.
+
+        Args:
+            name, folder: name of the design and, with .toml, of its file; folder for that.
+            points, layer: file of the path's points, CSV, TXT or DXF; layer of the polyline in a DXF with several.
+            gate_radius_mm, field_mm: radius of the gates at the points; width and height of the field.
+            closed: whether the path is a lap.
+            changes: changes as for `with_`, written into the file.
+
+        Raises:
+            DesignError, FileError: values that are not allowed; points that cannot be read, a file that is there.
+        """
+        from cadgen.design.begin import begin, points_of, write_new
+
+        radius = real("gate_radius_mm", gate_radius_mm, 0, 100_000, "mm", above=True)
+        field = None if field_mm is None else _size("field_mm", field_mm)
+        source = None if points is None else paths("points", points)[0]
+        path, changed = points_of(source, layer, closed=closed), overrides_of(changes)
+        file = folder_of(folder) / f"{plain_text('name', name)}.toml"
+        text = begin(name, path, changed, radius, field, closed)
+        write_new(text, file)
+        return cls._checked(text, file, (), False)
+
+    @classmethod
+    def _checked(cls, text: str, file: Path, overrides: tuple[str, ...], train_only: bool) -> Self:
+        return cls((load.train_of if train_only else load.design_of)(text, file, overrides), text, file)
+
+    def with_(self, changes: Mapping[str, Any] | Iterable[str]) -> Self:
+        """The design with some keys changed, by the same rules as `--set` on the command line.
+
+        Args:
+            changes: new value by key, such as `{"cam.thickness_mm": 3.2, "path.waypoints_mm.3": [1, 2]}`. List items
+                count from 1; None removes a key or a section. Texts `key=value` are taken, too.
+
+        Raises:
+            DesignError: a key is unknown, or the result is no design; in the words of the command line.
+        """
+        overrides = (*self.values.overrides, *overrides_of(changes))
+        return self._checked(self.text, self.file, overrides, not isinstance(self.values, DesignValues))
+
+    def __repr__(self) -> str:
+        changed = f", changed by {brief(' '.join(self.values.overrides), 80)}" if self.values.overrides else ""
+        return f"<{type(self).__name__} {self.name} of {self.file.name}{changed}>"
+
+    @property
+    def name(self) -> str:
+        """Name of the design; the names of exported files begin with it."""
+        return self.values.name
+
+    @property
+    def sha256(self) -> str:
+        """SHA-256 of the values of the design, hexadecimal, as in manifests."""
+        return self.values.content_hash
+
+    def complete(self) -> DesignValues:
+        """The design, if it has all that a cam needs."""
+        known = self.values
+        return known if isinstance(known, DesignValues) else load.design_of(self.text, self.file, known.overrides)
+
+
+def _size(name: str, value: object) -> tuple[float, float]:
+    """Width and height of a field, mm."""
+    if not isinstance(value, Sequence) or isinstance(value, str) or len(value) != 2:
+        raise DesignError(f"{name} is {brief(repr(value), 60)}; it must be width and height, mm")
+    width, height = (real(name, side, 1, 1e6, "mm") for side in value)
+    return width, height

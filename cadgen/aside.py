@@ -1,0 +1,101 @@
+"""A part of a job in a process of its own, beside the rest of it.
+
+Numbers and files are the same as without: what is computed aside needs nothing of what goes on meanwhile, and its files
+have names of their own. On Linux the process is a fork of this one, with all that was loaded; elsewhere, and with a
+single processor, the part is computed when its result is asked for.
+"""
+
+import ctypes
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from multiprocessing.connection import Connection, wait
+from types import TracebackType
+from typing import Any, Generic, TypeVar
+
+T = TypeVar("T")
+_SIGNAL_AT_PARENTS_DEATH = 1  # PR_SET_PDEATHSIG of Linux's prctl
+
+
+class Aside(Generic[T]):
+    """A computation beside the block that it is the context of; with the block it ends, whether it is done or not.
+
+    Args:
+        function: the computation, without arguments; its result and its errors must be such as can be pickled.
+    """
+
+    def __init__(self, function: Callable[[], T]) -> None:
+        self._function = function
+        self._process: Any = None
+        self._results: Any = None
+
+    def __enter__(self) -> "Aside[T]":
+        if _worthwhile():
+            context = multiprocessing.get_context("fork")
+            self._results, sender = context.Pipe(duplex=False)
+            self._process = context.Process(target=_serve, args=(self._function, sender), daemon=True)
+            self._process.start()
+            sender.close()
+        return self
+
+    def result(self) -> T:
+        """The result of the computation; it raises the error that the computation raised."""
+        if self._process is None:
+            return self._function()
+        try:
+            done, value = self._results.recv()
+        except EOFError:  # the process died, perhaps for lack of memory, or could not hand it over
+            return self._function()
+        if not done:
+            raise value
+        result: T = value
+        return result
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        if self._process is not None:
+            self._process.kill()
+            self._process.join()
+            self._results.close()
+
+
+def end_with_parent() -> None:
+    """Have this process, a child of `multiprocessing`, end with its parent process, even if the parent is killed."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
+
+
+def _end_with(sentinel: int) -> None:
+    wait([sentinel])
+    os._exit(1)
+
+
+def _worthwhile() -> bool:
+    """Whether this process may be forked, and has a second processor to compute on."""
+    return (
+        sys.platform == "linux"
+        and threading.current_thread() is threading.main_thread()
+        and not multiprocessing.current_process().daemon
+        and len(os.sched_getaffinity(0)) > 1
+    )
+
+
+def _serve(function: Callable[[], Any], sender: Connection) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the terminal sends it to both; the parent process ends this one
+    end_with_parent()
+    # At once, too, where a library keeps Python's threads from running: what it has locked is so as long as it lives.
+    with suppress(OSError, AttributeError):
+        ctypes.CDLL(None).prctl(_SIGNAL_AT_PARENTS_DEATH, signal.SIGKILL)
+    answer: tuple[bool, Any]
+    try:
+        answer = True, function()
+    except Exception as error:
+        answer = False, error
+    with suppress(Exception):  # what cannot be handed over is computed once more, where it is asked for
+        sender.send(answer)

@@ -1,0 +1,86 @@
+"""A part of a job aside: the same result and errors as in this process, and nothing left behind."""
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from cadgen.aside import Aside
+from cadgen.errors import CheckError
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
+WAITING = """
+import os, sys, time
+from cadgen.aside import Aside
+with Aside(lambda: time.sleep(600)) as aside:
+    print(aside._process.pid, flush=True)
+    aside.result()
+"""
+
+
+@pytest.fixture(autouse=True)
+def _two_processors(monkeypatch):
+    monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0, 1})
+
+
+def refuse():
+    raise CheckError("the rod jams")
+
+
+def test_a_result_comes_from_another_process():
+    with Aside(lambda: (os.getpid(), [1.5, "text"])) as aside:
+        process, values = aside.result()
+    assert process != os.getpid()
+    assert values == [1.5, "text"]
+
+
+def test_an_error_is_raised_here():
+    with Aside(refuse) as aside, pytest.raises(CheckError, match="the rod jams"):
+        aside.result()
+
+
+def test_what_a_process_cannot_hand_over_is_computed_here():
+    with Aside(lambda: lambda: 7) as aside:
+        assert aside.result()() == 7
+
+
+def test_a_killed_process_is_done_without():
+    me = os.getpid()
+
+    def die_aside():
+        if os.getpid() != me:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return 3
+
+    with Aside(die_aside) as aside:
+        assert aside.result() == 3
+
+
+def test_it_ends_with_its_block():
+    with pytest.raises(CheckError), Aside(lambda: time.sleep(600)):
+        refuse()
+    assert not multiprocessing.active_children()
+
+
+def test_it_dies_with_its_parent():
+    command = [sys.executable, "-c", WAITING]
+    parent = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[1])
+    assert parent.stdout
+    aside = int(parent.stdout.readline())
+    descriptor = os.pidfd_open(aside)
+    parent.kill()
+    parent.wait()
+    signalled = multiprocessing.connection.wait([descriptor], timeout=60)
+    os.close(descriptor)
+    assert signalled
+
+
+def test_one_processor_computes_here(monkeypatch):
+    monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0})
+    with Aside(os.getpid) as aside:
+        assert aside.result() == os.getpid()
