@@ -31,6 +31,7 @@ Complex = NDArray[np.complex128]
 
 _ALWAYS = 6  # rows of `STEERING` that every car has
 _MARGIN = 2  # cells of the grid beyond the cam angles of the run
+_AT_ONCE = 25  # cars whose arrays stay in a processor's own memory
 
 
 @dataclass(frozen=True)
@@ -151,6 +152,13 @@ def run_fleet(fleet: Fleet, deviations: Array, stations: Array | None = None) ->
         deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
         stations: motor positions of each car, shape (m, g), rad; those of the fleet for all if left out.
     """
+    own = None if stations is None else np.broadcast_to(stations, (len(deviations), np.shape(stations)[1]))
+    blocks = [slice(first, first + _AT_ONCE) for first in range(0, len(deviations), _AT_ONCE)]
+    poses = [_run(fleet, deviations[block], None if own is None else own[block]) for block in blocks]
+    return Poses(*(np.concatenate([getattr(each, name) for each in poses]) for name in ("heading", "position")))
+
+
+def _run(fleet: Fleet, deviations: Array, stations: Array | None) -> Poses:
     column = dict(zip(Parameter, deviations.T, strict=True))
     column = {**column, **_combined(fleet, column)}
     play = np.maximum(fleet.play + column[Parameter.PLAY], 0.0)

@@ -2,8 +2,11 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from cadgen.aside import Aside
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,15 +56,25 @@ def figure(width: float, height: float) -> Iterator["Figure"]:
 def save(picture: "Figure", folder: Path, name: str) -> list[str]:
     """Write a figure as PNG and SVG, without dates, and return the files' names.
 
-    Must be called while the figure's style is in force.
+    Must be called while the figure's style is in force. Its parts are placed once, and the two files drawn beside each
+    other.
+
+    Args:
+        picture: figure of `figure`; its layout is fixed afterwards.
+        folder: folder for the files.
+        name: name of the files, without ending.
     """
-    written: list[tuple[str, dict[str, Any]]] = [
-        (f"{name}.png", {"dpi": _DPI, "metadata": {"Software": None}}),
-        (f"{name}.svg", {"metadata": {"Date": None, "Creator": None}}),
-    ]
-    for file, settings in written:
-        picture.savefig(folder / file, **settings)
-    return [file for file, _ in written]
+    picture.draw_without_rendering()
+    picture.set_layout_engine(None)
+    points, lines = f"{name}.png", f"{name}.svg"
+    with Aside(partial(_save, picture, folder / points, dpi=_DPI, metadata={"Software": None})) as beside:
+        _save(picture, folder / lines, metadata={"Date": None, "Creator": None})
+        beside.result()
+    return [points, lines]
+
+
+def _save(picture: "Figure", file: Path, **settings: Any) -> None:
+    picture.savefig(file, **settings)
 
 
 def zero_line(axes: "Axes") -> None:
