@@ -13,12 +13,12 @@ from cadgen.api.values import optional, whole
 from cadgen.build import cam_model
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError, DesignError
+from cadgen.planner.bounds import RESERVE, SEEDS, WITHIN_MM
 from cadgen.progress import Progress, silent
 from cadgen.workflow.planning.plan import PlannedPath, Wanted, plan_design
 from cadgen.workflow.planning.words import facts, sentences
 from cadgen.workflow.planning.write import write_plan
 
-WITHIN_MM, SEEDS, RESERVE = (0.1, 1000.0), (1, 100), (0.0, 10.0)
 _WITHIN_MM = 25.0
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from cadgen.cli.options import Number, out_option, overrides_option
+from cadgen.planner.bounds import RESERVE, SEEDS, WITHIN_MM
 
 if TYPE_CHECKING:
     from concurrent.futures import ProcessPoolExecutor
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 @click.option(
     "--within",
     "within_mm",
-    type=Number(0.1, 1000),
+    type=Number(*WITHIN_MM),
     metavar="MM",
     help="How far the drive wheel's track may leave the path of --from.  [default: 25]",
 )
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--reserve",
-    type=Number(0, 10),
+    type=Number(*RESERVE),
     metavar="FACTOR",
     help="Room at gates and obstacles besides their margins, as a factor on the scatter of cars within the "
     "tolerances; 0 makes the error by play least.  [default: the one of 0, 1, 2 ... 5 with which most cars "
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--seeds",
-    type=click.IntRange(1, 100),
+    type=click.IntRange(*SEEDS),
     default=1,
     show_default=True,
     help="Number of searches, each from another path; the best one counts.",

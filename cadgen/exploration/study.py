@@ -10,17 +10,17 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field, Strict, field_validator, model_validator
 
 from cadgen.check import CheckCode
-from cadgen.design.section import HERE, OneOf, Section
+from cadgen.design.section import HERE, OneOf, Section, listed
 from cadgen.errors import DesignError, brief
 from cadgen.exploration import plans, search
 from cadgen.exploration.figures import table
 from cadgen.exploration.figures.figure import Figure
 from cadgen.exploration.variation import REPLAN, ROUNDING, Variation
 from cadgen.optimize.profiles.table import codes as profile_codes
+from cadgen.planner.bounds import RESERVE, SEEDS, WITHIN_MM
 
 MOST_DESIGNS = 1_000_000
 _MOST_VALUES = 1000  # of a key, each of which is tried in the base design before anything is computed
-MOST_WITHIN_MM, _MOST_RESERVE, _MOST_SEEDS = 1000.0, 10.0, 100  # mm, times the scatter of the cars, searches
 ALL = "all"
 Codes = Annotated[tuple[str, ...], Strict(False)]
 ANY = "any"
@@ -157,11 +157,28 @@ class LimitKeys(Section):
 def _within(value: object) -> float | str:
     """A distance, or any."""
     number = isinstance(value, int | float) and not isinstance(value, bool)
-    if value == ANY or (number and 0 <= float(value) <= MOST_WITHIN_MM):  # type: ignore[arg-type]
+    if value == ANY or (number and 0 <= float(value) <= WITHIN_MM[1]):  # type: ignore[arg-type]
         return ANY if value == ANY else float(value)  # type: ignore[arg-type]
-    raise ValueError(f'{HERE} is {value!r:.60}; it must be 0 to {MOST_WITHIN_MM:g} (mm), or "{ANY}"')
+    raise ValueError(f'{HERE} is {value!r:.60}; it must be 0 to {WITHIN_MM[1]:g} (mm), or "{ANY}"')
 
 
+def _reserve(value: object) -> object:
+    least, most = RESERVE
+    if isinstance(value, bool) or not isinstance(value, int | float) or not least <= value <= most:
+        raise ValueError(f"{HERE} is {brief(repr(value), 60)}; it must be {least:g} to {most:g}")
+    return value
+
+
+def _seeds(value: object) -> object:
+    least, most = SEEDS
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not number or not least <= value <= most or value != round(value):  # type: ignore[call-overload,operator]
+        raise ValueError(f"{HERE} is {brief(repr(value), 60)}; it must be a whole number from {least} to {most}")
+    return value
+
+
+# What of [replan] may vary, and what its values must be.
+_REPLANNED = {"within_mm": _within, "reserve": _reserve, "seeds": _seeds}
 Within = Annotated[Any, BeforeValidator(_within)]
 
 
@@ -173,9 +190,12 @@ class ReplanKeys(Section):
         description='how far from the base\'s path, 0 to 1000, where 0 keeps that; or "any" path on the course',
     )
     reserve: float = Field(
-        default=0.0, ge=0, le=_MOST_RESERVE, description="room for the scatter of the cars, as of cadgen plan --reserve"
+        default=0.0,
+        ge=RESERVE[0],
+        le=RESERVE[1],
+        description="room for the scatter of the cars, as of cadgen plan --reserve",
     )
-    seeds: int = Field(default=1, ge=1, le=_MOST_SEEDS, description="searches for each path")
+    seeds: int = Field(default=1, ge=SEEDS[0], le=SEEDS[1], description="searches for each path")
     planned_for: Codes = Field(
         default=(), description="varied keys for whose value a path is planned, besides replan, path and course"
     )
@@ -215,31 +235,22 @@ class StudyFile(Section):
                 raise ValueError(f"{key} varies twice: put all its values into one [[vary]]")
             if key.startswith(REPLAN) and self.replan is None:
                 raise ValueError(f"{key} varies, but no path is planned: add [replan]")
-            if key.startswith(REPLAN) and key.removeprefix(REPLAN) not in ("within_mm", "reserve", "seeds"):
-                raise ValueError(f"{key} cannot vary: of [replan] only within_mm, reserve and seeds do")
+            if key.startswith(REPLAN) and key.removeprefix(REPLAN) not in _REPLANNED:
+                raise ValueError(f"{key} cannot vary: of [replan] only {listed(tuple(_REPLANNED), 'and')} do")
         for each in self.vary:
-            if each.key == f"{REPLAN}within_mm":
-                for value in each.values or (each.least, each.most):
-                    try:
-                        _within(value)
-                    except ValueError as error:
-                        raise ValueError(str(error).replace(HERE, each.key)) from None
-            if each.key == f"{REPLAN}reserve":
-                for value in each.values or (each.least, each.most):
-                    if isinstance(value, bool | str | list) or value is None or not 0 <= value <= _MOST_RESERVE:
-                        raise ValueError(f"{each.key} is {brief(repr(value), 60)}; it must be 0 to {_MOST_RESERVE:g}")
-            if each.key == f"{REPLAN}seeds":
-                for value in each.values or (each.least, each.most):
-                    if isinstance(value, bool | str | list) or not 1 <= value <= _MOST_SEEDS or value != round(value):
-                        raise ValueError(
-                            f"{each.key} is {brief(repr(value), 60)}; it must be a whole number from 1 to {_MOST_SEEDS}"
-                        )
+            judge = _REPLANNED.get(each.key.removeprefix(REPLAN)) if each.key.startswith(REPLAN) else None
+            for value in each.values or (each.least, each.most):
+                try:
+                    if judge is not None:
+                        judge(value)
+                except ValueError as error:
+                    raise ValueError(str(error).replace(HERE, each.key)) from None
         for key in self.replan.planned_for if self.replan else ():
             if key not in keys:
                 raise ValueError(f"replan.planned_for names {key}, which does not vary: remove it")
         for name in ("objectives", "record"):
-            listed = getattr(self, name)
-            if len(set(listed)) < len(listed):
+            figures = getattr(self, name)
+            if len(set(figures)) < len(figures):
                 raise ValueError(f"{name} names a figure twice: remove one")
         known = {code.value for code in CheckCode}
         for code in self.checks:

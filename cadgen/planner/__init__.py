@@ -21,6 +21,7 @@ bounds the step (Fletcher & Sainz de la Maza, Math. Program. 43 (1989) 235). doc
 | `near`        | the drive wheel's track kept near to a given one                                    |
 | `search`      | from that path to the best one                                                      |
 | `plan`        | a task planned: the best of several searches                                        |
-| `reserve`     | distances kept besides, where the exact chain has failed a check                    |
+| `bounds`      | least and greatest of what may be asked of a plan                                   |
+| `tightening`  | distances kept besides, where the exact chain has failed a check                    |
 | `reasons`     | why a course cannot be driven, and the least change that would do                   |
 """

@@ -16,9 +16,9 @@ from cadgen.planner.basis import Basis
 from cadgen.planner.gates import Passing, passing_places, planned_place
 from cadgen.planner.motion import Motion
 from cadgen.planner.order import _improved, _inserted, _way, in_order
-from cadgen.planner.reserve import Reserve
 from cadgen.planner.route import route_of
 from cadgen.planner.rows import Limit, LimitKind
+from cadgen.planner.tightening import Tightening
 from cadgen.workflow.planning.task import task_of
 from tests.studies import courses
 
@@ -198,7 +198,7 @@ def test_a_way_round_something_begins_in_the_direction_of_its_gate():
     """A course on which the short way from its second gate leads back, round a zone right before the car."""
     case = courses.case(1, 20)
     design, _ = course_of(case.text, Path("case.toml"))
-    task = task_of(design, drawn=None, near=None, within=25.0, calm=None, reserve=Reserve())
+    task = task_of(design, drawn=None, near=None, within=25.0, calm=None, tightening=Tightening())
     route = route_of(task.course, task.vehicle)
     second = int(np.flatnonzero(route.is_stop)[2])
     gate = task.course.gates[1]

@@ -23,7 +23,7 @@ from cadgen.motion.laps import Drift, drift
 from cadgen.workflow.adjustment.plan import Wanted, adjust
 from cadgen.workflow.calibration.plan import calibrate
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
-from cadgen.workflow.planning.task import Reserve, task_of
+from cadgen.workflow.planning.task import Tightening, task_of
 from cadgen.workflow.runs.fleet import fleet_of
 from tests.conftest import DESIGNS
 from tests.motion.laps_truth import laps_with_play
@@ -261,7 +261,7 @@ def test_jobs_for_runs_with_an_end_refuse_laps():
             near=None,
             within=0.0,
             calm=None,
-            reserve=Reserve(),
+            tightening=Tightening(),
         )
     with pytest.raises(DesignError, match=r"set path\.closed alike in both"):
         task_of(
@@ -270,7 +270,7 @@ def test_jobs_for_runs_with_an_end_refuse_laps():
             near=cam_model.track(load_design()),
             within=10.0,
             calm=None,
-            reserve=Reserve(),
+            tightening=Tightening(),
         )
 
 

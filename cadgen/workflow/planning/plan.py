@@ -26,8 +26,8 @@ from cadgen.planner.gates import is_exact
 from cadgen.planner.plan import Plan
 from cadgen.planner.plan import plan as planned
 from cadgen.planner.reasons import Reason, reasons
-from cadgen.planner.reserve import Reserve
 from cadgen.planner.task import Task
+from cadgen.planner.tightening import Tightening
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, plan_cam
 from cadgen.workflow.card.plan import card_of
@@ -91,7 +91,7 @@ class PlannedPath:
     reasons: tuple[Reason, ...] = ()
     failed: str = ""
     drawn: tuple[Drawn, ...] = ()
-    kept: Reserve = field(default_factory=Reserve)
+    kept: Tightening = field(default_factory=Tightening)
     cars: Cars | None = None
     no_cars: str = ""
 
@@ -134,7 +134,7 @@ def plan_design(
     """
     _refuse_course(design)
     asked = _Asked(design, text, drawn, wanted, progress)
-    path = _planned(asked, Reserve())
+    path = _planned(asked, Tightening())
     if not path.passed or path.cam is None:
         return path
     try:
@@ -177,13 +177,13 @@ def _chosen(asked: _Asked, path: PlannedPath, cam: CamPlan, cars: Tried) -> Plan
 
 
 def _planned(
-    asked: _Asked, reserve: Reserve, spare: Mapping[str, float] | None = None, begin: Array | None = None
+    asked: _Asked, tightening: Tightening, spare: Mapping[str, float] | None = None, begin: Array | None = None
 ) -> PlannedPath:
     """Plan a path, with what its checks ask for.
 
     Args:
         asked: what it is planned for.
-        reserve: kept from the limits from the beginning.
+        tightening: kept from the limits from the beginning.
         spare: distance to keep besides where it costs little, by the keys of gates and obstacles, mm.
         begin: control points to go on from, shape (n, 2), mm; None to plan from scratch.
     """
@@ -195,7 +195,7 @@ def _planned(
     for number in range(rounds):
         progress("planning the path" if number == 0 else "planning on with what the checks ask for")
         task = task_of(
-            design, drawn=asked.drawn, near=wanted.near, within=wanted.within, calm=wanted.calm, reserve=reserve
+            design, drawn=asked.drawn, near=wanted.near, within=wanted.within, calm=wanted.calm, tightening=tightening
         )
         task = replace(task, spare=spare or {})
         result = planned(
@@ -219,16 +219,16 @@ def _planned(
             # The closing blend is too steep for the rod to follow it: the other limits are those of the plan.
             if number == rounds - 1 or task.vehicle.closed:
                 raise
-            reserve, begin = replace(reserve, blend=reserve.blend + 1), rounded(result.path.points)
+            tightening, begin = replace(tightening, blend=tightening.blend + 1), rounded(result.path.points)
             continue
         settings = _settings(task, cam, progress)
-        path = PlannedPath(design, task, result, written, cam, drawn=settings, kept=reserve)
-        more = reserve.after(cam.failed)
+        path = PlannedPath(design, task, result, written, cam, drawn=settings, kept=tightening)
+        more = tightening.after(cam.failed)
         for each in settings:
-            more = more.larger(reserve.after(each.failed))
-        if more == reserve:
+            more = more.larger(tightening.after(each.failed))
+        if more == tightening:
             break
-        reserve, begin = more, rounded(result.path.points)
+        tightening, begin = more, rounded(result.path.points)
     return path
 
 

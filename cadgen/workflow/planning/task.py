@@ -15,15 +15,15 @@ from cadgen.errors import DesignError
 from cadgen.path.track import Track
 from cadgen.planner.limits import curvature_limits
 from cadgen.planner.order import in_order
-from cadgen.planner.reserve import Reserve
 from cadgen.planner.task import Limits, Task, Vehicle
+from cadgen.planner.tightening import Tightening
 
 # Where nothing is known of the play, or it was measured, a car may still be off by this share of a degree.
 _UNKNOWN_SPREAD = radians(0.1)
 # Kept from the limits of the pressure angle, rad: play is taken out by flanks a little steeper than those wanted.
-_PRESSURE_RESERVE = radians(3.0)
-_ROUND_RESERVE = 1.5  # times the least convex radius: where play is taken out the outline is sharper
-_LIFT_RESERVE = 0.7  # of the greatest lift error with play
+_USUAL_PRESSURE = radians(3.0)
+_USUAL_ROUND = 1.5  # times the least convex radius: where play is taken out the outline is sharper
+_USUAL_LIFT = 0.7  # of the greatest lift error with play
 # Between the places at which the planner holds a limit the path may be a little beyond it.
 _CALM_SHARE = 0.98
 _BLEND_ANGLE, _FLATTER = radians(60.0), 0.7  # of the closing blend, and how much less each time it was too steep
@@ -52,7 +52,7 @@ def task_of(
     near: Track | None,
     within: float,
     calm: Track | None,
-    reserve: Reserve,
+    tightening: Tightening,
 ) -> Task:
     """Task of the planner.
 
@@ -62,7 +62,7 @@ def task_of(
         near: track to stay near to; None for a plan from scratch.
         within: how far from it the drive wheel may be, mm.
         calm: track whose curvature's slopes are not to be exceeded; None without.
-        reserve: kept from the limits.
+        tightening: kept from the limits.
 
     Raises:
         DesignError: the design has no course, no start, or another follower than the rod.
@@ -77,11 +77,11 @@ def task_of(
     draw = course_model.draw(design)
     return Task(
         vehicle=vehicle,
-        limits=_limits(design, vehicle, calm, reserve, 1.0 if draw is None else draw.spacings[0] / draw.stated),
-        course=replace(draw.tightest(course) if draw else course, margin=course.margin + reserve.margin),
+        limits=_limits(design, vehicle, calm, tightening, 1.0 if draw is None else draw.spacings[0] / draw.stated),
+        course=replace(draw.tightest(course) if draw else course, margin=course.margin + tightening.margin),
         near=None if near is None else track_points(near),
         within=within,
-        gate_margin=reserve.gate,
+        gate_margin=tightening.gate,
         draw=draw,
     )
 
@@ -176,7 +176,7 @@ def _given_travel(design: Design) -> float | None:
     return TURN * radius * float(gear_model.train(design).ratio)
 
 
-def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reserve, smallest: float) -> Limits:
+def _limits(design: Design, vehicle: Vehicle, calm: Track | None, tightening: Tightening, smallest: float) -> Limits:
     """Limits of steering and cam; the path is driven at its `smallest` too, a share of what is planned."""
     checks = cam_model.check_limits(design)
     left, right = curvature_limits(vehicle, smallest)
@@ -185,19 +185,21 @@ def _limits(design: Design, vehicle: Vehicle, calm: Track | None, reserve: Reser
     valley, band = inf, variation.play_bands(design).get(design.optimize.order)
     if design.optimize.max_lift_error_um is not None and band is not None and band.ends[1] > 0:
         # In a valley the play takes the height that the lift gains in half of it to either side (play.md).
-        height = _LIFT_RESERVE * reserve.valley * design.optimize.max_lift_error_um * 1e-3
+        height = _USUAL_LIFT * tightening.valley * design.optimize.max_lift_error_um * 1e-3
         valley = 8 * height / band.ends[1] ** 2
-    kept = _PRESSURE_RESERVE + reserve.pressure
+    kept = _USUAL_PRESSURE + tightening.pressure
     slope, bend = (inf, inf) if calm is None else np.abs(calm.curvature_jets[:, 1:]).max(axis=0).tolist()
     # A blend without slopes at its ends is 15/8 as steep in its middle as on average.
-    blend = 8 / 15 * radians(design.cam.blend_deg) * vehicle.base_radius * tan(_BLEND_ANGLE) * _FLATTER**reserve.blend
+    blend = (
+        8 / 15 * radians(design.cam.blend_deg) * vehicle.base_radius * tan(_BLEND_ANGLE) * _FLATTER**tightening.blend
+    )
     return Limits(
         left=left,
         right=right,
         rise=max(checks.pressure_angle.rise - kept, radians(5.0)),
         fall=max(checks.pressure_angle.fall - kept, radians(5.0)),
-        convex_radius=_ROUND_RESERVE * (rod.radius + least_radius) + reserve.radius,
-        step=blend if reserve.blend and not vehicle.closed else inf,
+        convex_radius=_USUAL_ROUND * (rod.radius + least_radius) + tightening.radius,
+        step=blend if tightening.blend and not vehicle.closed else inf,
         slope=slope * _CALM_SHARE,
         bend=bend * _CALM_SHARE,
         valley=valley,

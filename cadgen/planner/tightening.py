@@ -27,7 +27,7 @@ _PASSED = (
 
 
 @dataclass(frozen=True)
-class Reserve:
+class Tightening:
     """Distance kept from the limits besides the usual, after the exact chain has failed a check.
 
     Attributes:
@@ -46,32 +46,32 @@ class Reserve:
     gate: float = 0.0
     blend: int = 0
 
-    def after(self, failed: Iterable[Check]) -> "Reserve":
+    def after(self, failed: Iterable[Check]) -> "Tightening":
         """Distances to keep besides, so that checks pass on which the planner has influence."""
-        reserve = self
+        tightening = self
         for check in failed:
             beyond = abs(check.value - check.limit)
             match check.code:
                 case CheckCode.PRESSURE_ANGLE_RISE | CheckCode.PRESSURE_ANGLE_RETURN:
-                    pressure = reserve.pressure + radians(beyond) + _MORE_PRESSURE
-                    reserve = replace(reserve, pressure=pressure)
+                    pressure = tightening.pressure + radians(beyond) + _MORE_PRESSURE
+                    tightening = replace(tightening, pressure=pressure)
                 case CheckCode.LOST_LIFT_FACE_CHANGE:  # it grows with the square of the slope
-                    reserve = replace(reserve, pressure=reserve.pressure + _FLATTER)
+                    tightening = replace(tightening, pressure=tightening.pressure + _FLATTER)
                 case CheckCode.CONVEX_RADIUS_THEORY | CheckCode.CONVEX_RADIUS_PROFILE | CheckCode.LOST_LIFT_UNDERCUT:
-                    reserve = replace(reserve, radius=reserve.radius + _MORE_RADIUS)
+                    tightening = replace(tightening, radius=tightening.radius + _MORE_RADIUS)
                 case CheckCode.BLEND_PRESSURE_ANGLE_RISE | CheckCode.BLEND_PRESSURE_ANGLE_RETURN:
-                    reserve = replace(reserve, blend=reserve.blend + 1)
+                    tightening = replace(tightening, blend=tightening.blend + 1)
                 case CheckCode.LIFT_ERROR_WITH_PLAY:
-                    reserve = replace(reserve, valley=reserve.valley * 0.8 * check.limit / check.value)
+                    tightening = replace(tightening, valley=tightening.valley * 0.8 * check.limit / check.value)
                 case code if code in _CLEARANCES:
-                    reserve = replace(reserve, margin=reserve.margin + beyond + _MORE_MARGIN)
+                    tightening = replace(tightening, margin=tightening.margin + beyond + _MORE_MARGIN)
                 case code if code in _PASSED:
-                    reserve = replace(reserve, gate=reserve.gate + beyond + _MORE_MARGIN)
-        return reserve
+                    tightening = replace(tightening, gate=tightening.gate + beyond + _MORE_MARGIN)
+        return tightening
 
-    def larger(self, other: "Reserve") -> "Reserve":
+    def larger(self, other: "Tightening") -> "Tightening":
         """The larger of this and another, in each quantity."""
-        return Reserve(
+        return Tightening(
             pressure=max(self.pressure, other.pressure),
             radius=max(self.radius, other.radius),
             valley=min(self.valley, other.valley),
