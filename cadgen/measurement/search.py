@@ -7,9 +7,9 @@ After each round the catalogue is linearised anew about the best exact fit, unti
 """
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import chain, combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -130,7 +130,8 @@ def find(joint: Joint) -> list[Hypothesis]:
     # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
     many = Numerous(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
     for _ in range(ROUNDS):
-        _fit_new(joint, _promising(joint, best, core, many, search), fitted, search)
+        for leader in _leaders(fitted.values()):
+            _fit_new(joint, _promising(joint, leader, core, many, search, fitted), fitted, search)
         leader = min(fitted.values(), key=lambda h: h.score)
         if leader is best:
             break
@@ -139,6 +140,14 @@ def find(joint: Joint) -> list[Hypothesis]:
         less = [tuple(e for e in best.effects if e is not companion) for companion in best.effects if companion.beside]
         _fit_new(joint, [(effects, best.active) for effects in less], fitted, search)
     return sorted(fitted.values(), key=lambda h: h.score)
+
+
+def _leaders(fitted: Iterable[Hypothesis]) -> Iterator[Hypothesis]:
+    """The best subset; and the best one without an anonymous shape, from which names are found that this stands for."""
+    ranked = sorted(fitted, key=lambda h: h.score)
+    yield ranked[0]
+    if any(e.shape for e in ranked[0].effects):
+        yield from [h for h in ranked if h.effects and not any(e.shape for e in h.effects)][:1]
 
 
 def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hypothesis], search: Search) -> None:
@@ -191,6 +200,7 @@ def _promising(
     core: tuple[Effect, ...],
     many: Numerous,
     search: Search,
+    fitted: Collection[frozenset[str]],
 ) -> list[Start]:
     """The subsets of least linearised score about the best one so far, with estimates to begin from."""
     # Numerous effects that have entered combine freely from now on.
@@ -215,12 +225,16 @@ def _promising(
     rated = sorted(_rate_free(this, subsets, search), key=lambda r: r.score)
     most = MOST_CAUSES if leaves_more else LARGEST_SUBSET
     bases = [r for r in rated if causes(r.effects) < most][:BASES]
+    # In the best subset a numerous effect may stand in another's place.
+    bases += [r for r in rated if r not in bases and _keyed(r) < best.key and len(best.key) - len(r.effects) == 1]
     rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
     rated.sort(key=lambda r: r.score)
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
-    named = [r for r in rated[REFINED:] if not any(e.shape for e in r.effects)]
     datum_start = [(e, v) for e, v in best.active if e in joint.datum]
-    chosen = rated[:REFINED] + named[:NAMED]
+    chosen: list[Rated] = []
+    for some in (rated, [r for r in rated if _keyed(r) not in fitted]):
+        chosen += [r for r in some if r not in chosen][:REFINED]
+        chosen += [r for r in some if r not in chosen and not any(e.shape for e in r.effects)][:NAMED]
     # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted; and a
     # shape without a name, or the disc, may stand for it.
     beside = [r for r in rated if any(e.beside for e in r.effects) and not any(e.shape for e in r.effects)]
@@ -230,6 +244,10 @@ def _promising(
         chosen += [r for r in beside[:NAMED] if r not in chosen]
     starts = [_accompanied(effect, core, beside, best) for effect in companions]
     return [*starts, *((r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen)]
+
+
+def _keyed(rated: Rated) -> frozenset[str]:
+    return frozenset(e.key for e in rated.effects)
 
 
 def _accompanied(companion: Effect, core: tuple[Effect, ...], beside: list[Rated], best: Hypothesis) -> Start:
@@ -286,16 +304,22 @@ def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
 
 
 def _grown(effects: tuple[Effect, ...], best: Hypothesis) -> Iterator[tuple[int, ...]]:
-    """The best subset with one or two effects more, or with one more and one less: how subsets beyond three grow."""
+    """Subsets beyond three about the best one: all within it, and with others for up to two of its effects.
+
+    Up to two others, but two for at most one. Growth takes in what stands for several effects; once these are there, it
+    is not needed, and what it had hidden is.
+    """
     inside = tuple(i for i, e in enumerate(effects) if e.key in best.key)
     outside = [i for i in range(len(effects)) if i not in inside]
-    for more in (*combinations(outside, 1), *combinations(outside, 2)):
-        for less in (None, *inside) if len(more) == 1 else (None,):
-            subset = tuple(sorted({*inside, *more} - {less}))
-            chosen = [effects[i] for i in subset]
-            paired = all(e.beside is None or e.beside in chosen for e in chosen)
-            if paired and _compatible(chosen) and LARGEST_SUBSET < causes(chosen) <= MOST_CAUSES:
-                yield subset
+    for count in range(3):
+        left_out = range(len(inside) + 1) if not count else range(3 if count == 1 else 2)
+        for more in combinations(outside, count):
+            for less in chain.from_iterable(combinations(inside, size) for size in left_out):
+                subset = tuple(sorted({*inside, *more}.difference(less)))
+                chosen = [effects[i] for i in subset]
+                paired = all(e.beside is None or e.beside in chosen for e in chosen)
+                if paired and _compatible(chosen) and LARGEST_SUBSET < causes(chosen) <= MOST_CAUSES:
+                    yield subset
 
 
 def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
