@@ -22,7 +22,7 @@ from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.nominal import LoggedCar, Nominal
 from cadgen.measurement.record import Kind, Record
-from cadgen.measurement.verdict import registered
+from cadgen.measurement.remains import registered
 
 # Independent numbers in the path of one run: its errors are smooth, and the start pose takes three of them.
 INDEPENDENT = 6

@@ -18,7 +18,9 @@
 | `hypothesis` | a subset of effects, fitted exactly and scored                                                  |
 | `settle`     | least squares within bounds, ended when the values move by less than their errors               |
 | `columns`    | linearised responses of effects                                                                 |
+| `numerous`   | effects of which there are many, prepared to be tried one at a time                             |
 | `search`     | all small subsets, linearised; the best are fitted                                              |
+| `remains`    | residuals that a subset leaves, and whether the runs differ                                     |
 | `verdict`    | what the rivals and what is left allow to be claimed                                            |
 | `friction`   | play and friction of one car: whether the data part them, and what is known of the play         |
 | `doubt`      | what speaks against a verdict: bounds, a rest that dwarfs every effect, too little data         |

@@ -19,8 +19,9 @@ from cadgen.measurement.joint import Build, Joint, Part
 from cadgen.measurement.models.base import Model, repeating, slopes
 from cadgen.measurement.noise import Noise, estimate_noise
 from cadgen.measurement.record import Datum, Record
+from cadgen.measurement.remains import registered
 from cadgen.measurement.search import find
-from cadgen.measurement.verdict import Judgement, Verdict, judge, registered
+from cadgen.measurement.verdict import Judgement, Verdict, judge
 
 Step = Callable[[str], None]
 # A subset less likely than this does not change what is expected of the car.

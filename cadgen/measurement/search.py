@@ -20,8 +20,8 @@ from cadgen.errors import DesignError
 from cadgen.measurement.columns import Columns, of_shapes, side_by_side, tangents
 from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.joint import Joint
+from cadgen.measurement.numerous import Index, Numerous
 
-Index = NDArray[np.intp]
 Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
 
 # Causes of which all subsets are tried, and that a subset may have which grows from the best one while that leaves more
@@ -43,8 +43,6 @@ BETTER = 1.0
 HOPELESS = 100.0
 # Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
 COLLINEAR = 0.99999
-# Share of a column's square that is left of it, less than which is rounding.
-_HIDDEN = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,48 +53,6 @@ class Rated:
     effects: tuple[Effect, ...]
     estimate: Array
     columns: Index
-
-
-@dataclass(frozen=True)
-class Alike:
-    """Some of the numerous effects, k of them, that have the same number of columns.
-
-    Attributes:
-        effects: numbers of the effects, shape (k,).
-        columns: columns of each, shape (k, width).
-        products: products of these columns for every spectrum, shape (g, k, width, width).
-        size: sizes of the columns, shape (g, k, width); infinite where nothing is left of one.
-    """
-
-    effects: Index
-    columns: Index
-    products: Array
-    size: Array
-
-
-class Numerous:
-    """The many effects that enter one at a time: whitened once, with their products among their own columns."""
-
-    def __init__(self, joint: Joint, columns: Columns) -> None:
-        self.effects, self.spans = columns.effects, columns.spans
-        self.white = joint.whiten(columns.values)
-        self.halves = joint.halves(self.white)
-        sorts = [(s.stop - s.start, bool(e.parts)) for e, s in zip(self.effects, self.spans, strict=True)]
-        self.groups = [
-            self._alike(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
-            for sort in sorted(set(sorts))
-        ]
-
-    def _alike(self, width: int, which: Index) -> Alike:
-        """Effects by their numbers, each of which has so many columns."""
-        columns = np.array([self.spans[i].start for i in which], dtype=np.intp)[:, None] + np.arange(width)
-        own = np.einsum("nki,nkj->kij", self.white[:, columns], self.white[:, columns])
-        taken = np.einsum("gqki,gqkj->gkij", self.halves[:, :, columns], self.halves[:, :, columns])
-        whole = np.einsum("kii->ki", own)
-        left = np.maximum(whole - np.einsum("gkii->gki", taken), 0.0)
-        # What the discrepancy hides but for rounding is of no size that anything could be measured against.
-        size = np.where(left > _HIDDEN * whole, np.sqrt(left), np.inf)
-        return Alike(which, columns, own - taken, size)
 
 
 @dataclass(frozen=True)
@@ -139,6 +95,7 @@ def find(joint: Joint) -> list[Hypothesis]:
         # What acts beside another linearises badly, and may look needed where it is not.
         less = [tuple(e for e in best.effects if e is not companion) for companion in best.effects if companion.beside]
         _fit_new(joint, [(effects, best.active) for effects in less], fitted, search)
+    _fit_new(joint, list(_within(joint, min(fitted.values(), key=lambda h: h.score))), fitted, search)
     return sorted(fitted.values(), key=lambda h: h.score)
 
 
@@ -148,6 +105,17 @@ def _leaders(fitted: Iterable[Hypothesis]) -> Iterator[Hypothesis]:
     yield ranked[0]
     if any(e.shape for e in ranked[0].effects):
         yield from [h for h in ranked if h.effects and not any(e.shape for e in h.effects)][:1]
+
+
+def _within(joint: Joint, best: Hypothesis) -> Iterator[Start]:
+    """Subsets within the best one that lose little: where an effect of it is too small to be named, one of these is."""
+    for size in range(1, len(best.effects)):
+        for effects in combinations(best.effects, size):
+            kept = {e.key for e in effects}
+            start = [(e, v) for e, v in best.active if e in joint.datum or e.key in kept]
+            paired = all(e.beside is None or e.beside in effects for e in effects)
+            if paired and _misfit(joint, start) < best.misfit[best.within] + HOPELESS:
+                yield effects, start
 
 
 def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hypothesis], search: Search) -> None:

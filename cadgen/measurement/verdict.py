@@ -7,7 +7,6 @@ from itertools import chain, combinations
 from math import log
 
 import numpy as np
-from scipy.stats import f as f_distribution
 from scipy.stats import norm
 from scipy.stats import t as student
 
@@ -15,8 +14,7 @@ from cadgen.arrays import Array
 from cadgen.deviations.effect import UNITS, Active
 from cadgen.measurement.hypothesis import Hypothesis
 from cadgen.measurement.joint import Joint, Part
-from cadgen.measurement.models.base import Model, fourier, per_run, repeating
-from cadgen.measurement.noise import Noise
+from cadgen.measurement.remains import largest, left_over, registered, runs_disagree
 
 
 class Verdict(StrEnum):
@@ -43,9 +41,6 @@ RIVAL = 5.0
 LOOSE = 16.0
 # An effect beside an unknown shape must be this much more likely than the shape alone.
 BESIDE_UNKNOWN = 40.0
-# Runs disagree if the chi-square of their smooth differences has this chance or less.
-DISAGREE = 1e-6
-SMOOTH_ORDERS = 6
 # Effects that change the residual by less than this share of the stated form error are part of it.
 LEAST_OF_FLOOR = 0.4
 # RMS over the noise that thousands of rows of noise do not reach.
@@ -148,7 +143,7 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
         judgement, best = _within_floor(joint, found)
     else:
         judgement, best = _beyond_floor(joint, loose, found)
-    left, where = max((_left_over(part, joint, best), part.record.source) for part in joint.parts)
+    left, where = max((left_over(part, joint, best), part.record.source) for part in joint.parts)
     if judgement.verdict in (Verdict.UNTRACED_SHAPE, Verdict.PARTIAL, Verdict.NONE) and left > LEFT_OVER:
         sentence = (
             f"What remains is {left:.1f} times the noise and neither an effect of the catalogue nor a shape that "
@@ -158,7 +153,7 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
     if left > LEFT_OVER:
         limit = f"what remains in {where} is {left:.1f} times its noise and has no name: something else is at work too"
         judgement = replace(judgement, limits=(*judgement.limits, limit))
-    if judgement.verdict != Verdict.NONE and any(_runs_disagree(part, best) for part in joint.parts):
+    if judgement.verdict != Verdict.NONE and any(runs_disagree(part, best) for part in joint.parts):
         sentence = "The runs differ from each other by more than the noise within them: nothing is claimed."
         return replace(judgement, verdict=Verdict.RUNS_DISAGREE, sentence=sentence, claimed=()), best
     if all(part.noise.runs == 1 for part in joint.parts):
@@ -179,14 +174,12 @@ def _less_single_runs(joint: Joint, judgement: Judgement, best: Hypothesis) -> J
 
 def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
     distinct = _distinct(found)
-    weight = np.exp([(found[0].score - h.score) / 2 for h in distinct])
-    weight /= weight.sum()
     best = found[0]
     likely = [h for h in distinct if h.score < best.score + RIVAL]
     # A name of the catalogue comes before an anonymous shape that does no better ...
     named = [h for h in likely if h.effects and not any(e.shape for e in h.effects)]
     best = named[0] if named and best.effects else best
-    sure = {n for n in best.holds if sum(w for h, w in zip(distinct, weight, strict=True) if n in h.holds) >= SURE}
+    sure = _sure(best, distinct, [h.score for h in distinct])
     # ... and the smallest subset nested in the best and as likely before the best: what more that holds is not needed.
     nested = [h for h in found if h.key <= best.reach and sure <= h.holds and h.score < best.score + MARGIN]
     best = min(nested, key=lambda h: (len(h.key), h.parameters, h.score))
@@ -196,7 +189,7 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
     anonymous = any(e.shape for e in best.effects)
     verdict: Verdict
     if not best.effects:
-        disagree = any(_runs_disagree(part, best) for part in joint.parts)
+        disagree = any(runs_disagree(part, best) for part in joint.parts)
         verdict, rivals = (Verdict.RUNS_DISAGREE if disagree else Verdict.NONE), []
     elif anonymous and not best.claims:
         verdict = Verdict.UNTRACED_SHAPE
@@ -245,23 +238,6 @@ def _shows(part: Part, whole: Active, rest: Active) -> bool:
     return bool(np.sqrt(np.mean(change**2)) >= LEAST_OF_FLOOR * part.model.floor)
 
 
-def registered(model: Model, noise: Noise, residual: Array, more: Array | None = None) -> Array:
-    """The residual less the linear datum freedoms, and less further columns, shape (n, m).
-
-    Args:
-        model: model of the record.
-        noise: noise of the record.
-        residual: residual, shape (n,), mm or rad.
-        more: further columns, shape (n, k), mm or rad; None without.
-    """
-    weight = 1 / noise.sigma
-    free = model.offsets if more is None else np.hstack([model.offsets, more])
-    if not free.shape[1]:
-        return residual
-    fit = np.linalg.lstsq(free * weight[:, None], residual * weight, rcond=None)[0]
-    return np.asarray(residual - free @ fit)
-
-
 def _explained(joint: Joint, found: list[Hypothesis], best: Hypothesis) -> float:
     """Share of the registered residuals' square, each over its noise, that the named effects take away."""
     none = next(h for h in found if not h.effects)
@@ -280,8 +256,13 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
     if best.claims and _explained(joint, found, best) < MOST:
         best = alone
     verdict: Verdict = Verdict.PARTIAL if best.claims else Verdict.UNTRACED_SHAPE
+    # Beside an unknown shape, too, a name is claimed only if no other does as well.
+    distinct = _distinct(sorted(found, key=lambda h: h.loose_score)) if best.claims else []
+    claimed = best.claims & _sure(best, distinct, [h.loose_score for h in distinct])
+    likely = [h for h in distinct if h.loose_score < best.loose_score + RIVAL]
+    reported = best.claims.union(*(h.claims for h in likely))
     beyond = best.at(joint, loose=True)
-    _, place, size, part = max((_largest(part, joint, beyond) for part in joint.parts), key=lambda found: found[0])
+    _, place, size, part = max((largest(part, joint, beyond) for part in joint.parts), key=lambda found: found[0])
     unit = part.model.unit
     words = (
         f"what remains is no effect of the catalogue: a smooth shape beyond the stated form error, largest "
@@ -294,59 +275,19 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
     judgement = Judgement(
         verdict=verdict,
         sentence=words[0].upper() + words[1:] + ".",
-        claimed=tuple(sorted(best.claims)),
-        reported=tuple(sorted(best.claims)),
-        rivals=(),
+        claimed=tuple(sorted(claimed)),
+        reported=tuple(sorted(reported)),
+        rivals=tuple(tuple(e.name for e in h.effects) for h in likely if not best.key <= h.reach),
         separate=_separate([best]),
     )
     return judgement, beyond
 
 
-def _repeating(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Array]:
-    """Residual of a part, and the most likely coefficients of what repeats in it."""
-    residual = part.residual(best.active)
-    return residual, part.evidence.repeating(part.evidence.whiten(residual), joint.grid.index(best.spectrum))
-
-
-def _left_over(part: Part, joint: Joint, best: Hypothesis) -> float:
-    """RMS of the whitened residual less its most likely form error and discrepancy: 1 if only noise is left."""
-    residual, repeats = _repeating(part, joint, best)
-    left = registered(part.model, part.noise, residual - repeating(part.model) @ repeats)
-    return float(np.sqrt(np.mean((left / part.noise.sigma) ** 2)))
-
-
-def _largest(part: Part, joint: Joint, best: Hypothesis) -> tuple[float, float, float, Part]:
-    """The greatest value of the form error over the noise; its place, its size and the part."""
-    values = part.model.form @ _repeating(part, joint, best)[1][: part.model.form.shape[1]]
-    values = values - values.mean()
-    worst = int(np.argmax(np.abs(values)))
-    size = float(values[worst])
-    return abs(size) / part.noise.rms, float(part.model.rows.place[worst]), size, part
-
-
-def _runs_disagree(part: Part, best: Hypothesis) -> bool:
-    """Do the runs differ smoothly, by more than the noise between neighbours allows?"""
-    model, noise, rows = part.model, part.noise, part.model.rows
-    if rows.runs < 2:
-        return False
-    residual = part.residual(best.active)
-    smooth, _ = fourier(rows.place, SMOOTH_ORDERS)
-    contrasts = [smooth * (rows.run == run)[:, None] for run in range(1, rows.runs)]
-    # A divider set differently for each run is index error, and counted as noise.
-    own = [per_run(rows.run) * model.slip[:, None]] if model.slip.size else []
-    base = np.hstack([model.offsets, repeating(model), *own])
-    both = np.hstack([base, *contrasts])
-    squares, ranks = [], []
-    for columns in (base, both):
-        fit, _, rank, _ = np.linalg.lstsq(columns / noise.sigma[:, None], residual / noise.sigma, rcond=1e-9)
-        squares.append(float(np.sum(((residual - columns @ fit) / noise.sigma) ** 2)))
-        ranks.append(int(rank))
-    extra, left = ranks[1] - ranks[0], len(residual) - ranks[1]
-    if extra < 1 or left < 1 or squares[1] == 0:
-        return False  # so few rows do not tell
-    ratio = (squares[0] - squares[1]) / extra / (squares[1] / left)
-    inflation = (1 + noise.correlation) / (1 - noise.correlation)
-    return bool(f_distribution.sf(ratio / inflation, extra, left) < DISAGREE)
+def _sure(best: Hypothesis, distinct: list[Hypothesis], scores: list[float]) -> frozenset[str]:
+    """Names of a subset that those which hold them have the chance `SURE` of together, by the scores of all."""
+    weight = np.exp((min(scores, default=0.0) - np.array(scores)) / 2)
+    chance = {n: sum(w for h, w in zip(distinct, weight, strict=True) if n in h.holds) for n in best.holds}
+    return frozenset(n for n, together in chance.items() if together >= SURE * weight.sum())
 
 
 def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> str:

@@ -12,7 +12,8 @@ from cadgen.measurement.diagnose import diagnose
 from cadgen.measurement.doubt import doubted, refuse_too_few, resolved
 from cadgen.measurement.noise import Noise
 from cadgen.measurement.nominal import Nominal
-from cadgen.measurement.verdict import Judgement, _runs_disagree
+from cadgen.measurement.remains import runs_disagree
+from cadgen.measurement.verdict import Judgement
 from cadgen.records.load import load
 
 CLEAR = Judgement(verdict="traced", sentence="", claimed=("x",), reported=("x",), rivals=(), separate=())
@@ -198,4 +199,4 @@ def test_so_few_rows_that_nothing_is_left_tell_of_no_difference():
         noise=SimpleNamespace(sigma=np.ones(4), correlation=0.0),
         residual=lambda active: np.array([1.0, -1.0, 2.0, 0.5]),
     )
-    assert not _runs_disagree(part, SimpleNamespace(active=[]))
+    assert not runs_disagree(part, SimpleNamespace(active=[]))
