@@ -30,8 +30,8 @@ class Verdict(StrEnum):
     RUNS_DISAGREE = "runs disagree"
 
 
-# A name is claimed if the subsets that hold it have this probability together. That is of the least sure claim; of all
-# claims far more are right (docs/measurement.md).
+# The names of a subset are claimed so that all of them are right with this probability at least: see `sure_of`. That is
+# of the least sure claims; of all claims far more are right (docs/measurement.md).
 SURE = 0.85
 # The same as a difference of the criterion between two subsets: 2 ln(odds).
 MARGIN = 2 * log(SURE / (1 - SURE))
@@ -283,11 +283,20 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
     return judgement, beyond
 
 
+def sure_of(names: int) -> float:
+    """The chance that each of several names must have, so that all are right with the chance `SURE` (Bonferroni).
+
+    Args:
+        names: how many the subset has.
+    """
+    return 1 - (1 - SURE) / max(names, 1)
+
+
 def _sure(best: Hypothesis, distinct: list[Hypothesis], scores: list[float]) -> frozenset[str]:
-    """Names of a subset that those which hold them have the chance `SURE` of together, by the scores of all."""
+    """Names of a subset that those which hold them are sure of together, by the scores of all."""
     weight = np.exp((min(scores, default=0.0) - np.array(scores)) / 2)
     chance = {n: sum(w for h, w in zip(distinct, weight, strict=True) if n in h.holds) for n in best.holds}
-    return frozenset(n for n, together in chance.items() if together >= SURE * weight.sum())
+    return frozenset(n for n, together in chance.items() if together >= sure_of(len(best.claims)) * weight.sum())
 
 
 def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> str:

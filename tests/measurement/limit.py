@@ -15,7 +15,7 @@ from scipy.stats import norm
 
 from cadgen.deviations.effect import Active, Effect
 from cadgen.measurement.models.base import Model, fourier, slopes
-from cadgen.measurement.verdict import SURE
+from cadgen.measurement.verdict import sure_of
 from tests.measurement import study
 from tests.measurement import synthetic as syn
 
@@ -70,7 +70,8 @@ def best(car: syn.Car, case: study.Case, rng: np.random.Generator) -> tuple[floa
     products = information(model, np.column_stack([*signals, own, slopes(model, others, datum)]), noise, variance)
     spans = _spans((*truth, *others), len(truth))
     mine, theirs = spans[: len(truth)], spans[len(truth) :]
-    price, bar = np.log(len(whole)), 2 * np.log(SURE / (1 - SURE))
+    sure = sure_of(len(truth))
+    price, bar = np.log(len(whole)), 2 * np.log(sure / (1 - sure))
     chance, first = 1.0, len(truth)
     for lost in range(len(truth)):
         base = np.concatenate([np.empty(0, dtype=int), *(span for k, span in enumerate(mine) if k != lost)])
