@@ -31,7 +31,9 @@ LARGEST_SUBSET, MOST_CAUSES = 3, 6
 REFINED = 5
 NAMED = 2
 BASES = 20
-ROUNDS = 4
+ROUNDS = 5
+# A subset that is not fitted yet is so if its linearised score is within this much of the best one's.
+NEAR = 10.0
 # What is left is more than chance if its chi-square is so many standard deviations above its mean.
 CHANCE = 3.0
 # An effect of the instrument and one of the part are told apart by data in which they differ by this share: more than a
@@ -82,29 +84,26 @@ def find(joint: Joint) -> list[Hypothesis]:
     search = Search(joint.rows, entries, max(anonymous, 1))
     none = fit(joint, (), [], search)
     fitted = {none.key: none}
-    best = none
+    best = about = none
     # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
     many = Numerous(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
     for _ in range(ROUNDS):
-        for leader in _leaders(fitted.values()):
-            _fit_new(joint, _promising(joint, leader, core, many, search, fitted), fitted, search)
+        _fit_new(joint, _promising(joint, about, core, many, search, fitted), fitted, search)
         leader = min(fitted.values(), key=lambda h: h.score)
-        if leader is best:
+        if leader is not best:
+            best = about = leader
+            # What acts beside another linearises badly, and may look needed where it is not.
+            less = [tuple(e for e in best.effects if e is not beside) for beside in best.effects if beside.beside]
+            _fit_new(joint, [(effects, best.active) for effects in less], fitted, search)
+        elif about is best and any(e.shape for e in best.effects):
+            # An anonymous shape may stand for names, and these are found from what there is without it.
+            about = min((h for h in fitted.values() if not any(e.shape for e in h.effects)), key=lambda h: h.score)
+            if about.score > best.score + HOPELESS:
+                break
+        else:
             break
-        best = leader
-        # What acts beside another linearises badly, and may look needed where it is not.
-        less = [tuple(e for e in best.effects if e is not companion) for companion in best.effects if companion.beside]
-        _fit_new(joint, [(effects, best.active) for effects in less], fitted, search)
     _fit_new(joint, list(_within(joint, min(fitted.values(), key=lambda h: h.score))), fitted, search)
     return sorted(fitted.values(), key=lambda h: h.score)
-
-
-def _leaders(fitted: Iterable[Hypothesis]) -> Iterator[Hypothesis]:
-    """The best subset; and the best one without an anonymous shape, from which names are found that this stands for."""
-    ranked = sorted(fitted, key=lambda h: h.score)
-    yield ranked[0]
-    if any(e.shape for e in ranked[0].effects):
-        yield from [h for h in ranked if h.effects and not any(e.shape for e in h.effects)][:1]
 
 
 def _within(joint: Joint, best: Hypothesis) -> Iterator[Start]:
@@ -200,7 +199,8 @@ def _promising(
     # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
     datum_start = [(e, v) for e, v in best.active if e in joint.datum]
     chosen: list[Rated] = []
-    for some in (rated, [r for r in rated if _keyed(r) not in fitted]):
+    level = min(best.score, rated[0].score) + NEAR
+    for some in (rated, [r for r in rated if r.score < level and _keyed(r) not in fitted]):
         chosen += [r for r in some if r not in chosen][:REFINED]
         chosen += [r for r in some if r not in chosen and not any(e.shape for e in r.effects)][:NAMED]
     # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted; and a
@@ -272,15 +272,14 @@ def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
 
 
 def _grown(effects: tuple[Effect, ...], best: Hypothesis) -> Iterator[tuple[int, ...]]:
-    """Subsets beyond three about the best one: all within it, and with others for up to two of its effects.
+    """Subsets beyond three about the best one: all within it, with two others more, and with one for up to two of it.
 
-    Up to two others, but two for at most one. Growth takes in what stands for several effects; once these are there, it
-    is not needed, and what it had hidden is.
+    Growth takes in what stands for several effects; once these are there, it is not needed, and what it had hidden is.
     """
     inside = tuple(i for i, e in enumerate(effects) if e.key in best.key)
     outside = [i for i in range(len(effects)) if i not in inside]
     for count in range(3):
-        left_out = range(len(inside) + 1) if not count else range(3 if count == 1 else 2)
+        left_out = (range(len(inside) + 1), range(3), range(1))[count]
         for more in combinations(outside, count):
             for less in chain.from_iterable(combinations(inside, size) for size in left_out):
                 subset = tuple(sorted({*inside, *more}.difference(less)))

@@ -39,6 +39,8 @@ MARGIN = 2 * log(SURE / (1 - SURE))
 RIVAL = 5.0
 # A form error beyond the floor has two numbers more (size and knee) that nothing in the catalogue explains.
 LOOSE = 16.0
+# Subsets so far behind the best one have no weight.
+OUT_OF_SIGHT = 60.0
 # An effect beside an unknown shape must be this much more likely than the shape alone.
 BESIDE_UNKNOWN = 40.0
 # Effects that change the residual by less than this share of the stated form error are part of it.
@@ -136,7 +138,10 @@ def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement
 
 def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
     """Weigh the fitted subsets against each other and against what they leave; and the subset that is reported."""
-    found = [h for h in found if not _below_floor(joint, h)]
+    least, loosest = min(h.score for h in found), min(h.loose_score for h in found)
+    near = [h for h in found if h.score < least + OUT_OF_SIGHT or h.loose_score < loosest + OUT_OF_SIGHT]
+    found = [h for h in near if not _below_floor(joint, h)] + [h for h in found if not h.effects]
+    found.sort(key=lambda h: h.score)
     tight = found[0]
     loose = min(found, key=lambda h: h.loose_score)
     if tight.score <= loose.loose_score + LOOSE:
