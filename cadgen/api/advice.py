@@ -28,7 +28,7 @@ class Advice:
 
     @property
     def ranked(self) -> "tuple[Expected, ...]":
-        """The measurements, the best first: `words`, `runs`, `end` (its `mean`, `least` and `most`, mm), `parted`."""
+        """The measurements, best first: `words`, `runs`, `end` (its `mean`, `least` and `most`, mm), `names_sure`."""
         return self.computed.ranked
 
     @property

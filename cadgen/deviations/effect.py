@@ -87,8 +87,8 @@ class Effect:
         places: where the effect may be, the likeliest first; any effect may be `noted`.
         indices: numbers that say which of several alike it is, by their keys, as `nose_number`; they are not fitted.
         beside: effect without which it does nothing; with that it counts as one cause.
-        looks_like: effect of the part or the car that it may be taken for: where the data do not part them, they are
-            one cause under two names.
+        looks_like: effect of the part or the car that it may be taken for: where the data do not tell them apart, they
+            are one cause under two names.
         parts: effects that it stands for while a search begins, each with its share of the parameters in order.
         variant: makes entries of one name different (which nose, from which width the search begins).
         cause: what its orders and places share; the name if empty.

@@ -65,7 +65,7 @@ class Expected:
         kind: of the data; None for the play by hand.
         runs: how many.
         end: of the run on a new cam made for what is then claimed.
-        parted: chance that the likeliest names are then sure.
+        names_sure: chance that the likeliest names are then sure.
         part: of the turn that says most, begin and end, rad, and the end of the run if that alone is measured; None
             where it is not looked at.
     """
@@ -74,7 +74,7 @@ class Expected:
     kind: Kind | None
     runs: int
     end: Range
-    parted: float
+    names_sure: float
     part: tuple[float, float, Range] | None = None
 
 
@@ -84,13 +84,13 @@ class Next:
 
     Attributes:
         now: end of the run on a new cam made for what is claimed so far.
-        parted: chance of the likeliest names so far; 1 before any measurement.
+        names_sure: chance of the likeliest names so far; 1 before any measurement.
         rivals: what else may be true, as names.
         ranked: what could be measured, the best first.
     """
 
     now: Range
-    parted: float
+    names_sure: float
     rivals: tuple[tuple[str, ...], ...]
     ranked: tuple[Expected, ...]
 
@@ -132,7 +132,7 @@ def next_measurement(
     linear = Linear.of(nominal, records, told, others, prior.spread)
     state = _State(linear, prior)
     rows = state.proposed(proposals(nominal, linear.own(TRACK, state.about), measured))
-    now, parted = state.expected(np.zeros((linear.size, linear.size)), measured)
+    now, names_sure = state.expected(np.zeros((linear.size, linear.size)), measured)
     ranked = []
     for proposal, known in rows:
         kinds = [*measured, *([proposal.kind] if proposal.kind else [])]
@@ -147,7 +147,7 @@ def next_measurement(
         out[0] = state.with_part(best, known, [*measured, proposal.kind])
     rivals = sorted(linear.likely, key=lambda entry: -entry[0])[1:]
     names = tuple(tuple(e.name for e, _ in active) for weight, active in rivals if weight >= LEAST_WEIGHT)
-    return Next(now, parted, names, tuple(out))
+    return Next(now, names_sure, names, tuple(out))
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,8 @@
-"""Play and friction of one car: whether the data part them, and what is known of the play beforehand.
+"""Play and friction of one car: whether the data tell them apart, and what is known of the play beforehand.
 
 On a cam that leads its gears only near one place, twice the play over half the way does nearly the same to the car: of
 the paper's car that is so from a friction of some 0.22 on. A play that was measured with the rod lifted, where no
-friction holds the cam, parts them.
+friction holds the cam, tells them apart.
 """
 
 from dataclasses import replace
@@ -13,8 +13,8 @@ from cadgen.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.measurement.joint import Joint
 from cadgen.measurement.verdict import Judgement, unclaimed
 
-# Play and friction are parted if their standard deviations are no more than these, the play's relative to its size.
-PARTED_PLAY, PARTED_FRICTION = 0.015, 0.015
+# Play and friction are told apart if their standard deviations are no more than these, the play's relative to its size.
+APART_PLAY, APART_FRICTION = 0.015, 0.015
 # Standard deviations by which a play measured beforehand may differ from the play fitted to the data alone.
 ANOTHER = 3.3
 
@@ -47,7 +47,7 @@ def with_known_play(joint: Joint, best: Hypothesis, known: tuple[float, float] |
 
 
 def with_friction_judged(judgement: Judgement, best: Hypothesis, *, play_known: bool) -> Judgement:
-    """A judgement that says so where play and friction are not parted, and claims no friction without play.
+    """A judgement that says so where play and friction are not told apart, and claims no friction without play.
 
     Args:
         judgement: on the best subset.
@@ -62,13 +62,13 @@ def with_friction_judged(judgement: Judgement, best: Hypothesis, *, play_known: 
         return unclaimed(judgement, [friction.name], f"{friction.name} shows only with a {play.name} that is sure")
     numbers = {e.key: (float(v[0]), float(s[0])) for e, v, s in best.values()}
     (value, error), (holds, unsure) = numbers[play.key], numbers[friction.key]
-    sure = (play_known or error <= PARTED_PLAY * value) and unsure <= PARTED_FRICTION
+    sure = (play_known or error <= APART_PLAY * value) and unsure <= APART_FRICTION
     if friction.name not in judgement.claimed or sure:
         return judgement
     scale = play.parameters[0].scale
     limit = (
-        f"{play.name} and {friction.name} are not parted: more play with more friction, {value / scale:.2f} ± "
-        f"{error / scale:.2f}° with {holds:.2f} ± {unsure:.2f}, does nearly the same to this cam; to part them, "
+        f"{play.name} and {friction.name} are not told apart: more play with more friction, {value / scale:.2f} ± "
+        f"{error / scale:.2f}° with {holds:.2f} ± {unsure:.2f}, does nearly the same to this cam; to tell them apart, "
         f"{MEASURE_FRICTION}; set play.measured_deg, or give a transmission's file, and calibrate again"
     )
     return replace(judgement, limits=(*judgement.limits, limit))

@@ -38,7 +38,7 @@ NEAR = 10.0
 CHANCE = 3.0
 # An effect of the instrument and one of the part are told apart by data in which they differ by this share: more than a
 # part differs that is clamped anew by eye (one degree), less than one that is turned on purpose.
-PARTED = 0.05
+APART = 0.05
 # Values that are better than those fitted by this much, in -2 log L, lie in another valley.
 BETTER = 1.0
 # A subset that stays behind the best one by so much of the criterion is not fitted to the end.
@@ -78,7 +78,7 @@ class Round:
 
 def find(joint: Joint) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
-    core, named = parted(joint), joint.numerous
+    core, named = told_apart(joint), joint.numerous
     entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
     anonymous = len(joint.shapes) + sum(e.shape for e in named)
     search = Search(joint.rows, entries, max(anonymous, 1))
@@ -136,10 +136,10 @@ def _misfit(joint: Joint, active: Active) -> float:
     return float(joint.misfit(active)[joint.within].min())
 
 
-def parted(joint: Joint) -> tuple[Effect, ...]:
+def told_apart(joint: Joint) -> tuple[Effect, ...]:
     """The freely combining effects, less those of the instrument that are another's twins in these data.
 
-    Two are told apart if their responses, less the datum, enclose an angle that `PARTED` is the sine of.
+    Two are told apart if their responses, less the datum, enclose an angle that `APART` is the sine of.
     """
     kept = {e.key: e for e in joint.core}
     datum = [(e, e.start) for e in joint.datum]
@@ -154,7 +154,7 @@ def parted(joint: Joint) -> tuple[Effect, ...]:
         if not other:
             continue
         mine, others = response(effect), response(other)
-        if np.linalg.norm(mine - others @ (others.T @ mine), 2) < PARTED:
+        if np.linalg.norm(mine - others @ (others.T @ mine), 2) < APART:
             del kept[effect.key]
             by = f"{other.separated_by}; {effect.name}: {effect.separated_by}"
             kept[other.key] = replace(other, twins=tuple(dict.fromkeys((*other.twins, effect.name))), separated_by=by)

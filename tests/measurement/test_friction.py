@@ -1,4 +1,4 @@
-"""Friction beside play: what parts them, what is said where nothing does, and what becomes of it in the design."""
+"""Friction beside play: what tells them apart, what is said where nothing does, what becomes of it in the design."""
 
 from dataclasses import replace
 from math import radians
@@ -40,11 +40,11 @@ def forces(carbon_free_car):
 
 
 @pytest.mark.slow
-def test_a_track_parts_play_and_friction():
+def test_a_track_tells_apart_play_and_friction():
     # A slice of the study that docs/studies/friction_cars.md records.
     made, told = case(1, 10, 60).car, judged(1, 10, 60)
     assert made.friction > 0.05
-    assert told.parted
+    assert told.told_apart
     assert not told.wrong
     assert told.play_deg == pytest.approx(made.play_deg, rel=0.03)
     assert told.friction == pytest.approx(made.friction, abs=0.03)
@@ -119,16 +119,16 @@ def _best(nominal, world, play_sigma, friction_sigma):
 
 
 @pytest.mark.parametrize(
-    ("play_sigma", "friction_sigma", "known", "parted"),
+    ("play_sigma", "friction_sigma", "known", "apart"),
     [(0.008, 0.01, False, True), (0.08, 0.01, False, False), (0.008, 0.03, False, False), (0.08, 0.01, True, True)],
 )
-def test_what_is_not_parted_is_said(nominal, world, play_sigma, friction_sigma, known, parted):
+def test_what_is_not_told_apart_is_said(nominal, world, play_sigma, friction_sigma, known, apart):
     judgement = _judgement("backlash", "sliding friction")
     told = with_friction_judged(judgement, _best(nominal, world, play_sigma, friction_sigma), play_known=known)
     assert told.claimed == judgement.claimed
-    assert (told == judgement) is parted
-    if not parted:
-        assert "backlash and sliding friction are not parted" in told.limits[0]
+    assert (told == judgement) is apart
+    if not apart:
+        assert "backlash and sliding friction are not told apart" in told.limits[0]
         assert "with the rod lifted" in told.limits[0]
         assert "thread on its rim" in told.limits[0]
 

@@ -1,4 +1,4 @@
-"""Effects of instrument and part: twins in one record, parted by a part that is turned on the machine."""
+"""Effects of instrument and part: twins in one record, told apart by a part that is turned on the machine."""
 
 from dataclasses import replace
 

@@ -16,7 +16,7 @@ ROWS = {
 
 
 @pytest.mark.parametrize("name", ROWS)
-def test_rows_are_read_however_they_are_parted(name, tmp_path):
+def test_rows_are_read_however_they_are_separated(name, tmp_path):
     (tmp_path / "p.csv").write_text(ROWS[name])
     points = read_points(tmp_path / "p.csv")
     assert points.places == ((0, 0), (10, 5), (20, 0), (30, 5))

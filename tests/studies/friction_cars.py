@@ -7,9 +7,9 @@ again are controls: with play on a ball bearing and another effect, and without 
 Asked:
 
 - of the cars with a friction of 0.05 or more, in how many both play and friction are named, and in how many of these
-  they are parted: named without the limit that says that they are not;
-- where they are parted, whether the return error is within 3 % and the friction within 0.03;
-- whether they are parted, and so close, where the play was measured with the rod lifted as well, within 0.01 degrees;
+  they are told apart: named without the limit that says that they are not;
+- where they are told apart, whether the return error is within 3 % and the friction within 0.03;
+- whether they are told apart, and so close, where the play was measured with the rod lifted, too, within 0.01 degrees;
 - whether no effect is named that the car does not have.
 """
 
@@ -28,7 +28,7 @@ from tests.studies.journal import outcomes, stamp
 
 RUNS, NOISE_MM = 4, 3.0
 PLAYS_DEG, FRICTIONS = (0.5, 0.96), (0.0, 0.4)
-LEAST_PARTED = 0.05  # friction from which it is to be named
+LEAST_APART = 0.05  # friction from which it is to be named
 PLAY_BAR, FRICTION_BAR = 0.03, 0.03  # relative; absolute
 LIFTED_DEG = 0.01  # standard deviation of a play that is measured with the rod lifted
 SORTS = ("play and friction", "with another effect", "no friction", "no play")
@@ -53,16 +53,16 @@ class Outcome:
     Attributes:
         verdict: its class.
         play_deg, friction: as named; None if not.
-        parted: whether both are named, without the limit that says that the data do not part them.
+        told_apart: whether both are named, without the limit that says that the data do not tell them apart.
         wrong: names that the car does not have.
-        lifted: return error, friction and whether they are parted, the play known beforehand; None if not needed.
+        lifted: return error, friction and whether they are told apart, the play known beforehand; None if not needed.
     """
 
     case: Case
     verdict: str
     play_deg: float | None
     friction: float | None
-    parted: bool
+    told_apart: bool
     wrong: tuple[str, ...]
     lifted: tuple[float, float, bool] | None = None
 
@@ -105,26 +105,26 @@ def judged(seed: int, number: int, cases: int) -> Outcome:
     made = case(seed, number, cases)
     world, nominal = _bench()
     record = world.record(made.car, np.random.default_rng([seed, number, 1]), runs=RUNS, noise_mm=NOISE_MM)
-    play, friction, parted, told = _named(calibrate([record], nominal))
+    play, friction, apart, told = _named(calibrate([record], nominal))
     has = {made.other} | ({"backlash"} if made.car.play else set())
     has |= {"sliding friction"} if made.car.play and made.car.friction > 0 else set()
     lifted = None
-    if made.car.play and made.car.friction >= LEAST_PARTED and not parted:
+    if made.car.play and made.car.friction >= LEAST_APART and not apart:
         off = float(np.random.default_rng([seed, number, 2]).normal(0, LIFTED_DEG))
         known = replace(nominal, play=((made.car.play_deg + off) * DEG, LIFTED_DEG * DEG))
         again = _named(calibrate([record], known))
         lifted = (again[0] or np.nan, again[1] or np.nan, again[2])
     wrong = tuple(name for name in told.judgement.claimed if name not in has)
-    return Outcome(made, told.verdict, play, friction, parted, wrong, lifted)
+    return Outcome(made, told.verdict, play, friction, apart, wrong, lifted)
 
 
 def _named(told):
-    """Return error (deg) and friction that are named, and whether they are parted."""
+    """Return error (deg) and friction that are named, and whether they are told apart."""
     (one,) = told
     values = {v.name: v.value for f in one.findings if f.effect in one.judgement.claimed for v in f.values}
     play, friction = values.get("return_error_deg"), values.get("friction")
     both = play is not None and friction is not None
-    return play, friction, both and not any("not parted" in limit for limit in one.judgement.limits), one
+    return play, friction, both and not any("not told apart" in limit for limit in one.judgement.limits), one
 
 
 @cache
@@ -151,7 +151,7 @@ def run(seed: int, cases: int, log: Path | None = None, processes: int = 1) -> l
             case=Case(**{**one["case"], "car": FrictionCar(**one["case"]["car"])}),
             wrong=tuple(one["wrong"]),
             lifted=one["lifted"] and tuple(one["lifted"]),
-            **{name: one[name] for name in ("verdict", "play_deg", "friction", "parted")},
+            **{name: one[name] for name in ("verdict", "play_deg", "friction", "told_apart")},
         )
         for one in outcomes(kept, [(seed, number, cases) for number in range(cases + cases // 2)], log, processes)
     ]
@@ -159,36 +159,42 @@ def run(seed: int, cases: int, log: Path | None = None, processes: int = 1) -> l
 
 def page(seed: int, cases: int, found: list[Outcome]) -> str:
     """The record in Markdown."""
-    rubbing = [o for o in found if o.case.number < cases and o.case.car.friction >= LEAST_PARTED]
+    rubbing = [o for o in found if o.case.number < cases and o.case.car.friction >= LEAST_APART]
     named = [o for o in rubbing if o.play_deg is not None and o.friction is not None]
-    parted = [o for o in rubbing if o.parted]
+    apart = [o for o in rubbing if o.told_apart]
     again = [o for o in rubbing if o.lifted is not None]
     helped = [o for o in again if o.lifted[2]]
     rows = [
         ("cars with play and friction", f"{cases}"),
-        (f"of these with a friction of {LEAST_PARTED:g} or more", f"{len(rubbing)}"),
+        (f"of these with a friction of {LEAST_APART:g} or more", f"{len(rubbing)}"),
         ("play and friction both named", _share(named, rubbing)),
-        ("parted", _share(parted, rubbing)),
+        ("told apart", _share(apart, rubbing)),
         (
-            f"of the parted within {100 * PLAY_BAR:g} % and {FRICTION_BAR:g}",
-            _share([o for o in parted if o.close], parted),
+            f"of those told apart within {100 * PLAY_BAR:g} % and {FRICTION_BAR:g}",
+            _share([o for o in apart if o.close], apart),
         ),
-        ("greatest error of the return error where parted", f"{100 * max(map(_play_error, parted), default=0):.2f} %"),
-        ("greatest error of the friction where parted", f"{max(map(_friction_error, parted), default=0):.4f}"),
-        ("greatest friction of a car that is parted", f"{max((o.case.car.friction for o in parted), default=0):.3f}"),
-        ("not parted by the track, parted with the play measured too", _share(helped, again)),
+        (
+            "greatest error of the return error where told apart",
+            f"{100 * max(map(_play_error, apart), default=0):.2f} %",
+        ),
+        ("greatest error of the friction where told apart", f"{max(map(_friction_error, apart), default=0):.4f}"),
+        (
+            "greatest friction of a car that is told apart",
+            f"{max((o.case.car.friction for o in apart), default=0):.3f}",
+        ),
+        ("not told apart by the track, but with the play measured too", _share(helped, again)),
         (
             f"of these within {100 * PLAY_BAR:g} % and {FRICTION_BAR:g}",
             _share([o for o in helped if _close(o.case, *o.lifted[:2])], helped),
         ),
-        ("parted by the track, or with the play measured too", _share([*parted, *helped], rubbing)),
+        ("told apart by the track, or with the play measured too", _share([*apart, *helped], rubbing)),
         ("control cars", f"{len(found) - cases}"),
         ("cars with a wrong name", f"{sum(bool(o.wrong) for o in found)}"),
     ]
     table = "".join(f"| {name} | {value} |\n" for name, value in rows)
     whole = "".join(
         f"| {o.case.number} | {o.case.car.play_deg:.3f}° | {o.case.car.friction:.3f} | {o.case.other or '-'} | "
-        f"{o.verdict} | {_shown(o.play_deg, '°')} | {_shown(o.friction)} | {'yes' if o.parted else '-'} | "
+        f"{o.verdict} | {_shown(o.play_deg, '°')} | {_shown(o.friction)} | {'yes' if o.told_apart else '-'} | "
         f"{_lifted(o)} | {', '.join(o.wrong) or '-'} |\n"
         for o in found
     )
@@ -202,7 +208,7 @@ def page(seed: int, cases: int, found: list[Outcome]) -> str:
         f"with a play known within {LIFTED_DEG:g}°.\n\n"
         f"`python -m tests.studies.friction_cars --cases {cases} --seed {seed} --record`, {stamp()}\n\n"
         f"| | |\n|---|---|\n{table}\n"
-        "| car | play | friction | other effect | verdict | return error named | friction named | parted | "
+        "| car | play | friction | other effect | verdict | return error named | friction named | told apart | "
         f"with the play measured | wrong names |\n|---|---|---|---|---|---|---|---|---|---|\n{whole}"
     )
 
@@ -222,10 +228,10 @@ def _friction_error(o: Outcome) -> float:
 def _lifted(o: Outcome) -> str:
     if o.lifted is None:
         return "-"
-    play, friction, parted = o.lifted
+    play, friction, apart = o.lifted
     if np.isnan(play) or np.isnan(friction):
         return "not both named"
-    return f"{play:.3f}°, {friction:.3f}{'' if parted else ', not parted'}"
+    return f"{play:.3f}°, {friction:.3f}{'' if apart else ', not told apart'}"
 
 
 def _shown(value: float | None, unit: str = "") -> str:

@@ -138,7 +138,7 @@ def words(n: Next, *, measured: bool) -> list[Block]:
         several = "; ".join(" and ".join(names) or "no effect" for names in n.rivals[:_SHOWN_RIVALS])
         blocks.append(
             f"Not ruled out at present: {several}. After the first measurement the names are sure with a chance of "
-            f"{first.parted:.0%}."
+            f"{first.names_sure:.0%}."
         )
     return blocks
 
@@ -163,7 +163,7 @@ def _expected(n: Next, e: Expected) -> dict[str, Any]:
         "runs": e.runs,
         **_range(e.end),
         "nearer_by": n.shrinks(e),
-        "names_sure": e.parted,
+        "names_sure": e.names_sure,
         "part_of_turn": part,
     }
 
