@@ -97,9 +97,17 @@ export function handles(figure, change, step) {
 
   /** Puts a point into a list of points, and chooses it. */
   async function insert(like, at, [x, y]) {
-    const [before, key] = [chosen, numbered(like, at)];
+    const key = numbered(like, at);
+    await choosing(key, step("insert", { key, at: [short(x), short(y)] }, where));
+  }
+
+  /** Chooses what a step makes, as soon as it is there; until then other results may arrive, which do not have it. */
+  async function choosing(key, made) {
+    const before = chosen;
     chosen = key;
-    if (!(await step("insert", { key, at: [short(x), short(y)] }, where))) choose(before);
+    const done = await made;
+    choose(done && buttons.has(key) ? key : done ? chosen : before);
+    return done;
   }
 
   /** Adds a point halfway to the next one; behind the last as far again as it is from the one before. */
@@ -118,10 +126,7 @@ export function handles(figure, change, step) {
 
   /** Puts an item onto the course, and chooses it: its first point has the focus, so that keys can move it. */
   async function insertItem(key, [x, y]) {
-    const before = chosen;
-    chosen = key;
-    if (await step("insert", { key, at: [short(x), short(y)] }, where)) buttons.get(chosen)?.focus();
-    else choose(before);
+    if (await choosing(key, step("insert", { key, at: [short(x), short(y)] }, where))) buttons.get(chosen)?.focus();
   }
 
   /** Adds an item of a kind: a gate halfway to the next one, start and finish on the path, others where there is room. */
@@ -146,9 +151,7 @@ export function handles(figure, change, step) {
 
   /** Exchanges a gate with the next one; the chosen one stays the same gate. */
   async function exchange(key, chosenIs) {
-    const before = chosen;
-    chosen = chosenIs;
-    if (!(await step("exchange", { key }, where))) choose(before);
+    await choosing(chosenIs, step("exchange", { key }, where));
   }
 
   /** Adds a point, a gate or a post where the floor is clicked twice: to the line that is nearest, in its order. */
