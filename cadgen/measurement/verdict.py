@@ -30,8 +30,8 @@ class Verdict(StrEnum):
     RUNS_DISAGREE = "runs disagree"
 
 
-# The names of a subset are claimed so that all of them are right with this probability at least: see `sure_of`. That is
-# of the least sure claims; of all claims far more are right (docs/measurement.md).
+# A name is claimed if the subsets that hold it have this probability together, of three names and more each more: see
+# `sure_of`. That is of the least sure claim; of all claims far more are right (docs/measurement.md).
 SURE = 0.85
 # The same as a difference of the criterion between two subsets: 2 ln(odds).
 MARGIN = 2 * log(SURE / (1 - SURE))
@@ -289,12 +289,14 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
 
 
 def sure_of(names: int) -> float:
-    """The chance that each of several names must have, so that all are right with the chance `SURE` (Bonferroni).
+    """The chance that each of several names must have: `SURE`, and of three or more the more, the more others there are.
+
+    Bonferroni's bound over the others: each is one more that can be wrong.
 
     Args:
         names: how many the subset has.
     """
-    return 1 - (1 - SURE) / max(names, 1)
+    return 1 - (1 - SURE) / max(names - 1, 1)
 
 
 def _sure(best: Hypothesis, distinct: list[Hypothesis], scores: list[float]) -> frozenset[str]:
