@@ -289,7 +289,7 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
 
 
 def sure_of(names: int) -> float:
-    """The chance that each of several names must have: `SURE`, and of three or more the more, the more others there are.
+    """The chance that each of several names must have: `SURE`, and of three or more the more, the more there are.
 
     Bonferroni's bound over the others: each is one more that can be wrong.
 
