@@ -48,7 +48,7 @@ def test_an_effect_is_named_although_smaller_ones_beside_it_are_too_small_to_be(
 
 
 def test_beside_an_unknown_shape_a_name_is_not_claimed_that_another_does_as_well_as(synthetic_car):
-    case, found = weighed(synthetic_car, 8101, "profile", "four", 19)
+    _, found = weighed(synthetic_car, 8101, "profile", "four", 19)
     judged = found.judgement
     assert judged.verdict == Verdict.PARTIAL
     assert set(judged.claimed) == {"machine-axis reversal", "waviness, order 71"}
