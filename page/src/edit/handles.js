@@ -54,6 +54,8 @@ export function handles(figure, change, step) {
   };
   const short = (value) => Number(value.toFixed(1));
   const point = (key) => points.find((one) => one.key === key);
+  /** A point by its key, or the first of an item, on the layer that is shown. */
+  const shownOf = (key) => points.find((one) => one.layer === layer && (one.key === key || one.item === key));
   const move = (one, x, y, gesture, settled) => {
     one.x = Math.max(-FARTHEST, Math.min(FARTHEST, short(x)));
     one.y = Math.max(-FARTHEST, Math.min(FARTHEST, short(y)));
@@ -101,12 +103,12 @@ export function handles(figure, change, step) {
     await choosing(key, step("insert", { key, at: [short(x), short(y)] }, where));
   }
 
-  /** Chooses what a step makes, as soon as it is there; until then other results may arrive, which do not have it. */
+  /** Chooses what a step makes, a point or an item by its key: again once it is there, for other results may come before. */
   async function choosing(key, made) {
     const before = chosen;
     chosen = key;
     const done = await made;
-    choose(done && buttons.has(key) ? key : done ? chosen : before);
+    choose(done ? (shownOf(key)?.key ?? chosen) : before);
     return done;
   }
 
@@ -252,8 +254,7 @@ export function handles(figure, change, step) {
     overlay.replaceChildren(...buttons.values());
     // Of a point or an item that was the last of its list and was removed, the one before.
     const beside = chosen?.replace(/\d+$/, (digits) => digits - 1);
-    const found = [chosen, beside].map((key) => here.find((one) => one.key === key || one.item === key)).find(Boolean);
-    choose((found ?? here[0])?.key ?? null);
+    choose((shownOf(chosen) ?? shownOf(beside) ?? here[0])?.key ?? null);
     if (focused) buttons.get(chosen)?.focus();
     here.forEach(set);
   }
