@@ -44,8 +44,8 @@ class Outlook:
         old, new: distance from the planned end of the run, median of the draws, mm.
         least, most: between which the new one lies with a chance of 90 %, mm.
         worse: chance that the new one is farther off than the old one.
-        explained: whether the effects found explain the measured runs, and no record contradicts another; None where no
-            track was measured.
+        explained: whether the effects found explain the measured runs; None where no track was measured.
+        contradicted: whether another record contradicts the track, which was judged alone then.
     """
 
     old: float
@@ -54,6 +54,7 @@ class Outlook:
     most: float
     worse: float
     explained: bool | None
+    contradicted: bool = False
 
     @property
     def sound(self) -> bool:
@@ -75,11 +76,13 @@ def outlook(
     model = run_of(nominal)
     track = next((d for d in told if d.kind is KIND), None)
     beside, spread = (0j, 0.0) if track is None else track.beside
+    # All records have one judgement, but where they contradict each other: then the track knows best how the car runs.
+    likeliest = (track or told[0]).likely
     rng = np.random.default_rng(0)
-    counts = rng.multinomial(DRAWS, [likely.weight for likely in told[0].likely])
+    counts = rng.multinomial(DRAWS, [likely.weight for likely in likeliest])
     draws = [
-        _drawn(model, likely, count, taken, gone, rng)
-        for likely, count in zip(told[0].likely, counts.tolist(), strict=True)
+        _drawn(model, likely, count, taken, gone, rng, measured=track is not None)
+        for likely, count in zip(likeliest, counts.tolist(), strict=True)
         if count
     ]
     old, new = (np.concatenate([pair[k] for pair in draws]) for k in (0, 1))
@@ -92,7 +95,8 @@ def outlook(
         least=float(least),
         most=float(most),
         worse=float(np.mean(new > old + SAME)),
-        explained=False if told[0].contradicted else None if track is None else _explained(track),
+        explained=(False if told[0].contradicted else None) if track is None else _explained(track),
+        contradicted=told[0].contradicted,
     )
 
 
@@ -117,14 +121,24 @@ def _drawn(
     taken: Mapping[Name, Array],
     gone: frozenset[Name],
     rng: np.random.Generator,
+    *,
+    measured: bool,
 ) -> tuple[Array, Array]:
-    """Errors of the end, x + iy, on the old cam and on the new one, drawn from one subset, shape (count,) each, mm."""
-    here = [(name, _in_track(model, effect, name[0]), values) for name, effect, values in likely.effects]
+    """Errors of the end, x + iy, on the old cam and on the new one, drawn from one subset, shape (count,) each, mm.
+
+    Where a track was measured, what does not act in it is not of the car's run: the play of a dial's stand is another
+    play than the train's.
+    """
+    acts = [KIND.code in kinds or not measured for kinds in likely.shown]
+    here = [
+        (name, _in_track(model, effect, name[0]) if runs else None, values)
+        for (name, effect, values), runs in zip(likely.effects, acts, strict=True)
+    ]
     acting: Active = [(effect, values) for _, effect, values in here if effect]
     stays: Active = [(effect, values) for name, effect, values in here if effect and name not in gone]
     kept = np.array([e is not None and n not in gone for n, e, v in here for _ in v], dtype=bool)
     answers = np.concatenate([ways(model, effect, acting, len(values)) for _, effect, values in here] or [np.empty(0)])
-    known = [(name, _in_track(model, effect, name[0])) for name, effect, _ in likely.effects]
+    known = [(name, effect) for name, effect, _ in here]
     cut_for: Active = [(effect, taken[name]) for name, effect in known if effect and name in taken]
     others = [name for name in taken if name not in {n for n, _ in known}]
     cut_for = [*cut_for, *((e, taken[n]) for n in others if (e := _of_name(model, n)))]

@@ -186,7 +186,10 @@ def _likely(result: Weighed) -> tuple[Likely, ...]:
             continue
         first = len(h.covariance) - sum(len(v) for _, v, _ in h.values())
         effects = tuple(((joint.kinds[e.key].code, joint.own_name(e)), e, v) for e, v, _ in h.values())
-        out.append(Likely(float(share), effects, h.covariance[first:, first:]))
+        shown = tuple(
+            frozenset(part.record.kind.code for part in joint.parts if e.key in part.names) for e, _, _ in h.values()
+        )
+        out.append(Likely(float(share), effects, h.covariance[first:, first:], shown))
     total = sum(likely.weight for likely in out)
     return tuple(replace(likely, weight=likely.weight / total) for likely in out)
 

@@ -180,11 +180,13 @@ class Likely:
         weight: its chance among those that may be.
         effects: kind of data that each stands in and its name there, the effect, and its values in internal units.
         covariance: of all values in order.
+        shown: for each effect, the kinds of data given in which it acts, by their codes.
     """
 
     weight: float
     effects: tuple[tuple[tuple[str, str], Effect, Array], ...]
     covariance: Array
+    shown: tuple[frozenset[str], ...]
 
 
 @dataclass(frozen=True, kw_only=True)

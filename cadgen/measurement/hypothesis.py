@@ -256,7 +256,10 @@ def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
         moved = -own @ g
         misfit.append(float(found.misfit[spectrum] + g @ moved - np.linalg.slogdet(own)[1]))
         covariances.append(own + np.outer(moved, moved))
-    chance = np.exp((min(misfit) - np.array(misfit)) / 2)
+    levels = np.array(misfit)
+    if not np.isfinite(levels).any():  # what cannot be told at all, by no spectrum
+        return found
+    chance = np.exp((levels[np.isfinite(levels)].min() - levels) / 2)
     covariance = found.covariance.copy()
     covariance[np.ix_(smooth, smooth)] = np.tensordot(chance / chance.sum(), np.array(covariances), axes=1)
     return replace(found, covariance=covariance)

@@ -76,6 +76,8 @@ def expected(o: Outlook) -> str:
         return f"Do not cut it: {listed(why, 'and')}; see what to measure below. {words}"
     if o.explained is None:
         return f"{words} No track was measured, so what else the car has is not in this."
+    if o.contradicted:
+        return f"The records contradict each other, so this goes by what the track alone shows. {words}"
     return words
 
 

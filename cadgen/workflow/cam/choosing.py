@@ -1,7 +1,7 @@
 """The choice among profiles: by the limits of [optimize] and by the checks of the cam."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees
 
 import numpy as np
@@ -16,6 +16,8 @@ from cadgen.optimize.evaluate import Evaluation
 from cadgen.optimize.remedies import trims
 from cadgen.workflow.cam.checking import ProfileChecks
 
+LIFT_ERROR = "lift error with play"
+
 
 @dataclass(frozen=True)
 class Best:
@@ -25,13 +27,17 @@ class Best:
     reasons: tuple[str, ...]
 
 
-def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileChecks) -> Best:
+def best_of(
+    evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileChecks, old: Evaluation | None = None
+) -> Best:
     """Best profile that keeps the limits and passes its checks; profiles are checked in order of merit.
 
     Args:
         evaluations: profiles evaluated on one train, at least one.
         band: return error of that train, rad.
         checks: checks of the design's profiles.
+        old: cam that the car has, on the same train: where that misses the lift by more than is allowed, no new one is
+            refused for missing it by less. None without.
 
     Returns:
         If no profile passes its checks, the best without them, so that its own checks show what fails.
@@ -40,6 +46,9 @@ def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileCh
         CheckError: no profile keeps the limits of [optimize].
     """
     allowed, deciding = _limits(checks.design, band), _deciding(band)
+    missed: tuple[str, ...] = ()
+    if old is not None:
+        allowed, missed = _lifted(allowed, old, evaluations)
     remaining = {str(evaluation.profile): evaluation for evaluation in evaluations}
     candidates = {
         name: Candidate(name=name, figures=_figures(checks, evaluation, band)) for name, evaluation in remaining.items()
@@ -55,7 +64,7 @@ def best_of(evaluations: Sequence[Evaluation], band: PlayBand, checks: ProfileCh
         best = remaining.pop(choice.best.name)
         failed = [check.name for check in failing(checks.of(best))]
         if not failed:
-            return Best(best, (*refused, *choice.reasons))
+            return Best(best, (*refused, *choice.reasons, *missed))
         refused.append(f"{best.profile} refused: it fails {', '.join(failed)}")
     return Best(first, tuple(refused))
 
@@ -76,9 +85,24 @@ def _limits(design: Design, band: PlayBand) -> tuple[Limit, ...]:
         (_deciding(band), keys.max_end_position_mm, "mm"),
         (_heading(band), keys.max_end_heading_deg, "degrees"),
         ("position error on the run", keys.max_run_position_mm, "mm"),
-        ("lift error with play", keys.max_lift_error_um, "µm"),
+        (LIFT_ERROR, keys.max_lift_error_um, "µm"),
     )
     return tuple(Limit(figure=name, most=most, unit=unit) for name, most, unit in limits if most is not None)
+
+
+def _lifted(
+    limits: tuple[Limit, ...], old: Evaluation, evaluations: Sequence[Evaluation]
+) -> tuple[tuple[Limit, ...], tuple[str, ...]]:
+    """Limits with that of the lift error raised to the old cam's, if no profile keeps it; and that in words."""
+    least, had = (1e3 * error for error in (min(e.worst_lift_error for e in evaluations), old.worst_lift_error))
+    raised = [limit for limit in limits if limit.figure == LIFT_ERROR and limit.most < least < had]
+    if not raised:
+        return limits, ()
+    words = (
+        f"no profile keeps the lift error with play within the {raised[0].most:g} µm of optimize.max_lift_error_um: "
+        f"{least:.0f} µm at least, but the cam that was measured has {had:.0f} µm on this car"
+    )
+    return tuple(replace(limit, most=had) if limit in raised else limit for limit in limits), (words,)
 
 
 def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> dict[str, float]:
@@ -108,5 +132,5 @@ def _figures(checks: ProfileChecks, evaluation: Evaluation, band: PlayBand) -> d
         _deciding(band): distance,
         _heading(band): degrees(heading),
         "position error on the run": float(evaluation.error.distance.max()),
-        "lift error with play": evaluation.worst_lift_error * 1e3,
+        LIFT_ERROR: evaluation.worst_lift_error * 1e3,
     }

@@ -52,6 +52,7 @@ def against_play(
     works = {name: TrainTask(task, name, band) for name, band in known_trains(design).items()}
     order, first = design.optimize.order, next(iter(works))
     work = works[order]
+    old = None if measured is None else evaluate_measured(work, measured.profile, measured.lift, measured.curve)
     compared_on: dict[StageOrder, tuple[Evaluation, ...]] = {}
     reasons: list[str] = []
     for name, on_train in works.items():
@@ -64,7 +65,7 @@ def against_play(
     if profile.best_of:
         progress("choosing the profile")
         try:
-            best = best_of(compared_on[order], work.band, checks)
+            best = best_of(compared_on[order], work.band, checks, old)
         except CheckError as error:
             others = {name: other_work for name, other_work in works.items() if name != order}
             raise CheckError(f"{error}{_other_order(others, profile, checks)}{_with_friction(design, task)}") from error
@@ -75,8 +76,8 @@ def against_play(
     reasons += border_sentences(design, task, chosen, work.band)
     evaluations = tuple(evaluation for several in compared_on.values() for evaluation in several)
     before = evaluations[0]
-    if measured is not None:
-        before = evaluate_measured(work, measured.profile, measured.lift, measured.curve)
+    if old is not None:
+        before = old
         evaluations = (before, *evaluations)
     return PlayComparison(
         task=task,
