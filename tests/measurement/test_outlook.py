@@ -40,7 +40,7 @@ def test_the_play_of_a_dial_s_stand_is_not_the_train_s(synthetic_car, nominal):
 @pytest.mark.slow
 @pytest.mark.long
 def test_records_that_contradict_each_other(synthetic_car, nominal):
-    """A train with play, and a track of a car without: the track says how the car runs, and what a cam for both does."""
+    """A train with play, and a track of a car without: the track says how the car runs, also on a cam for both."""
     rng = np.random.default_rng(30)
     train = drive.transmission_record(synthetic_car, drive.Train(play=0.8 * syn.DEG), rng, noise_deg=0.03)
     track = drive.track_record(synthetic_car, drive.Wheels(zero=0.2 * syn.DEG), rng, noise_mm=3.0)
