@@ -3,11 +3,13 @@
 Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous
 ones (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that wins
 joins the free ones in the next round.
-After each round the catalogue is linearised anew about the best exact fit, until that no longer changes.
+After each round the catalogue is linearised anew about the best exact fit, until that no longer changes; then about the
+best one without an anonymous shape, if that has one. At last the subsets within the best one are fitted.
 """
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import chain, combinations
 
@@ -112,9 +114,11 @@ def _within(joint: Joint, best: Hypothesis) -> Iterator[Start]:
         for effects in combinations(best.effects, size):
             kept = {e.key for e in effects}
             start = [(e, v) for e, v in best.active if e in joint.datum or e.key in kept]
-            paired = all(e.beside is None or e.beside in effects for e in effects)
-            if paired and _misfit(joint, start) < best.misfit[best.within] + HOPELESS:
-                yield effects, start
+            if not all(e.beside is None or e.beside in effects for e in effects):
+                continue
+            with suppress(DesignError):  # a part of what makes a disc may be a disc that no rod can follow
+                if _misfit(joint, start) < best.misfit[best.within] + HOPELESS:
+                    yield effects, start
 
 
 def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hypothesis], search: Search) -> None:

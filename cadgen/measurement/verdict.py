@@ -39,8 +39,6 @@ MARGIN = 2 * log(SURE / (1 - SURE))
 RIVAL = 5.0
 # A form error beyond the floor has two numbers more (size and knee) that nothing in the catalogue explains.
 LOOSE = 16.0
-# Subsets so far behind the best one have no weight.
-OUT_OF_SIGHT = 60.0
 # An effect beside an unknown shape must be this much more likely than the shape alone.
 BESIDE_UNKNOWN = 40.0
 # Effects that change the residual by less than this share of the stated form error are part of it.
@@ -138,10 +136,7 @@ def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement
 
 def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
     """Weigh the fitted subsets against each other and against what they leave; and the subset that is reported."""
-    least, loosest = min(h.score for h in found), min(h.loose_score for h in found)
-    near = [h for h in found if h.score < least + OUT_OF_SIGHT or h.loose_score < loosest + OUT_OF_SIGHT]
-    found = [h for h in near if not _below_floor(joint, h)] + [h for h in found if not h.effects]
-    found.sort(key=lambda h: h.score)
+    found = [h for h in found if not _below_floor(joint, h)]
     tight = found[0]
     loose = min(found, key=lambda h: h.loose_score)
     if tight.score <= loose.loose_score + LOOSE:
@@ -265,6 +260,7 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
     distinct = _distinct(sorted(found, key=lambda h: h.loose_score)) if best.claims else []
     claimed = best.claims & _sure(best, distinct, [h.loose_score for h in distinct])
     likely = [h for h in distinct if h.loose_score < best.loose_score + RIVAL]
+    rivals = [h for h in likely if not best.key <= h.reach]
     reported = best.claims.union(*(h.claims for h in likely))
     beyond = best.at(joint, loose=True)
     _, place, size, part = max((largest(part, joint, beyond) for part in joint.parts), key=lambda found: found[0])
@@ -282,8 +278,8 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
         sentence=words[0].upper() + words[1:] + ".",
         claimed=tuple(sorted(claimed)),
         reported=tuple(sorted(reported)),
-        rivals=tuple(tuple(e.name for e in h.effects) for h in likely if not best.key <= h.reach),
-        separate=_separate([best]),
+        rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
+        separate=_separate([best, *rivals]),
     )
     return judgement, beyond
 
@@ -325,6 +321,8 @@ def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], poss
         return (
             f"Partly traced to {' and '.join(e.name for e in named)}; beside it, {' and '.join(e.name for e in rest)}."
         )
+    if not rivals:
+        return f"Consistent with {names}, but not sure of each: of so many names none may be likely to be wrong."
     others = "; or ".join(_names(h) for h in rivals)
     return f"Consistent with {names}; or {others}: this data cannot tell."
 

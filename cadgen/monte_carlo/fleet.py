@@ -152,7 +152,7 @@ def run_fleet(fleet: Fleet, deviations: Array, stations: Array | None = None) ->
         deviations: deviations of m cars, shape (m, 29), columns and units as in `PARAMETERS`.
         stations: motor positions of each car, shape (m, g), rad; those of the fleet for all if left out.
     """
-    own = None if stations is None else np.broadcast_to(stations, (len(deviations), np.shape(stations)[1]))
+    own = None if stations is None else np.broadcast_to(stations, (len(deviations), np.shape(stations)[-1]))
     blocks = [slice(first, first + _AT_ONCE) for first in range(0, len(deviations), _AT_ONCE)]
     poses = [_run(fleet, deviations[block], None if own is None else own[block]) for block in blocks]
     return Poses(*(np.concatenate([getattr(each, name) for each in poses]) for name in ("heading", "position")))

@@ -2,9 +2,11 @@
 
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from cadgen.optimize.choice import Limit
+from cadgen.workflow.cam.checking import ProfileChecks, _lift_check
 from cadgen.workflow.cam.choosing import LIFT_ERROR, _lifted
 
 LIMITS = (
@@ -30,3 +32,20 @@ def test_limit_of_the_lift_error_on_a_car_that_was_measured(old, profiles, most)
     assert limits == (LIMITS[0], Limit(figure=LIFT_ERROR, most=most, unit="µm"))
     assert bool(words) == (most > 50.0)
     assert all("114 µm at least" in sentence and "300 µm on this car" in sentence for sentence in words)
+
+
+def test_checks_go_by_the_raised_limit_too():
+    """A limit that the choice raises and the check does not would refuse the cam all the same."""
+    evaluation = SimpleNamespace(
+        run=SimpleNamespace(motor=np.array([0.0, 1.0])),
+        lift_error=np.array([0.0, 0.114]),
+        worst_lift_error=0.114,
+        play=0.01,
+    )
+    assert not _lift_check(evaluation, 50.0).passed
+    assert _lift_check(evaluation, 300.0).passed
+    checks = ProfileChecks(SimpleNamespace(optimize=SimpleNamespace(max_lift_error_um=50.0)), None)
+    checks._computed["a"] = ()
+    checks.allow_lift_error(300.0)
+    assert checks._allowed == [300.0]
+    assert not checks._computed

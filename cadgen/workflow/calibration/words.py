@@ -68,16 +68,16 @@ def expected(o: Outlook) -> str:
         f"{_length(o.most)} mm in 90 %), the old one {_length(o.old)} mm; it is worse with a chance of {o.worse:.1%}."
     )
     why = []
+    if o.contradicted:
+        words = f"The records contradict each other: this goes by the track, where one was measured. {words}"
     if o.explained is False:
-        why.append("what is found does not explain the measured runs")
+        why.append("what is found does not explain the measured runs" if not o.contradicted else "not all is explained")
     if o.worse > WORSE:
         why.append("it may be worse than the old one")
     if why:
         return f"Do not cut it: {listed(why, 'and')}; see what to measure below. {words}"
     if o.explained is None:
         return f"{words} No track was measured, so what else the car has is not in this."
-    if o.contradicted:
-        return f"The records contradict each other, so this goes by what the track alone shows. {words}"
     return words
 
 

@@ -49,6 +49,9 @@ def best_of(
     missed: tuple[str, ...] = ()
     if old is not None:
         allowed, missed = _lifted(allowed, old, evaluations)
+        for limit in allowed if missed else ():
+            if limit.figure == LIFT_ERROR:
+                checks.allow_lift_error(limit.most)
     remaining = {str(evaluation.profile): evaluation for evaluation in evaluations}
     candidates = {
         name: Candidate(name=name, figures=_figures(checks, evaluation, band)) for name, evaluation in remaining.items()
@@ -66,7 +69,7 @@ def best_of(
         if not failed:
             return Best(best, (*refused, *choice.reasons, *missed))
         refused.append(f"{best.profile} refused: it fails {', '.join(failed)}")
-    return Best(first, tuple(refused))
+    return Best(first, (*refused, *missed))
 
 
 def _deciding(band: PlayBand) -> str:
