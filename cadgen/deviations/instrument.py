@@ -1,7 +1,7 @@
 """Effects of the instrument, each beside the effect of the part or the car that it looks like.
 
-What the data do not tell apart is one cause under two names, and is cut into no part by default. A gauge ring, a part
-that is turned on the machine, a second direction or another kind of data tells them apart.
+Two causes that cannot be told apart are one cause under two names, and are cut into no part by default. A gauge ring, a
+part that is turned on the machine, a second direction or a second kind of measurement separates them.
 
 Stages: `MACHINE` (points as a measuring machine gave them, shape (n, 2), mm, on the way back to the true ones), those
 of a lift. `at` are the rows.

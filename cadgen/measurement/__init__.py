@@ -22,7 +22,7 @@
 | `search`     | all small subsets, linearised; the best are fitted                                              |
 | `remains`    | residuals that a subset leaves, and whether the runs differ                                     |
 | `verdict`    | what the rivals and what is left allow to be claimed                                            |
-| `friction`   | play and friction of one car: whether the data tell them apart, and what is known of the play   |
+| `friction`   | play and friction of one car: whether they can be told apart, and what is known of the play     |
 | `doubt`      | what speaks against a verdict: bounds, a rest that dwarfs every effect, too little data         |
 | `findings`   | effects with their numbers; a diagnosis by evidence, and one by runs left out                   |
 | `diagnose`   | the way through all of these for records of one car, and the test on runs left out              |

@@ -1,4 +1,4 @@
-"""Play and friction of one car: whether the data tell them apart, and what is known of the play beforehand.
+"""Play and friction of one car: whether they can be told apart, and what is known of the play beforehand.
 
 On a cam that leads its gears only near one place, twice the play over half the way does nearly the same to the car: of
 the paper's car that is so from a friction of some 0.22 on. A play that was measured with the rod lifted, where no
