@@ -6,7 +6,7 @@ and the noise in C. What repeats in a track is the floor's and the disc's: runs 
 so there its amplitudes are directions too.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -25,7 +25,7 @@ from cadgen.measurement.diagnose import SOUND
 from cadgen.measurement.doubt import resolved
 from cadgen.measurement.evidence import Evidence, Spectrum, grid_of
 from cadgen.measurement.findings import EvidenceDiagnosis
-from cadgen.measurement.kinds import TRACK
+from cadgen.measurement.kinds import TRACK, TRANSMISSION
 from cadgen.measurement.merged import Merged
 from cadgen.measurement.models.base import Model, repeating, slopes
 from cadgen.measurement.models.track import TrackModel
@@ -168,32 +168,59 @@ class Linear:
             out.append(ways(self.track, here, at, len(effect.parameters)))
         mine = np.flatnonzero(self.track.rows.run == 0)
         last = repeating(self.track)[mine[[len(mine) // 2 - 1, -1]]]
+        # The floor stays; the old disc goes, and its form error with it.
+        last[:, : self.track.form.shape[1]] = 0.0
         return np.concatenate([np.concatenate(out) * self.scale, (last[0] + 1j * last[1]) / np.sqrt(self.repeats)])
 
     @cached_property
-    def spectra(self) -> tuple[tuple[Spectrum, ...], Array]:
-        """Spectra of what repeats that keep the stated floor, and the chance of each by the records so far."""
-        grid = tuple(s for s in grid_of([self.track]) if s.within)
-        misfit = np.zeros(len(grid))
-        for kind, model, noise in zip(self.kinds, self.models, self.noises, strict=False):
-            evidence = Evidence(model, noise, grid)
-            misfit += evidence.misfit(evidence.whiten(model.residual(self.own(kind, self.best))))
-        chance = np.exp((misfit.min() - misfit) / 2)
-        return grid, chance / chance.sum()
+    def grid(self) -> tuple[Spectrum, ...]:
+        """Spectra of what repeats that keep the stated floor."""
+        return tuple(s for s in grid_of([self.track]) if s.within)
 
-    @property
-    def spectrum(self) -> Spectrum:
-        """The likeliest of them."""
-        grid, chance = self.spectra
-        return grid[int(np.argmax(chance))]
+    @cached_property
+    def chances(self) -> tuple[Array, Array]:
+        """Chance of each spectrum by the records so far: of what repeats on the disc, and in the train."""
+        misfit = np.zeros((2, len(self.grid)))
+        for kind, model, noise in zip(self.kinds, self.models, self.noises, strict=False):
+            evidence = Evidence(model, noise, self.grid)
+            left = evidence.whiten(model.residual(self.own(kind, self.best)))
+            misfit[int(kind is TRANSMISSION)] += evidence.misfit(left)
+        disc, train = np.exp((misfit.min(axis=1)[:, None] - misfit) / 2)
+        return disc / disc.sum(), train / train.sum()
+
+    def spectrum(self, kind: Kind) -> Spectrum:
+        """The likeliest spectrum of what repeats in a kind of data."""
+        disc, train = self.chances
+        return self.grid[int(np.argmax(train if kind is TRANSMISSION else disc))]
 
     @cached_property
     def repeats(self) -> Array:
-        """Precision of each amplitude of what repeats in a track, the mean over the spectra."""
-        track, (grid, chance) = self.track, self.spectra
-        form = np.array([s.variance(track.order, track.floor) for s in grid])
-        beside = np.array([(s.beside * track.discrepancy.sigma) ** 2 for s in grid])
-        return np.asarray(1 / (chance @ np.hstack([form, beside])))
+        """Precision of each amplitude of what repeats in a track, by its mean variance over the spectra."""
+        disc, _ = self.chances
+        return np.asarray(1 / (disc @ self._variances))
+
+    @cached_property
+    def floors(self) -> tuple[tuple[float, Array], ...]:
+        """Chance of each size of what repeats beside the disc, and the precision of each amplitude then.
+
+        The precisions are relative to those of `repeats`, shape (repeats,).
+        """
+        disc, _ = self.chances
+        sizes = np.array([s.beside for s in self.grid])
+        out = []
+        for size in np.unique(sizes):
+            chance = np.where(sizes == size, disc, 0.0)
+            if chance.sum() > 0:
+                out.append((float(chance.sum()), np.asarray(chance.sum() / (chance @ self._variances) / self.repeats)))
+        return tuple(out)
+
+    @cached_property
+    def _variances(self) -> Array:
+        """Variance of each amplitude of what repeats in a track, by each spectrum, shape (spectra, repeats)."""
+        track = self.track
+        form = np.array([s.variance(track.order, track.floor) for s in self.grid])
+        beside = np.array([(s.beside * track.discrepancy.sigma) ** 2 for s in self.grid])
+        return np.hstack([form, beside])
 
     def _columns(self, kind: Kind, model: Model, active: Active, idle: frozenset[Quantity]) -> Array:
         """How a record answers one standard deviation in each direction, shape (n, size)."""
@@ -221,17 +248,34 @@ class Linear:
             active: effects about which it answers in proportion.
             idle: quantities that do not act in it.
         """
-        evidence = Evidence(model, noise, (self.spectrum,))
+        evidence = Evidence(model, noise, (self.spectrum(kind),))
         # What repeats in a track is among the directions.
         first = repeating(model).shape[1] if kind is TRACK else 0
         turned = slopes(model, model.datum, [*self.own(kind, active), *((e, e.start) for e in model.datum)])
         return Rows(
+            evidence.whiten,
             evidence.whiten(self._columns(kind, model, active, idle)),
-            evidence.whiten(model.residual(self.own(kind, active))),
             np.hstack([evidence.basis[:, first:], evidence.whiten(turned)]),
             np.append(evidence.prior[0][first:], np.zeros(turned.shape[1])),
             model.rows.place,
         )
+
+    def measured_rows(self, active: Active) -> list["Rows"]:
+        """The rows of every record so far, about some effects with their values."""
+        table = zip(self.kinds, self.models, self.noises, strict=False)
+        return [self.rows(kind, model, noise, active) for kind, model, noise in table]
+
+    def pull(self, rows: Sequence["Rows"], active: Active) -> Array:
+        """Information times directions of what the records leave beside some effects, shape (size,).
+
+        Args:
+            rows: of the records so far.
+            active: the effects with their values.
+        """
+        out = np.zeros(self.size)
+        for kind, model, one in zip(self.kinds, self.models, rows, strict=False):
+            out += one.pull(model.residual(self.own(kind, active)))
+        return out
 
     def noise_of(self, kind: Kind, model: Model) -> Noise:
         """Of a record to be made: that of the records so far, or the instrument's usual one."""
@@ -247,15 +291,15 @@ class Rows:
     """A record's rows, whitened.
 
     Attributes:
+        whiten: of what is measured in each row, shape (n,).
         columns: responses to all directions, shape (n, size).
-        left: what the rows show beside the effects about which they answer, shape (n,).
         nuisance: columns that are no directions: datum, and what repeats in this record alone, shape (n, k).
         precision: of their amplitudes, shape (k,).
         place: cam angle of each, shape (n,), rad.
     """
 
+    whiten: Callable[[Array], Array]
     columns: Array
-    left: Array
     nuisance: Array
     precision: Array
     place: Array
@@ -273,10 +317,13 @@ class Rows:
         """On all directions, by some of the rows, shape (size, size)."""
         return self._less(self.columns[rows], self.columns[rows], self.nuisance[rows])
 
-    @property
-    def pull(self) -> Array:
-        """Remaining information times directions, shape (size,)."""
-        return self._less(self.columns, self.left[:, None], self.nuisance)[:, 0]
+    def pull(self, left: Array) -> Array:
+        """Information times directions of what the rows leave, shape (size,).
+
+        Args:
+            left: by each row, in the record's unit, shape (n,).
+        """
+        return self._less(self.columns, self.whiten(left)[:, None], self.nuisance)[:, 0]
 
     def _less(self, one: Array, two: Array, nuisance: Array) -> Array:
         """Products of columns, once the nuisance is taken out."""

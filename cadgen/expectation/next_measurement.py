@@ -23,8 +23,9 @@ from cadgen.arrays import TURN, Array
 from cadgen.deviations import quantities
 from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.names import Place
+from cadgen.deviations.quantities import Quantity
 from cadgen.expectation.linear import Linear, Rows
-from cadgen.expectation.outlook import RANGE
+from cadgen.expectation.outlook import RANGE, new_form
 from cadgen.expectation.proposals import BY_HAND, Proposal, around, proposals
 from cadgen.measurement.findings import EvidenceDiagnosis
 from cadgen.measurement.kinds import TRACK
@@ -32,9 +33,9 @@ from cadgen.measurement.nominal import Nominal
 from cadgen.measurement.record import Kind, Record
 from cadgen.measurement.verdict import MARGIN, SIGMAS, SURE
 
-DRAWS = 1000
-# An effect whose number the records so far would show to this share of what cars differ by, and do not, is not there;
-# one that they show to the other share is known well enough to be taken out.
+DRAWS = 4000
+# Play or friction that makes the records so far less likely by this factor is not there. A number that they show to the
+# other share of what cars differ by is known well enough to be taken out.
 ABSENT, SEEN = 0.2, 0.5
 # Beside what is not in a subset at all, the prior spread of what is in it: so many times what cars differ by.
 WIDE = 100.0
@@ -159,6 +160,7 @@ class _Subset:
         key: of its effects.
         at: its directions, shape (k,).
         mean, precision: shapes (k,) and (k, k).
+        drawn: precision times mean, shape (k,), while what repeats has its mean size.
         cause: what may have made something without a name; None where all has names.
     """
 
@@ -167,6 +169,7 @@ class _Subset:
     at: NDArray[np.intp]
     mean: Array
     precision: Array
+    drawn: Array
     cause: Effect | None = None
 
     def pull(self, whole: Array) -> Array:
@@ -186,19 +189,17 @@ class _State:
         self._linear, self._assumed, size = linear, prior.assumed, linear.size
         self._effects = list(zip(linear.effects, linear.spans, strict=True))
         best = [(e, v) for e, v in linear.best if not e.shape]
-        known, pull = np.zeros((size, size)), np.zeros(size)
-        for kind, model, noise in zip(linear.kinds, linear.models, linear.noises, strict=False):
-            rows = linear.rows(kind, model, noise, best)
-            known += rows.information()
-            pull += rows.pull
-        unseen = self._unseen(known, {e.key for e, _ in best})
+        self._rows = linear.measured_rows(best)
+        self._known = sum((rows.information() for rows in self._rows), np.zeros((size, size)))
+        means: Mapping[Quantity | None, float]
         means = {quantities.RETURN_ERROR: prior.play, quantities.SLIDING_FRICTION: prior.friction}
+        unseen = self._unseen(best, means)
         hidden = [(e, np.array([means[e.quantity]])) for e in unseen if e.quantity in means]
         if linear.traced:
-            self._subsets = [self._subset(weight, active, unseen, hidden, known) for weight, active in linear.likely]
+            subsets = [self._subset(weight, active, unseen, hidden) for weight, active in linear.likely]
         else:
-            self._subsets = self._causes(best, unseen, hidden, known, pull)
-        self._subsets = [s for s in self._subsets if s.weight >= LEAST_WEIGHT]
+            subsets = self._causes(best, unseen, hidden)
+        self._subsets = [s for one in subsets if one.weight >= LEAST_WEIGHT for s in self._on_floors(one)]
         self.about: Active = [*best, *hidden]
         self._ways = linear.ways(self.about)
         self._nested = np.array([[one.key <= other.key for one in self._subsets] for other in self._subsets])
@@ -208,55 +209,64 @@ class _State:
             if effect.quantity == quantities.RETURN_ERROR and not effect.numerous:
                 self.by_hand[span, span] = (linear.scale[span] / BY_HAND) ** 2
 
-    def _unseen(self, known: Array, inside: set[str]) -> list[Effect]:
-        """Effects that are in no likely subset, and that the records could not have shown beside the best one."""
-        likely = {e.key for weight, active in self._linear.likely if weight >= LEAST_WEIGHT for e, _ in active}
-        first = len(self._linear.scale)
-        held = [np.arange(first, self._linear.size)]
+    def _unseen(self, best: Active, means: Mapping[Quantity | None, float]) -> list[Effect]:
+        """Effects beside the best subset that a car may have all the same.
+
+        Every car has a little of all that lies about 0. Play and friction are there or not: where they are not in a
+        likely subset, and the rows leave p x - i x^2 / 2 of their number x in standard deviations of what cars differ
+        by, about m, being there changes the evidence by exp(((p + m)^2 / (1 + i) - m^2) / 2) / sqrt(1 + i).
+
+        Args:
+            best: effects of the best subset.
+            means: about which a quantity lies beforehand where it is there, rad or 1.
+        """
+        linear, inside = self._linear, {e.key for e, _ in best}
+        known, pull = self._known, linear.pull(self._rows, best)
+        likely = {e.key for weight, active in linear.likely if weight >= LEAST_WEIGHT for e, _ in active}
+        first = len(linear.scale)
+        held = [np.arange(first, linear.size)]
         held += [np.arange(s.start, s.stop) for e, s in self._effects if e.key in inside]
         at = np.concatenate(held)
         inner = np.linalg.inv(known[np.ix_(at, at)] + np.diag(np.where(at < first, WIDE**-2, 1.0)))
         out: list[Effect] = []
         for effect, span in self._effects:
-            if effect.key in inside | likely or effect.numerous or effect.shape:
+            if effect.key in inside or effect.numerous or effect.shape:
                 continue
             if effect.beside and effect.beside.key not in inside | {e.key for e in out}:
                 continue
-            side = known[span, :][:, at]
-            if np.any(np.diag(known[span, span] - side @ inner @ side.T) < ABSENT**-2 - 1):
-                out.append(effect)
+            mean = means.get(effect.quantity, 0.0) / linear.scale[span]
+            if mean.any():
+                side = known[span, :][:, at] @ inner
+                information = np.diag(known[span, span] - side @ known[at, span])
+                gained = (pull[span] - side @ pull[at] + mean) ** 2 / (1 + information) - mean**2
+                if effect.key in likely or np.all(gained - np.log1p(information) < 2 * np.log(ABSENT)):
+                    continue
+            out.append(effect)
         return out
 
-    def _causes(
-        self, best: Active, unseen: Sequence[Effect], hidden: Active, known: Array, pull: Array
-    ) -> list[_Subset]:
+    def _causes(self, best: Active, unseen: Sequence[Effect], hidden: Active) -> list[_Subset]:
         """The best subset with each effect that may have made what has no name, by how well it explains that."""
         linear, found, score = self._linear, [], []
+        pull = self._linear.pull(self._rows, best)
+        without = self._subset(1.0, best, unseen, hidden)
         measured = linear.kinds[: linear.measured]
         for effect, _ in self._effects:
             acts = any(effect.key in names for names in linear.merged.names[: linear.measured])
             if effect.shape or effect.beside or not acts or linear.at_home(effect, measured):
                 continue
-            subset = self._subset(1.0, best, unseen, hidden, known, effect)
-            without = self._subset(1.0, best, unseen, hidden, known)
+            subset = self._subset(1.0, best, unseen, hidden, effect)
             gained = [one.pull(pull) @ np.linalg.solve(one.precision, one.pull(pull)) for one in (subset, without)]
             narrowed = [np.linalg.slogdet(one.precision)[1] for one in (subset, without)]
             new = len(effect.parameters) * (effect not in unseen)
             score.append((gained[0] - gained[1] - narrowed[0] + narrowed[1]) / 2 - new * np.log(UNTRACED))
-            found.append(replace(subset, mean=subset.mean + np.linalg.solve(subset.precision, subset.pull(pull))))
+            found.append(subset)
         if not found:
-            return [self._subset(1.0, best, unseen, hidden, known)]
+            return [without]
         weight = np.exp(np.array(score) - max(score))
         return [replace(s, weight=float(w)) for s, w in zip(found, weight / weight.sum(), strict=True)]
 
     def _subset(
-        self,
-        weight: float,
-        active: Active,
-        unseen: Sequence[Effect],
-        hidden: Active,
-        known: Array,
-        cause: Effect | None = None,
+        self, weight: float, active: Active, unseen: Sequence[Effect], hidden: Active, cause: Effect | None = None
     ) -> _Subset:
         """A subset with effects that were not seen, some of them with a value beforehand, and what made the rest."""
         linear, first = self._linear, len(self._linear.scale)
@@ -272,11 +282,22 @@ class _State:
         for effect, span in here:
             fitted[span] = values.get(effect.key, 0.0) / linear.scale[span]
             before[span] = means.get(effect.key, 0.0) / linear.scale[span]
-        precision = known[np.ix_(at, at)] + np.diag(prior)
-        # What was fitted without the unseen, drawn towards what these are beforehand.
-        mean = fitted[at] + np.linalg.solve(precision, prior * (before - fitted)[at])
+        precision = self._known[np.ix_(at, at)] + np.diag(prior)
+        # What was fitted without the unseen, drawn towards what these are beforehand and by what the records leave.
+        drawn = precision @ fitted[at] + linear.pull(self._rows, active)[at] + prior * (before - fitted)[at]
         key = frozenset(values) | ({cause.key} if cause else set())
-        return _Subset(weight, key, at, mean, precision, cause)
+        return _Subset(weight, key, at, np.linalg.solve(precision, drawn), precision, drawn, cause)
+
+    def _on_floors(self, subset: _Subset) -> list[_Subset]:
+        """A subset on a level floor and on one as uneven as may be, by their chances."""
+        first, out = len(self._linear.scale), []
+        for chance, relative in self._linear.floors:
+            more = np.zeros(len(subset.at))
+            more[subset.at >= first] = relative - 1.0
+            precision = subset.precision + np.diag(more)
+            mean = np.asarray(np.linalg.solve(precision, subset.drawn))
+            out.append(replace(subset, weight=subset.weight * chance, precision=precision, mean=mean))
+        return out
 
     def _draw(self) -> None:
         """Cars by what is known, and the chance of their readings."""
@@ -290,6 +311,7 @@ class _State:
             root = np.linalg.cholesky(np.linalg.inv(subset.precision))
             self._cars[np.ix_(mine, subset.at)] = subset.mean + normal[mine][:, subset.at] @ root.T
         self._noise = rng.standard_normal((DRAWS, self._linear.size))
+        self._disc = new_form(self._linear.track, DRAWS, rng)
 
     def proposed(self, some: Sequence[Proposal]) -> list[tuple[Proposal, Rows | None]]:
         """Each proposal with the rows of its record."""
@@ -322,14 +344,15 @@ class _State:
         weight = np.exp(np.array(score) - np.max(score, axis=0))
         weight /= weight.sum(axis=0)
         best = self._reported(np.log(np.maximum(weight, 1e-300)))
+        same = np.array([[one.key == other.key for one in self._subsets] for other in self._subsets], dtype=float)
         error = np.empty(DRAWS, dtype=complex)
         for number in range(len(self._subsets)):
             mine = best == number
             if mine.any():
                 error[mine] = self._error(number, mine, weight[:, mine], found[number][mine], after[number], kinds)
-        size = np.abs(error)
+        size = np.abs(error + self._disc)
         least, most = np.percentile(size, RANGE)
-        sure = float(np.mean(weight.max(axis=0) >= SURE)) if len(self._subsets) > 1 else 1.0
+        sure = float(np.mean((same @ weight).max(axis=0) >= SURE))
         return Range(float(size.mean()), float(least), float(most)), sure
 
     def _reported(self, score: Array) -> NDArray[np.intp]:
@@ -364,7 +387,8 @@ class _State:
             if at[0] < 0 or not way.any():
                 continue
             has = np.array([effect.key in s.key or effect.key not in subset.key for s in self._subsets])
-            claimed = np.sum(weight[has], axis=0) >= SURE
+            # By a track a cam is made for a whole subset, for what is not sure by name, too: see `joint_effect`.
+            claimed = (np.sum(weight[has], axis=0) >= SURE) | aliased
             if effect.key in subset.key:
                 claimed &= named or aliased
             if not aliased:

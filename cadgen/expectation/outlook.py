@@ -87,7 +87,7 @@ def outlook(
     ]
     old, new = (np.concatenate([pair[k] for pair in draws]) for k in (0, 1))
     rest = beside + spread * (rng.standard_normal(DRAWS) + 1j * rng.standard_normal(DRAWS))
-    old, new = np.abs(old + rest), np.abs(new + rest + _form(model, rng))
+    old, new = np.abs(old + rest), np.abs(new + rest + new_form(model, DRAWS, rng))
     least, most = np.percentile(new, RANGE)
     return Outlook(
         old=float(np.median(old)),
@@ -100,10 +100,16 @@ def outlook(
     )
 
 
-def _form(model: TrackModel, rng: np.random.Generator) -> NDArray[np.complex128]:
-    """By how much form errors as stated move the end, x + iy, shape (DRAWS,), mm."""
+def new_form(model: TrackModel, count: int, rng: np.random.Generator) -> NDArray[np.complex128]:
+    """By how much the form errors of discs to be cut, as stated, move the end, x + iy, shape (count,), mm.
+
+    Args:
+        model: of a track on such a disc.
+        count: how many discs.
+        rng: source of random numbers.
+    """
     x, y = model.form[[len(model.form) // 2 - 1, -1]]  # the last point of the run: its rows are first all x, then all y
-    sizes = np.sqrt(TYPICAL.variance(model.order, model.floor)) * rng.standard_normal((DRAWS, len(model.order)))
+    sizes = np.sqrt(TYPICAL.variance(model.order, model.floor)) * rng.standard_normal((count, len(model.order)))
     return np.asarray(sizes @ (x + 1j * y))
 
 

@@ -31,12 +31,14 @@ class Claim:
         source, kind: of the record.
         finding: the effect with its values.
         informed: True if its value was fitted with the same quantity measured in another record.
+        sure: False if the name is not sure, and it is here for what it does to the run together with the others.
     """
 
     source: str
     kind: Kind
     finding: Finding
     informed: bool = False
+    sure: bool = True
 
     @property
     def quantity(self) -> Quantity:

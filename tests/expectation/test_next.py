@@ -29,10 +29,10 @@ def test_information_is_that_of_the_rows_with_datum_and_noise_in_their_covarianc
     columns, nuisance = rng.normal(size=(40, 5)), rng.normal(size=(40, 4))
     precision = np.array([0.3, 2.0, 50.0, 1e4])
     left, some = rng.normal(size=40), rng.random(40) < 0.5
-    rows = Rows(columns, left, nuisance, precision, np.linspace(0, 6, 40))
+    rows = Rows(lambda read: read, columns, nuisance, precision, np.linspace(0, 6, 40))
     whole = np.eye(40) + nuisance @ np.diag(1 / precision) @ nuisance.T
     np.testing.assert_allclose(rows.information(), columns.T @ np.linalg.inv(whole) @ columns, rtol=1e-4)
-    np.testing.assert_allclose(rows.pull, columns.T @ np.linalg.inv(whole) @ left, rtol=1e-3, atol=1e-3)
+    np.testing.assert_allclose(rows.pull(left), columns.T @ np.linalg.inv(whole) @ left, rtol=1e-3, atol=1e-3)
     part = whole[np.ix_(some, some)]
     np.testing.assert_allclose(rows.information(some), columns[some].T @ np.linalg.inv(part) @ columns[some], rtol=1e-4)
 

@@ -273,6 +273,7 @@ def _built(built: Built) -> dict[str, Any]:
         "source": built.claim.source,
         "kind": built.claim.kind.code,
         "place": built.place,
+        "name_sure": built.claim.sure,
         "mean_of": list(built.mean_of),
         **_finding(built.claim.finding),
     }

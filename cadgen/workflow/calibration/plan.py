@@ -33,6 +33,7 @@ from cadgen.motion.mechanics import Mechanics, holding_friction
 from cadgen.motion.sampled import rolled_lift
 from cadgen.progress import Progress, silent
 from cadgen.records.load import digest, load
+from cadgen.workflow.calibration.joint_effect import with_joint_effect
 from cadgen.workflow.calibration.new_cam import expected_of
 from cadgen.workflow.calibration.places import Built, agreed_places, placed
 from cadgen.workflow.calibration.zone_means import ZoneMeans, zone_means
@@ -75,7 +76,8 @@ class Calibration:
         sources: the files.
         diagnoses: what each kind with a forward model shows.
         zones: on means over zones.
-        claims: what the verdicts claim, and that there is no play where that was seen.
+        claims: what the verdicts claim, that there is no play where that was seen, and what is not sure by name but
+            taken out for its effect on the run.
         warnings: what does not fit, but was let pass.
         outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
         outlook_agreed: the same once the user agrees to all that a cam can take out; None where nothing waits for that.
@@ -228,12 +230,18 @@ def calibrate(
     if known is None:
         return calibration
 
-    def expected(places: Sequence[Place]) -> Outlook | None:
-        claimed = [(built.claim, place) for built, place in zip(calibration.built, places, strict=True)]
+    def expected(built: Sequence[Built], places: Sequence[Place]) -> Outlook | None:
+        claimed = [(each.claim, place) for each, place in zip(built, places, strict=True)]
         return expected_of(design, known, calibration.diagnoses, claimed)
 
+    def with_claims(some: Sequence[Claim]) -> Outlook | None:
+        built = placed(some)
+        return expected(built, [each.place for each in built])
+
+    taken, outlook = with_joint_effect(calibration.diagnoses, found, with_claims)
+    calibration = replace(calibration, claims=taken, outlook=outlook)
     given, agreed = [built.place for built in calibration.built], agreed_places(calibration.built)
-    return replace(calibration, outlook=expected(given), outlook_agreed=None if agreed == given else expected(agreed))
+    return calibration if agreed == given else replace(calibration, outlook_agreed=expected(calibration.built, agreed))
 
 
 def calibrate_each(

@@ -38,13 +38,16 @@ PLACES = {
     Place.NOTED: "recorded only: it may be the instrument's, or it is nothing that a cam can take out",
 }
 _SHOWN_CANDIDATES = 6
+_CLAIMED = "what is claimed"
+_TOGETHER = "what is claimed, and for effects that are not sure by name but that the run shows together,"
 
 
 def report(calibration: Calibration) -> list[Block]:
     """Report of a calibration, in paragraphs and tables."""
     c = calibration
     floor = f"; form error of the disc {c.form_error_um:g} µm rms ({c.form_error_from})" if c.track_length else ""
-    blocks: list[Block] = [expected(c.outlook)] if c.outlook else []
+    every = all(built.claim.sure for built in c.built)
+    blocks: list[Block] = [expected(c.outlook, _CLAIMED if every else _TOGETHER)] if c.outlook else []
     blocks.append(f"{c.design.name}, {c.profile} profile{floor}.")
     if c.wheelbase is not None:
         by = "a file says so" if c.wheelbase[1] else "the design's, since no file says it"
@@ -61,10 +64,10 @@ def report(calibration: Calibration) -> list[Block]:
     return blocks
 
 
-def expected(o: Outlook) -> str:
+def expected(o: Outlook, made_for: str = _CLAIMED) -> str:
     """Sentences on the expected run with a new cam, and reasons not to cut it."""
     words = (
-        f"A new cam made for what is claimed is expected to end the run {_length(o.new)} mm off ({_length(o.least)} to "
+        f"A new cam made for {made_for} is expected to end the run {_length(o.new)} mm off ({_length(o.least)} to "
         f"{_length(o.most)} mm in 90 %), the old one {_length(o.old)} mm; it is worse with a chance of {o.worse:.1%}."
     )
     why = []
@@ -334,7 +337,9 @@ def sentence(built: Built) -> str:
     if built.place == Place.NOTED and built.instead is None:
         place = _of_train(finding) or place
     of = f", the mean of {listed(built.mean_of, 'and')}" if built.mean_of else ""
-    return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {place[0].upper()}{place[1:]}."
+    unsure = "" if built.claim.sure else " The name is not sure; what it does to the run together with the others is."
+    words = f"{place[0].upper()}{place[1:]}.{unsure}"
+    return f"{name}, from {built.claim.kind.code}: {_sizes(finding)}{of} ({signs}). {words}"
 
 
 def _of_train(finding: Finding) -> str:
