@@ -2,8 +2,9 @@
 
 Every car has one to three effects and was measured once: by two runs before a camera of 3 to 10 mm of noise, by a dial
 on the lift, or by encoders on the train. `cadgen calibrate --next` ranks what may be measured next. Then four of these
-are measured, three times with other noise, each time calibrated together with the first data, and asked where the run
-now ends on a new cam. All of the world is made by `tests.studies.circles_truth`, which shares no code with the models.
+are measured, five times with other noise, each time calibrated together with the first data, and asked where the run
+now ends on a new cam: the median of the five. All of the world is made by `tests.studies.circles_truth`, which shares
+no code with the models.
 
 Asked: whether the measurement that is ranked first of the four takes away as much of that distance as any of them, or
 within a tenth of the best; where none takes away 5 %, whether that is said.
@@ -15,9 +16,11 @@ from dataclasses import asdict, dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
+from cadgen.expectation.proposals import proposals
 from tests.studies.circles_truth import Car, World, declared, drawn_form
 
 FIRST = ("track", "lift", "transmission")
@@ -31,7 +34,7 @@ MEASURED = {
     "angles at both ends of the train, 3 runs, forward and back, the rod lifted": "train",
 }
 WORTH, WITHIN = 0.05, 0.10
-TIMES = 3  # each measurement is made, with other noise: what is promised is a mean
+TIMES = 5  # each measurement is made, with other noise; one in five shows something that all the others do not
 
 
 @dataclass(frozen=True)
@@ -95,6 +98,19 @@ def _readings(world: World, car: Car, what: str, noise: float, rng: np.random.Ge
     return world.track(car, rng, noise_mm=noise)
 
 
+def _now(calibration: Any) -> float:
+    """Mean distance of the end of the run on a new cam, mm; of one proposal only, for the others take time."""
+    from cadgen.expectation import next_measurement
+    from cadgen.workflow.calibration.advice import after
+
+    def few(nominal: Any, known: Any, measured: Any) -> Any:
+        every = proposals(nominal, known, measured)
+        return every[:1] if known else every  # all of them say which kinds of data there are
+
+    with patch.object(next_measurement, "proposals", few):
+        return float(after(calibration).now.mean)
+
+
 def measured(seed: int, number: int) -> Outcome:
     """Calibrate a car, rank what may be measured, and measure it."""
     from cadgen.workflow.calibration import plan
@@ -122,7 +138,7 @@ def measured(seed: int, number: int) -> Outcome:
         expected[what] = entry.end.mean
         made = [np.random.default_rng([seed, number, len(what), time]) for time in range(TIMES)]
         more = [_readings(world, car, what, noise, one) for one in made]
-        found[what] = float(np.mean([after(told(begun, one)).now.mean for one in more]))
+        found[what] = float(np.median([_now(told(begun, one)) for one in more]))
     effects = ", ".join(k for k, v in vars(car).items() if v != getattr(Car(), k))
     return Outcome(number, first, effects, one.diagnoses[0].verdict, ranking.now.mean, expected, found)
 
@@ -146,7 +162,7 @@ def page(outcomes: list[Outcome], command: str) -> str:
         "Cars with one to three effects, measured once, by a camera (two runs), a dial or encoders; the measurement",
         f"that is ranked first of four against having made each of the four {TIMES} times and calibrated again.",
         "Distances are those of the end of the run on a new cam, in mm, as ranked: mean expected before the",
-        "measurement, and mean found after it.",
+        f"measurement, and median of the {TIMES} found after it.",
         "",
         f"`{command}`, {stamp()}",
         "",
