@@ -18,20 +18,19 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.rolled import Contact
 from cadgen.errors import DesignError
-from cadgen.monte_carlo.derivatives import STEERING, Expansion, OtherEdge, steering_derivatives
-from cadgen.monte_carlo.parameters import Directed, Parameter
+from cadgen.monte_carlo.derivatives import Expansion, OtherEdge, steering_derivatives
+from cadgen.monte_carlo.parameters import Parameter
 from cadgen.monte_carlo.stretches import Forces, Stretches, behind_a_brake, stretches
+from cadgen.monte_carlo.tracks import Tracks
 from cadgen.monte_carlo.watch import Watch
 from cadgen.motion.drive import Run
 from cadgen.motion.mechanics import Mechanics
 from cadgen.motion.play import LEAST_SWING, falls
-from cadgen.steering.car import Car, pace, wheel_tangent
+from cadgen.steering.car import Car
 
 Complex = NDArray[np.complex128]
 
-_ALWAYS = 6  # rows of `STEERING` that every car has
-_MARGIN = 2  # cells of the grid beyond the cam angles of the run
-_AT_ONCE = 25  # cars whose arrays stay in a processor's own memory
+_AT_ONCE = 100  # cars whose arrays stay in a processor's own memory
 
 
 @dataclass(frozen=True)
@@ -144,8 +143,8 @@ def make_fleet(
 def run_fleet(fleet: Fleet, deviations: Array, stations: Array | None = None) -> Poses:
     """Run m cars at once.
 
-    The grid carries the trapezoidal rule for heading and position and cubic interpolation between its points, so
-    the poses err with the square of its step.
+    The grid carries the trapezoidal rule for the heading, arcs for the position, and cubic interpolation between its
+    points, so the poses err with the square of its step.
 
     Args:
         fleet: nominal car.
@@ -165,7 +164,7 @@ def _run(fleet: Fleet, deviations: Array, stations: Array | None) -> Poses:
     rate = fleet.length / TURN * (1 + column[Parameter.WHEEL_RADIUS] / fleet.wheel_radius)
     phase = column[Parameter.CAM_PHASE]
     first, last = float(phase.min()), float(fleet.stations[-1] + phase.max() + play.max())
-    track = _Track.of(fleet, column, rate, first, last)
+    track = Tracks.of(fleet, column, rate, first, last)
 
     stretch = _stretches(fleet, column, play, phase, last)
     turned, moved = track.between(stretch.cam, stretch.motor[:, 1:] - stretch.motor[:, :-1], stretch.waits)
@@ -204,95 +203,3 @@ def _stretches(fleet: Fleet, column: dict[Parameter, Array], play: Array, phase:
     if forces.mechanics.behind > 0:
         return behind_a_brake(forces, column, play, phase, last)
     return stretches(*forces.leads(column), play, phase, last)
-
-
-@dataclass(frozen=True)
-class _Track:
-    """Each car's track without play, by cam angle, in units of its rim's travel per rad: shape (m, j), an even grid."""
-
-    first: float
-    step: float
-    pace: Array
-    turning: Array
-    heading: Array
-    x: Array
-    y: Array
-
-    @classmethod
-    def of(cls, fleet: Fleet, column: dict[Parameter, Array], rate: Array, first: float, last: float) -> "_Track":
-        count = len(fleet.tan_beta)
-        step = TURN / count
-        index = np.arange(int(np.floor(first / step)) - _MARGIN, int(np.ceil(last / step)) + _MARGIN + 1)
-        used = [row for row, name in enumerate(STEERING) if row < _ALWAYS or column[name].any()]
-        deviation = np.stack([column[STEERING[row]] for row in used], axis=1)
-        # Not `@`: a library's threads would compete with other processes for so small a product.
-        T = np.einsum("ci,ij->cj", deviation, fleet.derivatives[used][:, index % count])
-        T += fleet.tan_beta[index % count]
-        parts = np.stack([column[name] for name in OtherEdge.PARTS], axis=1)
-        if parts.any():
-            near, more = fleet.other.raised(parts, index % count)
-            T[:, near] += more
-        # Without slip and run-out a single 1 stands for all, and nothing is multiplied.
-        runs_out = column[Parameter.WHEEL_RUNOUT_0].any() or column[Parameter.WHEEL_RUNOUT_90].any()
-        slips = fleet.car.slip != 0
-        going = pace(T, fleet.car) if slips else np.ones((1, 1))
-        if runs_out:
-            going = np.asarray(going * _rolling(fleet, column, np.asarray(index * step)))
-        varies = slips or runs_out
-        T = wheel_tangent(T, fleet.car)
-        divisor = T * (fleet.car.drive_wheel_offset + column[Parameter.DRIVE_WHEEL_OFFSET])[:, None]
-        divisor += (fleet.car.wheelbase + column[Parameter.WHEELBASE])[:, None]
-        turning = np.divide(T, divisor, out=T)
-        turning *= -rate[:, None]
-        if varies:
-            turning *= going
-        heading = _accumulated(turning, step)
-        ahead = np.cos(heading), np.sin(heading)
-        x, y = (_accumulated(going * part if varies else part, step) for part in ahead)
-        return cls(index[0] * step, step, np.broadcast_to(going, T.shape), turning, heading, x, y)
-
-    def between(self, cam: Array, travel: Array, waits: NDArray[np.bool_]) -> tuple[Array, Complex]:
-        """Heading and displacement gained from cam angles over a motor travel, in the car's own frame at the start.
-
-        Where `waits` is set the cam stands, and the car runs on a circle.
-        """
-        heading, position, turning, going = self._at(cam)
-        later, end, _, _ = self._at(cam + np.where(waits, 0.0, travel))
-        arc = turning * travel
-        circle = going * travel * np.sinc(arc / TURN) * np.exp(0.5j * arc)
-        chord = (end - position) * np.exp(-1j * heading)
-        return np.where(waits, arc, later - heading), np.where(waits, circle, chord)
-
-    def _at(self, cam: Array) -> tuple[Array, Complex, Array, Array]:
-        """Heading, position, turning and pace at cam angles, shape (m, q), by cubic Hermite interpolation."""
-        # Stretches before the start or after the end have no length or no station; they may lie off the grid.
-        place = np.clip((cam - self.first) / self.step, 0.0, self.heading.shape[1] - 1.5)
-        left = np.floor(place).astype(int)
-        u = place - left
-        rows = np.arange(len(cam))[:, None]
-        ends = rows, left
-        others = rows, left + 1
-        h00, h01 = (1 + 2 * u) * (1 - u) ** 2, u**2 * (3 - 2 * u)
-        h10, h11 = self.step * u * (1 - u) ** 2, self.step * u**2 * (u - 1)
-        k0, k1, q0, q1 = self.heading[ends], self.heading[others], self.turning[ends], self.turning[others]
-        heading = h00 * k0 + h01 * k1 + h10 * q0 + h11 * q1
-        z0, z1 = self.x[ends] + 1j * self.y[ends], self.x[others] + 1j * self.y[others]
-        p0, p1 = self.pace[ends], self.pace[others]
-        position = h00 * z0 + h01 * z1 + h10 * p0 * np.exp(1j * k0) + h11 * p1 * np.exp(1j * k1)
-        return heading, position, (1 - u) * q0 + u * q1, (1 - u) * p0 + u * p1
-
-
-def _rolling(fleet: Fleet, column: dict[Parameter, Array], motor: Array) -> Array:
-    """Travel of an eccentric drive wheel for that of a round one, at motor positions (j,), rad; shape (m, j)."""
-    turned = fleet.length / (TURN * fleet.wheel_radius) * motor
-    low, quarter = (column[name][:, None] / fleet.wheel_radius for name in Directed.WHEEL_RUNOUT.parts)
-    return np.asarray(1 + low * np.cos(turned) + quarter * np.sin(turned))
-
-
-def _accumulated(values: Array, step: float) -> Array:
-    """Cumulative trapezoidal integral along the last axis, 0 at the first point."""
-    total = np.cumsum(values, axis=1)
-    total -= 0.5 * values
-    total -= total[:, :1].copy()
-    total *= step
-    return total
