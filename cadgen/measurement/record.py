@@ -209,6 +209,7 @@ class Record:
         source: file name, for messages.
         resolved: highest order that the spacing of the points resolves, where a part of a record must have the
             orders of the whole; None to go by the points themselves.
+        of_runs: the comment lines of each run's own file where several files were joined; empty for one file.
     """
 
     kind: Kind
@@ -217,6 +218,7 @@ class Record:
     remarks: tuple[str, ...]
     source: str
     resolved: int | None = None
+    of_runs: tuple[tuple[str, ...], ...] = ()
 
     @property
     def runs(self) -> int:
@@ -235,7 +237,9 @@ class Record:
     def only(self, runs: NDArray[np.intp]) -> "Record":
         """The rows of some runs, numbered anew."""
         part = self.where(np.isin(self.run, runs))
-        return replace(part, run=np.unique(part.run, return_inverse=True)[1].astype(np.intp))
+        kept, run = np.unique(part.run, return_inverse=True)
+        of_runs = tuple(self.of_runs[k] for k in kept) if self.of_runs else ()
+        return replace(part, run=run.astype(np.intp), of_runs=of_runs)
 
     def where(self, keep: NDArray[np.bool_]) -> "Record":
         """Some of the rows, runs numbered as before."""
@@ -269,6 +273,7 @@ def join(records: Sequence[Record]) -> Record:
         run=np.concatenate([r.run + n for r, n in zip(records, before, strict=False)]),
         remarks=tuple(remark for record in records for remark in record.remarks),
         source=name,
+        of_runs=tuple(own for record in records for own in record.of_runs or (record.remarks,) * record.runs),
     )
 
 

@@ -1,6 +1,7 @@
 """Comment lines of measured files: the design, instrument and part that they name."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from cadgen.measurement.record import Record
@@ -28,7 +29,16 @@ def printed(record: Record) -> bool:
 
 def said(record: Record, pattern: str) -> tuple[str, ...]:
     """Groups of a pattern's first match in the comment lines; empty without a match."""
-    for remark in record.remarks:
+    return _first(record.remarks, pattern)
+
+
+def said_of_runs(record: Record, pattern: str) -> list[tuple[str, ...]]:
+    """The same in the comment lines of each run's own file."""
+    return [_first(remarks, pattern) for remarks in record.of_runs or (record.remarks,) * record.runs]
+
+
+def _first(remarks: Iterable[str], pattern: str) -> tuple[str, ...]:
+    for remark in remarks:
         if match := re.search(pattern, remark):
             return match.groups()
     return ()

@@ -7,7 +7,8 @@ import pytest
 
 from cadgen.measurement.models.base import slopes
 from cadgen.measurement.models.floor import floor
-from cadgen.measurement.models.start import BY_HAND_MM, Setting, doubts, scattered, setting
+from cadgen.measurement.models.start import BY_HAND_MM, Setting, doubts, held, scattered, settings
+from cadgen.measurement.record import join
 from tests.measurement import synthetic_drive as drive
 
 DEG = np.pi / 180
@@ -45,31 +46,61 @@ def test_a_start_enters_exactly_however_far_it_is_turned(turned, track, nominal)
 
 
 def test_a_remark_says_how_the_start_was_set(track):
-    assert setting(track).place == BY_HAND_MM
-    assert not setting(track).stated
-    stated = setting(replace(track, remarks=("start set to 3 mm and 0.15 deg",)))
-    assert (stated.place, stated.stated) == (3.0, True)
-    assert stated.heading == pytest.approx(0.15 * DEG)
-    assert setting(replace(track, remarks=("start pose set by hand",))) == setting(track)
+    by_hand = settings(track)
+    assert {one.place for one in by_hand} == {BY_HAND_MM}
+    assert not any(one.stated for one in by_hand)
+    stated = settings(replace(track, remarks=("start set to 3 mm and 0.15 deg",)))
+    assert {(one.place, one.stated) for one in stated} == {(3.0, True)}
+    assert stated[0].heading == pytest.approx(0.15 * DEG)
+    assert settings(replace(track, remarks=("start pose set by hand",))) == by_hand
+
+
+def test_a_remark_holds_for_the_runs_of_its_own_file(track, nominal):
+    """Two runs at a stop and four by hand: neither takes the other's setting, nor do some of them by themselves."""
+    stop = replace(track.only(np.arange(2)), remarks=("start set to 0.5 mm and 0.05 deg",))
+    both = join([track, stop])
+    assert [one.place for one in settings(both)] == [5.0] * 4 + [0.5] * 2
+    assert [one.place for one in settings(both.only(np.array([3, 4])))] == [5.0, 0.5]
+    assert [one.place for one in settings(join([both, stop]))] == [5.0] * 4 + [0.5] * 4
+    model = nominal.model(both)
+    # The generator sets its starts by hand, so the two scatter by more than was said, and only theirs is widened.
+    assert model.stated == settings(both)
+    assert model.spread.reshape(6, 3)[:4, 0] == pytest.approx([5.0] * 4)
+    assert (model.spread.reshape(6, 3)[4:, 0] > 0.5).all()
+    assert held(settings(both)) == (
+        "held to 5 mm and 0.5°, no file says how it was set (runs 1 to 4); "
+        "0.5 mm and 0.05°, as the file says (runs 5 to 6)"
+    )
 
 
 def test_starts_that_scatter_more_are_judged_by_their_scatter():
     rng, stated = np.random.default_rng(51), Setting(3.0, 0.15 * DEG, True)
     poses = rng.normal(0, [3.0, 3.0, 0.15 * DEG], (6, 3)) + np.array([50.0, 0.0, 2 * DEG])
-    assert scattered(poses, stated) == stated  # what all share is an effect's
-    wide = scattered(poses * (1, 1, 12), stated)
+    assert scattered(poses, (stated,) * 6) == (stated,) * 6  # what all share is an effect's
+    wide = scattered(poses * (1, 1, 12), (stated,) * 6)[0]
     assert wide.place == stated.place
     assert wide.heading == pytest.approx(np.std(12 * poses[:, 2], ddof=1))
+    # Runs of another file that were set loosely do not widen those at a stop.
+    loose = replace(stated, place=100.0)
+    mixed = scattered(np.vstack([poses, [[400.0, 0, 0]]]), (stated,) * 6 + (loose,))
+    assert mixed == (stated,) * 6 + (loose,)
 
 
 def test_a_start_off_in_all_runs_is_said():
     stated, sigmas = Setting(3.0, 0.15 * DEG, True), np.full((4, 3), 1e-9)
     near = np.array([[3.0, 0, 0], [-2.0, 1, 0], [1.0, -4, 0], [0.0, 2, 0]])
-    assert doubts(stated, stated, near, sigmas) == ()
-    (together,) = doubts(stated, stated, near + np.array([0, 20.0, 0]), sigmas)
+    alike = (stated,) * 4
+    assert doubts(alike, alike, near, sigmas) == ()
+    (together,) = doubts(alike, alike, near + np.array([0, 20.0, 0]), sigmas)
     assert together.startswith("all runs start off together, by (0.5, 19.8) mm and 0.00°")
-    (scatter,) = doubts(replace(stated, heading=0.1), stated, near, sigmas)
+    (scatter,) = doubts((replace(stated, heading=0.1),) * 4, alike, near, sigmas)
     assert "not by 3 mm and 0.15°, as the file says" in scatter
+    tight = replace(stated, place=0.5)
+    two = (tight, *alike[1:3], tight)
+    off = near.copy()
+    off[[0, 3]] = (0.0, 20.0, 0.0)
+    (some,) = doubts(two, two, off, sigmas)
+    assert some.startswith("runs 1, 4 start off together, by (0.0, 20.0) mm")
 
 
 def test_floor_columns_are_the_creep_of_a_car_stepped_by_hand():

@@ -8,7 +8,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.deviations import catalogue, quantities
 from cadgen.measurement.admission import refuse_twice
-from cadgen.measurement.models.start import NUMBERS, doubts
+from cadgen.measurement.models.start import NUMBERS, doubts, held
 from cadgen.measurement.models.track import TrackModel
 from cadgen.measurement.nominal import Nominal
 from cadgen.measurement.record import Abscissa, Column, Datum, Kind, Record, Span
@@ -36,7 +36,7 @@ def _model(record: Record, nominal: Nominal) -> TrackModel:
 
 
 def _starts(model: TrackModel, values: Array, sigmas: Array) -> tuple[str, tuple[str, ...]]:
-    return f"held to {model.used}", doubts(model.used, model.stated, values, sigmas)
+    return held(model.used), doubts(model.used, model.stated, values, sigmas)
 
 
 KIND = Kind(

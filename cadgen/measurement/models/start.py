@@ -14,7 +14,7 @@ from scipy.stats import chi2
 
 from cadgen.arrays import Array
 from cadgen.measurement.record import Record
-from cadgen.measurement.remarks import said
+from cadgen.measurement.remarks import said_of_runs
 
 # A car set by hand against a line, where no file says how: mm and rad, standard deviations.
 BY_HAND_MM, BY_HAND_RAD = 5.0, radians(0.5)
@@ -42,12 +42,43 @@ class Setting:
         return f"{self.place:g} mm and {np.degrees(self.heading):.3g}°, {source}"
 
 
-def setting(record: Record) -> Setting:
-    """Standard deviations from the remark `start set to 3 mm and 0.15 deg`, or those of a start set by hand."""
-    stated = said(record, rf"\bstart\b.*?\b{_NUMBER} *mm\b.*?\b{_NUMBER} *deg\b")
-    if stated and min(map(float, stated)) > 0:
-        return Setting(float(stated[0]), radians(float(stated[1])), True)
-    return Setting(BY_HAND_MM, BY_HAND_RAD, False)
+Settings = tuple[Setting, ...]  # one for each run
+
+
+def settings(record: Record) -> Settings:
+    """How each run was set: by its file's remark `start set to 3 mm and 0.15 deg`, or as by hand."""
+    pattern = rf"\bstart\b.*?\b{_NUMBER} *mm\b.*?\b{_NUMBER} *deg\b"
+    return tuple(
+        Setting(float(stated[0]), radians(float(stated[1])), True)
+        if stated and min(map(float, stated)) > 0
+        else Setting(BY_HAND_MM, BY_HAND_RAD, False)
+        for stated in said_of_runs(record, pattern)
+    )
+
+
+def held(used: Settings) -> str:
+    """What the start poses are held to, in words; runs of several files each by its own."""
+    groups = _alike(used)
+    if len(groups) == 1:
+        return f"held to {used[0]}"
+    return "held to " + "; ".join(f"{setting} ({_runs(runs)})" for setting, runs in groups.items())
+
+
+def _alike(stated: Settings) -> dict[Setting, list[int]]:
+    """Numbers of the runs that were set alike."""
+    groups: dict[Setting, list[int]] = {}
+    for run, setting in enumerate(stated):
+        groups.setdefault(setting, []).append(run)
+    return groups
+
+
+def _runs(runs: list[int]) -> str:
+    """Runs in words, counted from 1."""
+    if len(runs) == 1:
+        return f"run {runs[0] + 1}"
+    if runs == list(range(runs[0], runs[-1] + 1)):
+        return f"runs {runs[0] + 1} to {runs[-1] + 1}"
+    return f"runs {', '.join(str(run + 1) for run in runs)}"
 
 
 class Starts:
@@ -103,41 +134,53 @@ def _turned(path: NDArray[np.complex128], measured: NDArray[np.complex128]) -> f
     return float(np.angle(np.vdot(path - path.mean(), measured - measured.mean())))
 
 
-def scattered(poses: Array, stated: Setting) -> Setting:
-    """The setting that runs show, where they scatter by more than was stated; else that.
+def scattered(poses: Array, stated: Settings) -> Settings:
+    """The setting that runs show which were set alike, where they scatter by more than was stated; else that.
 
     Args:
         poses: of each run, shape (runs, 3). What all runs share, such as an effect's, is left out.
-        stated: of the file.
+        stated: of each run by its file.
     """
-    if len(poses) < 2:
-        return stated
+    used = list(stated)
+    for setting, runs in _alike(stated).items():
+        if len(runs) > 1:
+            shown = _scattered(poses[runs], setting)
+            for run in runs:
+                used[run] = shown
+    return tuple(used)
+
+
+def _scattered(poses: Array, stated: Setting) -> Setting:
     spread, freedom = np.std(poses, axis=0, ddof=1), len(poses) - 1
     beyond = spread > stated.spread * np.sqrt(chi2.isf(CHANCE, freedom) / freedom)
     place = float(spread[:2].max()) if beyond[:2].any() else stated.place
     return Setting(place, float(spread[2]) if beyond[2] else stated.heading, stated.stated)
 
 
-def doubts(used: Setting, stated: Setting, values: Array, sigmas: Array) -> tuple[str, ...]:
+def doubts(used: Settings, stated: Settings, values: Array, sigmas: Array) -> tuple[str, ...]:
     """Warnings about the starts: runs that scatter by more than was stated, or start off together.
 
     Args:
-        used: setting that runs were judged with.
-        stated: of the file.
+        used: settings that the runs were judged with.
+        stated: of their files.
         values, sigmas: start poses as fitted and their standard deviations, shape (runs, 3), mm and rad.
     """
-    found = []
-    if used != stated:
-        found.append(
-            f"the starts scatter by {used.place:.3g} mm and {np.degrees(used.heading):.3g}°, not by {stated}: they "
-            "were judged with the scatter that they show; set the car against a stop"
-        )
-    mean = values.mean(axis=0)
-    error = np.sqrt((used.spread**2 + np.mean(sigmas**2, axis=0)) / len(values))
-    if chi2.sf(np.sum((mean / error) ** 2), 3) < CHANCE:
-        found.append(
-            f"all runs start off together, by ({mean[0]:.1f}, {mean[1]:.1f}) mm and {np.degrees(mean[2]):.2f}°, where "
-            f"{used.place:.3g} mm and {np.degrees(used.heading):.3g}° were expected: make sure of the camera's frame, "
-            "and of the line from which the car starts"
-        )
+    found, groups = [], _alike(stated)
+    for setting, runs in groups.items():
+        here, shown = "" if len(groups) == 1 else f" of {_runs(runs)}", used[runs[0]]
+        if shown != setting:
+            found.append(
+                f"the starts{here} scatter by {shown.place:.3g} mm and {np.degrees(shown.heading):.3g}°, not by "
+                f"{setting}: they were judged with the scatter that they show; set the car against a stop"
+            )
+        mean = values[runs].mean(axis=0)
+        error = np.sqrt((shown.spread**2 + np.mean(sigmas[runs] ** 2, axis=0)) / len(runs))
+        if chi2.sf(np.sum((mean / error) ** 2), 3) < CHANCE:
+            which = "all runs" if len(groups) == 1 else _runs(runs)
+            starts = "start off together" if len(runs) > 1 else "starts off"
+            found.append(
+                f"{which if len(values) > 1 else 'the run'} {starts}, by ({mean[0]:.1f}, {mean[1]:.1f}) mm and "
+                f"{np.degrees(mean[2]):.2f}°, where {shown.place:.3g} mm and {np.degrees(shown.heading):.3g}° were "
+                "expected: make sure of the camera's frame, and of the line from which the car starts"
+            )
     return tuple(found)

@@ -14,7 +14,7 @@ from cadgen.measurement.models.base import elapsed, fourier
 from cadgen.measurement.models.floor import floor as floor_of
 from cadgen.measurement.models.forces import Forces
 from cadgen.measurement.models.rolled import Rolled
-from cadgen.measurement.models.start import Starts, scattered, setting
+from cadgen.measurement.models.start import Starts, scattered, settings
 from cadgen.measurement.recent import Recent
 from cadgen.measurement.record import Record
 from cadgen.motion.drive import MIDPOINT, Running, driven, start_pose
@@ -72,9 +72,9 @@ class TrackModel:
         self.floor = floor / forces.mechanics.follower.inner
         self.slip = np.empty(0)
         self._starts = Starts(run, axis, self.measured)
-        self.stated = setting(record)
+        self.stated = settings(record)
         self.used = scattered(self._starts.poses(self.place([])), self.stated)
-        self.offsets, self.spread = self._starts.columns, np.tile(self.used.spread, record.runs)
+        self.offsets, self.spread = self._starts.columns, np.concatenate([one.spread for one in self.used])
         angle, mean = self._mean()
         at = np.searchsorted(angle, self._motor).astype(np.intp)
         self.form, self.order = self._form_response(angle, mean, at)
