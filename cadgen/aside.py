@@ -64,6 +64,65 @@ class Aside(Generic[T]):
             self._results.close()
 
 
+class Ready:
+    """A process that makes itself ready beside the block, for jobs that are not known yet; with the block it ends.
+
+    Args:
+        prepare: what takes time and is of use for any of the jobs, such as loading a library.
+    """
+
+    def __init__(self, prepare: Callable[[], object]) -> None:
+        self._prepare = prepare
+        self._process: Any = None
+        self._jobs: Any = None
+
+    def __enter__(self) -> "Ready":
+        if _worthwhile():
+            context = multiprocessing.get_context("fork")
+            self._jobs, other = context.Pipe()
+            self._process = context.Process(target=_stand_by, args=(self._prepare, other, self._jobs))
+            self._process.start()
+            other.close()
+        return self
+
+    def do(self, function: Callable[[], T]) -> T:
+        """The result of a job; it raises the error that the job raised.
+
+        Args:
+            function: the job, without arguments; it, its result and its errors must be such as can be pickled.
+        """
+        if self._process is None:
+            return function()
+        try:
+            self._jobs.send(function)
+            done, value = self._jobs.recv()
+        except (EOFError, OSError):  # the process died, or could not hand the result over
+            return function()
+        if not done:
+            raise value
+        result: T = value
+        return result
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        if self._process is not None:
+            self._process.kill()
+            self._process.join()
+            self._jobs.close()
+
+
+def _stand_by(prepare: Callable[[], object], jobs: Connection, others: Connection) -> None:
+    others.close()  # or the end of the parent process would not end the pipe
+    _obey()
+    with suppress(Exception):  # the job will say what is amiss
+        prepare()
+    with suppress(EOFError):
+        while True:
+            if not _answer(jobs.recv(), jobs):
+                return
+
+
 def end_with_parent() -> None:
     """Have this process, a child of `multiprocessing`, end with its parent process, even if the parent is killed."""
     parent = multiprocessing.parent_process()
@@ -86,12 +145,22 @@ def _worthwhile() -> bool:
     )
 
 
-def _serve(function: Callable[[], Any], sender: Connection) -> None:
+def _obey() -> None:
+    """Have this process end with its parent process, and by nothing but that."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the terminal sends it to both; the parent process ends this one
     end_with_parent()
     # At once, too, where a library keeps Python's threads from running: what it has locked is so as long as it lives.
     with suppress(OSError, AttributeError):
         ctypes.CDLL(None).prctl(_SIGNAL_AT_PARENTS_DEATH, signal.SIGKILL)
+
+
+def _serve(function: Callable[[], Any], sender: Connection) -> None:
+    _obey()
+    _answer(function, sender)
+
+
+def _answer(function: Callable[[], Any], sender: Connection) -> bool:
+    """Whether the result of a function, or its error, could be handed over."""
     answer: tuple[bool, Any]
     try:
         answer = True, function()
@@ -99,3 +168,5 @@ def _serve(function: Callable[[], Any], sender: Connection) -> None:
         answer = False, error
     with suppress(Exception):  # what cannot be handed over is computed once more, where it is asked for
         sender.send(answer)
+        return True
+    return False

@@ -6,11 +6,12 @@ import signal
 import subprocess
 import sys
 import time
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from cadgen.aside import Aside
+from cadgen.aside import Aside, Ready
 from cadgen.errors import CheckError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
@@ -84,3 +85,57 @@ def test_one_processor_computes_here(monkeypatch):
     monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0})
     with Aside(os.getpid) as aside:
         assert aside.result() == os.getpid()
+
+
+def prepare():
+    os.environ["CADGEN_TEST_READY"] = "ready"
+
+
+def job(number):
+    return os.getpid(), os.environ.get("CADGEN_TEST_READY"), number
+
+
+def die(here):
+    if os.getpid() != here:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return "done here"
+
+
+def unsendable(here):
+    return (lambda: "not there") if os.getpid() != here else "done here"
+
+
+def test_a_process_that_is_ready_does_one_job_after_another():
+    with Ready(prepare) as ready:
+        first, second = ready.do(partial(job, 1)), ready.do(partial(job, 2))
+    assert first == (first[0], "ready", 1)
+    assert second == (first[0], "ready", 2)
+    assert first[0] != os.getpid()
+    assert "CADGEN_TEST_READY" not in os.environ
+    assert not multiprocessing.active_children()
+
+
+def test_an_error_of_a_job_is_raised_here_and_the_next_one_is_done():
+    with Ready(prepare) as ready:
+        with pytest.raises(CheckError, match="the rod jams"):
+            ready.do(refuse)
+        assert ready.do(partial(job, 3))[2] == 3
+
+
+@pytest.mark.parametrize("fails", [die, unsendable])
+def test_a_job_that_a_process_does_not_give_back_is_done_here(fails):
+    with Ready(prepare) as ready:
+        assert ready.do(partial(fails, os.getpid())) == "done here"
+        assert ready.do(partial(job, 4)) == (os.getpid(), None, 4)
+
+
+def test_what_cannot_be_prepared_is_left_to_the_job(capfd):
+    with Ready(refuse) as ready:
+        assert ready.do(partial(job, 5))[2] == 5
+    assert capfd.readouterr() == ("", "")
+
+
+def test_with_one_processor_the_job_is_done_here(monkeypatch):
+    monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0})
+    with Ready(prepare) as ready:
+        assert ready.do(partial(job, 6)) == (os.getpid(), None, 6)

@@ -47,9 +47,10 @@ def tolerance(
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
     from cadgen.cli.verdict import command, failed, verdict
+    from cadgen.report.style import ready_to_draw
 
     loaded = Design.load(design, overrides)
-    with show.progress(not as_json) as progress:
+    with ready_to_draw("errors", wanted=out is not None), show.progress(not as_json) as progress:
         run = loaded.tolerance(
             samples, seed=seed, profile=profile, budget=budget, processes=processes, progress=progress
         )

@@ -1,12 +1,14 @@
 """Colours, sizes, and files whose bytes depend on their content alone."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cadgen.aside import Aside
+from cadgen.aside import Aside, Ready
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,6 +36,44 @@ _SETTINGS: dict[Any, Any] = {
     "svg.hashsalt": "cadgen",  # identifiers in the file, otherwise random
     "path.simplify_threshold": 0.05,
 }
+
+
+_READY: ContextVar[Ready | None] = ContextVar("ready", default=None)
+
+
+@contextmanager
+def ready_to_draw(module: str, *, wanted: bool) -> Iterator[None]:
+    """Load what draws in a process of its own, beside the block, since that takes as long as a short command.
+
+    Args:
+        module: of this room, that will draw.
+        wanted: whether it will at all.
+    """
+    if not wanted:
+        yield
+        return
+    with Ready(partial(_load, module)) as ready:
+        token = _READY.set(ready)
+        try:
+            yield
+        finally:
+            _READY.reset(token)
+
+
+def drawn(pictures: Callable[[], list[str]]) -> list[str]:
+    """Draw, in the process that is ready for it if there is one; the names of the files.
+
+    Args:
+        pictures: draws, and gives the names; it must be such as can be pickled.
+    """
+    ready = _READY.get()
+    return pictures() if ready is None else ready.do(pictures)
+
+
+def _load(module: str) -> None:
+    backends = (f"matplotlib.backends.backend_{name}" for name in ("agg", "svg"))
+    for name in ("matplotlib.figure", *backends, f"cadgen.report.{module}"):
+        import_module(name)
 
 
 @contextmanager

@@ -1,5 +1,6 @@
 """Runs as files: tracks and pictures, published together with their figures."""
 
+from functools import partial
 from math import degrees
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from cadgen.optimize.evaluate import Evaluation
 from cadgen.progress import Progress, silent
 from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
 from cadgen.report.lift import LiftPicture, draw_lift
+from cadgen.report.style import drawn
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.workflow.cam.comparison import PlayComparison
 from cadgen.workflow.cam.cures import Cures, find_cures
@@ -204,10 +206,11 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
             passed=run.passed,
             shares={sensitivity.name: sensitivity.share for sensitivity in run.sensitivities},
         )
-        names = draw_fleet(picture, staging, stem)
+        names = drawn(partial(draw_fleet, picture, staging, stem))
         if run.budget is not None:
             bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in run.budget.budget.costs}
-            names += draw_budget(f"{design.name}, {run.plan.profile} profile", bars, staging, f"{stem}_budget")
+            title = f"{design.name}, {run.plan.profile} profile"
+            names += drawn(partial(draw_budget, title, bars, staging, f"{stem}_budget"))
         entry = {
             **tolerance_facts(run),
             "versions": versions(),
