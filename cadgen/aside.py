@@ -50,18 +50,13 @@ class Aside(Generic[T]):
             done, value = self._results.recv()
         except EOFError:  # the process died, perhaps for lack of memory, or could not hand it over
             return self._function()
-        if not done:
-            raise value
-        result: T = value
+        result: T = _taken(done, value)
         return result
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
-        if self._process is not None:
-            self._process.kill()
-            self._process.join()
-            self._results.close()
+        _end(self._process, self._results)
 
 
 class Ready:
@@ -98,18 +93,27 @@ class Ready:
             done, value = self._jobs.recv()
         except (EOFError, OSError):  # the process died, or could not hand the result over
             return function()
-        if not done:
-            raise value
-        result: T = value
+        result: T = _taken(done, value)
         return result
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
-        if self._process is not None:
-            self._process.kill()
-            self._process.join()
-            self._jobs.close()
+        _end(self._process, self._jobs)
+
+
+def _taken(done: bool, value: Any) -> Any:
+    """A result that another process handed over; its error is raised."""
+    if not done:
+        raise value
+    return value
+
+
+def _end(process: Any, pipe: Any) -> None:
+    if process is not None:
+        process.kill()
+        process.join()
+        pipe.close()
 
 
 def _stand_by(prepare: Callable[[], object], jobs: Connection, others: Connection) -> None:

@@ -4,6 +4,7 @@
 |---------------|--------------------------------------------------------------------------|
 | `parameters`  | quantities in which cars may differ: names, units, columns               |
 | `fleet`       | many cars at once, each with its own dimensions                          |
+| `tracks`      | tracks of cars without play, as small changes of the nominal one         |
 | `derivatives` | change of the steering with small deviations, to first order             |
 | `stretches`   | jumps and waits of many cars' cams, each car with its own friction       |
 | `watch`       | whether cars keep a course, from their poses at a few places             |

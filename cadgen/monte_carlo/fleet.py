@@ -21,7 +21,7 @@ from cadgen.errors import DesignError
 from cadgen.monte_carlo.derivatives import Expansion, OtherEdge, steering_derivatives
 from cadgen.monte_carlo.parameters import Parameter
 from cadgen.monte_carlo.stretches import Forces, Stretches, behind_a_brake, stretches
-from cadgen.monte_carlo.tracks import Tracks
+from cadgen.monte_carlo.tracks import Steered, Tracks
 from cadgen.monte_carlo.watch import Watch
 from cadgen.motion.drive import Run
 from cadgen.motion.mechanics import Mechanics
@@ -45,17 +45,11 @@ class Poses:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fleet:
+class Fleet(Steered):
     """The nominal car, ready to be varied.
 
     Attributes:
-        tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
-        derivatives: derivatives of tan_beta, shape (13, n); see `steering_derivatives`.
-        other: edge of the disc that does not carry the nominal rod.
         falls: cam angles between which the nominal lift falls, shape (k, 2), rad.
-        car: nominal dimensions.
-        length: travel of the drive wheel in one turn of the cam, mm.
-        wheel_radius: radius of the drive wheel, mm.
         play: nominal return error B, rad.
         stations: motor positions at which poses are computed, increasing, shape (g,), rad.
         planned: poses of the planned run there, for one car.
@@ -65,13 +59,7 @@ class Fleet:
         watches: what the cars must keep of a course.
     """
 
-    tan_beta: Array
-    derivatives: Array
-    other: OtherEdge
     falls: Array
-    car: Car
-    length: float
-    wheel_radius: float
     play: float
     stations: Array
     planned: Poses

@@ -9,7 +9,7 @@ than a step would.
 
 from dataclasses import dataclass
 from math import radians
-from typing import TYPE_CHECKING, Self, TypeVar
+from typing import Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,15 +19,33 @@ from cadgen.monte_carlo.derivatives import STEERING, OtherEdge
 from cadgen.monte_carlo.parameters import Directed, Parameter
 from cadgen.steering.car import Car, wheel_pace, wheel_tangent
 
-if TYPE_CHECKING:
-    from cadgen.monte_carlo.fleet import Fleet
-
 Complex = NDArray[np.complex128]
 _Values = TypeVar("_Values", Array, Complex)
 
 _ALWAYS = 6  # rows of `STEERING` that every car has
 _MARGIN = 2  # steps of the grid beyond the cam angles of the run
-_CELL = radians(0.8)  # ends of the run err by 0.002 mm more than by single steps; by 0.06 mm where all varies widely
+_CELL = radians(0.8)  # by it the end of a run errs no more than by the grid: 0.02 mm, 0.1 mm where all varies widely
+
+
+@dataclass(frozen=True, kw_only=True)
+class Steered:
+    """Steering and travel of the nominal car, by its cam angle.
+
+    Attributes:
+        tan_beta: nominal steering on an even grid of one turn from cam angle 0, shape (n,).
+        derivatives: derivatives of tan_beta, shape (13, n); see `steering_derivatives`.
+        other: edge of the disc that does not carry the nominal rod.
+        car: nominal dimensions.
+        length: travel of the drive wheel in one turn of the cam, mm.
+        wheel_radius: radius of the drive wheel, mm.
+    """
+
+    tan_beta: Array
+    derivatives: Array
+    other: OtherEdge
+    car: Car
+    length: float
+    wheel_radius: float
 
 
 @dataclass(frozen=True)
@@ -54,17 +72,19 @@ class _Nominal:
     position: Complex
 
     @classmethod
-    def of(cls, fleet: "Fleet", first: float, last: float) -> Self:
+    def of(cls, steered: Steered, first: float, last: float) -> Self:
         """The nominal track from a first cam angle to a last one, rad."""
-        count = len(fleet.tan_beta)
+        count = len(steered.tan_beta)
         step = TURN / count
         width = max(1, round(_CELL / step))
         # Cells begin at multiples of their width, whatever the other cars: so a car's run does not depend on them.
         low = (int(np.floor(first / step)) - _MARGIN) // width * width
         cells = -(-(int(np.ceil(last / step)) + _MARGIN + 1 - low) // width)
         index = np.arange(low, low + cells * width + 1) % count
-        car = fleet.car
-        turning, pace = _turning(fleet.tan_beta[index], car, fleet.length / TURN, car.wheelbase, car.drive_wheel_offset)
+        car = steered.car
+        turning, pace = _turning(
+            steered.tan_beta[index], car, steered.length / TURN, car.wheelbase, car.drive_wheel_offset
+        )
         heading = np.append(0.0, np.cumsum((turning[1:] + turning[:-1]) / 2)) * step
         # Chords of arcs: between two points the track is a circle.
         bend = np.diff(heading)
@@ -147,27 +167,27 @@ class Tracks:
     pace: Array
 
     @classmethod
-    def of(cls, fleet: "Fleet", column: dict[Parameter, Array], rate: Array, first: float, last: float) -> Self:
+    def of(cls, steered: Steered, column: dict[Parameter, Array], rate: Array, first: float, last: float) -> Self:
         """Tracks of cars.
 
         Args:
-            fleet: nominal car.
+            steered: nominal car.
             column: deviations by parameter, shape (m,) each.
             rate: travel of each car's rim for a rad of the cam, mm, shape (m,).
             first, last: between what cam angles, rad.
         """
-        nominal = _Nominal.of(fleet, first, last)
-        car, width = fleet.car, nominal.width * nominal.step
-        mean = nominal.means(fleet.tan_beta[nominal.index])
+        nominal = _Nominal.of(steered, first, last)
+        car, width = steered.car, nominal.width * nominal.step
+        mean = nominal.means(steered.tan_beta[nominal.index])
         used = [row for row, name in enumerate(STEERING) if row < _ALWAYS or column[name].any()]
         deviation = np.stack([column[STEERING[row]] for row in used], axis=1)
         # Not `@`: a library's threads would compete with other processes for so small a product.
-        tangent = np.einsum("ci,ij->cj", deviation, nominal.means(fleet.derivatives[used][:, nominal.index]))
+        tangent = np.einsum("ci,ij->cj", deviation, nominal.means(steered.derivatives[used][:, nominal.index]))
         tangent += mean
         parts = np.stack([column[name] for name in OtherEdge.PARTS], axis=1)
         if parts.any():
-            _raise(tangent, *fleet.other.raised(parts, nominal.index), nominal.width)
-        plain, usual = _turning(mean, car, fleet.length / TURN, car.wheelbase, car.drive_wheel_offset)
+            _raise(tangent, *steered.other.raised(parts, nominal.index), nominal.width)
+        plain, usual = _turning(mean, car, steered.length / TURN, car.wheelbase, car.drive_wheel_offset)
         turning, pace = _turning(
             tangent,
             car,
@@ -177,7 +197,7 @@ class Tracks:
         )
         relative = pace / usual if car.slip != 0 else np.ones((1, 1))
         if any(column[name].any() for name in Directed.WHEEL_RUNOUT.parts):
-            rolling = _rolling(fleet, column, nominal, len(mean))
+            rolling = _rolling(steered, column, nominal, len(mean))
             relative = relative * rolling
             turning *= rolling
         turning -= plain
@@ -241,12 +261,12 @@ def _raise(tangent: Array, near: NDArray[np.intp], more: Array, width: int) -> N
         tangent[:, cells] += np.add.reduceat(more[:, which] * share, begins, axis=1)
 
 
-def _rolling(fleet: "Fleet", column: dict[Parameter, Array], nominal: _Nominal, cells: int) -> Array:
+def _rolling(steered: Steered, column: dict[Parameter, Array], nominal: _Nominal, cells: int) -> Array:
     """Travel of an eccentric drive wheel for that of a round one, mean over each cell, shape (m, k)."""
     width = nominal.width * nominal.step
-    turns = fleet.length / (TURN * fleet.wheel_radius)
+    turns = steered.length / (TURN * steered.wheel_radius)
     turned = turns * (nominal.first + width * (np.arange(cells) + 0.5))
-    parts = (column[name][:, None] / fleet.wheel_radius for name in Directed.WHEEL_RUNOUT.parts)
+    parts = (column[name][:, None] / steered.wheel_radius for name in Directed.WHEEL_RUNOUT.parts)
     low, quarter = (part * np.sinc(turns * width / TURN) for part in parts)
     return np.asarray(1 + low * np.cos(turned) + quarter * np.sin(turned))
 

@@ -1,4 +1,4 @@
-"""What is not sure by name, and is taken out of a new cam all the same: on cars of a generator that shares no code."""
+"""Effects that are not sure by name, and are taken out of a new cam all the same: on cars of another generator."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -57,7 +57,7 @@ def settings(record: Record) -> Settings:
 
 
 def held(used: Settings) -> str:
-    """What the start poses are held to, in words; runs of several files each by its own."""
+    """Spreads that the start poses are held to, in words; runs of several files each by its own."""
     groups = _alike(used)
     if len(groups) == 1:
         return f"held to {used[0]}"

@@ -9,7 +9,8 @@ import numpy as np
 from cadgen.build import variation
 from cadgen.design.schema import Design
 from cadgen.errors import FileError
-from cadgen.expectation.next_measurement import Expected, Next, Prior, Range, next_measurement
+from cadgen.expectation.known import Prior
+from cadgen.expectation.next_measurement import Expected, Next, Range, next_measurement
 from cadgen.measurement.findings import EvidenceDiagnosis
 from cadgen.measurement.nominal import MACHINED_UM, Nominal
 from cadgen.measurement.record import Method, join
