@@ -6,6 +6,7 @@ for the one with which the run is expected to end nearest, the mean over all tha
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -53,20 +54,21 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
     if track is None or track.contradicted or track.verdict != Verdict.AMBIGUOUS or track.runs < 2:
         return
     sources = {d.kind.code: d.source for d in told}
-    names = {(c.kind.code, c.finding.effect) for c in claims if c.kind.code in sources and not c.absent}
+    sure = {(c.kind.code, c.finding.effect): c for c in claims if c.kind.code in sources and not c.absent}
     for likely in track.likely:
         inside = {name for name, _, _ in likely.effects}
-        if not names < inside or any(e.shape or _on_bound(e, values) for _, e, values in likely.effects):
+        if not sure.keys() < inside or any(e.shape or _on_bound(e, values) for _, e, values in likely.effects):
             continue
-        every = [
-            Claim(sources[kind], kind_of(kind), finding, sure=(kind, finding.effect) in names)
-            for kind, finding in _findings(likely)
-        ]
-        # What is not sure is never cut into a part: it may be the instrument's.
-        whole = [c for c in every if c.sure or c.kind.named(c.finding.effect).places[0] == Place.CAR]
-        known = {claim.quantity for claim in whole}
+        whole = []
+        for kind, finding in _findings(likely):
+            if known := sure.get((kind, finding.effect)):
+                whole.append(replace(known, finding=finding))
+            # What is not sure is never cut into a part: it may be the instrument's.
+            elif kind_of(kind).named(finding.effect, dict(finding.indices)).places[0] == Place.CAR:
+                whole.append(Claim(sources[kind], kind_of(kind), finding, sure=False))
+        taken = {claim.quantity for claim in whole}
         # What was judged apart stays, and that there is none of something, unless this subset has it.
-        apart = [c for c in claims if (c.kind.code, c.finding.effect) not in names and c.quantity not in known]
+        apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure and c.quantity not in taken]
         yield (*whole, *apart)
 
 
