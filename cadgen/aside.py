@@ -93,13 +93,20 @@ class Ready:
             done, value = self._jobs.recv()
         except (EOFError, OSError):  # the process died, or could not hand the result over
             return function()
+        except BaseException:  # interrupted: the job is not to go on with files that are being cleared away
+            self._stop()
+            raise
         result: T = _taken(done, value)
         return result
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
+        self._stop()
+
+    def _stop(self) -> None:
         _end(self._process, self._jobs)
+        self._process = None
 
 
 def _taken(done: bool, value: Any) -> Any:

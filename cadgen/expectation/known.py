@@ -146,8 +146,8 @@ class Known:
             subset = self._subset(1.0, best, unseen, hidden, effect)
             gained = [one.pull(pull) @ np.linalg.solve(one.precision, one.pull(pull)) for one in (subset, without)]
             narrowed = [np.linalg.slogdet(one.precision)[1] for one in (subset, without)]
-            new = len(effect.parameters) * (effect not in unseen)
-            score.append((gained[0] - gained[1] - narrowed[0] + narrowed[1]) / 2 - new * np.log(UNTRACED))
+            widened = len(effect.parameters) * np.log(UNTRACED)
+            score.append((gained[0] - gained[1] - narrowed[0] + narrowed[1]) / 2 - widened)
             found.append(subset)
         if not found:
             return [without]

@@ -142,7 +142,10 @@ class _State:
         known = Known(linear, prior)
         self.about, self._subsets = known.about, known.subsets
         self._ways = linear.ways(self.about)
-        self._nested = np.array([[one.key <= other.key for one in self._subsets] for other in self._subsets])
+        # A subset is one, whatever the floor.
+        self._keys = list(dict.fromkeys(subset.key for subset in self._subsets))
+        self._of = np.array([self._keys.index(subset.key) for subset in self._subsets])
+        self._nested = np.array([[one <= other for one in self._keys] for other in self._keys])
         self._draw()
         self.by_hand = np.zeros((size, size))
         for effect, span in self._effects:
@@ -193,29 +196,32 @@ class _State:
             after.append(covariance)
         weight = np.exp(np.array(score) - np.max(score, axis=0))
         weight /= weight.sum(axis=0)
-        best = self._reported(np.log(np.maximum(weight, 1e-300)))
-        same = np.array([[one.key == other.key for one in self._subsets] for other in self._subsets], dtype=float)
+        by_key = np.stack([weight[self._of == number].sum(axis=0) for number in range(len(self._keys))])
+        best = self._reported(np.log(np.maximum(by_key, 1e-300)))
         error = np.empty(DRAWS, dtype=complex)
-        for number in range(len(self._subsets)):
-            mine = best == number
-            if mine.any():
-                error[mine] = self._error(number, mine, weight[:, mine], found[number][mine], after[number], kinds)
+        for number in range(len(self._keys)):
+            if (mine := best == number).any():
+                floors = np.flatnonzero(self._of == number)
+                shares = weight[floors][:, mine] / by_key[number, mine]
+                values = np.einsum("fc,fck->ck", shares, np.array([found[floor][mine] for floor in floors]))
+                likeliest = max(floors, key=lambda floor: self._subsets[floor].weight)
+                error[mine] = self._error(likeliest, mine, by_key[:, mine], values, after[likeliest], kinds)
         size = np.abs(error + self._disc)
         least, most = np.percentile(size, RANGE)
-        sure = float(np.mean((same @ weight).max(axis=0) >= SURE))
+        sure = float(np.mean(by_key.max(axis=0) >= SURE))
         return Range(float(size.mean()), float(least), float(most)), sure
 
     def _reported(self, score: Array) -> NDArray[np.intp]:
         """The smallest subset nested in the likeliest one and as good as likely: see `verdict`."""
         best = np.argmax(score, axis=0)
         close = self._nested[best].T & (score > np.max(score, axis=0) - MARGIN / 2)
-        sizes = np.array([len(s.key) for s in self._subsets])[:, None]
+        sizes = np.array([len(key) for key in self._keys])[:, None]
         rank = np.where(close, sizes - score / 1e3, np.inf)
         return np.asarray(np.argmin(rank, axis=0), dtype=np.intp)
 
     def _error(
         self,
-        number: int,
+        number: np.intp,
         mine: NDArray[np.bool_],
         weight: Array,
         found: Array,
@@ -236,16 +242,16 @@ class _State:
             at, way = where[span], self._ways[span]
             if at[0] < 0 or not way.any():
                 continue
-            has = np.array([effect.key in s.key or effect.key not in subset.key for s in self._subsets])
-            # By a track a cam is made for a whole subset, for what is not sure by name, too: see `joint_effect`.
-            claimed = (np.sum(weight[has], axis=0) >= SURE) | aliased
+            has = np.array([effect.key in key or effect.key not in subset.key for key in self._keys])
+            play = effect.quantity == quantities.RETURN_ERROR  # a number of the design, too
+            place = Place.CAR if play else linear.place(effect, kinds)
+            # By a track a cam is made for a whole subset, for what is not sure by name, too.
+            claimed = (np.sum(weight[has], axis=0) >= SURE) | (aliased and place in (Place.CAR, Place.PART))
             if effect.key in subset.key:
                 claimed &= named or aliased
             if not aliased:
                 small = np.abs(found[:, at]).max(axis=1) / SIGMAS
                 claimed &= np.all(sigma[at] < np.maximum(SEEN, small)[:, None], axis=1)
-            play = effect.quantity == quantities.RETURN_ERROR  # a number of the design, too
-            place = Place.CAR if play else linear.place(effect, kinds)
             if place == Place.PART:
                 error -= np.where(claimed, cars[:, span] @ way, 0.0)
             elif place != Place.NOTED or aliased:

@@ -267,9 +267,19 @@ def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
 
 def _on_bounds(effects: tuple[Effect, ...], values: Array, bounds: Array) -> tuple[str, ...]:
     """Names of the parameters whose values stand on a bound of what can be."""
+    parameters = (p for e in effects for p in e.parameters)
+    return tuple(p.name for p, stuck in zip(parameters, on_bound(values, bounds), strict=True) if stuck)
+
+
+def on_bound(values: Array, bounds: Array) -> NDArray[np.bool_]:
+    """Whether values stand on a bound of what can be: then they are none that were found; shape (p,).
+
+    Args:
+        values: of parameters, internal units, shape (p,).
+        bounds: least and greatest of each, shape (2, p).
+    """
     near = _NEAR_BOUND * (bounds[1] - bounds[0])
-    on = (values < bounds[0] + near) | (values > bounds[1] - near)
-    return tuple(p.name for p, stuck in zip((p for e in effects for p in e.parameters), on, strict=True) if stuck)
+    return np.asarray((values < bounds[0] + near) | (values > bounds[1] - near))
 
 
 def _tried(

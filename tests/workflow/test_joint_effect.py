@@ -88,6 +88,53 @@ def test_a_whole_subset_is_taken_only_if_it_is_sound_and_brings_the_run_nearer(t
 
 
 @pytest.mark.slow
+def test_a_cam_for_the_sure_names_that_would_not_be_cut_is_not_kept(told):
+    sure = [c for c in told.claims if c.sure]
+
+    def expected(some):
+        return outlook(100.0, worse=0.3) if all(c.sure for c in some) else outlook(95.0)
+
+    assert with_joint_effect(told.diagnoses, sure, expected)[1] == outlook(95.0)
+
+
+@pytest.mark.slow
+def test_whole_subsets_are_without_what_is_surely_not_there_or_on_its_bound_or_would_be_lost(told):
+    """Of the likely subsets; the track's zero is what may be added to the sure names."""
+    sure, tried = [c for c in told.claims if c.sure], []
+
+    def expected(some):
+        tried.append(some)
+        return outlook(100.0)
+
+    first, *others = told.diagnoses
+    with_joint_effect(told.diagnoses, sure, expected)
+    assert any("steering zero" in {c.finding.effect for c in some} for some in tried)
+    assert all(any(not c.sure for c in some) for some in tried[1:])
+    # Where it is sure that there is no zero, none is taken.
+    zero = next(c for some in tried for c in some if not c.sure)
+    nothing = tuple(replace(value, value=0.0) for value in zero.finding.values)
+    apart = replace(zero, finding=replace(zero.finding, values=nothing), sure=True)
+    tried.clear()
+    with_joint_effect(told.diagnoses, [*sure, apart], expected)
+    assert all(apart in some for some in tried)
+    assert not any(c.quantity == zero.quantity for some in tried for c in some if not c.sure)
+    # Nor one that could go no further.
+    upper = next(e.bounds[1] for one in first.likely for (_, name), e, _ in one.effects if name == zero.finding.effect)
+    stuck = tuple(
+        replace(one, effects=tuple((n, e, upper if n[1] == zero.finding.effect else v) for n, e, v in one.effects))
+        for one in first.likely
+    )
+    tried.clear()
+    with_joint_effect([replace(first, likely=stuck), *others], sure, expected)
+    assert not any(c.finding.effect == zero.finding.effect for some in tried for c in some)
+    # Nor a subset whose part that is not taken moves the car.
+    moving = tuple(replace(one, shown=tuple(frozenset({"track"}) for _ in one.shown)) for one in first.likely)
+    tried.clear()
+    with_joint_effect([replace(first, likely=moving), *others], sure, expected)
+    assert len(tried) == 1
+
+
+@pytest.mark.slow
 def test_sure_names_one_run_and_contradicting_records_are_left_as_they_are(told):
     sure = [c for c in told.claims if c.sure]
 

@@ -52,7 +52,7 @@ def settings(record: Record) -> Settings:
         Setting(float(stated[0]), radians(float(stated[1])), True)
         if stated and min(map(float, stated)) > 0
         else Setting(BY_HAND_MM, BY_HAND_RAD, False)
-        for stated in said_of_runs(record, pattern)
+        for stated in said_of_runs(record, pattern)[: record.runs]
     )
 
 

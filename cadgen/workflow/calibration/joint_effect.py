@@ -5,7 +5,7 @@ that alone misses what the others do. Each whole subset tells where the run ends
 for the one with which the run is expected to end nearest, the mean over all that may be true.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,6 +15,7 @@ from cadgen.deviations.effect import Effect
 from cadgen.deviations.names import Place
 from cadgen.expectation.outlook import Outlook
 from cadgen.measurement.findings import Diagnosis, EvidenceDiagnosis, Finding, Likely, Value
+from cadgen.measurement.hypothesis import on_bound
 from cadgen.measurement.kinds import TRACK, kind_of
 from cadgen.measurement.together import Claim
 from cadgen.measurement.verdict import Verdict
@@ -35,15 +36,16 @@ def with_joint_effect(
         claims: of their verdicts.
         expected: what a new cam is expected to do that is made for some claims; None if it would be the old one.
     """
-    sure = tuple(claims)
-    best, outlook = sure, expected(sure)
-    for some in _whole(diagnoses, sure):
+    best = tuple(claims)
+    outlook = expected(best)
+    # A cam for the claims that would not be cut has nothing to be kept for.
+    share = BETTER if outlook is None or outlook.sound else 1.0
+    for some in _whole(diagnoses, best):
         other = expected(some)
         if other is None or not other.sound:
             continue
-        now = other.old if outlook is None else outlook.new
-        if other.new < (BETTER * now if best is sure else now):
-            best, outlook = some, other
+        if other.new < share * (other.old if outlook is None else outlook.new):
+            best, outlook, share = some, other, 1.0
     return best, outlook
 
 
@@ -55,35 +57,42 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
         return
     sources = {d.kind.code: d.source for d in told}
     sure = {(c.kind.code, c.finding.effect): c for c in claims if c.kind.code in sources and not c.absent}
+    # What was judged apart, and that there is none of something, is sure as well.
+    apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure]
     for likely in track.likely:
         inside = {name for name, _, _ in likely.effects}
-        if not sure.keys() < inside or any(e.shape or _on_bound(e, values) for _, e, values in likely.effects):
+        if not sure.keys() < inside or any(
+            e.shape or on_bound(values, np.array(e.bounds)).any() for _, e, values in likely.effects
+        ):
             continue
-        whole = []
-        for kind, finding in _findings(likely):
-            if known := sure.get((kind, finding.effect)):
-                whole.append(replace(known, finding=finding))
-            # What is not sure is never cut into a part: it may be the instrument's.
-            elif kind_of(kind).named(finding.effect, dict(finding.indices)).places[0] == Place.CAR:
-                whole.append(Claim(sources[kind], kind_of(kind), finding, sure=False))
-        taken = {claim.quantity for claim in whole}
-        # What was judged apart stays, and that there is none of something, unless this subset has it.
-        apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure and c.quantity not in taken]
-        yield (*whole, *apart)
+        whole = list(_claims(likely, sources, sure))
+        unsure = {claim.quantity for claim in whole if not claim.sure}
+        # An effect that is left out of a subset must do nothing to the run.
+        kept = {(claim.kind.code, claim.finding.effect) for claim in whole}
+        moves = [TRACK.code in kinds for kinds in likely.shown]
+        lost = any(runs and name not in kept for (name, _, _), runs in zip(likely.effects, moves, strict=True))
+        if unsure and not lost and not unsure & {claim.quantity for claim in apart}:
+            yield (*whole, *apart)
 
 
-def _on_bound(effect: Effect, values: Array) -> bool:
-    """Whether a number could go no further: then it is none that was found."""
-    lower, upper = effect.bounds
-    return bool(np.any((values <= lower) | (values >= upper)))
+def _claims(likely: Likely, sources: Mapping[str, str], sure: Mapping[tuple[str, str], Claim]) -> Iterator[Claim]:
+    """A subset as claims: the sure ones with its values, and of the others what is not cut into a part.
 
-
-def _findings(likely: Likely) -> Iterator[tuple[str, Finding]]:
+    What is not sure may be the instrument's.
+    """
     sigma, first = np.sqrt(np.diag(likely.covariance)), 0
     for (kind, name), effect, values in likely.effects:
         last = first + len(values)
-        yield kind, Finding(name, _values(effect, values, sigma[first:last]), effect.twins, (), effect.indices)
+        finding = Finding(name, _values(effect, values, sigma[first:last]), effect.twins, (), effect.indices)
         first = last
+        if known := sure.get((kind, name)):
+            yield replace(known, finding=finding)
+        elif kind_of(kind).named(name, dict(effect.indices)).places[0] in (Place.CAR, Place.PART):
+            yield Claim(sources[kind], kind_of(kind), finding, sure=False)
+
+
+def _stuck(effect: Effect, values: Array) -> bool:
+    return bool(on_bound(values, np.array(effect.bounds)).any())
 
 
 def _values(effect: Effect, values: Array, sigma: Array) -> tuple[Value, ...]:
