@@ -280,8 +280,8 @@ def _raise(tangent: Array, near: NDArray[np.intp], more: Array, width: int) -> N
 def _rolling(steered: Steered, column: dict[Parameter, Array], nominal: _Nominal, cells: int) -> Array:
     """Travel of an eccentric drive wheel for that of a round one, mean over each cell, shape (m, k).
 
-    By the cam's angle: while the cam leads it is ahead of the motor's, which makes more of the wheel's effect than there
-    is (some 0.4 mm for 0.05 mm on the paper's car, where there is 0.1).
+    By the cam's angle: while the cam leads it is ahead of the motor's, which makes more of the wheel's effect than
+    there is (some 0.4 mm for 0.05 mm on the paper's car, where there is 0.1).
     """
     width = nominal.width * nominal.step
     turns = steered.length / (TURN * steered.wheel_radius)
