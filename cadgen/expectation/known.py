@@ -62,10 +62,6 @@ class Subset:
     drawn: Array
     cause: Effect | None = None
 
-    def pull(self, whole: Array) -> Array:
-        """Remaining information, times its directions."""
-        return np.asarray(whole[self.at])
-
 
 class Known:
     """Knowledge of a car so far.
@@ -144,7 +140,7 @@ class Known:
             if effect.shape or effect.beside or not acts or linear.at_home(effect, measured):
                 continue
             subset = self._subset(1.0, best, unseen, hidden, effect)
-            gained = [one.pull(pull) @ np.linalg.solve(one.precision, one.pull(pull)) for one in (subset, without)]
+            gained = [pull[one.at] @ np.linalg.solve(one.precision, pull[one.at]) for one in (subset, without)]
             narrowed = [np.linalg.slogdet(one.precision)[1] for one in (subset, without)]
             widened = len(effect.parameters) * np.log(UNTRACED)
             score.append((gained[0] - gained[1] - narrowed[0] + narrowed[1]) / 2 - widened)

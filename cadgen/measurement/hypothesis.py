@@ -275,8 +275,8 @@ def on_bound(values: Array, bounds: Array) -> NDArray[np.bool_]:
     """Whether values stand on a bound of what can be: then they are none that were found; shape (p,).
 
     Args:
-        values: of parameters, internal units, shape (p,).
-        bounds: least and greatest of each, shape (2, p).
+        values: of parameters, mm or rad, shape (p,).
+        bounds: least and greatest of each, mm or rad, shape (2, p).
     """
     near = _NEAR_BOUND * (bounds[1] - bounds[0])
     return np.asarray((values < bounds[0] + near) | (values > bounds[1] - near))
