@@ -61,9 +61,8 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
     apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure]
     for likely in track.likely:
         inside = {name for name, _, _ in likely.effects}
-        if not sure.keys() < inside or any(
-            e.shape or on_bound(values, np.array(e.bounds)).any() for _, e, values in likely.effects
-        ):
+        found = all(not effect.shape and not _stuck(effect, values) for _, effect, values in likely.effects)
+        if not (found and sure.keys() < inside):
             continue
         whole = list(_claims(likely, sources, sure))
         unsure = {claim.quantity for claim in whole if not claim.sure}
@@ -92,6 +91,7 @@ def _claims(likely: Likely, sources: Mapping[str, str], sure: Mapping[tuple[str,
 
 
 def _stuck(effect: Effect, values: Array) -> bool:
+    """Whether a number could go no further: then it is none that was found."""
     return bool(on_bound(values, np.array(effect.bounds)).any())
 
 
