@@ -232,13 +232,26 @@ def tolerance_run(
         blocks = range(-(-len(chunks) // _BLOCK))
         rows = _gathered(map_with(partial(_block, run, len(chunks)), blocks), count, samples, done)
     elif processes > 1:
-        with ProcessPoolExecutor(processes, initializer=keep_memory) as pool:
-            results = pool.map(run, chunks, chunksize=max(1, len(chunks) // (16 * processes)))
+        # The fleet goes to each process once, and not with every chunk.
+        with ProcessPoolExecutor(processes, initializer=_take, initargs=(run,)) as pool:
+            results = pool.map(_taken, chunks, chunksize=max(1, len(chunks) // (16 * processes)))
             rows = _gathered(results, count, samples, done)
     else:
         rows = _gathered(map(run, chunks), count, samples, done)
     margin = rows[4] if fleet.watches else np.broadcast_to(np.inf, samples)
     return FleetEnds(heading=rows[0], along=rows[1], across=rows[2], widest=rows[3], margin=margin)
+
+
+_RUN: list[Callable[[int], Array]] = []  # of this process, if it is one of those that run chunks
+
+
+def _take(run: Callable[[int], Array]) -> None:
+    keep_memory()
+    _RUN[:] = [run]
+
+
+def _taken(number: int) -> Array:
+    return _RUN[0](number)
 
 
 def _block(run: Callable[[int], Array], chunks: int, number: int) -> Array:

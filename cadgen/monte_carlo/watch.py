@@ -95,9 +95,10 @@ class GateWatch:
 
     def _disc(self, centre: Complex) -> Array:
         start, along = self.track[:-1], np.diff(self.track)
-        away = centre[:, None] - start
-        share = np.clip(np.real(away * along.conj()) / np.abs(along) ** 2, 0.0, 1.0)
-        return np.asarray(self.reach - np.abs(away - share * along).min(axis=1))
+        length = np.abs(along)
+        local = (centre[:, None] - start) * (along.conj() / length)
+        beside = local.real - np.clip(local.real, 0.0, length)
+        return np.asarray(self.reach - np.sqrt((beside**2 + local.imag**2).min(axis=1)))
 
     def _segment(self, places: Complex) -> Array:
         a, across = places[:, :1], places[:, 1:] - places[:, :1]
