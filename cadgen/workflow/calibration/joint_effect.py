@@ -20,6 +20,7 @@ from cadgen.measurement.kinds import TRACK, kind_of
 from cadgen.measurement.together import Claim
 from cadgen.measurement.verdict import Verdict
 
+_UNSURE = (Verdict.AMBIGUOUS, Verdict.PARTIAL)
 # A whole subset is taken if it leaves less than this share of what the claims alone leave.
 BETTER = 0.8
 
@@ -50,10 +51,13 @@ def with_joint_effect(
 
 
 def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[tuple[Claim, ...]]:
-    """The claims with each whole subset that may be true, where runs of a track are explained but not by sure names."""
+    """The claims with each whole subset that may be true, where sure names alone do not explain the runs of a track.
+
+    A form without a name stays: no cam is made for it.
+    """
     told = [d for d in diagnoses if isinstance(d, EvidenceDiagnosis)]
     track = next((d for d in told if d.kind is TRACK), None)
-    if track is None or track.contradicted or track.verdict != Verdict.AMBIGUOUS or track.runs < 2:
+    if track is None or track.contradicted or track.verdict not in _UNSURE or track.runs < 2:
         return
     sources = {d.kind.code: d.source for d in told}
     sure = {(c.kind.code, c.finding.effect): c for c in claims if c.kind.code in sources and not c.absent}
@@ -61,15 +65,16 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
     apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure]
     for likely in track.likely:
         inside = {name for name, _, _ in likely.effects}
-        found = all(not effect.shape and not _stuck(effect, values) for _, effect, values in likely.effects)
+        found = not any(_stuck(effect, values) for _, effect, values in likely.effects)
         if not (found and sure.keys() < inside):
             continue
         whole = list(_claims(likely, sources, sure))
         unsure = {claim.quantity for claim in whole if not claim.sure}
-        # An effect that is left out of a subset must do nothing to the run.
+        # A name that is left out of a subset must do nothing to the run.
         kept = {(claim.kind.code, claim.finding.effect) for claim in whole}
         moves = [TRACK.code in kinds for kinds in likely.shown]
-        lost = any(runs and name not in kept for (name, _, _), runs in zip(likely.effects, moves, strict=True))
+        every = zip(likely.effects, moves, strict=True)
+        lost = any(runs and not effect.shape and name not in kept for (name, effect, _), runs in every)
         if unsure and not lost and not unsure & {claim.quantity for claim in apart}:
             yield (*whole, *apart)
 
@@ -84,6 +89,8 @@ def _claims(likely: Likely, sources: Mapping[str, str], sure: Mapping[tuple[str,
         last = first + len(values)
         finding = Finding(name, _values(effect, values, sigma[first:last]), effect.twins, (), effect.indices)
         first = last
+        if effect.shape:
+            continue
         if known := sure.get((kind, name)):
             yield replace(known, finding=finding)
         elif kind_of(kind).named(name, dict(effect.indices)).places[0] in (Place.CAR, Place.PART):
