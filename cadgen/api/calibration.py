@@ -63,8 +63,9 @@ class Calibration(Generic[D]):
 
     @property
     def effects(self) -> "tuple[places.Built, ...]":
-        """Everything claimed, with its place in the design as built.
+        """Everything that goes into the design as built, with its place there.
 
+        `claim.sure` is false where the name is not sure, but what it does to the run together with the others is.
         `claim.finding.effect` is its name, `claim.finding.values` its numbers with standard deviations, in the unit
         that each name ends in.
         """

@@ -77,7 +77,7 @@ class Next:
     """The measurement to take next.
 
     Attributes:
-        now: end of the run on a new cam made for what is claimed so far.
+        now: end of the run on a new cam made for what is found so far.
         names_sure: chance of the likeliest names so far; 1 before any measurement.
         rivals: what else may be true, as names.
         ranked: what could be measured, the best first.

@@ -115,7 +115,7 @@ def _tolerances(design: Design, nominal: Nominal) -> dict[str, float]:
 
 def words(n: Next, *, measured: bool) -> list[Block]:
     """A ranking in paragraphs and a table."""
-    what = "what is claimed so far" if measured else "the design alone"
+    what = "what is found so far" if measured else "the design alone"
     first = n.ranked[0]
     blocks: list[Block] = [
         Heading("what to measure next"),
