@@ -233,7 +233,7 @@ class _Problem:
         inside = self.bounds + np.outer([1, -1], _AT_BOUND * (self.bounds[1] - self.bounds[0]))
         useless = (level - float(self._joint.constant[spectrum])) / 2
         x, H, done = settled(half, normal, np.clip(x, *inside), inside, useless)
-        return x, np.asarray(np.linalg.pinv(H), dtype=float), done
+        return x, _covariance(H, self.bounds), done
 
 
 def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
@@ -249,10 +249,11 @@ def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
     smooth = np.flatnonzero([not p.stepwise for e in chosen for p in e.parameters])
     even = tuple(e for e in chosen if not e.parameters[0].stepwise)
     among = np.flatnonzero(joint.within == found.spectrum.within)
+    bounds = np.hstack([e.bounds for e in even]) if even else np.empty((2, 0))
     misfit: list[float] = []
     covariances: list[Array] = []
     for spectrum, H, g in zip(among.tolist(), *joint.normal(even, found.active, among), strict=True):
-        own: Array = np.asarray(np.linalg.pinv(H), dtype=float)
+        own = _covariance(H, bounds)
         moved = -own @ g
         misfit.append(float(found.misfit[spectrum] + g @ moved - np.linalg.slogdet(own)[1]))
         covariances.append(own + np.outer(moved, moved))
@@ -263,6 +264,18 @@ def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
     covariance = found.covariance.copy()
     covariance[np.ix_(smooth, smooth)] = np.tensordot(chance / chance.sum(), np.array(covariances), axes=1)
     return replace(found, covariance=covariance)
+
+
+def _covariance(information: Array, bounds: Array) -> Array:
+    """Covariance by the information; a number of which there is less than its bounds say is known by these alone.
+
+    So is the play behind a friction that holds the cam all the way: more of it changes nothing.
+    """
+    out = np.asarray(np.linalg.pinv(information), dtype=float)
+    within = (bounds[1] - bounds[0]) ** 2 / 12
+    blind = np.flatnonzero(np.diag(information) * within < 1)
+    out[blind, blind] = np.maximum(out[blind, blind], within[blind])
+    return out
 
 
 def _on_bounds(effects: tuple[Effect, ...], values: Array, bounds: Array) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.measurement.columns import Columns
-from cadgen.measurement.hypothesis import Hypothesis, sized
+from cadgen.measurement.hypothesis import Hypothesis, _covariance, sized
 from cadgen.measurement.search import Numerous
 
 
@@ -23,7 +23,7 @@ def test_a_size_has_the_uncertainty_of_every_spectrum_by_its_chance():
         return [np.array([[-response @ pull]]) for pull in pulls], [np.array([residual @ pull]) for pull in pulls]
 
     spectra = (SimpleNamespace(within=True),) * 2
-    effect = SimpleNamespace(parameters=(SimpleNamespace(stepwise=False),))
+    effect = SimpleNamespace(parameters=(SimpleNamespace(stepwise=False),), bounds=np.array([[-1e9], [1e9]]))
     joint = SimpleNamespace(within=np.array([True, True]), normal=normal)
     found = Hypothesis(
         effects=(effect,),
@@ -43,6 +43,16 @@ def test_a_size_has_the_uncertainty_of_every_spectrum_by_its_chance():
         left = residual[:, None] + response[:, None] * off  # slopes are those of measured less expected, turned round
         density += np.exp(-(np.sum(left * np.linalg.solve(c, left), axis=0) + np.linalg.slogdet(c)[1]) / 2)
     assert variance == pytest.approx(density @ off**2 / density.sum(), rel=1e-6)
+
+
+def test_a_number_that_nothing_shows_is_known_by_its_bounds_alone():
+    """The variance of an even distribution between them, and that of the information for the others."""
+    bounds = np.array([[-1.0, 0.0, -1.0], [1.0, 6.0, 1.0]])
+    information = np.array([[400.0, 0.0, 30.0], [0.0, 0.0, 0.0], [30.0, 0.0, 100.0]])
+    found = _covariance(information, bounds)
+    shown = [0, 2]
+    np.testing.assert_allclose(found[np.ix_(shown, shown)], np.linalg.inv(information[np.ix_(shown, shown)]))
+    assert found[1, 1] == pytest.approx(3.0)
 
 
 def test_a_column_that_the_discrepancy_hides_is_no_candidate():
