@@ -34,7 +34,7 @@ MEASURED = {
     "angles at both ends of the train, 3 runs, forward and back, the rod lifted": "train",
 }
 WORTH, WITHIN = 0.05, 0.10
-TIMES = 5  # each measurement is made, with other noise; one in five shows something that all the others do not
+TIMES = 5  # each measurement is made, with other noise each time
 
 
 @dataclass(frozen=True)

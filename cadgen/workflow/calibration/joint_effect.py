@@ -2,7 +2,7 @@
 
 Where several subsets explain the measured runs as well, only what stands in all of them is claimed, and a cam made for
 that alone misses what the others do. Each whole subset tells where the run ends, whichever is true. So the cam is made
-for the one with which the run is expected to end nearest, the mean over all that may be true.
+for the one with which the run is expected to end nearest, over all that may be true.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
