@@ -233,7 +233,7 @@ class _Problem:
         inside = self.bounds + np.outer([1, -1], _AT_BOUND * (self.bounds[1] - self.bounds[0]))
         useless = (level - float(self._joint.constant[spectrum])) / 2
         x, H, done = settled(half, normal, np.clip(x, *inside), inside, useless)
-        return x, _covariance(H, self.bounds), done
+        return x, _covariance(H, self.bounds, ~self.stepwise), done
 
 
 def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
@@ -253,7 +253,7 @@ def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
     misfit: list[float] = []
     covariances: list[Array] = []
     for spectrum, H, g in zip(among.tolist(), *joint.normal(even, found.active, among), strict=True):
-        own = _covariance(H, bounds)
+        own = _covariance(H, bounds, np.ones(len(H), dtype=bool))
         moved = -own @ g
         misfit.append(float(found.misfit[spectrum] + g @ moved - np.linalg.slogdet(own)[1]))
         covariances.append(own + np.outer(moved, moved))
@@ -266,14 +266,15 @@ def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
     return replace(found, covariance=covariance)
 
 
-def _covariance(information: Array, bounds: Array) -> Array:
+def _covariance(information: Array, bounds: Array, smooth: NDArray[np.bool_]) -> Array:
     """Covariance by the information; a number of which there is less than its bounds say is known by these alone.
 
-    So is the play behind a friction that holds the cam all the way: more of it changes nothing.
+    So is the play behind a friction that holds the cam all the way: more of it changes nothing. What answers in steps
+    has no slopes, and so no information here; its variance is found by trial.
     """
     out = np.asarray(np.linalg.pinv(information), dtype=float)
     within = (bounds[1] - bounds[0]) ** 2 / 12
-    blind = np.flatnonzero(np.diag(information) * within < 1)
+    blind = np.flatnonzero(smooth & (np.diag(information) * within < 1))
     out[blind, blind] = np.maximum(out[blind, blind], within[blind])
     return out
 
