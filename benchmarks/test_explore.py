@@ -8,6 +8,7 @@ A first run of each engine starts its processes, so that what is compared is wor
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
+from statistics import median
 from time import perf_counter
 from typing import Any
 
@@ -18,6 +19,7 @@ from cadgen.api.exploration import explore
 DESIGNS = 120  # of the paper's car, over half a second each: more than a minute of one worker
 STARTED = 24  # designs of the study that starts the processes: several for each, so that each has loaded all
 TWO_WORKERS = 1.85
+ROUNDS = 3
 DASK = 1.05
 
 STUDY = """
@@ -48,8 +50,9 @@ def timed(folder: Path, name: str, executor: Any) -> float:
 
 @pytest.fixture
 def ratio(benchmark: Any) -> Callable[[str, float, float], float]:
+    benchmark.pedantic(lambda: None, rounds=1)
+
     def said(words: str, above: float, below: float) -> float:
-        benchmark.pedantic(lambda: None, rounds=1)
         benchmark.extra_info[words] = above / below
         print(f"\n{words}: {above:.1f} s against {below:.1f} s, {above / below:.3f}")
         return above / below
@@ -66,13 +69,25 @@ def test_two_processes_against_one(tmp_path, ratio):
 
 
 def test_dask_against_processes(tmp_path, ratio):
+    # Alternating, so that whatever else the machine does falls on both.
+    pairs = [(dask_seconds(tmp_path / f"dask{k}"), process_seconds(tmp_path / f"two{k}")) for k in range(ROUNDS)]
+    ratios = [ratio(f"dask against processes, round {k + 1}", *pair) for k, pair in enumerate(pairs)]
+    print(f"\ndask against processes, median: {median(ratios):.3f} (limit {DASK})")
+    assert median(ratios) <= DASK
+
+
+def dask_seconds(folder: Path) -> float:
     from dask.distributed import Client, LocalCluster
 
-    with ProcessPoolExecutor(2) as two:
-        processes = timed(tmp_path, "two", two)
+    folder.mkdir()
     with (
         LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
         Client(cluster, set_as_default=False) as client,
     ):
-        dask = timed(tmp_path, "dask", client)
-    assert ratio("dask against processes", dask, processes) <= DASK
+        return timed(folder, "dask", client)
+
+
+def process_seconds(folder: Path) -> float:
+    folder.mkdir()
+    with ProcessPoolExecutor(2) as two:
+        return timed(folder, "two", two)

@@ -21,7 +21,7 @@ from cadgen.exploration.guard import TooLongError, limit_memory, within
 from cadgen.exploration.plans import Values
 from cadgen.exploration.study import ALL, LimitKeys, Study
 from cadgen.exploration.variation import REPLAN, Variation
-from cadgen.pace import keep_memory
+from cadgen.pace import compute_undisturbed
 
 
 class State(StrEnum):
@@ -128,7 +128,7 @@ class Job:
 
     def __call__(self, tasks: Sequence[Task]) -> list[tuple[Row, float]]:
         """Rows of designs, each with its processor time, s."""
-        keep_memory()
+        compute_undisturbed()
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
         return [self._timed(task) for task in tasks]

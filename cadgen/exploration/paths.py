@@ -15,7 +15,7 @@ from cadgen.exploration.guard import TooLongError, limit_memory, within
 from cadgen.exploration.plans import Values
 from cadgen.exploration.study import ANY, Study
 from cadgen.exploration.variation import REPLAN
-from cadgen.pace import keep_memory
+from cadgen.pace import compute_undisturbed
 from cadgen.workflow.planning.plan import Wanted, plan_design
 from cadgen.workflow.planning.words import sentences
 
@@ -77,7 +77,7 @@ class Planner:
 
     def __call__(self, keys: Sequence[str]) -> list[tuple[PlannedText, float]]:
         """Planned paths by their keys, each with its processor time, s."""
-        keep_memory()
+        compute_undisturbed()
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
         results = []

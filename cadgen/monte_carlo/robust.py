@@ -16,7 +16,7 @@ from cadgen.monte_carlo.derivatives import STEERING
 from cadgen.monte_carlo.fleet import Fleet, Poses, run_fleet
 from cadgen.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance, parts_of, tolerance
 from cadgen.monte_carlo.watch import Seen, seen
-from cadgen.pace import keep_memory
+from cadgen.pace import compute_undisturbed
 
 # Type of the built-in `map` and of a pool's: calls may run anywhere, but results come in order.
 Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
@@ -246,7 +246,7 @@ _RUN: list[Callable[[int], Array]] = []  # of this process, if it is one of thos
 
 
 def _take(run: Callable[[int], Array]) -> None:
-    keep_memory()
+    compute_undisturbed()
     _RUN[:] = [run]
 
 
