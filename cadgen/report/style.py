@@ -104,8 +104,10 @@ def save(picture: "Figure", folder: Path, name: str) -> list[str]:
         folder: folder for the files.
         name: name of the files, without ending.
     """
-    picture.draw_without_rendering()
-    picture.set_layout_engine(None)
+    layout = picture.get_layout_engine()
+    if layout is not None:
+        layout.execute(picture)
+        picture.set_layout_engine(None)
     points, lines = f"{name}.png", f"{name}.svg"
     with Aside(partial(_save, picture, folder / points, dpi=_DPI, metadata={"Software": None})) as beside:
         _save(picture, folder / lines, metadata={"Date": None, "Creator": None})
