@@ -19,6 +19,7 @@ from typing import Any, Generic, TypeVar
 
 T = TypeVar("T")
 _SIGNAL_AT_PARENTS_DEATH = 1  # PR_SET_PDEATHSIG of Linux's prctl
+_alone = False
 
 
 class Aside(Generic[T]):
@@ -134,6 +135,15 @@ def _stand_by(prepare: Callable[[], object], jobs: Connection, others: Connectio
                 return
 
 
+def compute_alone() -> None:
+    """Have a worker process compute all by itself, for others like it have the other processors.
+
+    A process that is no worker, as where the built-in `map` is the engine, is left as it is.
+    """
+    global _alone
+    _alone = multiprocessing.parent_process() is not None
+
+
 def end_with_parent() -> None:
     """Have this process, a child of `multiprocessing`, end with its parent process, even if the parent is killed."""
     parent = multiprocessing.parent_process()
@@ -149,7 +159,8 @@ def _end_with(sentinel: int) -> None:
 def _worthwhile() -> bool:
     """Whether this process may be forked, and has a second processor to compute on."""
     return (
-        sys.platform == "linux"
+        not _alone
+        and sys.platform == "linux"
         and threading.current_thread() is threading.main_thread()
         and not multiprocessing.current_process().daemon
         and len(os.sched_getaffinity(0)) > 1

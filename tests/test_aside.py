@@ -6,12 +6,13 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 
 import pytest
 
-from cadgen.aside import Aside, Ready
+from cadgen.aside import Aside, Ready, compute_alone
 from cadgen.errors import CheckError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
@@ -85,6 +86,24 @@ def test_one_processor_computes_here(monkeypatch):
     monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0})
     with Aside(os.getpid) as aside:
         assert aside.result() == os.getpid()
+
+
+def computed_by(alone):
+    if alone:
+        compute_alone()
+    with Aside(os.getpid) as aside:
+        return os.getpid(), aside.result()
+
+
+def test_one_of_many_workers_computes_all_by_itself():
+    context = multiprocessing.get_context("fork")
+    with ProcessPoolExecutor(1, mp_context=context) as pool:
+        worker, beside = pool.submit(computed_by, False).result()
+        assert beside != worker
+        worker, beside = pool.submit(computed_by, True).result()
+        assert beside == worker != os.getpid()
+    here, beside = computed_by(True)  # no worker
+    assert beside != here
 
 
 def prepare():

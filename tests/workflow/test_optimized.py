@@ -18,6 +18,7 @@ from cadgen.motion.sampled import sampled_lift
 from cadgen.optimize.compensation import compensated_lift
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.optimize.profiles.compensated import COMPENSATED
+from cadgen.optimize.profiles.table import profile_of
 from cadgen.workflow.cam.files import write_cam
 from cadgen.workflow.cam.plan import default_profile, plan_cam
 
@@ -120,6 +121,17 @@ def test_passes_every_check_and_says_why_it_was_chosen(exported, optimized):
     assert entry["play"]["before"]["profile"] == "actual"
     assert entry["play"]["after"]["position_percent_off"] > 99
     assert json.loads((exported[0] / "manifest.json").read_text())["parts"]["carbon_free_car_optimized"] == entry
+
+
+def test_profiles_made_aside_are_those_that_are_made_here(optimized, monkeypatch):
+    monkeypatch.setattr("cadgen.aside._alone", True)
+    alone = plan_cam(load_design("carbon_free_car"), "optimized")
+    for one, other in zip(alone.comparison.evaluations, optimized.comparison.evaluations, strict=True):
+        assert one.profile is other.profile is profile_of(one.profile.code)
+        assert np.array_equal(one.error.distance, other.error.distance)
+        assert np.array_equal(one.lift_error, other.lift_error)
+        assert np.array_equal(one.cut.outline(0.05).points, other.cut.outline(0.05).points)
+    assert alone.checks == optimized.checks
 
 
 def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):

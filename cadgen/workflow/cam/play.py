@@ -1,12 +1,16 @@
 """From a design with play to the profile that is best against it, with the reasons."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 from math import degrees
 
 from cadgen.arrays import TURN
+from cadgen.aside import Aside
 from cadgen.check import failing
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
+from cadgen.design.section import listed
 from cadgen.errors import CheckError, DesignError
 from cadgen.gears.names import StageOrder
 from cadgen.motion.play import falls
@@ -95,22 +99,39 @@ def _evaluations(
     work: TrainTask, profile: Profile, progress: Progress
 ) -> tuple[tuple[Evaluation, ...], tuple[str, ...]]:
     """Evaluations of the actual and another profile, or of all that can be made; and why others cannot, in words."""
-    plain = evaluate(work, ACTUAL)
     if not profile.best_of:
-        return (plain, *(evaluate(work, kind) for kind in (profile,) if kind is not ACTUAL)), ()
+        return tuple(evaluate(work, kind) for kind in dict.fromkeys((ACTUAL, profile))), ()
     blend = work.task.lift.blend_start
     if not (falls(work.task.lift) % TURN < blend).any():
         where = f" before its closing blend at {degrees(blend):.1f}°" if work.task.lift.blended else ""
         reason = f"the lift has no peak and no valley{where}, so play changes nothing: the actual profile is made"
-        return (plain,), (reason,)
+        return (evaluate(work, ACTUAL),), (reason,)
+    kinds = compared()[1:]
+    here, there = kinds[: len(kinds) // 2], kinds[len(kinds) // 2 :]
+    with Aside(partial(_tried, work, there, silent)) as beside:
+        plain = evaluate(work, ACTUAL)
+        tried = _tried(work, here, progress)
+        progress(f"computing the {listed([str(kind) for kind in there], 'and')} profile")
+        tried += beside.result()
     evaluations, refusals = [plain], dict[str, str]()
-    for kind in compared()[1:]:
+    for kind, found in zip(kinds, tried, strict=True):
+        if isinstance(found, Evaluation):
+            evaluations.append(replace(found, profile=kind))  # that of the table, and no copy from another process
+        else:  # several may be refused for the same reason
+            refusals.setdefault(str(found), f"{kind} refused: {found}")
+    return tuple(evaluations), tuple(refusals.values())
+
+
+def _tried(work: TrainTask, kinds: Sequence[Profile], progress: Progress) -> list[Evaluation | DesignError]:
+    """Evaluation of each profile, or why it cannot be made."""
+    out: list[Evaluation | DesignError] = []
+    for kind in kinds:
         progress(f"computing the {kind} profile")
         try:
-            evaluations.append(evaluate(work, kind))
-        except DesignError as error:  # several may be refused for the same reason
-            refusals.setdefault(str(error), f"{kind} refused: {error}")
-    return tuple(evaluations), tuple(refusals.values())
+            out.append(evaluate(work, kind))
+        except DesignError as error:
+            out.append(error)
+    return out
 
 
 def _lost_sentences(task: Task, chosen: Evaluation) -> list[str]:
