@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import partial
 from importlib import import_module
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -74,6 +75,14 @@ def _load(module: str) -> None:
     backends = (f"matplotlib.backends.backend_{name}" for name in ("agg", "svg"))
     for name in ("matplotlib.figure", *backends, f"cadgen.report.{module}"):
         import_module(name)
+    # The first picture takes a quarter longer than the next: fonts are looked up, and more is loaded.
+    with figure(1.0, 1.0) as picture:
+        axes = picture.subplots()
+        axes.set_title("1")
+        axes.plot([0, 1], label="1")
+        axes.legend()
+        for ending in ("png", "svg"):
+            picture.savefig(BytesIO(), format=ending)
 
 
 @contextmanager
