@@ -10,7 +10,6 @@ from cadgen.aside import Aside
 from cadgen.check import failing
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
-from cadgen.design.section import listed
 from cadgen.errors import CheckError, DesignError
 from cadgen.gears.names import StageOrder
 from cadgen.motion.play import falls
@@ -111,7 +110,7 @@ def _evaluations(
     with Aside(partial(_tried, work, there, silent)) as beside:
         plain = evaluate(work, ACTUAL)
         tried = _tried(work, here, progress)
-        progress(f"computing the {listed([str(kind) for kind in there], 'and')} profile")
+        progress(f"computing the {there[-1]} profile")
         tried += beside.result()
     evaluations, refusals = [plain], dict[str, str]()
     for kind, found in zip(kinds, tried, strict=True):
