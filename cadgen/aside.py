@@ -1,8 +1,8 @@
 """A part of a job in a process of its own, beside the rest of it.
 
 Numbers and files are the same as without: what is computed aside needs nothing of what goes on meanwhile, and its files
-have names of their own. On Linux the process is a fork of this one, with all that was loaded; elsewhere, and with a
-single processor, the part is computed when its result is asked for.
+have names of their own. On Linux the process is a fork of this one, with all that was loaded; elsewhere, with a single
+processor, in a thread, in a daemon and within `alone`, the part is computed when its result is asked for.
 """
 
 import ctypes
@@ -11,15 +11,17 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Callable
-from contextlib import suppress
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from multiprocessing.connection import Connection, wait
 from types import TracebackType
 from typing import Any, Generic, TypeVar
 
 T = TypeVar("T")
 _SIGNAL_AT_PARENTS_DEATH = 1  # PR_SET_PDEATHSIG of Linux's prctl
-_alone = False
+_ALONE: ContextVar[bool] = ContextVar("alone", default=False)
 
 
 class Aside(Generic[T]):
@@ -49,7 +51,7 @@ class Aside(Generic[T]):
             return self._function()
         try:
             done, value = self._results.recv()
-        except EOFError:  # the process died, perhaps for lack of memory, or could not hand it over
+        except Exception:  # the process died, perhaps for lack of memory, or what it handed over cannot be read
             return self._function()
         result: T = _taken(done, value)
         return result
@@ -92,7 +94,7 @@ class Ready:
         try:
             self._jobs.send(function)
             done, value = self._jobs.recv()
-        except (EOFError, OSError):  # the process died, or could not hand the result over
+        except Exception:  # the process died, or what it handed over cannot be read
             return function()
         except BaseException:  # interrupted: the job is not to go on with files that are being cleared away
             self._stop()
@@ -135,13 +137,29 @@ def _stand_by(prepare: Callable[[], object], jobs: Connection, others: Connectio
                 return
 
 
-def compute_alone() -> None:
-    """Have a worker process compute all by itself, for others like it have the other processors.
+@contextmanager
+def alone() -> Iterator[None]:
+    """Compute all by itself within the block, where other processes have the other processors."""
+    token = _ALONE.set(True)
+    try:
+        yield
+    finally:
+        _ALONE.reset(token)
 
-    A process that is no worker, as where the built-in `map` is the engine, is left as it is.
+
+def only_here(tell: Callable[[str], None]) -> Callable[[str], None]:
+    """A function that is called in this process alone, and not in one that is forked from it.
+
+    Args:
+        tell: function that is called with a few words.
     """
-    global _alone
-    _alone = multiprocessing.parent_process() is not None
+    here = os.getpid()
+
+    def told(words: str) -> None:
+        if os.getpid() == here:
+            tell(words)
+
+    return told
 
 
 def end_with_parent() -> None:
@@ -159,7 +177,7 @@ def _end_with(sentinel: int) -> None:
 def _worthwhile() -> bool:
     """Whether this process may be forked, and has a second processor to compute on."""
     return (
-        not _alone
+        not _ALONE.get()
         and sys.platform == "linux"
         and threading.current_thread() is threading.main_thread()
         and not multiprocessing.current_process().daemon
@@ -187,6 +205,7 @@ def _answer(function: Callable[[], Any], sender: Connection) -> bool:
     try:
         answer = True, function()
     except Exception as error:
+        error.add_note(traceback.format_exc())  # the way to it, which is not handed over
         answer = False, error
     with suppress(Exception):  # what cannot be handed over is computed once more, where it is asked for
         sender.send(answer)

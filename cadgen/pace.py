@@ -1,10 +1,10 @@
-"""How Python and the C library keep house in a process that computes: less often than they do by themselves.
+"""How Python, the C library and dask keep house in a process that computes: less often than they do by themselves.
 
-Both look after memory at a pace that suits small objects. A plan of a cam makes some 300 000 pages of large arrays and
-drops them again; handed back to the system each time, as dask has its workers do by `MALLOC_TRIM_THRESHOLD_`, and as
-the C library does with more than some megabytes, they take half as long again as the computation itself. And a
-worker of dask looks a hundred times a second where its computation is, for its dashboard: where processes lost 1 % of
-their time, dask lost 6.5 %, and with a tenth of the looks 4 %.
+Python and the C library look after memory at a pace that suits small objects. A plan of a cam makes some 300 000 pages
+of large arrays and drops them again; handed back to the system each time, as dask has its workers do by
+`MALLOC_TRIM_THRESHOLD_`, and as the C library does with more than some megabytes, they take half as long again as the
+computation itself. And a worker of dask looks a hundred times a second where its computation is, for its dashboard:
+where processes lost 1 % of their time, dask lost 6.5 %, and with a tenth of the looks 4 %.
 """
 
 import ctypes
@@ -18,7 +18,7 @@ from functools import cache
 _CIRCLES = 50_000, 20, 50
 # Parameters of `mallopt` and bytes: memory below is taken from the process's own, and as much of it is kept when freed.
 _TRIM, _MAP = (-1, 128 << 20), (-3, 32 << 20)
-_LOOK_MS = 100  # least time between two looks of a dask worker at its computation, or at itself
+_LOOK_MS = 100  # between two looks of a dask worker at its computation; of itself it takes 10
 
 
 @cache
@@ -34,13 +34,12 @@ def look_no_more() -> None:
 
 
 def compute_undisturbed() -> None:
-    """Let a worker process of any engine keep the memory that it has freed, and one of dask look less often."""
+    """Let a process that computes for others keep the memory that it has freed, and a worker of dask look seldom."""
     _keep_memory()
     distributed = sys.modules.get("distributed")
     if distributed is not None:
-        with suppress(ValueError, AttributeError):  # no worker, or one of another make
-            for callback in list(distributed.get_worker().periodic_callbacks.values()):
-                callback.callback_time = max(callback.callback_time, _LOOK_MS)
+        with suppress(ValueError, AttributeError, KeyError):  # no worker, or one that does not look
+            distributed.get_worker().periodic_callbacks["profile"].callback_time = _LOOK_MS
 
 
 @cache

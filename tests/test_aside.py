@@ -6,13 +6,12 @@ import signal
 import subprocess
 import sys
 import time
-from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 
 import pytest
 
-from cadgen.aside import Aside, Ready, compute_alone
+from cadgen.aside import Aside, Ready, alone, only_here
 from cadgen.errors import CheckError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
@@ -88,22 +87,43 @@ def test_one_processor_computes_here(monkeypatch):
         assert aside.result() == os.getpid()
 
 
-def computed_by(alone):
-    if alone:
-        compute_alone()
+class JamError(CheckError):
+    def __init__(self, angle, part):
+        super().__init__(f"the {part} jams at {angle}")
+
+
+def jam():
+    raise JamError(3, "rod")
+
+
+def test_an_error_that_cannot_be_read_is_raised_here():
+    with Aside(jam) as aside, pytest.raises(JamError, match="the rod jams at 3"):
+        aside.result()
+    with Ready(lambda: None) as ready, pytest.raises(JamError, match="the rod jams at 3"):
+        ready.do(jam)
+
+
+def test_an_error_names_the_place_where_it_was_raised():
+    with Aside(refuse) as aside, pytest.raises(CheckError) as caught:
+        aside.result()
+    assert "in refuse" in caught.value.__notes__[0]
+
+
+def test_alone_all_is_computed_here():
+    with alone(), Aside(os.getpid) as aside:
+        assert aside.result() == os.getpid()
     with Aside(os.getpid) as aside:
-        return os.getpid(), aside.result()
+        assert aside.result() != os.getpid()
 
 
-def test_one_of_many_workers_computes_all_by_itself():
-    context = multiprocessing.get_context("fork")
-    with ProcessPoolExecutor(1, mp_context=context) as pool:
-        worker, beside = pool.submit(computed_by, False).result()
-        assert beside != worker
-        worker, beside = pool.submit(computed_by, True).result()
-        assert beside == worker != os.getpid()
-    here, beside = computed_by(True)  # no worker
-    assert beside != here
+def test_what_is_told_aside_is_not_told_here(capfd):
+    tell = only_here(print)
+    with Aside(partial(tell, "aside")) as aside:
+        tell("here")
+        aside.result()
+    with alone(), Aside(partial(tell, "alone")) as aside:
+        aside.result()
+    assert capfd.readouterr().out.split() == ["here", "alone"]
 
 
 def prepare():

@@ -12,7 +12,7 @@ from pathlib import Path
 from time import thread_time
 from typing import Any
 
-from cadgen.aside import compute_alone
+from cadgen.aside import alone
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design
 from cadgen.errors import CadgenError, brief
@@ -130,10 +130,10 @@ class Job:
     def __call__(self, tasks: Sequence[Task]) -> list[tuple[Row, float]]:
         """Rows of designs, each with its processor time, s."""
         compute_undisturbed()
-        compute_alone()
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
-        return [self._timed(task) for task in tasks]
+        with alone():
+            return [self._timed(task) for task in tasks]
 
     def _timed(self, task: Task) -> tuple[Row, float]:
         begun = thread_time()

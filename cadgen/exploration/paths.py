@@ -7,7 +7,7 @@ from pathlib import Path
 from time import thread_time
 from typing import Any
 
-from cadgen.aside import compute_alone
+from cadgen.aside import alone
 from cadgen.build import cam_model
 from cadgen.design.load import course_of
 from cadgen.errors import CadgenError, brief
@@ -79,13 +79,13 @@ class Planner:
     def __call__(self, keys: Sequence[str]) -> list[tuple[PlannedText, float]]:
         """Planned paths by their keys, each with its processor time, s."""
         compute_undisturbed()
-        compute_alone()
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
         results = []
         for key in keys:
             begun = thread_time()
-            results.append((self.planned(key), thread_time() - begun))
+            with alone():
+                results.append((self.planned(key), thread_time() - begun))
         return results
 
     def planned(self, key: str) -> PlannedText:

@@ -270,7 +270,7 @@ def _covariance(information: Array, bounds: Array, smooth: NDArray[np.bool_]) ->
     """Covariance by the information; a number of which there is less than its bounds say is known by these alone.
 
     So is the play behind a friction that holds the cam all the way: more of it changes nothing. What answers in steps
-    has no slopes, and so no information here; its variance is found by trial.
+    has no slopes, and so no information but what was known before; its variance is found by trial.
     """
     out = np.asarray(np.linalg.pinv(information), dtype=float)
     within = (bounds[1] - bounds[0]) ** 2 / 12

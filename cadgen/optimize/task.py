@@ -148,6 +148,14 @@ class TrainTask:
         """The planned run: that of the lift wanted, without play."""
         return self.task.planned()
 
+    def prepare(self) -> None:
+        """Compute what every profile needs: window and planned run.
+
+        Raises:
+            DesignError: the band does not run upwards from 0 or more.
+        """
+        _ = self.window, self.planned
+
     def run_at(self, made_for: float) -> float:
         """Return error of the run that a profile is evaluated by, rad: that it is cut for, or with friction the car's.
 

@@ -6,7 +6,7 @@ from functools import partial
 from math import degrees
 
 from cadgen.arrays import TURN
-from cadgen.aside import Aside
+from cadgen.aside import Aside, only_here
 from cadgen.check import failing
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
@@ -99,7 +99,7 @@ def _evaluations(
 ) -> tuple[tuple[Evaluation, ...], tuple[str, ...]]:
     """Evaluations of the actual and another profile, or of all that can be made; and why others cannot, in words."""
     if not profile.best_of:
-        return tuple(evaluate(work, kind) for kind in dict.fromkeys((ACTUAL, profile))), ()
+        return tuple(evaluate(work, kind) for kind in ((ACTUAL,) if profile is ACTUAL else (ACTUAL, profile))), ()
     blend = work.task.lift.blend_start
     if not (falls(work.task.lift) % TURN < blend).any():
         where = f" before its closing blend at {degrees(blend):.1f}°" if work.task.lift.blended else ""
@@ -107,11 +107,10 @@ def _evaluations(
         return (evaluate(work, ACTUAL),), (reason,)
     kinds = compared()[1:]
     here, there = kinds[: len(kinds) // 2], kinds[len(kinds) // 2 :]
-    with Aside(partial(_tried, work, there, silent)) as beside:
+    work.prepare()  # once, and not in each process
+    with Aside(partial(_tried, work, there, only_here(progress))) as beside:
         plain = evaluate(work, ACTUAL)
-        tried = _tried(work, here, progress)
-        progress(f"computing the {there[-1]} profile")
-        tried += beside.result()
+        tried = (*_tried(work, here, progress), *beside.result())
     evaluations, refusals = [plain], dict[str, str]()
     for kind, found in zip(kinds, tried, strict=True):
         if isinstance(found, Evaluation):
