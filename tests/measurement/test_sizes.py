@@ -49,10 +49,12 @@ def test_a_number_that_nothing_shows_is_known_by_its_bounds_alone():
     """The variance of an even distribution between them, and that of the information for the others."""
     bounds = np.array([[-1.0, 0.0, -1.0], [1.0, 6.0, 1.0]])
     information = np.array([[400.0, 0.0, 30.0], [0.0, 0.0, 0.0], [30.0, 0.0, 100.0]])
-    found = _covariance(information, bounds)
+    found = _covariance(information, bounds, np.array([True, True, True]))
     shown = [0, 2]
     np.testing.assert_allclose(found[np.ix_(shown, shown)], np.linalg.inv(information[np.ix_(shown, shown)]))
     assert found[1, 1] == pytest.approx(3.0)
+    by_trial = _covariance(information, bounds, np.array([True, False, True]))
+    assert by_trial[1, 1] == 0.0  # to which the variance of the trials is added
 
 
 def test_a_column_that_the_discrepancy_hides_is_no_candidate():
