@@ -175,7 +175,7 @@ def _end_with(sentinel: int) -> None:
 
 
 def _worthwhile() -> bool:
-    """Whether this process may be forked, and has a second processor to compute on."""
+    """Whether this process may be forked, and a second processor is free for the fork."""
     return (
         not _ALONE.get()
         and sys.platform == "linux"

@@ -82,9 +82,9 @@ class Planner:
         if self.memory_mb is not None:
             limit_memory(self.memory_mb)
         results = []
-        for key in keys:
-            begun = thread_time()
-            with alone():
+        with alone():
+            for key in keys:
+                begun = thread_time()
                 results.append((self.planned(key), thread_time() - begun))
         return results
 

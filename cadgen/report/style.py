@@ -75,7 +75,7 @@ def _load(module: str) -> None:
     backends = (f"matplotlib.backends.backend_{name}" for name in ("agg", "svg"))
     for name in ("matplotlib.figure", *backends, f"cadgen.report.{module}"):
         import_module(name)
-    # The first picture takes a quarter longer than the next: fonts are looked up, and more is loaded.
+    # A first picture takes longer than the next: fonts are looked up, and more is loaded.
     with figure(1.0, 1.0) as picture:
         axes = picture.subplots()
         axes.set_title("1")
