@@ -23,6 +23,7 @@ from OCP.IFSelect import IFSelect_RetDone, IFSelect_SelectModelEntities, IFSelec
 from OCP.Interface import Interface_Static
 from OCP.Message import Message
 from OCP.Quantity import Quantity_Color, Quantity_TOC_sRGB
+from OCP.ShapeFix import ShapeFix_Shape
 from OCP.StepBasic import StepBasic_Product
 from OCP.STEPCAFControl import STEPCAFControl_Controller, STEPCAFControl_Reader, STEPCAFControl_Writer
 from OCP.STEPControl import STEPControl_AsIs
@@ -45,15 +46,6 @@ from cadgen.solids.step_text import read_rim
 # since 1970, as reproducible-builds.org defines it) replaces it.
 EPOCH = int(datetime(2000, 1, 1, tzinfo=UTC).timestamp())
 
-# Repairs that the kernel's reader would make: left out, so that the file itself is judged. They take two thirds
-# of the reading, too.
-_REPAIRS = (
-    "FixOrientationMode",
-    "FixShellOrientationMode",
-    "FixSelfIntersectionMode",
-    "FixVertexTolMode",
-    "FixSameParameterMode",
-)
 _ROUNDING = 9  # decimals of a mm to which two edges of a land are alike
 _COLOUR = re.compile(rb"#\d+ = MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION\(")
 _COLOURED = re.compile(rb"STYLED_ITEM\('color',\(#\d+\),#(\d+)\)")
@@ -159,7 +151,9 @@ def document_bytes(document: TDocStd_Document, name: str, description: str) -> b
 
 
 def read_document(path: Path) -> tuple[TDocStd_Document, list[StepBasic_Product]]:
-    """Read a file through the kernel, without its repairs: the document, and the products that the file names.
+    """Read a file through the kernel as it is: the document, and the products that the file names.
+
+    Its solids lack what the file leaves out: `completed` adds it.
 
     Raises:
         FileError: the kernel cannot read the file.
@@ -172,12 +166,26 @@ def read_document(path: Path) -> tuple[TDocStd_Document, list[StepBasic_Product]
     read = reader.ReadFile(str(path)) == IFSelect_RetDone
     # Only now: reading a file sets the kernel's defaults again.
     unhealed = DataMap_TCollection_AsciiString_TCollection_AsciiString()
-    for mode in _REPAIRS:
-        unhealed.Bind(TCollection_AsciiString(f"FixShape.{mode}"), TCollection_AsciiString("0"))
+    unhealed.Bind(TCollection_AsciiString("FixShape.FixSolidMode"), TCollection_AsciiString("0"))
     reader.SetShapeFixParameters(unhealed)
     if not read or not reader.Transfer(document):
         raise FileError(f"the CAD kernel cannot read {path.name}: the file is damaged, export it again")
     return document, _of_type(reader.Reader().WS(), StepBasic_Product)
+
+
+def completed(shape: TopoDS_Shape) -> TopoDS_Shape:
+    """A shape as read, with what a file leaves out: the curves of its edges in the surfaces' parameters.
+
+    The kernel's repairs that would change the shape, or raise its tolerances, are left out, so that the file itself
+    is judged.
+    """
+    fix = ShapeFix_Shape(shape)
+    solid = fix.FixSolidTool()
+    fix.FixVertexTolMode = fix.FixSameParameterMode = 0
+    solid.FixShellOrientationMode = solid.FixShellTool().FixOrientationMode = 0
+    fix.FixWireTool().FixSelfIntersectionMode = 0
+    fix.Perform()
+    return fix.Shape()
 
 
 def colour_of(document: TDocStd_Document, shape: TopoDS_Shape) -> tuple[float, float, float] | None:
@@ -221,8 +229,9 @@ def read_part(path: Path) -> PartContent:
     shapes.GetFreeShapes(labels)
     if labels.Length() != 1 or len(products) != 1:
         raise FileError(f"{path.name} holds {labels.Length()} shapes and {len(products)} products, not one of each")
-    shape = shapes.GetShape_s(labels.First())
-    bodies = solids(shape)
+    read = shapes.GetShape_s(labels.First())
+    bodies = solids(read)
+    shape = completed(read)
     return PartContent(
         valid=is_valid(shape) and edges_on_surfaces(shape),
         bodies=len(bodies),

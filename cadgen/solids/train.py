@@ -26,7 +26,7 @@ from cadgen.errors import FileError
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.solids.gear import body_solid
 from cadgen.solids.kernel import Part, is_valid, solids, volume
-from cadgen.solids.step import add_part, colour_of, document_bytes, new_document, read_document
+from cadgen.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
 
 if TYPE_CHECKING:
     from build123d import Compound as Compound
@@ -151,7 +151,8 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
 
 def _judged(shapes: Sequence[TopoDS_Shape]) -> list[tuple[bool, float]]:
     """Whether the kernel finds no fault in each shape, and its volume, mm³."""
-    return [(is_valid(shape), volume(shape)) for shape in shapes]
+    whole = [completed(shape) for shape in shapes]
+    return [(is_valid(shape), volume(shape)) for shape in whole]
 
 
 def _part(part: TrainPart, name: str, description: str) -> Part:

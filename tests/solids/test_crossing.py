@@ -15,7 +15,7 @@ from cadgen.parts.features import DFlat, Hub, Keyway, SetScrew
 from cadgen.solids.cam import cam_part
 from cadgen.solids.gear import body_solid
 from cadgen.solids.kernel import Part, edges_on_surfaces, is_valid, solids, volume
-from cadgen.solids.step import read_document, step_bytes
+from cadgen.solids.step import completed, read_document, step_bytes
 
 CASES = {
     "plain": ({}, 20.0, 10.0, "outer", 3.3, 0.7),
@@ -44,7 +44,7 @@ def read_again(part: Part, path):
     labels = Sequence_TDF_Label()
     shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     shapes.GetFreeShapes(labels)
-    return shapes.GetShape_s(labels.First())
+    return completed(shapes.GetShape_s(labels.First()))
 
 
 def by_gauss(shape) -> float:
