@@ -19,6 +19,7 @@ from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int
 from OCP.Geom import Geom_BSplineCurve, Geom_Circle, Geom_Curve, Geom_Line
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pln, gp_Pnt, gp_Vec
 from OCP.GProp import GProp_GProps
+from OCP.ShapeAnalysis import ShapeAnalysis_ShapeTolerance
 from OCP.TopAbs import TopAbs_FORWARD, TopAbs_REVERSED, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Shape, TopoDS_Solid, TopoDS_Vertex, TopoDS_Wire
@@ -187,8 +188,13 @@ def solids(shape: TopoDS_Shape) -> list[TopoDS_Solid]:
 
 def is_valid(shape: TopoDS_Shape) -> bool:
     """Whether BRepCheck finds no fault in the shape."""
-
     return bool(BRepCheck_Analyzer(shape).IsValid())
+
+
+def fits(shape: TopoDS_Shape) -> bool:
+    """Whether edges and vertices meet within the kernel's own tolerance, to which no others need be raised."""
+    greatest = ShapeAnalysis_ShapeTolerance().Tolerance(shape, 1)
+    return bool(greatest <= TOLERANCE)
 
 
 def edges_on_surfaces(shape: TopoDS_Shape) -> bool:

@@ -39,7 +39,7 @@ from OCP.XSControl import XSControl_WorkSession
 
 from cadgen.curves.closed import Outline
 from cadgen.errors import FileError
-from cadgen.solids.kernel import Part, edges_on_surfaces, is_valid, solids, volume
+from cadgen.solids.kernel import Part, edges_on_surfaces, fits, is_valid, solids, volume
 from cadgen.solids.step_text import read_rim
 
 # Written into every file so that equal designs give equal bytes; the environment's SOURCE_DATE_EPOCH (seconds
@@ -57,7 +57,7 @@ class PartContent:
     """Content of a STEP file of one part, as the kernel reads it.
 
     Attributes:
-        valid: whether the kernel finds neither a fault nor an edge beside its surfaces.
+        valid: whether the kernel finds no gap, no fault, and no edge beside its surfaces.
         bodies: number of solids.
         volume: volume of all solids, mm^3.
         name: name of the product.
@@ -180,10 +180,12 @@ def completed(shape: TopoDS_Shape) -> TopoDS_Shape:
     is judged.
     """
     fix = ShapeFix_Shape(shape)
-    solid = fix.FixSolidTool()
-    fix.FixVertexTolMode = fix.FixSameParameterMode = 0
-    solid.FixShellOrientationMode = solid.FixShellTool().FixOrientationMode = 0
-    fix.FixWireTool().FixSelfIntersectionMode = 0
+    solid, shell, face, wire = fix.FixSolidTool(), fix.FixShellTool(), fix.FixFaceTool(), fix.FixWireTool()
+    solid.FixShellOrientationMode = shell.FixOrientationMode = face.FixOrientationMode = 0
+    wire.FixSelfIntersectionMode = 0
+    for tool in (fix, wire):
+        tool.FixSameParameterMode = 0
+    fix.FixVertexTolMode = wire.FixVertexToleranceMode = 0
     fix.Perform()
     return fix.Shape()
 
@@ -233,7 +235,7 @@ def read_part(path: Path) -> PartContent:
     bodies = solids(read)
     shape = completed(read)
     return PartContent(
-        valid=is_valid(shape) and edges_on_surfaces(shape),
+        valid=fits(shape) and is_valid(shape) and edges_on_surfaces(shape),
         bodies=len(bodies),
         volume=volume(shape),
         name=products[0].Name().ToCString(),

@@ -25,7 +25,7 @@ from cadgen.aside import Aside
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.solids.gear import body_solid
-from cadgen.solids.kernel import Part, is_valid, solids, volume
+from cadgen.solids.kernel import Part, fits, is_valid, solids, volume
 from cadgen.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
 
 if TYPE_CHECKING:
@@ -150,9 +150,9 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
 
 
 def _judged(shapes: Sequence[TopoDS_Shape]) -> list[tuple[bool, float]]:
-    """Whether the kernel finds no fault in each shape, and its volume, mm³."""
+    """Whether the kernel finds neither a gap nor a fault in each shape, and its volume, mm³."""
     whole = [completed(shape) for shape in shapes]
-    return [(is_valid(shape), volume(shape)) for shape in whole]
+    return [(fits(shape) and is_valid(shape), volume(shape)) for shape in whole]
 
 
 def _part(part: TrainPart, name: str, description: str) -> Part:

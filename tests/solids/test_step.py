@@ -17,7 +17,7 @@ from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew
 from cadgen.solids.cam import SPLINE_TOLERANCE, cam_part
 from cadgen.solids.kernel import Part, contour_edges, prism, solids
-from cadgen.solids.step import read_step, step_bytes
+from cadgen.solids.step import read_part, read_step, step_bytes
 from cadgen.solids.step_text import read_rim
 
 THICKNESS = 3.0
@@ -224,6 +224,29 @@ def test_a_damaged_file_is_one_clear_error(file, damage, message):
     file.write_text(damage(file.read_text()), encoding="utf-8")
     with pytest.raises(FileError, match=message):
         read_step(file, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("entity", "damage"),
+    [
+        (r"(?:CIRCLE|CYLINDRICAL_SURFACE)\('',#\d+,([\d.]+)\)", lambda radius: repr(float(radius) + 1e-5)),
+        (r"CARTESIAN_POINT\('',\((2\.|5\.),0\.,[03]\.\)\)", lambda x: repr(float(x) + 1e-5)),
+        (r"FACE_BOUND\('',#\d+,(\.[TF]\.)\)", lambda way: {".T.": ".F.", ".F.": ".T."}[way]),
+        (r"ADVANCED_FACE\([^;]*,(\.[TF]\.)\)", lambda way: {".T.": ".F.", ".F.": ".T."}[way]),
+    ],
+    ids=["radius", "corner", "way round", "inside out"],
+)
+def test_the_kernel_mends_nothing_before_it_judges(tmp_path, entity, damage):
+    sound = step_bytes(washer()).decode()
+    path = tmp_path / "washer.step"
+    path.write_text(sound)
+    assert read_part(path).valid
+    found = list(re.finditer(entity, sound))
+    for one in found:
+        path.write_text(sound[: one.start(1)] + damage(one[1]) + sound[one.end(1) :])
+        assert not read_part(path).valid, one[0]
+    print(f"{len(found)} files, each with one fault, are refused")
+    assert len(found) >= 4
 
 
 def test_a_missing_file_is_one_clear_error(tmp_path):
