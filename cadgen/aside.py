@@ -83,24 +83,45 @@ class Ready:
             other.close()
         return self
 
-    def do(self, function: Callable[[], T]) -> T:
+    def do(self, job: Callable[[], T]) -> T:
         """The result of a job; it raises the error that the job raised.
 
         Args:
-            function: the job, without arguments; it, its result and its errors must be such as can be pickled.
+            job: what is to be done, without arguments; it, its result and its errors must be such as can be pickled.
         """
-        if self._process is None:
-            return function()
+        with self.beside(job) as result:
+            return result()
+
+    @contextmanager
+    def beside(self, job: Callable[[], T]) -> Iterator[Callable[[], T]]:
+        """Have a job done beside the block, which gets a function for its result; with the block the job ends.
+
+        Args:
+            job: what is to be done, as of `do`.
+        """
+        waiting = False
+        if self._process is not None:
+            with suppress(Exception):  # the process died, or the job cannot be pickled
+                self._jobs.send(job)
+                waiting = True
+
+        def result() -> T:
+            nonlocal waiting
+            if not waiting:
+                return job()
+            try:
+                done, value = self._jobs.recv()
+            except Exception:  # the process died, or what it handed over cannot be read
+                return job()
+            waiting = False
+            taken: T = _taken(done, value)
+            return taken
+
         try:
-            self._jobs.send(function)
-            done, value = self._jobs.recv()
-        except Exception:  # the process died, or what it handed over cannot be read
-            return function()
-        except BaseException:  # interrupted: the job is not to go on with files that are being cleared away
-            self._stop()
-            raise
-        result: T = _taken(done, value)
-        return result
+            yield result
+        finally:
+            if waiting:  # it is not to go on with files that are being cleared away
+                self._stop()
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
@@ -110,6 +131,45 @@ class Ready:
     def _stop(self) -> None:
         _end(self._process, self._jobs)
         self._process = None
+
+
+class Standby:
+    """At most one process that is ready for one kind of jobs, for whoever has such a job within the block.
+
+    Args:
+        kind: kind of the jobs, a name.
+    """
+
+    def __init__(self, kind: str) -> None:
+        self._current: ContextVar[Ready | None] = ContextVar(kind, default=None)
+
+    @contextmanager
+    def ready(self, prepare: Callable[[], object], *, wanted: bool = True) -> Iterator[Ready]:
+        """The process that is ready for the block: that of the block around this one, or a new one.
+
+        Args:
+            prepare: what takes time and is of use for any of the jobs.
+            wanted: whether there will be jobs at all; without, nothing is prepared.
+        """
+        current = self._current.get()
+        if current is not None or not wanted:
+            yield current or Ready(prepare)
+            return
+        with Ready(prepare) as ready:
+            token = self._current.set(ready)
+            try:
+                yield ready
+            finally:
+                self._current.reset(token)
+
+    def do(self, job: Callable[[], T]) -> T:
+        """The result of a job, by the process that is ready if there is one; it raises the error that the job raised.
+
+        Args:
+            job: what is to be done, as of `Ready.do`.
+        """
+        ready = self._current.get()
+        return job() if ready is None else ready.do(job)
 
 
 def _taken(done: bool, value: Any) -> Any:

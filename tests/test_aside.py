@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from cadgen.aside import Aside, Ready, alone, only_here
+from cadgen.aside import Aside, Ready, Standby, alone, only_here
 from cadgen.errors import CheckError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
@@ -178,3 +178,40 @@ def test_with_one_processor_the_job_is_done_here(monkeypatch):
     monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0})
     with Ready(prepare) as ready:
         assert ready.do(partial(job, 6)) == (os.getpid(), None, 6)
+
+
+def test_a_job_is_done_beside_the_block():
+    with Ready(prepare) as ready, ready.beside(partial(job, 7)) as result:
+        process, prepared, number = result()
+    assert process != os.getpid()
+    assert (prepared, number) == ("ready", 7)
+
+
+def sleep_aside(here):
+    if os.getpid() != here:
+        time.sleep(600)
+    return "done here"
+
+
+def test_a_job_ends_with_its_block():
+    with Ready(prepare) as ready:
+        with pytest.raises(CheckError), ready.beside(partial(sleep_aside, os.getpid())):
+            refuse()
+        assert not multiprocessing.active_children()
+        assert ready.do(partial(job, 8)) == (os.getpid(), None, 8)
+
+
+def test_whoever_asks_gets_the_process_that_stands_by():
+    standby = Standby("jobs")
+    assert standby.do(partial(job, 9))[0] == os.getpid()
+    with standby.ready(prepare) as outer, standby.ready(prepare) as inner:
+        assert inner is outer
+        assert standby.do(partial(job, 10))[0] == outer.do(partial(job, 11))[0] != os.getpid()
+    assert standby.do(partial(job, 12))[0] == os.getpid()
+    assert not multiprocessing.active_children()
+
+
+def test_where_no_job_is_wanted_nothing_stands_by():
+    with Standby("jobs").ready(prepare, wanted=False) as ready:
+        assert not multiprocessing.active_children()
+        assert ready.do(partial(job, 13)) == (os.getpid(), None, 13)

@@ -1,15 +1,14 @@
 """Colours, sizes, and files whose bytes depend on their content alone."""
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from contextvars import ContextVar
+from contextlib import AbstractContextManager, contextmanager
 from functools import partial
 from importlib import import_module
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from cadgen.aside import Aside, Ready
+from cadgen.aside import Aside, Ready, Standby
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,26 +38,17 @@ _SETTINGS: dict[Any, Any] = {
 }
 
 
-_READY: ContextVar[Ready | None] = ContextVar("ready", default=None)
+_DRAWING = Standby("drawing")
 
 
-@contextmanager
-def ready_to_draw(module: str, *, wanted: bool) -> Iterator[None]:
-    """Load what draws in a process of its own, beside the block, since that takes as long as a short command.
+def ready_to_draw(module: str, *, wanted: bool) -> AbstractContextManager[Ready]:
+    """Load what draws in a process of its own, beside a block, since that takes as long as a short command.
 
     Args:
         module: of this room, that will draw.
         wanted: whether it will at all.
     """
-    if not wanted:
-        yield
-        return
-    with Ready(partial(_load, module)) as ready:
-        token = _READY.set(ready)
-        try:
-            yield
-        finally:
-            _READY.reset(token)
+    return _DRAWING.ready(partial(_load, module), wanted=wanted)
 
 
 def drawn(pictures: Callable[[], list[str]]) -> list[str]:
@@ -67,8 +57,7 @@ def drawn(pictures: Callable[[], list[str]]) -> list[str]:
     Args:
         pictures: draws, and gives the names; it must be such as can be pickled.
     """
-    ready = _READY.get()
-    return pictures() if ready is None else ready.do(pictures)
+    return _DRAWING.do(pictures)
 
 
 def _load(module: str) -> None:

@@ -14,8 +14,6 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
 from OCP.collections import Array1_gp_Pnt
 from OCP.Geom import Geom_BezierCurve, Geom_Circle, Geom_Line, Geom_Plane
 from OCP.gp import gp_Ax2, gp_Ax3, gp_Dir, gp_Pnt, gp_Vec
-from OCP.TopAbs import TopAbs_FACE
-from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
 
 from cadgen.errors import FileError
@@ -23,7 +21,7 @@ from cadgen.gears.bezier import bezier_poles
 from cadgen.parts.body import Body, Cap, RadialHole, Wall, caps_of, walls_of
 from cadgen.parts.loop import Arc, Curve, Involute, Line, Loop, Points
 from cadgen.solids.crossing import with_exact_crossings
-from cadgen.solids.kernel import TOLERANCE, Edge, closed_wire, drill
+from cadgen.solids.kernel import TOLERANCE, Edge, closed_wire, drill, faces
 
 # Fit of the tooth curves, in mm: half of the 0.001 µm and 0.01 µm that flank and root are allowed.
 FLANK_TOLERANCE = 0.5e-6
@@ -52,8 +50,8 @@ def body_solid(body: Body) -> TopoDS_Solid:
         ends = [_cap(cap, wires) for cap in caps_of((slab,))]
         drilled = _drilled([side for wall, side in sides if wall.within(slab)], ends, hole)
         sides = [(wall, side) for wall, side in sides if not wall.within(slab)]
-    faces = [face for _, side in sides for face in _faces(side)]
-    return _closed([*faces, *drilled, *(_cap(cap, wires) for cap in caps_of(body.slabs))])
+    walls = [face for _, side in sides for face in faces(side)]
+    return _closed([*walls, *drilled, *(_cap(cap, wires) for cap in caps_of(body.slabs))])
 
 
 def _side(wall: Wall, wires: Wires) -> TopoDS_Shape:
@@ -114,15 +112,6 @@ def _cap(cap: Cap, wires: Wires) -> TopoDS_Shape:
     return face if cap.up else face.Reversed()
 
 
-def _faces(shape: TopoDS_Shape) -> list[TopoDS_Shape]:
-    explorer = TopExp_Explorer(shape, TopAbs_FACE)
-    faces = []
-    while explorer.More():
-        faces.append(explorer.Current())
-        explorer.Next()
-    return faces
-
-
 def _closed(faces: list[TopoDS_Shape]) -> TopoDS_Solid:
     builder, shell, solid = BRep_Builder(), TopoDS_Shell(), TopoDS_Solid()
     builder.MakeShell(shell)
@@ -140,8 +129,8 @@ def _drilled(sides: list[TopoDS_Shape], ends: list[TopoDS_Shape], hole: RadialHo
     Only this slab, closed by its two end faces for the time of the cut, meets the drill: cutting the whole gear
     would take ten times longer. The end faces' edges stay as they are, so the result fits its neighbours.
     """
-    slab = _closed([face for side in sides for face in _faces(side)] + ends)
+    slab = _closed([face for side in sides for face in faces(side)] + ends)
     cut = BRepAlgoAPI_Cut(slab, drill(hole))
     if not cut.IsDone():
         raise FileError(f"the kernel cannot drill the set screw of {hole.diameter:g} mm; change its diameter")
-    return [face for face in _faces(with_exact_crossings(cut.Shape())) if not any(face.IsSame(end) for end in ends)]
+    return [face for face in faces(with_exact_crossings(cut.Shape())) if not any(face.IsSame(end) for end in ends)]

@@ -20,7 +20,7 @@ from OCP.Geom import Geom_BSplineCurve, Geom_Circle, Geom_Curve, Geom_Line
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pln, gp_Pnt, gp_Vec
 from OCP.GProp import GProp_GProps
 from OCP.ShapeAnalysis import ShapeAnalysis_ShapeTolerance
-from OCP.TopAbs import TopAbs_FORWARD, TopAbs_REVERSED, TopAbs_SOLID
+from OCP.TopAbs import TopAbs_FACE, TopAbs_FORWARD, TopAbs_REVERSED, TopAbs_ShapeEnum, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Shape, TopoDS_Solid, TopoDS_Vertex, TopoDS_Wire
 
@@ -178,12 +178,21 @@ def drill(hole: RadialHole) -> TopoDS_Shape:
 
 def solids(shape: TopoDS_Shape) -> list[TopoDS_Solid]:
     """Return the solids in a shape."""
-    bodies = []
-    explorer = TopExp_Explorer(shape, TopAbs_SOLID)
+    return [TopoDS.Solid(part) for part in _parts(shape, TopAbs_SOLID)]
+
+
+def faces(shape: TopoDS_Shape) -> list[TopoDS_Shape]:
+    """Return the faces of a shape."""
+    return _parts(shape, TopAbs_FACE)
+
+
+def _parts(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:
+    parts = []
+    explorer = TopExp_Explorer(shape, kind)
     while explorer.More():
-        bodies.append(TopoDS.Solid(explorer.Current()))
+        parts.append(explorer.Current())
         explorer.Next()
-    return bodies
+    return parts
 
 
 def is_valid(shape: TopoDS_Shape) -> bool:

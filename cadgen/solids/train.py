@@ -25,7 +25,7 @@ from cadgen.aside import Aside
 from cadgen.errors import FileError
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.solids.gear import body_solid
-from cadgen.solids.kernel import Part, fits, is_valid, solids, volume
+from cadgen.solids.kernel import Part, faces, fits, is_valid, solids, volume
 from cadgen.solids.step import add_part, colour_of, completed, document_bytes, new_document, read_document
 
 if TYPE_CHECKING:
@@ -129,13 +129,14 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
         XCAFDoc_ShapeTool.GetReferredShape_s(use, label)
         placed.append((label, XCAFDoc_ShapeTool.GetLocation_s(use).Transformation()))
     shapes = [tool.GetShape_s(label) for label, _ in placed]
-    judged: list[tuple[bool, float]] = [(False, 0.0)] * len(shapes)
-    with Aside(partial(_judged, shapes[1::2])) as every_second:
-        judged[::2] = _judged(shapes[::2])
-        judged[1::2] = every_second.result()
+    first, second = _halves(shapes)
+    with Aside(partial(_judged, [shapes[number] for number in second])) as beside:
+        here = _judged([shapes[number] for number in first])
+        judged = dict(zip([*first, *second], [*here, *beside.result()], strict=True))
     parts = []
-    for (label, move), shape, (valid, size) in zip(placed, shapes, judged, strict=True):
+    for number, ((label, move), shape) in enumerate(zip(placed, shapes, strict=True)):
         bodies = solids(shape)
+        valid, size = judged[number]
         parts.append(
             AssembledPart(
                 name=_named(label),
@@ -147,6 +148,17 @@ def read_assembly(path: Path) -> tuple[AssembledPart, ...]:
             )
         )
     return tuple(parts)
+
+
+def _halves(shapes: Sequence[TopoDS_Shape]) -> tuple[list[int], list[int]]:
+    """Numbers of the shapes in two groups of about as many faces."""
+    counts = [len(faces(shape)) for shape in shapes]
+    first: list[int] = []
+    second: list[int] = []
+    for number in sorted(range(len(shapes)), key=counts.__getitem__, reverse=True):
+        lesser = min(first, second, key=lambda group: sum(counts[other] for other in group))
+        lesser.append(number)
+    return first, second
 
 
 def _judged(shapes: Sequence[TopoDS_Shape]) -> list[tuple[bool, float]]:

@@ -15,8 +15,9 @@ from cadgen.gears.thinning import with_deviation
 from cadgen.gears.tooth import GearForm
 from cadgen.meshes.prisms import body_mesh
 from cadgen.meshes.teeth import Section, section_of
-from cadgen.workflow.gears.files import _assembly, _in_mesh, _stl_facts, _tables, table_of
+from cadgen.workflow.gears.files import _stl_facts, _tables, table_of
 from cadgen.workflow.gears.plan import plan_gears
+from cadgen.workflow.gears.step_files import assembly_facts, play_facts
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +39,7 @@ def assembled(plan, **wrong):
 
 
 def test_an_assembly_as_meant_is_taken(plan):
-    assert _assembly(plan, "x.step", *assembled(plan)) == {"bodies": 4, "volume_error_relative": 0.0}
+    assert assembly_facts(plan.layout, "x.step", *assembled(plan)) == {"bodies": 4, "volume_error_relative": 0.0}
 
 
 @pytest.mark.parametrize(
@@ -55,13 +56,13 @@ def test_an_assembly_as_meant_is_taken(plan):
 )
 def test_an_assembly_with_a_part_that_is_not_as_meant_is_refused(plan, wrong, said):
     with pytest.raises(FileError, match=rf"x\.step, read back, .*{said}"):
-        _assembly(plan, "x.step", *assembled(plan, **wrong))
+        assembly_facts(plan.layout, "x.step", *assembled(plan, **wrong))
 
 
 def test_an_assembly_that_lacks_a_part_is_refused(plan):
     found, wanted = assembled(plan)
     with pytest.raises(FileError, match="has lost a part"):
-        _assembly(plan, "x.step", found[:3], wanted)
+        assembly_facts(plan.layout, "x.step", found[:3], wanted)
 
 
 def by_part(plan, change=lambda form: form):
@@ -70,13 +71,13 @@ def by_part(plan, change=lambda form: form):
 
 @pytest.mark.slow
 def test_sections_in_the_files_have_the_play_computed(plan):
-    facts = _in_mesh(plan, "x.step", by_part(plan))
+    facts = play_facts(plan.layout, plan.passed, "x.step", by_part(plan))
     assert max(map(abs, facts["play_error_um"])) < 0.06
     assert abs(facts["return_error_error_um"]) < 0.06
     thick = [plan.layout.parts[3].gears[0].tooth_thickness_deviation + 1e-3]
     wrong = [*by_part(plan)[:3], (section_of(with_deviation(plan.layout.parts[3].gears[0], *thick)),)]
     with pytest.raises(FileError, match=r"has a play 0\.98 µm off the computed one"):
-        _in_mesh(plan, "x.step", wrong)
+        play_facts(plan.layout, plan.passed, "x.step", wrong)
 
 
 def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(plan):
@@ -87,7 +88,7 @@ def test_sections_whose_play_is_right_only_at_the_line_of_centres_are_refused(pl
     out = np.clip((radius - (radius.max() - 0.1)) / 0.05, 0.0, 1.0)
     raised = Section(corners * np.exp(1j * 5e-3 / radius * out * np.sign(np.angle(corners / tooth))))
     with pytest.raises(FileError, match="has teeth in stage 1 whose play is not the same over a pitch"):
-        _in_mesh(plan, "x.step", [(raised,), *good[1:]])
+        play_facts(plan.layout, plan.passed, "x.step", [(raised,), *good[1:]])
 
 
 def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
@@ -107,12 +108,12 @@ def test_a_mesh_of_another_volume_or_in_pieces_is_refused(plan):
 def test_the_table_of_parts_has_the_limits_of_every_tooth_and_is_read_back(plan, tmp_path, monkeypatch):
     for row in table_of(plan):
         assert row["E_sni_um"] < row["E_sn_um"] < row["E_sns_um"] < 0
-    list(_tables(plan, "x", tmp_path))
-    assert "E_sns_um,E_sni_um" in (tmp_path / "x_parts.csv").read_text()
+    list(_tables(plan, tmp_path))
+    assert "E_sns_um,E_sni_um" in (tmp_path / f"{plan.stem}_parts.csv").read_text()
     read = Path.read_text
     monkeypatch.setattr(Path, "read_text", lambda self, **kwargs: read(self, **kwargs).replace("150", "151"))
-    with pytest.raises(FileError, match=r"x_parts\.csv, read back, has other values"):
-        list(_tables(plan, "x", tmp_path))
+    with pytest.raises(FileError, match=r"_parts\.csv, read back, has other values"):
+        list(_tables(plan, tmp_path))
 
 
 @pytest.mark.parametrize("module", [0.2, 0.3, 1.0, 5.0])

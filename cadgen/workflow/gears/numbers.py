@@ -24,7 +24,8 @@ from cadgen.meshes.train_made import MadeTrain, make_train
 from cadgen.parts.blank import Blank
 from cadgen.progress import Progress, silent
 from cadgen.workflow.gears.facts import checks_facts, parts_facts, return_error, stages_facts
-from cadgen.workflow.gears.files import VOLUME_LIMIT, Result, publish, tooth_errors, write_stl
+from cadgen.workflow.gears.files import Maker, publish, write_stl
+from cadgen.workflow.gears.step_files import VOLUME_LIMIT, Result, tooth_errors
 
 if TYPE_CHECKING:
     from cadgen.solids.kernel import Part
@@ -170,7 +171,7 @@ def write_gear(
         DesignError: a format is unknown.
         FileError: a file cannot be written, or holds something else when it is read back.
     """
-    makers = {
+    makers: dict[Format, Maker] = {
         Format.STEP: ("STEP", partial(_step_file, form, part, name)),
         Format.STL: ("STL", partial(_stl_file, part, name)),
     }
@@ -195,7 +196,7 @@ def gear_facts(form: GearForm, part: TrainPart, name: str) -> dict[str, Any]:
     }
 
 
-def _step_file(form: GearForm, part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
+def _step_file(form: GearForm, part: TrainPart, name: str, staging: Path) -> list[Result]:
     """Write a STEP file; require one valid solid with name and exact volume by the kernel, tooth curves by its text."""
     from cadgen.solids.gear_text import read_gear
     from cadgen.solids.step import read_part, step_bytes
@@ -210,7 +211,7 @@ def _step_file(form: GearForm, part: TrainPart, name: str, staging: Path) -> Ite
     if not error <= VOLUME_LIMIT:
         raise FileError(f"{file.name}, read back, misses the exact volume by {error:.1e}: report this gear")
     errors = tooth_errors(file.name, read_gear(file, part.gears, part.starts))
-    yield file.name, {**errors, "volume_mm3": again.volume, "volume_error_relative": error}
+    return [(file.name, {**errors, "volume_mm3": again.volume, "volume_error_relative": error})]
 
 
 def _stl_file(part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
