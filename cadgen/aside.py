@@ -13,7 +13,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from contextvars import ContextVar
 from multiprocessing.connection import Connection, wait
 from types import TracebackType
@@ -162,14 +162,17 @@ class Standby:
             finally:
                 self._current.reset(token)
 
-    def do(self, job: Callable[[], T]) -> T:
-        """The result of a job, by the process that is ready if there is one; it raises the error that the job raised.
+    def beside(self, job: Callable[[], T]) -> AbstractContextManager[Callable[[], T]]:
+        """Have a job done beside a block by the process that is ready, or by none, as `Ready.beside`.
 
         Args:
             job: what is to be done, as of `Ready.do`.
         """
-        ready = self._current.get()
-        return job() if ready is None else ready.do(job)
+        return (self._current.get() or Ready(_nothing)).beside(job)
+
+
+def _nothing() -> None:
+    """Prepare nothing."""
 
 
 def _taken(done: bool, value: Any) -> Any:

@@ -201,13 +201,18 @@ def test_a_job_ends_with_its_block():
         assert ready.do(partial(job, 8)) == (os.getpid(), None, 8)
 
 
+def done_by(standby, number):
+    with standby.beside(partial(job, number)) as result:
+        return result()
+
+
 def test_whoever_asks_gets_the_process_that_stands_by():
     standby = Standby("jobs")
-    assert standby.do(partial(job, 9))[0] == os.getpid()
+    assert done_by(standby, 9) == (os.getpid(), None, 9)
     with standby.ready(prepare) as outer, standby.ready(prepare) as inner:
         assert inner is outer
-        assert standby.do(partial(job, 10))[0] == outer.do(partial(job, 11))[0] != os.getpid()
-    assert standby.do(partial(job, 12))[0] == os.getpid()
+        assert done_by(standby, 10)[0] == outer.do(partial(job, 11))[0] != os.getpid()
+    assert done_by(standby, 12) == (os.getpid(), None, 12)
     assert not multiprocessing.active_children()
 
 

@@ -97,9 +97,9 @@ def room_inside(parts: Any, edge: Shape) -> Array:
 
     area = geometry(edge)
     room = np.asarray(shapely.distance(parts, area.boundary), dtype=float)
-    for number in np.flatnonzero(~shapely.covers(area, parts)):
-        corners = shapely.points(shapely.get_coordinates(parts[number]))
-        room[number] = -max(float(shapely.distance(corners, area).max()), _depth_outside(parts[number], area))
+    outside = ~shapely.covers(area, parts)
+    if outside.any():
+        room[outside] = -_depth_outside(parts[outside], area)
     return room
 
 
@@ -123,8 +123,13 @@ def _depth(part: Any, there: Any) -> float:
     return max((float(shapely.distance(corners, rim).max()) for rim in rims), default=0.0)
 
 
-def _depth_outside(part: Any, area: Any) -> float:
+def _depth_outside(parts: Any, area: Any) -> Array:
+    """How far parts reach out of an area, shape (n,), mm: a corner of each, or a point within what is outside."""
     import shapely
 
-    beyond = shapely.difference(part, area)
-    return 0.0 if beyond.is_empty else float(shapely.distance(beyond.representative_point(), area))
+    corners, owner = shapely.get_coordinates(parts, return_index=True)
+    depth = np.zeros(len(parts))
+    np.maximum.at(depth, owner, shapely.distance(shapely.points(corners), area))
+    within = shapely.point_on_surface(shapely.difference(parts, area))
+    # A part that only touches the edge leaves nothing outside, and so no distance.
+    return np.asarray(np.fmax(depth, shapely.distance(within, area)))

@@ -51,13 +51,13 @@ def ready_to_draw(module: str, *, wanted: bool) -> AbstractContextManager[Ready]
     return _DRAWING.ready(partial(_load, module), wanted=wanted)
 
 
-def drawn(pictures: Callable[[], list[str]]) -> list[str]:
-    """Draw, in the process that is ready for it if there is one; the names of the files.
+def drawing(pictures: Callable[[], list[str]]) -> AbstractContextManager[Callable[[], list[str]]]:
+    """Draw beside a block if a process is ready for it; the block gets a function for the names of the files.
 
     Args:
         pictures: draws, and gives the names; it must be such as can be pickled.
     """
-    return _DRAWING.do(pictures)
+    return _DRAWING.beside(pictures)
 
 
 def _load(module: str) -> None:

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from math import ceil, degrees, inf
 
 import numpy as np
 
 from cadgen.arrays import TURN
+from cadgen.aside import Aside
 from cadgen.build import cam_model, course_model
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Bound, Check, CheckCode
@@ -159,12 +160,18 @@ class OnCourse:
 
         return replace(self.run(driving), play=play)
 
-    def with_play(self, comparison: PlayComparison) -> "tuple[CourseRun, ...]":
-        """Runs of the chosen profile over the band of play, or with the measured play, and over friction and drag."""
+    def cases(self, comparison: PlayComparison) -> list[tuple[float, Mechanics | None]]:
+        """Return errors over the band of play, rad, or the measured one, each with all ends of friction and drag."""
         task, measured = comparison.task, comparison.band.measured
         plays = comparison.chosen.band.plays if measured is None else np.array([measured])
-        cases: tuple[Mechanics | None, ...] = task.mechanics.corners if task.mechanics else (None,)
-        return tuple(self.played(comparison, play, case) for play in plays.tolist() for case in cases)
+        ends: tuple[Mechanics | None, ...] = task.mechanics.corners if task.mechanics else (None,)
+        return [(play, end) for play in plays.tolist() for end in ends]
+
+    def checks_with_play(
+        self, comparison: PlayComparison, cases: Sequence[tuple[float, Mechanics | None]]
+    ) -> list[Check]:
+        """Checks of the runs of the chosen profile in some cases, one run after the other."""
+        return [check for play, end in cases for check in self.played(comparison, play, end).checks()]
 
 
 @dataclass(frozen=True)
@@ -386,12 +393,15 @@ def course_checks(on: OnCourse | None, comparison: PlayComparison | None = None)
 
 def play_checks(on: OnCourse, comparison: PlayComparison) -> tuple[Check, ...]:
     """Checks of the worst run over the band of play."""
+    cases = on.cases(comparison)
+    here, there = cases[: (len(cases) + 1) // 2], cases[(len(cases) + 1) // 2 :]
+    with Aside(partial(on.checks_with_play, comparison, there)) as beside:
+        checks = [*on.checks_with_play(comparison, here), *beside.result()]
     worst: dict[str, Check] = {}
-    for run in on.with_play(comparison):
-        for check in run.checks():
-            known = worst.get(check.code)
-            if known is None or _worse(check, known):
-                worst[check.code] = check
+    for check in checks:
+        known = worst.get(check.code)
+        if known is None or _worse(check, known):
+            worst[check.code] = check
     return tuple(worst.values())
 
 

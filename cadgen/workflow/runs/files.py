@@ -18,7 +18,7 @@ from cadgen.optimize.evaluate import Evaluation
 from cadgen.progress import Progress, silent
 from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
 from cadgen.report.lift import LiftPicture, draw_lift
-from cadgen.report.style import drawn
+from cadgen.report.style import drawing
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.workflow.cam.comparison import PlayComparison
 from cadgen.workflow.cam.cures import Cures, find_cures
@@ -206,14 +206,16 @@ def write_tolerance(run: ToleranceRun, out: Path, progress: Progress = silent) -
             passed=run.passed,
             shares={sensitivity.name: sensitivity.share for sensitivity in run.sensitivities},
         )
-        names = drawn(partial(draw_fleet, picture, staging, stem))
+        with drawing(partial(draw_fleet, picture, staging, stem)) as pictures:
+            facts = {**tolerance_facts(run), "versions": versions()}
+            names = pictures()
         if run.budget is not None:
             bars = {cost.name.replace("_", " "): (cost.before, cost.after) for cost in run.budget.budget.costs}
             title = f"{design.name}, {run.plan.profile} profile"
-            names += drawn(partial(draw_budget, title, bars, staging, f"{stem}_budget"))
+            with drawing(partial(draw_budget, title, bars, staging, f"{stem}_budget")) as pictures:
+                names += pictures()
         entry = {
-            **tolerance_facts(run),
-            "versions": versions(),
+            **facts,
             "files": {name: file_facts(staging / name) for name in names},
         }
         write_manifest(staging, stem, entry)
