@@ -24,6 +24,7 @@ _LOADED = (
     "cadgen.api.runs",
     "cadgen.cli.show_play",
     "cadgen.report.calibration",
+    "cadgen.report.cars",
     "cadgen.report.errors",
     "cadgen.report.lift",
     "cadgen.report.tracks",

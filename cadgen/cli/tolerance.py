@@ -49,7 +49,7 @@ def tolerance(
     from cadgen.report.style import ready_to_draw
 
     # Before the rest is loaded, which takes as long as what draws.
-    with ready_to_draw("errors", wanted=out is not None):
+    with ready_to_draw("cars", wanted=out is not None):
         from cadgen.api.design import Design
 
         loaded = Design.load(design, overrides)

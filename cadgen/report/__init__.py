@@ -12,7 +12,8 @@
 | `text`   | reports in words                                                                |
 | `table`  | tables that never cut a number                                                  |
 | `calibration` | a verdict on one record: residual before and after, candidates             |
-| `errors` | deflection errors by event; ends of the runs of many cars; sensitivities        |
+| `errors` | deflection errors by event                                                      |
+| `cars`   | ends of the runs of many cars; sensitivities                                    |
 | `exploration`| studies of many designs                                                     |
 
 Only this room imports matplotlib, inside its functions, since that takes time.

@@ -12,7 +12,8 @@ from cadgen.course.course import Shape
 from cadgen.design.load import load_design
 from cadgen.motion.errors import deflections
 from cadgen.report import style
-from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
+from cadgen.report.cars import FleetPicture, draw_budget, draw_fleet
+from cadgen.report.errors import draw_events
 from cadgen.report.lift import draw_lift
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
 from cadgen.workflow.runs.files import lift_picture
@@ -33,7 +34,7 @@ def figures(monkeypatch):
         kept.append(picture)
         return []
 
-    for module in ("errors", "lift", "tracks"):
+    for module in ("cars", "errors", "lift", "tracks"):
         monkeypatch.setattr(f"cadgen.report.{module}.save", keep)
     return kept
 

@@ -2,13 +2,12 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from math import ceil, degrees, inf
 
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.aside import Aside
 from cadgen.build import cam_model, course_model
 from cadgen.cam.lift import LiftCurve
 from cadgen.check import Bound, Check, CheckCode
@@ -159,19 +158,6 @@ class OnCourse:
             )
 
         return replace(self.run(driving), play=play)
-
-    def cases(self, comparison: PlayComparison) -> list[tuple[float, Mechanics | None]]:
-        """Return errors over the band of play, rad, or the measured one, each with all ends of friction and drag."""
-        task, measured = comparison.task, comparison.band.measured
-        plays = comparison.chosen.band.plays if measured is None else np.array([measured])
-        ends: tuple[Mechanics | None, ...] = task.mechanics.corners if task.mechanics else (None,)
-        return [(play, end) for play in plays.tolist() for end in ends]
-
-    def checks_with_play(
-        self, comparison: PlayComparison, cases: Sequence[tuple[float, Mechanics | None]]
-    ) -> list[Check]:
-        """Checks of the runs of the chosen profile in some cases, one run after the other."""
-        return [check for play, end in cases for check in self.played(comparison, play, end).checks()]
 
 
 @dataclass(frozen=True)
@@ -377,33 +363,3 @@ def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:
     """
     course = course_model.course(design)
     return None if course is None else OnCourse(design, track, lift, course)
-
-
-def course_checks(on: OnCourse | None, comparison: PlayComparison | None = None) -> tuple[Check, ...]:
-    """Checks of the planned run, and of the worst over the band of play if the profile was compared under play.
-
-    Raises:
-        DesignError: no car can keep the course.
-    """
-    if on is None:
-        return ()
-    checks = on.planned.checks()
-    return checks if comparison is None else (*checks, *play_checks(on, comparison))
-
-
-def play_checks(on: OnCourse, comparison: PlayComparison) -> tuple[Check, ...]:
-    """Checks of the worst run over the band of play."""
-    cases = on.cases(comparison)
-    here, there = cases[: (len(cases) + 1) // 2], cases[(len(cases) + 1) // 2 :]
-    with Aside(partial(on.checks_with_play, comparison, there)) as beside:
-        checks = [*on.checks_with_play(comparison, here), *beside.result()]
-    worst: dict[str, Check] = {}
-    for check in checks:
-        known = worst.get(check.code)
-        if known is None or _worse(check, known):
-            worst[check.code] = check
-    return tuple(worst.values())
-
-
-def _worse(check: Check, other: Check) -> bool:
-    return check.value > other.value if check.bound == Bound.MAX else check.value < other.value

@@ -33,7 +33,8 @@ from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.as_built import outlook_checks
 from cadgen.workflow.cam.checking import ProfileChecks
 from cadgen.workflow.cam.comparison import MeasuredCam, PlayComparison, known_trains, task_of
-from cadgen.workflow.cam.course import OnCourse, course_checks, on_course
+from cadgen.workflow.cam.course import OnCourse, on_course
+from cadgen.workflow.cam.course_checks import course_checks
 from cadgen.workflow.cam.mechanics import mechanics_checks
 from cadgen.workflow.cam.play import against_play
 from cadgen.workflow.cam.wheel import DriveWheel, drive_wheel

@@ -26,7 +26,8 @@ from cadgen.motion.drive import Pose, Run, drive, turns_of
 from cadgen.motion.sampled import rolled_lift
 from cadgen.optimize.profiles.actual import ACTUAL
 from cadgen.workflow.cam.comparison import PlayComparison
-from cadgen.workflow.cam.course import CourseRun, OnCourse, play_checks
+from cadgen.workflow.cam.course import CourseRun, OnCourse
+from cadgen.workflow.cam.course_checks import play_checks
 from cadgen.workflow.cam.plan import CamPlan
 
 _STATIONS = 3600  # at which the rod is rolled, an even number; the run then errs by 0.02 mm

@@ -16,7 +16,8 @@ from cadgen.export.tracks import write_tracks
 from cadgen.motion.errors import EventKind, RunError, deflected, run_error
 from cadgen.optimize.evaluate import Evaluation
 from cadgen.progress import Progress, silent
-from cadgen.report.errors import FleetPicture, draw_budget, draw_events, draw_fleet
+from cadgen.report.cars import FleetPicture, draw_budget, draw_fleet
+from cadgen.report.errors import draw_events
 from cadgen.report.lift import LiftPicture, draw_lift
 from cadgen.report.style import drawing
 from cadgen.report.tracks import ErrorLine, Field, TrackPanel, draw_run_errors, draw_tracks
