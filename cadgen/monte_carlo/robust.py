@@ -296,7 +296,9 @@ def watched_run(fleet: Fleet, tolerances: Tolerances, samples: int, *, seed: int
     """
     _refuse_wide(fleet, tolerances)
     chunks = [_seen(fleet, _cars(fleet, tolerances, seed, samples, number)) for number in range(-(-samples // CHUNK))]
-    return Seen(*(np.concatenate([getattr(each, name) for each in chunks], axis=1) for name in ("margins", "aside")))
+    places = zip(*(chunk.places for chunk in chunks), strict=True)
+    turned = np.concatenate([chunk.turned for chunk in chunks], axis=1)
+    return Seen(fleet.watches, tuple(np.concatenate(several) for several in places), turned)
 
 
 def _gathered(parts: Iterable[Array], count: int, samples: int, done: Callable[[int], None]) -> Array:

@@ -5,6 +5,7 @@ the square of the way. So what stands on the course is moved back by the same, a
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -93,10 +94,16 @@ class GateWatch:
         square = float((across * along.conjugate()).imag / abs(across))
         return np.asarray((moved * along.conjugate()).imag / np.copysign(max(abs(square), _SQUARE), square))
 
-    def _disc(self, centre: Complex) -> Array:
-        start, along = self.track[:-1], np.diff(self.track)
+    @cached_property
+    def _pieces(self) -> tuple[Complex, Array]:
+        """Each piece of the track: conjugate of its direction, and its length, mm."""
+        along = np.diff(self.track)
         length = np.abs(along)
-        local = (centre[:, None] - start) * (along.conj() / length)
+        return along.conj() / length, length
+
+    def _disc(self, centre: Complex) -> Array:
+        ahead, length = self._pieces
+        local = (centre[:, None] - self.track[:-1]) * ahead
         beside = local.real - np.clip(local.real, 0.0, length)
         return np.asarray(self.reach - np.sqrt((beside**2 + local.imag**2).min(axis=1)))
 
@@ -147,30 +154,43 @@ class ClearanceWatch:
 
 @dataclass(frozen=True)
 class Seen:
-    """Things that are watched, as cars meet them.
+    """Things that are watched, as m cars meet them.
 
     Attributes:
-        margins: margin of each car to each thing, shape (w, m), mm.
-        aside: how far each car is off there on the line on which that is measured, shape (w, m), mm.
+        watches: the things.
+        places: points of each as they lie to each car's planned run, shape (m, p) each, mm.
+        turned: heading error of each car at each, shape (w, m), rad.
     """
 
-    margins: Array
-    aside: Array
+    watches: tuple[Watch, ...]
+    places: tuple[Complex, ...]
+    turned: Array
+
+    @property
+    def margins(self) -> Array:
+        """Margin of each car to each thing, shape (w, m), mm."""
+        met = zip(self.watches, self.places, self.turned, strict=True)
+        return np.stack([watch.margin(places, turned) for watch, places, turned in met])
+
+    @property
+    def aside(self) -> Array:
+        """How far each car is off at each thing, on the line on which its margin is measured, shape (w, m), mm."""
+        return np.stack([watch.aside(places) for watch, places in zip(self.watches, self.places, strict=True)])
 
 
 def seen(watches: tuple[Watch, ...], heading: Array, position: Complex, planned: tuple[Array, Complex]) -> Seen:
     """Things that are watched, as cars meet them.
 
     Args:
-        watches: what the cars must keep.
+        watches: what the cars must keep, one thing at least.
         heading: headings of m cars at g stations, shape (m, g), rad.
         position: positions of their drive wheels, shape (m, g), mm.
         planned: the planned run's, shape (1, g).
     """
-    margins, aside = np.empty((2, len(watches), len(heading)))
-    for number, watch in enumerate(watches):
-        k = watch.station
-        turned = heading[:, k] - planned[0][0, k]
-        back = (watch.places - position[:, k, None]) * np.exp(-1j * turned)[:, None] + planned[1][0, k]
-        margins[number], aside[number] = watch.margin(back, turned), watch.aside(back)
-    return Seen(margins, aside)
+    turned = np.stack([heading[:, watch.station] - planned[0][0, watch.station] for watch in watches])
+    back = np.exp(-1j * turned)
+    places = tuple(
+        (watch.places - position[:, watch.station, None]) * ways[:, None] + planned[1][0, watch.station]
+        for watch, ways in zip(watches, back, strict=True)
+    )
+    return Seen(watches, places, turned)

@@ -101,13 +101,14 @@ def tried(cam: CamPlan, factor: float) -> Tried | None:
     seen = watched_run(fleet, variation.tolerances(cam.design, cam.comparison.task.mechanics), _FEW, seed=_SEED)
     alone: dict[str, float] = {}
     scatter: dict[str, float] = {}
-    for watch, margins, aside in zip(fleet.watches, seen.margins, seen.aside, strict=True):
+    margins = seen.margins
+    for watch, margin, aside in zip(fleet.watches, margins, seen.aside, strict=True):
         key = watch.key.partition(",")[0]  # of a gate of each lap
-        alone[key] = min(float(np.mean(margins >= 0)), alone.get(key, 1.0))
+        alone[key] = min(float(np.mean(margin >= 0)), alone.get(key, 1.0))
         scatter[key] = max(float(np.sqrt(np.mean(aside**2))), scatter.get(key, 0.0))
     if not any(scatter.values()):
         return None
-    kept = float(np.mean(seen.margins.min(axis=0) >= 0))
+    kept = float(np.mean(margins.min(axis=0) >= 0))
     return Tried(factor, kept, alone, scatter, cam.comparison.chosen.band.worst_distance)
 
 
