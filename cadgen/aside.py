@@ -12,14 +12,18 @@ import signal
 import sys
 import threading
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager, suppress
 from contextvars import ContextVar
 from multiprocessing.connection import Connection, wait
 from types import TracebackType
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
 
 T = TypeVar("T")
+Item = TypeVar("Item")
 _SIGNAL_AT_PARENTS_DEATH = 1  # PR_SET_PDEATHSIG of Linux's prctl
 _ALONE: ContextVar[bool] = ContextVar("alone", default=False)
 
@@ -223,6 +227,53 @@ def only_here(tell: Callable[[str], None]) -> Callable[[str], None]:
             tell(words)
 
     return told
+
+
+def workers(processes: int) -> "ProcessPoolExecutor":
+    """A pool of processes that end with this one, even if it ends as they begin.
+
+    Args:
+        processes: number of processes.
+    """
+    return _pool(processes, _nothing, None)
+
+
+def in_processes(
+    processes: int, function: Callable[[Item], T], items: Iterable[Item], prepare: Callable[[], object] | None = None
+) -> Iterator[T]:
+    """Results of a function in order, as of `map`; it goes to each process once, and not with every item.
+
+    Args:
+        processes: number of processes, which end with the last item or with this process.
+        function: function of one item; on other systems than Linux it must be such as can be pickled.
+        items: what can be pickled, as the results must be.
+        prepare: is called in each process before; nothing is if left out.
+    """
+    with _pool(processes, prepare or _nothing, function) as pool:
+        yield from pool.map(_of_item, items)
+
+
+def _pool(
+    processes: int, prepare: Callable[[], object], function: Callable[[Any], Any] | None
+) -> "ProcessPoolExecutor":
+    from concurrent.futures import ProcessPoolExecutor
+
+    return ProcessPoolExecutor(processes, initializer=_begin, initargs=(prepare, function))
+
+
+_function: Callable[[Any], Any] | None = None  # of this process, if it is one of those of `in_processes`
+
+
+def _begin(prepare: Callable[[], object], function: Callable[[Any], Any] | None) -> None:
+    global _function
+    end_with_parent()
+    prepare()
+    _function = function
+
+
+def _of_item(item: Any) -> Any:
+    assert _function is not None
+    return _function(item)
 
 
 def end_with_parent() -> None:

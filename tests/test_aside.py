@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from cadgen.aside import Aside, Ready, Standby, alone, only_here
+from cadgen.aside import Aside, Ready, Standby, alone, in_processes, only_here
 from cadgen.errors import CheckError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
@@ -21,6 +21,14 @@ from cadgen.aside import Aside
 with Aside(lambda: time.sleep(600)) as aside:
     print(aside._process.pid, flush=True)
     aside.result()
+"""
+
+WORKING = """
+import os, time
+from cadgen.aside import workers
+with workers(2) as pool:
+    print(pool.submit(os.getpid).result(), flush=True)
+    time.sleep(600)
 """
 
 
@@ -68,8 +76,9 @@ def test_it_ends_with_its_block():
     assert not multiprocessing.active_children()
 
 
-def test_it_dies_with_its_parent():
-    command = [sys.executable, "-c", WAITING]
+@pytest.mark.parametrize("script", [WAITING, WORKING], ids=["aside", "workers"])
+def test_it_dies_with_its_parent(script):
+    command = [sys.executable, "-c", script]
     parent = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[1])
     assert parent.stdout
     aside = int(parent.stdout.readline())
@@ -172,6 +181,13 @@ def test_what_cannot_be_prepared_is_left_to_the_job(capfd):
     with Ready(refuse) as ready:
         assert ready.do(partial(job, 5))[2] == 5
     assert capfd.readouterr() == ("", "")
+
+
+def test_results_of_processes_are_those_of_map_in_order():
+    processes = list(in_processes(2, partial(job), range(20), prepare=prepare))
+    assert [(prepared, number) for _, prepared, number in processes] == [("ready", number) for number in range(20)]
+    assert os.getpid() not in {process for process, _, _ in processes}
+    assert not multiprocessing.active_children()
 
 
 def test_with_one_processor_the_job_is_done_here(monkeypatch):

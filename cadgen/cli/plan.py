@@ -3,15 +3,11 @@
 import os
 from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from cadgen.cli.options import Number, out_option, overrides_option
 from cadgen.planner.bounds import RESERVE, SEEDS, WITHIN_MM
-
-if TYPE_CHECKING:
-    from concurrent.futures import ProcessPoolExecutor
 
 
 @click.command()
@@ -80,6 +76,7 @@ def plan(
     The exit code is 1 if the course cannot be driven, which is said with the reason, or if a check fails.
     """
     from cadgen.api.design import Design
+    from cadgen.aside import workers
     from cadgen.cli import show, show_plan
     from cadgen.cli.verdict import command, failed, verdict
 
@@ -89,7 +86,7 @@ def plan(
     drawn = None if improve is None else Design.load(improve)
     calm = None if calm_as is None else Design.load(calm_as)
     several = seeds > 1 and processes > 1 and drawn is None
-    with show.progress(not as_json) as progress, _pool(processes) if several else nullcontext() as pool:
+    with show.progress(not as_json) as progress, workers(processes) if several else nullcontext() as pool:
         planned = loaded.plan(drawn, within_mm, calm_as=calm, reserve=reserve, seeds=seeds, map=pool, progress=progress)
         written = None if out is None or not planned.passed else planned.write(out, progress=progress)
     if as_json:
@@ -107,9 +104,3 @@ def plan(
         else:
             verdict(False, failed(planned.cam.checks), "change the design")
     raise SystemExit(0 if planned.passed else 1)
-
-
-def _pool(processes: int) -> "ProcessPoolExecutor":
-    from concurrent.futures import ProcessPoolExecutor
-
-    return ProcessPoolExecutor(processes)

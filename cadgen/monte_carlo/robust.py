@@ -1,7 +1,6 @@
 """Effect of a design's tolerances on its runs: Monte Carlo, yield within a gate, and sensitivities."""
 
 from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from math import degrees, floor, log10, radians
@@ -16,7 +15,6 @@ from cadgen.monte_carlo.derivatives import STEERING
 from cadgen.monte_carlo.fleet import Fleet, Poses, run_fleet
 from cadgen.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance, parts_of, tolerance
 from cadgen.monte_carlo.watch import Seen, seen
-from cadgen.pace import compute_undisturbed
 
 # Type of the built-in `map` and of a pool's: calls may run anywhere, but results come in order.
 Map = Callable[[Callable[[int], Array], Iterable[int]], Iterable[Array]]
@@ -26,7 +24,7 @@ Sampler = Callable[[np.random.Generator, int], Array]
 # Cars run together: their arrays of one value per step stay near the processor's cache, and a run of many uses
 # little memory. It fixes the numbers that a seed gives, with any number of processes.
 CHUNK = 100
-_BLOCK = 8  # chunks that a foreign pool is given at once
+_BLOCK = 3  # chunks that a process is given at once
 _SPREAD_SAMPLES = 20_000  # they give a standard deviation to half a percent
 # Greatest angle by which a tolerance may turn the front wheel, rad. First order then misses at most 2 % of its effect
 # on the end of the run on the paper's cars, and in proportion less of smaller tolerances.
@@ -200,23 +198,21 @@ def tolerance_run(
     samples: int,
     *,
     seed: int,
-    processes: int = 1,
     map_with: Map | None = None,
     done: Callable[[int], None] = lambda cars: None,
 ) -> FleetEnds:
     """Run random cars within the tolerances.
 
     Every chunk of cars draws from its own child of the seed where it is run, so a seed gives the same cars whatever
-    the number of processes, and a longer run begins with the cars of a shorter one, but for its last chunk.
+    the map, and a longer run begins with the cars of a shorter one, but for its last chunk.
 
     Args:
         fleet: nominal car.
         tolerances: tolerances within which the cars differ.
         samples: number of cars.
         seed: seed of the random numbers.
-        processes: number of processes that run at once.
-        map_with: function that runs the blocks of cars instead, such as the `map` of a pool; the numbers do not depend
-            on it.
+        map_with: function that runs the blocks of cars, such as the `map` of a pool; the built-in one if left out. The
+            numbers do not depend on it.
         done: function that is called with the number of cars that have run.
 
     Raises:
@@ -228,30 +224,13 @@ def tolerance_run(
     _refuse_wide(fleet, tolerances)
     run = partial(_chunk, fleet, tolerances, seed, samples)
     chunks, count = range(-(-samples // CHUNK)), 5 if fleet.watches else 4
-    if map_with is not None:
+    if map_with is None:
+        rows = _gathered(map(run, chunks), count, samples, done)
+    else:
         blocks = range(-(-len(chunks) // _BLOCK))
         rows = _gathered(map_with(partial(_block, run, len(chunks)), blocks), count, samples, done)
-    elif processes > 1:
-        # The fleet goes to each process once, and not with every chunk.
-        with ProcessPoolExecutor(processes, initializer=_take, initargs=(run,)) as pool:
-            results = pool.map(_taken, chunks, chunksize=max(1, len(chunks) // (16 * processes)))
-            rows = _gathered(results, count, samples, done)
-    else:
-        rows = _gathered(map(run, chunks), count, samples, done)
     margin = rows[4] if fleet.watches else np.broadcast_to(np.inf, samples)
     return FleetEnds(heading=rows[0], along=rows[1], across=rows[2], widest=rows[3], margin=margin)
-
-
-_RUN: list[Callable[[int], Array]] = []  # of this process, if it is one of those that run chunks
-
-
-def _take(run: Callable[[int], Array]) -> None:
-    compute_undisturbed()
-    _RUN[:] = [run]
-
-
-def _taken(number: int) -> Array:
-    return _RUN[0](number)
 
 
 def _block(run: Callable[[int], Array], chunks: int, number: int) -> Array:

@@ -3,11 +3,13 @@
 import re
 import tracemalloc
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 
 from cadgen.arrays import TURN
+from cadgen.aside import in_processes
 from cadgen.cam.contact import roll
 from cadgen.errors import DesignError
 from cadgen.monte_carlo.fleet import make_fleet
@@ -48,7 +50,7 @@ def sampler(generator: np.random.Generator, count: int) -> np.ndarray:
 def test_a_seed_gives_the_same_numbers_on_any_number_of_processes(fleet, play):
     tolerances = Tolerances(half_widths=HALF_WIDTHS, play=play)
     alone = tolerance_run(fleet, tolerances, 3 * CHUNK + 17, seed=11)
-    shared = tolerance_run(fleet, tolerances, 3 * CHUNK + 17, seed=11, processes=3)
+    shared = tolerance_run(fleet, tolerances, 3 * CHUNK + 17, seed=11, map_with=partial(in_processes, 3))
     mapped = tolerance_run(fleet, tolerances, 3 * CHUNK + 17, seed=11, map_with=map)
     for name in ("heading", "along", "across", "widest"):
         np.testing.assert_array_equal(getattr(alone, name), getattr(shared, name))

@@ -2,11 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.aside import in_processes
 from cadgen.build import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
@@ -15,6 +16,7 @@ from cadgen.monte_carlo.fleet import Fleet
 from cadgen.monte_carlo.parameters import Parameter, Tolerance
 from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity, sensitivities, tolerance_run
 from cadgen.motion.drive import STEPS, turns_of
+from cadgen.pace import compute_undisturbed
 from cadgen.progress import Progress, silent
 from cadgen.workflow.cam.plan import CamPlan, comparison_of, plan_cam
 from cadgen.workflow.runs.budget import BudgetSheet, budget_sheet
@@ -189,8 +191,7 @@ def tolerance_of(plan: CamPlan, sample: CarSample, progress: Progress = silent) 
             tolerances,
             sample.samples,
             seed=sample.seed,
-            processes=sample.processes,
-            map_with=sample.map_with,
+            map_with=sample.map_with or _map(sample.processes),
             done=done,
         )
     except MemoryError as error:
@@ -203,6 +204,10 @@ def tolerance_of(plan: CamPlan, sample: CarSample, progress: Progress = silent) 
         progress("ranking what may be off")
         sheet = budget_sheet(design, fleet, tolerances)
     return ToleranceRun(plan, sample.seed, ends, _count(plan), ranked, sheet)
+
+
+def _map(processes: int) -> Map | None:
+    return partial(in_processes, processes, prepare=compute_undisturbed) if processes > 1 else None
 
 
 def watched_fleet(plan: CamPlan) -> Fleet:
