@@ -24,6 +24,7 @@ _Values = TypeVar("_Values", Array, Complex)
 
 _ALWAYS = 6  # rows of `STEERING` that every car has
 _MARGIN = 2  # steps of the grid beyond the cam angles of the run
+_SHARE = 0.1  # of a turn of a wheel that runs out, at most, in a cell: its effect is right within 0.3 %
 _CELL = radians(0.8)  # by it the end of a run errs no more than by the grid: 0.02 mm, 0.1 mm where all varies widely
 
 
@@ -178,7 +179,8 @@ class Tracks:
         """
         # A wheel that runs out turns many times with the cam: no cell is to be a large part of its turn.
         runs_out = any(column[name].any() for name in Directed.WHEEL_RUNOUT.parts)
-        nominal = _Nominal.of(steered, first, last, 0.0 if runs_out else _CELL)
+        cell = min(_CELL, _SHARE * TURN / _wheel_turns(steered)) if runs_out else _CELL
+        nominal = _Nominal.of(steered, first, last, cell)
         car, width = steered.car, nominal.width * nominal.step
         mean = nominal.means(steered.tan_beta[nominal.index])
         used = [row for row, name in enumerate(STEERING) if row < _ALWAYS or column[name].any()]
@@ -231,24 +233,24 @@ class Tracks:
         """Heading, position, turning and pace at cam angles, shape (m, q)."""
         at, rows = self.nominal.at(cam), np.arange(len(cam))[:, None]
         turning, before = self.turning[rows, at.cell], self.change[rows, at.cell]
-        plain = self.pace.size == 1
-        pace = self.pace if plain else self.pace[rows, at.cell]
+        pace = self.pace if self.pace.size == 1 else self.pace[rows, at.cell]
+        there = turning, pace
+        if self.pace.size > 1:
+            # The mean from the beginning of the cell, and what is at the cam angle itself, where a car may go on for
+            # long: they are not those of the whole cell.
+            width = self.nominal.width * self.nominal.step
+            slopes = self._slopes(self.turning, at), self._slopes(self.pace, at)
+            there = turning + (at.beyond - width / 2) * slopes[0], pace + (at.beyond - width / 2) * slopes[1]
+            turning, pace = turning + (at.beyond - width) / 2 * slopes[0], pace + (at.beyond - width) / 2 * slopes[1]
         half = turning * at.beyond / 2
         position = self.position[rows, at.cell] + pace * np.exp(1j * (before + half)) * at.way
-        heading = at.heading + before + 2 * half
-        if not plain:
-            # At one cam angle, where a car may go on for long, and not in the mean over a cell.
-            turning, pace = (self._between_middles(values, at) for values in (self.turning, self.pace))
-        return heading, position, at.turning + turning, at.pace * pace
+        return at.heading + before + 2 * half, position, at.turning + there[0], at.pace * there[1]
 
-    def _between_middles(self, values: Array, at: _Nominal.At) -> Array:
-        """Means over cells, shape (m, k), at places between the middles of the cells, shape (m, q)."""
-        place = np.clip(
-            at.cell + at.beyond / (self.nominal.width * self.nominal.step) - 0.5, 0.0, values.shape[1] - 1.5
-        )
-        left = place.astype(np.intp)
-        u, rows = place - left, np.arange(len(values))[:, None]
-        return np.asarray((1 - u) * values[rows, left] + u * values[rows, left + 1])
+    def _slopes(self, values: Array, at: _Nominal.At) -> Array:
+        """Growth by the cam angle of means over cells, shape (m, k), in the cells of places, shape (m, q)."""
+        left, right = np.maximum(at.cell - 1, 0), np.minimum(at.cell + 1, values.shape[1] - 1)
+        rows, apart = np.arange(len(values))[:, None], (right - left) * self.nominal.width * self.nominal.step
+        return np.asarray((values[rows, right] - values[rows, left]) / apart)
 
 
 def _turning(
@@ -284,11 +286,16 @@ def _rolling(steered: Steered, column: dict[Parameter, Array], nominal: _Nominal
     there is (some 0.4 mm for 0.05 mm on the paper's car, where there is 0.1).
     """
     width = nominal.width * nominal.step
-    turns = steered.length / (TURN * steered.wheel_radius)
+    turns = _wheel_turns(steered)
     turned = turns * (nominal.first + width * (np.arange(cells) + 0.5))
     parts = (column[name][:, None] / steered.wheel_radius for name in Directed.WHEEL_RUNOUT.parts)
     low, quarter = (part * np.sinc(turns * width / TURN) for part in parts)
     return np.asarray(1 + low * np.cos(turned) + quarter * np.sin(turned))
+
+
+def _wheel_turns(steered: Steered) -> float:
+    """Turns of the drive wheel in one turn of the cam."""
+    return steered.length / (TURN * steered.wheel_radius)
 
 
 def _summed(values: _Values) -> _Values:
