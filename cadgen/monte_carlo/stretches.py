@@ -93,7 +93,7 @@ class Forces:
         ahead = value > 0
         ahead[:, self.ends] = False
         flips = ahead[:, 1:] != ahead[:, :-1]
-        rows, left = np.nonzero(flips)
+        rows, left = np.divmod(np.flatnonzero(flips), flips.shape[1])  # np.nonzero takes ten times as long
         low, high = value[rows, left], value[rows, left + 1]
         crosses = (low > 0) != (high > 0)  # if not, it leads up to the end of the fall
         share = np.where(crosses, low / np.where(crosses, low - high, 1.0), ahead[rows, left])
