@@ -6,6 +6,7 @@ Run with `pytest benchmarks/test_tolerance_run.py -o addopts=--import-mode=impor
 import subprocess
 import sys
 import tracemalloc
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from math import inf, radians
@@ -22,6 +23,7 @@ from cadgen.cam.envelope import actual_profile
 from cadgen.design.load import load_design
 from cadgen.monte_carlo.derivatives import Expansion
 from cadgen.monte_carlo.fleet import Fleet, make_fleet
+from cadgen.monte_carlo.parameters import tolerance
 from cadgen.monte_carlo.robust import Tolerances, tolerance_run
 from cadgen.motion.drive import drive, wheel_radius
 from cadgen.motion.mechanics import Mechanics
@@ -37,43 +39,40 @@ LINEARITY = 1.5
 # Cars with every band, friction and drag among them, may take this many times as long as those without.
 ALL_BANDS = 1.5
 
+HALF_WIDTHS = {
+    "base_radius": 0.005,
+    "inner_face": 0.05,
+    "outer_face": 0.05,
+    "rod_radius": 0.005,
+    "profile_offset": 0.01,
+    "steering_zero": radians(0.02),
+    "wheelbase": 0.1,
+    "drive_wheel_offset": 0.1,
+    "wheel_radius": 0.02,
+    "cam_phase": radians(0.2),
+    "start_x": 2.0,
+    "start_y": 2.0,
+    "start_heading": radians(0.2),
+}
+OTHERS = {
+    "friction": 0.125,
+    "drag": 2.0,
+    "rod_force": 0.2,
+    "edge_break": 0.02,
+    "edge_wear": 0.02,
+    "taper": 0.01,
+    "rod_height": 0.05,
+    "eccentricity": 0.01,
+    "wobble": radians(0.1),
+    "steering_lost_motion": radians(0.02),
+    "wheel_runout": 0.02,
+    "temperature": 3.0,
+}
 TOLERANCES = Tolerances(
-    half_widths={
-        "base_radius": 0.005,
-        "inner_face": 0.05,
-        "outer_face": 0.05,
-        "rod_radius": 0.005,
-        "profile_offset": 0.01,
-        "steering_zero": radians(0.02),
-        "wheelbase": 0.1,
-        "drive_wheel_offset": 0.1,
-        "wheel_radius": 0.02,
-        "cam_phase": radians(0.2),
-        "start_x": 2.0,
-        "start_y": 2.0,
-        "start_heading": radians(0.2),
-    },
-    play=(radians(0.6), radians(0.962)),
+    half_widths={tolerance(name): half for name, half in HALF_WIDTHS.items()}, play=(radians(0.6), radians(0.962))
 )
-
-
 EVERYTHING = replace(
-    TOLERANCES,
-    half_widths={
-        **TOLERANCES.half_widths,
-        "friction": 0.125,
-        "drag": 2.0,
-        "rod_force": 0.2,
-        "edge_break": 0.02,
-        "edge_wear": 0.02,
-        "taper": 0.01,
-        "rod_height": 0.05,
-        "eccentricity": 0.01,
-        "wobble": radians(0.1),
-        "steering_lost_motion": radians(0.02),
-        "wheel_runout": 0.02,
-        "temperature": 3.0,
-    },
+    TOLERANCES, half_widths={tolerance(name): half for name, half in {**HALF_WIDTHS, **OTHERS}.items()}
 )
 
 
@@ -105,7 +104,7 @@ def fleet() -> Fleet:
     return made(None)
 
 
-def seconds(work: object, *args: object, **settings: object) -> float:
+def seconds(work: Callable[..., object], *args: object, **settings: object) -> float:
     start = perf_counter()
     work(*args, **settings)
     return perf_counter() - start
