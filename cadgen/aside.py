@@ -17,10 +17,9 @@ from contextlib import AbstractContextManager, contextmanager, suppress
 from contextvars import ContextVar
 from multiprocessing.connection import Connection, wait
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
-if TYPE_CHECKING:
-    from concurrent.futures import ProcessPoolExecutor
+from cadgen.errors import FileError
 
 T = TypeVar("T")
 Item = TypeVar("Item")
@@ -229,15 +228,6 @@ def only_here(tell: Callable[[str], None]) -> Callable[[str], None]:
     return told
 
 
-def workers(processes: int) -> "ProcessPoolExecutor":
-    """A pool of processes that end with this one, even if it ends as they begin.
-
-    Args:
-        processes: number of processes.
-    """
-    return _pool(processes, _nothing, None)
-
-
 def in_processes(
     processes: int, function: Callable[[Item], T], items: Iterable[Item], prepare: Callable[[], object] | None = None
 ) -> Iterator[T]:
@@ -248,23 +238,26 @@ def in_processes(
         function: function of one item; on other systems than Linux it must be such as can be pickled.
         items: what can be pickled, as the results must be.
         prepare: is called in each process before; nothing is if left out.
+
+    Raises:
+        FileError: a process was ended from outside.
     """
-    with _pool(processes, prepare or _nothing, function) as pool:
-        yield from pool.map(_of_item, items)
+    from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 
-
-def _pool(
-    processes: int, prepare: Callable[[], object], function: Callable[[Any], Any] | None
-) -> "ProcessPoolExecutor":
-    from concurrent.futures import ProcessPoolExecutor
-
-    return ProcessPoolExecutor(processes, initializer=_begin, initargs=(prepare, function))
+    with ProcessPoolExecutor(processes, initializer=_begin, initargs=(prepare or _nothing, function)) as pool:
+        try:
+            yield from pool.map(_of_item, items)
+        except BrokenExecutor as error:
+            raise FileError(
+                "a process was ended from outside, as the system does when memory runs out: ask for fewer processes, or "
+                "close other programs"
+            ) from error
 
 
 _function: Callable[[Any], Any] | None = None  # of this process, if it is one of those of `in_processes`
 
 
-def _begin(prepare: Callable[[], object], function: Callable[[Any], Any] | None) -> None:
+def _begin(prepare: Callable[[], object], function: Callable[[Any], Any]) -> None:
     global _function
     end_with_parent()
     prepare()

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from cadgen.aside import Aside, Ready, Standby, alone, in_processes, only_here
-from cadgen.errors import CheckError
+from cadgen.errors import CheckError, FileError
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nothing is forked")
 WAITING = """
@@ -25,10 +25,11 @@ with Aside(lambda: time.sleep(600)) as aside:
 
 WORKING = """
 import os, time
-from cadgen.aside import workers
-with workers(2) as pool:
-    print(pool.submit(os.getpid).result(), flush=True)
+from cadgen.aside import in_processes
+def work(number):
+    print(os.getpid(), flush=True)
     time.sleep(600)
+list(in_processes(1, work, [1]))
 """
 
 
@@ -76,7 +77,7 @@ def test_it_ends_with_its_block():
     assert not multiprocessing.active_children()
 
 
-@pytest.mark.parametrize("script", [WAITING, WORKING], ids=["aside", "workers"])
+@pytest.mark.parametrize("script", [WAITING, WORKING], ids=["aside", "processes"])
 def test_it_dies_with_its_parent(script):
     command = [sys.executable, "-c", script]
     parent = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[1])
@@ -188,6 +189,15 @@ def test_results_of_processes_are_those_of_map_in_order():
     assert [(prepared, number) for _, prepared, number in processes] == [("ready", number) for number in range(20)]
     assert os.getpid() not in {process for process, _, _ in processes}
     assert not multiprocessing.active_children()
+
+
+def end_itself(number):
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def test_a_process_that_is_ended_from_outside_is_one_clear_error():
+    with pytest.raises(FileError, match=r"ended from outside.*fewer processes"):
+        list(in_processes(2, end_itself, [1, 2, 3]))
 
 
 def test_with_one_processor_the_job_is_done_here(monkeypatch):

@@ -1,7 +1,7 @@
 """`cadgen plan`: from a course and a car to the path on which play moves the car least."""
 
 import os
-from contextlib import nullcontext
+from functools import partial
 from pathlib import Path
 
 import click
@@ -76,7 +76,7 @@ def plan(
     The exit code is 1 if the course cannot be driven, which is said with the reason, or if a check fails.
     """
     from cadgen.api.design import Design
-    from cadgen.aside import workers
+    from cadgen.aside import in_processes
     from cadgen.cli import show, show_plan
     from cadgen.cli.verdict import command, failed, verdict
 
@@ -86,8 +86,11 @@ def plan(
     drawn = None if improve is None else Design.load(improve)
     calm = None if calm_as is None else Design.load(calm_as)
     several = seeds > 1 and processes > 1 and drawn is None
-    with show.progress(not as_json) as progress, workers(processes) if several else nullcontext() as pool:
-        planned = loaded.plan(drawn, within_mm, calm_as=calm, reserve=reserve, seeds=seeds, map=pool, progress=progress)
+    searches = partial(in_processes, processes) if several else None
+    with show.progress(not as_json) as progress:
+        planned = loaded.plan(
+            drawn, within_mm, calm_as=calm, reserve=reserve, seeds=seeds, map=searches, progress=progress
+        )
         written = None if out is None or not planned.passed else planned.write(out, progress=progress)
     if as_json:
         show.document(planned.facts() if written is None else written.entry)
