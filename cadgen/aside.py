@@ -249,8 +249,8 @@ def in_processes(
             yield from pool.map(_of_item, items)
         except BrokenExecutor as error:
             raise FileError(
-                "a process was ended from outside, as the system does when memory runs out: ask for fewer processes, or "
-                "close other programs"
+                "a process was ended from outside, as the system does when memory runs out: ask for fewer processes, "
+                "or close other programs"
             ) from error
 
 
