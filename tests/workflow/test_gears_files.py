@@ -1,6 +1,8 @@
 """Files read back are judged: each way in which a file can be wrong is refused. No CAD kernel is needed here."""
 
+import pickle
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -17,7 +19,7 @@ from cadgen.meshes.prisms import body_mesh
 from cadgen.meshes.teeth import Section, section_of
 from cadgen.workflow.gears.files import _stl_facts, _tables, table_of
 from cadgen.workflow.gears.plan import plan_gears
-from cadgen.workflow.gears.step_files import assembly_facts, play_facts
+from cadgen.workflow.gears.step_files import assembly_facts, play_facts, step_files
 
 
 @pytest.fixture(scope="module")
@@ -36,6 +38,13 @@ def assembled(plan, **wrong):
     ]
     vars(found[2]).update(wrong)
     return found, wanted
+
+
+def test_another_process_can_make_the_step_files(plan):
+    job = partial(step_files, plan.layout, plan.stem, plan.description, plan.passed)
+    sent = pickle.loads(pickle.dumps(job))
+    assert sent.func is step_files
+    assert [part.name for part in sent.args[0].parts] == [part.name for part in plan.layout.parts]
 
 
 def test_an_assembly_as_meant_is_taken(plan):
