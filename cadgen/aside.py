@@ -102,11 +102,7 @@ class Ready:
         Args:
             job: what is to be done, as of `do`.
         """
-        waiting = False
-        if self._process is not None:
-            with suppress(Exception):  # the process died, or the job cannot be pickled
-                self._jobs.send(job)
-                waiting = True
+        waiting = self._process is not None
 
         def result() -> T:
             nonlocal waiting
@@ -121,6 +117,11 @@ class Ready:
             return taken
 
         try:
+            if waiting:
+                try:
+                    self._jobs.send(job)
+                except Exception:  # the process died, or the job cannot be pickled
+                    waiting = False
             yield result
         finally:
             if waiting:  # it is not to go on with files that are being cleared away
@@ -145,6 +146,11 @@ class Standby:
 
     def __init__(self, kind: str) -> None:
         self._current: ContextVar[Ready | None] = ContextVar(kind, default=None)
+
+    @property
+    def current(self) -> Ready | None:
+        """The process that is ready here; None outside of such a block."""
+        return self._current.get()
 
     @contextmanager
     def ready(self, prepare: Callable[[], object], *, wanted: bool = True) -> Iterator[Ready]:

@@ -24,7 +24,7 @@ _Values = TypeVar("_Values", Array, Complex)
 
 _ALWAYS = 6  # rows of `STEERING` that every car has
 _MARGIN = 2  # steps of the grid beyond the cam angles of the run
-# Of a turn of a wheel that runs out, at most, in a cell: by it a run errs by 0.01 mm where 0.1 mm of run-out moves it by 1.
+# Of a turn of a wheel that runs out, at most, in a cell: a run errs by 0.01 mm where 0.1 mm of run-out moves it by 1.
 _SHARE = 0.1
 _CELL = radians(0.8)  # by it the end of a run errs no more than by the grid: 0.02 mm, 0.1 mm where all varies widely
 

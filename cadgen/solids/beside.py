@@ -17,6 +17,11 @@ def kernel_beside(*, wanted: bool = True) -> AbstractContextManager[Ready]:
     return _KERNEL.ready(_load, wanted=wanted)
 
 
+def kernel_process() -> Ready | None:
+    """The process that has loaded the kernel, or is loading it, beside this block; None if there is none."""
+    return _KERNEL.current
+
+
 def _load() -> None:
     for module in ("gear_text", "train"):
         import_module(f"cadgen.solids.{module}")

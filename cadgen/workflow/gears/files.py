@@ -11,6 +11,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from cadgen.aside import Aside
 from cadgen.errors import DesignError
 from cadgen.export.folder import publishing
 from cadgen.export.formats import TRAIN_FORMATS, Format, chosen_formats, entry_formats, entry_name
@@ -21,7 +22,7 @@ from cadgen.gears.train import TrainPlay
 from cadgen.meshes.mesh import Mesh
 from cadgen.meshes.prisms import body_mesh
 from cadgen.progress import Progress, silent
-from cadgen.solids.beside import kernel_beside
+from cadgen.solids.beside import kernel_process
 from cadgen.workflow.gears.facts import parts_facts, plan_facts
 from cadgen.workflow.gears.plan import GearsPlan
 from cadgen.workflow.gears.step_files import Result, require, step_files
@@ -158,7 +159,11 @@ def _made(makers: Mapping[Format, Maker], wanted: Sequence[Format], staging: Pat
     others = [makers[ending][1] for ending in wanted if ending != Format.STEP]
     if Format.STEP not in wanted:
         return _results(others, staging)
-    with kernel_beside() as kernel, kernel.beside(partial(makers[Format.STEP][1], staging)) as step:
+    make, kernel = partial(makers[Format.STEP][1], staging), kernel_process()
+    if kernel is None:  # a script, which has the kernel loaded for its next gear, too
+        with Aside(partial(_results, others, staging)) as aside:
+            return [*make(), *aside.result()]
+    with kernel.beside(make) as step:
         rest = _results(others, staging)
         return [*step(), *rest]
 
