@@ -241,7 +241,7 @@ def in_processes(
 
     Args:
         processes: number of processes, which end with the last item or with this process.
-        function: function of one item; on other systems than Linux it must be such as can be pickled.
+        function: function of one item; where processes are not forked it must be such as can be pickled.
         items: what can be pickled, as the results must be.
         prepare: is called in each process before; nothing is if left out.
 
