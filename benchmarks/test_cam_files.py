@@ -13,12 +13,12 @@ import pytest
 from cadgen.cam.checks import cam_angles
 from cadgen.cam.contact import roll
 from cadgen.design.load import load_design
-from cadgen.export.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
-from cadgen.meshes.content import inspect
-from cadgen.meshes.disc import cam_mesh
-from cadgen.solids.cam import cam_part
-from cadgen.solids.step import read_step, step_bytes
-from cadgen.workflow.cam.plan import CamPlan, plan_cam
+from cadgen.geometry.meshes.content import inspect
+from cadgen.geometry.meshes.disc import cam_mesh
+from cadgen.geometry.solids.cam import cam_part
+from cadgen.geometry.solids.step import read_step, step_bytes
+from cadgen.jobs.cam.plan import CamPlan, plan_cam
+from cadgen.output.files.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
 
 CHORD = 0.005  # mm
 STEP = 0.05  # mm between the points that the rod is rolled on

@@ -18,10 +18,10 @@ from cadgen.curves.offset import parallel
 from cadgen.curves.polygon import polygon
 from cadgen.curves.spline import splines
 from cadgen.design.schema import Machining
-from cadgen.export.dxf import read_dxf, write_dxf
-from cadgen.export.gcode import cutter_path, write_gcode
-from cadgen.export.gcode_reader import read_gcode
-from cadgen.export.points import contact_outline, read_csv, read_xyz, write_csv, write_xyz
+from cadgen.output.files.dxf import read_dxf, write_dxf
+from cadgen.output.files.gcode import cutter_path, write_gcode
+from cadgen.output.files.gcode_reader import read_gcode
+from cadgen.output.files.points import contact_outline, read_csv, read_xyz, write_csv, write_xyz
 from tests.conftest import build
 
 ROUNDS = 7

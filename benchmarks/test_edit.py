@@ -15,7 +15,7 @@ from urllib.request import Request, urlopen
 import pytest
 
 from benchmarks.test_page import seconds
-from tests.page.chromium import ARGUMENTS, READY, chromium_path
+from tests.viewer.page.chromium import ARGUMENTS, READY, chromium_path
 
 PREVIEW, WHOLE, ROUNDS = 0.15, 0.5, 5
 KEY = "path.waypoints_mm.3"

@@ -11,8 +11,8 @@ import pytest
 
 from cadgen.gears.blank import gear_body
 from cadgen.gears.tooth import GearForm
-from cadgen.meshes.prisms import body_mesh
-from cadgen.solids.gear import body_solid
+from cadgen.geometry.meshes.prisms import body_mesh
+from cadgen.geometry.solids.gear import body_solid
 
 ROUNDS = 7
 CHORD_TOLERANCE = 1e-3

@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from tests.page.chromium import ARGUMENTS, READY, chromium_path
+from tests.viewer.page.chromium import ARGUMENTS, READY, chromium_path
 
 MAKING, OPENING, FRAMES = 1.5, 0.7, 30.0
 COMMANDS = ("check", "simulate", "optimize", "tolerance --profile optimized")

@@ -17,17 +17,17 @@ import pytest
 
 from cadgen.arrays import TURN
 from cadgen.aside import in_processes
-from cadgen.build import cam_model
 from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
+from cadgen.car.motion.drive import drive, wheel_radius
+from cadgen.car.motion.mechanics import Mechanics
+from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.design import cam_model
 from cadgen.design.load import load_design
-from cadgen.monte_carlo.derivatives import Expansion
-from cadgen.monte_carlo.fleet import Fleet, make_fleet
-from cadgen.monte_carlo.parameters import tolerance
-from cadgen.monte_carlo.robust import Tolerances, tolerance_run
-from cadgen.motion.drive import drive, wheel_radius
-from cadgen.motion.mechanics import Mechanics
-from cadgen.optimize.compensation import compensated_lift
+from cadgen.inference.monte_carlo.derivatives import Expansion
+from cadgen.inference.monte_carlo.fleet import Fleet, make_fleet
+from cadgen.inference.monte_carlo.parameters import tolerance
+from cadgen.inference.monte_carlo.robust import Tolerances, tolerance_run
 
 SAMPLES = 10_000
 STEPS = 3600

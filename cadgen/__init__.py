@@ -6,47 +6,32 @@
 
 The rooms, in walking order; each imports only those before it.
 
-| room          | what happens there                                                        |
-|---------------|---------------------------------------------------------------------------|
-| `version`     | the version, in its one place                                             |
-| `errors`      | errors for the user, with the exit codes                                  |
-| `arrays`      | an array of floats, a turn                                                |
-| `registry`    | kinds of one sort by their codes                                          |
-| `check`       | one figure with its limit and verdict                                     |
-| `reading`     | files that a user names, refused by kind and size                         |
-| `progress`    | the callback by which a job reports its progress                          |
-| `pace`        | how often Python and the C library look after memory                      |
-| `aside`       | a part of a job in a process of its own, beside the rest                  |
-| `curves`      | closed plane curves: arcs, splines, chords and offsets within a tolerance |
-| `path`        | waypoints -> spline -> the drive wheel's track by arc length              |
-| `steering`    | curvature of the track <-> steering angle                                 |
-| `course`      | field, posts, gates; the car's outline swept along its run                |
-| `planner`     | course and car -> the path on which play moves the car least              |
-| `parts`       | features of a part: bore, keyway, hub, web, holes; a body of prisms       |
-| `cam`         | lift, theoretical and actual profile, contact, checks                     |
-| `gears`       | tolerances, backlash, return error, order of stages, tooth form, layout   |
-| `motion`      | how the car runs when the gears have play                                 |
-| `draws`       | one cam for every draw: what to set on the car for each spacing           |
-| `deviations`  | deviations of a real car from its design, and their effects               |
-| `measurement` | measured data -> the effects that explain them; one object a kind of data |
-| `expectation` | what a new cam, a measurement not made and a run not used will show       |
-| `optimize`    | methods against play and the choice among them                            |
-| `monte_carlo` | many cars within the tolerances                                           |
-| `adjustment`  | trial runs -> settings of micrometer, key and start                       |
-| `records`     | measured data from files, each of the kind that its columns say           |
-| `design`      | the design file: TOML -> frozen values                                    |
-| `build`       | design -> the numeric rooms' own types, in mm and rad                     |
-| `meshes`      | parts as closed meshes; the checks of a train put together                |
-| `solids`      | the only room that imports the CAD kernel                                 |
-| `export`      | one file per format, each with its read-back; manifest; publishing        |
-| `report`      | pictures, as PNG and SVG                                                  |
-| `drawing`     | drawings for a workshop: sheets as data, as DXF and as PDF                |
-| `workflow`    | one job from design to verified files                                     |
-| `exploration` | studies of many designs: plans, search, figures, journal, engines         |
-| `page`        | the report page: one HTML file with model, curves and tables              |
-| `editor`      | that page served to the user's browser, where the design can be changed |
-| `api`         | the Python face: designs, cams, gears, runs, calibrations as objects      |
-| `cli`         | the commands                                                              |
+| room         | what happens there                                                            |
+|--------------|-------------------------------------------------------------------------------|
+| `errors`     | errors for the user, with the exit codes                                      |
+| `version`    | the version, in its one place                                                 |
+| `arrays`     | an array of floats, a turn                                                    |
+| `registry`   | kinds of one sort by their codes                                              |
+| `check`      | one figure with its limit and verdict                                         |
+| `reading`    | files that a user names, refused by kind and size                             |
+| `progress`   | the callback by which a job reports its progress                              |
+| `pace`       | how often Python and the C library look after memory                          |
+| `aside`      | a part of a job in a process of its own, beside the rest                      |
+| `curves`     | closed plane curves: arcs, splines, chords and offsets within a tolerance     |
+| `parts`      | features of a part: bore, keyway, hub, web, holes; a body of prisms           |
+| `cam`        | lift, theoretical and actual profile, contact, checks                         |
+| `gears`      | tolerances, backlash, return error, order of stages, tooth form, layout       |
+| `car`        | the car that a steering cam drives: path, course, steering, its run with play |
+| `deviations` | deviations of a real car from its design, and their effects                   |
+| `inference`  | measured data -> the effects that explain them, and what they promise         |
+| `design`     | the design file: TOML -> frozen values -> the numeric rooms' own types        |
+| `geometry`   | parts as meshes and as solids of the CAD kernel                               |
+| `output`     | files with their read-back, drawings, pictures, terminal tables               |
+| `jobs`       | one job from design to verified files                                         |
+| `studies`    | studies of many designs: plans, search, figures, journal, engines             |
+| `viewer`     | the report page, and the editor that serves it                                |
+| `api`        | the Python face: designs, cams, gears, runs, calibrations as objects          |
+| `cli`        | the commands                                                                  |
 
 Inside, lengths are mm and angles rad; other units occur only at the rim and then stand in the name.
 """

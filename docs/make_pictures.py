@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from cadgen import Design, Report
-from cadgen.report.style import AFTER, BEFORE, GREY, WANTED, figure
+from cadgen.output.report.style import AFTER, BEFORE, GREY, WANTED, figure
 from docs.tutorial.make_camera import FAULTS, car_as_designed
 
 HERE = Path(__file__).parent
@@ -207,7 +207,7 @@ def photograph_report(target: Path) -> None:
     """
     from playwright.sync_api import sync_playwright
 
-    from tests.page.chromium import ARGUMENTS, READY, chromium_path
+    from tests.viewer.page.chromium import ARGUMENTS, READY, chromium_path
 
     turn = "to => { angle.value = to; angle.dispatchEvent(new Event('input')) }"
     with TemporaryDirectory() as folder, sync_playwright() as playwright:

@@ -1,10 +1,10 @@
-// Bundles src/ and the three libraries into cadgen/page/static: script and style sheet of the page, those that `cadgen edit`
+// Bundles src/ and the three libraries into cadgen/viewer/page/static: script and style sheet of the page, those that `cadgen edit`
 // adds, and the licences.
 // Run `npm ci` first: it installs exactly what package-lock.json names, and compares every package with its hash.
 import { build } from "esbuild";
 import { readFileSync, writeFileSync } from "node:fs";
 
-const out = "../cadgen/page/static";
+const out = "../cadgen/viewer/page/static";
 const common = { bundle: true, minify: true, charset: "utf8", legalComments: "none", logLevel: "warning" };
 
 await build({ ...common, entryPoints: ["src/main.js"], outfile: `${out}/page.js`, format: "iife", target: "es2022" });

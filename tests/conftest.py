@@ -21,9 +21,9 @@ from hypothesis import settings
 from cadgen.cam.envelope import ActualProfile, actual_profile
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve, lift_curve
-from cadgen.path.spline import plan_path
-from cadgen.path.track import Track, offset_track
-from cadgen.steering.car import Car, steering_jets
+from cadgen.car.path.spline import plan_path
+from cadgen.car.path.track import Track, offset_track
+from cadgen.car.steering.car import Car, steering_jets
 from tests.forks import Forks
 
 # A submission is judged on the same random examples every time; at the desk each run tries others. No test has a

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from cadgen.car.path.kinds.table import codes, kind_of
 from cadgen.design.keys import tables
 from cadgen.design.kinds import Kinds
-from cadgen.path.kinds.table import codes, kind_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]

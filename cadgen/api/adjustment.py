@@ -6,16 +6,16 @@ from functools import cached_property
 from os import PathLike
 from typing import Any
 
-from cadgen.adjustment.choice import Forecast
-from cadgen.adjustment.trial import Settings
 from cadgen.api.cam import Cam
 from cadgen.api.files import Written, written
 from cadgen.api.values import paths, real, word
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import DesignError, brief
+from cadgen.inference.adjustment.choice import Forecast
+from cadgen.inference.adjustment.trial import Settings
+from cadgen.jobs.adjustment import plan
+from cadgen.jobs.adjustment.files import adjustment_facts, write_adjustment
 from cadgen.progress import Progress, silent
-from cadgen.workflow.adjustment import plan
-from cadgen.workflow.adjustment.files import adjustment_facts, write_adjustment
 
 POINTS = tuple(point.value for point in plan.Point)
 KNOBS = tuple(knob.value for knob in plan.Knob)

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from cadgen.expectation.next_measurement import Expected, Next
-    from cadgen.expectation.predict import Prediction
-    from cadgen.report.text import Block
+    from cadgen.inference.expectation.next_measurement import Expected, Next
+    from cadgen.inference.expectation.predict import Prediction
+    from cadgen.output.report.text import Block
 
 _REPORT_WIDTH = 110
 
@@ -34,18 +34,18 @@ class Advice:
     @property
     def report(self) -> "list[Block]":
         """Everything in paragraphs and a table; `str` of the result gives them as text."""
-        from cadgen.workflow.calibration.advice import words
+        from cadgen.jobs.calibration.advice import words
 
         return words(self.computed, measured=self.measured)
 
     def __str__(self) -> str:
-        from cadgen.report.text import plain
+        from cadgen.output.report.text import plain
 
         return plain(self.report, _REPORT_WIDTH)
 
     def facts(self) -> dict[str, Any]:
         """Everything as plain values."""
-        from cadgen.workflow.calibration.advice import facts
+        from cadgen.jobs.calibration.advice import facts
 
         return facts(self.computed)
 
@@ -67,17 +67,17 @@ class Predictions:
     @property
     def report(self) -> "list[Block]":
         """Everything in a table and sentences; `str` of the result gives them as text."""
-        from cadgen.workflow.calibration.prediction import words
+        from cadgen.jobs.calibration.prediction import words
 
         return words(self.each)
 
     def __str__(self) -> str:
-        from cadgen.report.text import plain
+        from cadgen.output.report.text import plain
 
         return plain(self.report, _REPORT_WIDTH)
 
     def facts(self) -> list[dict[str, Any]]:
         """Everything as plain values."""
-        from cadgen.workflow.calibration.prediction import facts
+        from cadgen.jobs.calibration.prediction import facts
 
         return facts(self.each)

@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 from cadgen.api.files import Written, folder_of, refusal
 from cadgen.check import Check
 from cadgen.errors import CheckError
+from cadgen.jobs.gears.facts import plan_facts
+from cadgen.jobs.gears.plan import GearsPlan
 from cadgen.progress import Progress, silent
-from cadgen.workflow.gears.facts import plan_facts
-from cadgen.workflow.gears.plan import GearsPlan
 
 if TYPE_CHECKING:
-    from cadgen.solids.train import Compound
-    from cadgen.workflow.gears.numbers import TrainPlan
+    from cadgen.geometry.solids.train import Compound
+    from cadgen.jobs.gears.numbers import TrainPlan
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ class Assembly(ABC):
         Raises:
             FileError: the CAD kernel cannot drill a set screw.
         """
-        from cadgen.solids.train import train_compound, train_parts
+        from cadgen.geometry.solids.train import train_compound, train_parts
 
         plan = self.computed
         return train_compound(train_parts(plan.layout, plan.stem, plan.description), plan.layout, f"{plan.stem}_train")
@@ -107,7 +107,7 @@ class Assembly(ABC):
             DesignError: a format is unknown.
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        from cadgen.workflow.gears.files import write_train
+        from cadgen.jobs.gears.files import write_train
 
         place = folder_of(folder)
         if not (self.passed or force):

@@ -12,9 +12,9 @@ from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
     from cadgen.api.advice import Advice, Predictions
-    from cadgen.report.text import Block
-    from cadgen.workflow.calibration import places
-    from cadgen.workflow.calibration import plan as calibrations
+    from cadgen.jobs.calibration import places
+    from cadgen.jobs.calibration import plan as calibrations
+    from cadgen.output.report.text import Block
 
 _REPORT_WIDTH = 110
 
@@ -57,7 +57,7 @@ class Calibration(Generic[D]):
     @property
     def unclear(self) -> dict[str, str]:
         """The verdicts that leave something unexplained or undecided, by the kind of data."""
-        from cadgen.measurement.diagnose import SOUND
+        from cadgen.inference.measurement.diagnose import SOUND
 
         return {kind: verdict for kind, verdict in self.verdicts.items() if verdict not in SOUND}
 
@@ -79,7 +79,7 @@ class Calibration(Generic[D]):
     @cached_property
     def as_built(self) -> D:
         """The design with what was measured in its [as_built]; the design as it was, if nothing was found."""
-        from cadgen.workflow.calibration.as_built_file import as_built_text
+        from cadgen.jobs.calibration.as_built_file import as_built_text
 
         if not self.computed.built:
             return self.design
@@ -96,7 +96,7 @@ class Calibration(Generic[D]):
             FileError: the data contradict each other.
         """
         from cadgen.api.advice import Advice
-        from cadgen.workflow.calibration.advice import after
+        from cadgen.jobs.calibration.advice import after
 
         return Advice(after(self.computed, progress), measured=True)
 
@@ -111,7 +111,7 @@ class Calibration(Generic[D]):
             FileError: data cannot be read, were used, or cannot be predicted by what was.
         """
         from cadgen.api.advice import Predictions
-        from cadgen.workflow.calibration.prediction import predicted
+        from cadgen.jobs.calibration.prediction import predicted
 
         unseen = sources_of(data, each=True, progress=progress)
         return Predictions(predicted(self.computed, unseen, progress))
@@ -119,18 +119,18 @@ class Calibration(Generic[D]):
     @property
     def report(self) -> "list[Block]":
         """Everything in paragraphs and tables; `str` of the result gives them as text."""
-        from cadgen.workflow.calibration.words import report
+        from cadgen.jobs.calibration.words import report
 
         return report(self.computed)
 
     def __str__(self) -> str:
-        from cadgen.report.text import plain
+        from cadgen.output.report.text import plain
 
         return plain(self.report, _REPORT_WIDTH)
 
     def facts(self) -> dict[str, Any]:
         """Everything as plain values, as in the JSON file."""
-        from cadgen.workflow.calibration.files import document
+        from cadgen.jobs.calibration.files import document
 
         return document(self.computed)
 
@@ -144,7 +144,7 @@ class Calibration(Generic[D]):
         Raises:
             FileError: a file cannot be written, or the design as built, read back, is not what was meant.
         """
-        from cadgen.workflow.calibration.files import write_calibration
+        from cadgen.jobs.calibration.files import write_calibration
 
         return written(folder, lambda place: write_calibration(self.computed, self.design.text, place, progress))
 
@@ -172,13 +172,13 @@ class Calibrations(Generic[D]):
     @property
     def report(self) -> "list[Block]":
         """One table with a row for each."""
-        from cadgen.workflow.calibration.words import summary
+        from cadgen.jobs.calibration.words import summary
 
         return summary([calibration.computed for calibration in self.each])
 
     def facts(self) -> dict[str, Any]:
         """Everything as plain values, as in the JSON file."""
-        from cadgen.workflow.calibration.files import documents
+        from cadgen.jobs.calibration.files import documents
 
         return documents([calibration.computed for calibration in self.each])
 
@@ -189,7 +189,7 @@ class Calibrations(Generic[D]):
             folder: where to; it is made if need be.
             progress: function that is called with a few words on each step.
         """
-        from cadgen.workflow.calibration.files import write_each
+        from cadgen.jobs.calibration.files import write_each
 
         place = folder_of(folder)
         progress("writing")

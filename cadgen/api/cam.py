@@ -12,23 +12,23 @@ from numpy.typing import ArrayLike
 from cadgen.api.files import Written, folder_of, refusal
 from cadgen.api.values import numbers, whole
 from cadgen.arrays import TURN, Array
+from cadgen.car.optimize.laps import Laps
 from cadgen.check import Check
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError
-from cadgen.optimize.laps import Laps
+from cadgen.jobs.cam.as_built import as_built_sentences, assumed_play, outlook_sentence
+from cadgen.jobs.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
+from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.jobs.cam.cures import Cures as Cures
+from cadgen.jobs.cam.cures import find_cures
+from cadgen.jobs.cam.manifest import cam_facts
+from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.cam.wheel import field_notice, sense_notice
 from cadgen.progress import Progress, silent
-from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play, outlook_sentence
-from cadgen.workflow.cam.comparison import PAPER_PERCENT as PAPER_PERCENT
-from cadgen.workflow.cam.comparison import PlayComparison
-from cadgen.workflow.cam.cures import Cures as Cures
-from cadgen.workflow.cam.cures import find_cures
-from cadgen.workflow.cam.manifest import cam_facts
-from cadgen.workflow.cam.plan import CamPlan
-from cadgen.workflow.cam.wheel import field_notice, sense_notice
 
 if TYPE_CHECKING:
-    from cadgen.report.style import Figure
-    from cadgen.solids.kernel import Solid
+    from cadgen.geometry.solids.kernel import Solid
+    from cadgen.output.report.style import Figure
 
 _POINTS = 3600
 _CHORD = 0.01  # mm, of bore and holes on a picture
@@ -269,7 +269,7 @@ class Cam:
         Returns:
             A matplotlib figure, to be shown in a notebook or saved with `savefig`.
         """
-        from cadgen.report.cam import CamPicture, cam_figure
+        from cadgen.output.report.cam import CamPicture, cam_figure
 
         angle = np.linspace(0.0, TURN, _POINTS + 1)
         extrema = np.concatenate([self.lift.peaks, self.lift.valleys])
@@ -293,7 +293,7 @@ class Cam:
             CheckError: the chamfers of broken edges meet, or run out at a ridge.
             FileError: the CAD kernel does not make one valid solid.
         """
-        from cadgen.workflow.cam.files import cam_solid
+        from cadgen.jobs.cam.files import cam_solid
 
         return cam_solid(self.computed).build123d()
 
@@ -321,7 +321,7 @@ class Cam:
             DesignError: a format is unknown.
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        from cadgen.workflow.cam.files import write_cam
+        from cadgen.jobs.cam.files import write_cam
 
         place = folder_of(folder)
         if not (self.passed or force):

@@ -6,11 +6,11 @@ from typing import Any
 
 from cadgen.api.cam import Cam
 from cadgen.api.files import Written, written
+from cadgen.jobs.card import plan as card_plan
+from cadgen.jobs.card.files import facts, sentences, write_card
+from cadgen.output.report import settings
+from cadgen.output.report.card import Column
 from cadgen.progress import Progress, silent
-from cadgen.report import settings
-from cadgen.report.card import Column
-from cadgen.workflow.card import plan as card_plan
-from cadgen.workflow.card.files import facts, sentences, write_card
 
 
 @dataclass(frozen=True, eq=False, repr=False)

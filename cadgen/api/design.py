@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from cadgen.api.gear_train import GearTrain
     from cadgen.api.planning import Plan
     from cadgen.api.runs import Comparison, Pool, Simulation, ToleranceRun
-    from cadgen.monte_carlo.robust import Map
+    from cadgen.inference.monte_carlo.robust import Map
 
 MOST_CARS, MOST_PROCESSES = 10_000_000, 256
 FORM_ERROR_UM = (0.01, 1000.0)
@@ -57,7 +57,7 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api.cam import Cam
-        from cadgen.workflow.cam.plan import plan_cam
+        from cadgen.jobs.cam.plan import plan_cam
 
         return Cam(plan_cam(self.complete(), profile, progress))
 
@@ -73,7 +73,7 @@ class Design(LoadedDesign):
             DesignError: the order is unknown, or the train is missing or cannot be made or laid out.
         """
         from cadgen.api.gear_train import GearTrain
-        from cadgen.workflow.gears.plan import plan_gears
+        from cadgen.jobs.gears.plan import plan_gears
 
         wanted = Order(word("order", order, [each.value for each in Order]))
         return GearTrain(plan_gears(self.values, wanted, progress))
@@ -94,7 +94,7 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api import runs
-        from cadgen.workflow.runs import simulation
+        from cadgen.jobs.runs import simulation
 
         play = optional("play_deg", play_deg, 0, 180, "degrees")
         return runs.Simulation(simulation.simulate(self.complete(), profile, play, progress))
@@ -110,8 +110,8 @@ class Design(LoadedDesign):
             CheckError: no profile keeps the limits of [optimize].
         """
         from cadgen.api import cam, runs
-        from cadgen.workflow.cam.plan import comparison_of, plan_cam
-        from cadgen.workflow.cam.remedies import remedies
+        from cadgen.jobs.cam.plan import comparison_of, plan_cam
+        from cadgen.jobs.cam.remedies import remedies
 
         design = self.complete()
         plan = plan_cam(design, "optimized", progress, all_trains=True)
@@ -147,7 +147,7 @@ class Design(LoadedDesign):
             FileError: the memory does not suffice for so many cars.
         """
         from cadgen.api import runs
-        from cadgen.workflow.runs.tolerance import CarSample, run_tolerance
+        from cadgen.jobs.runs.tolerance import CarSample, run_tolerance
 
         sample = CarSample(
             samples=whole("samples", samples, 1, MOST_CARS),
@@ -180,7 +180,7 @@ class Design(LoadedDesign):
             FileError: data cannot be read, or cannot be judged together.
         """
         from cadgen.api.calibration import Calibration
-        from cadgen.workflow.calibration.plan import calibrate
+        from cadgen.jobs.calibration.plan import calibrate
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         computed = calibrate(design, profile, sources_of(data, progress=progress), error, progress)
@@ -194,7 +194,7 @@ class Design(LoadedDesign):
         Arguments and errors as in `calibrate`.
         """
         from cadgen.api.advice import Advice
-        from cadgen.workflow.calibration.advice import before
+        from cadgen.jobs.calibration.advice import before
 
         error = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm")
         return Advice(before(self.complete(), profile, error, progress), measured=False)
@@ -209,7 +209,7 @@ class Design(LoadedDesign):
     ) -> "Calibrations[Design]":
         """Judge measured data one by one, as if each came from another car; arguments and errors as in `calibrate`."""
         from cadgen.api.calibration import Calibration, Calibrations
-        from cadgen.workflow.calibration.plan import calibrate_each
+        from cadgen.jobs.calibration.plan import calibrate_each
 
         error, design = optional("form_error_um", form_error_um, *FORM_ERROR_UM, "µm"), self.complete()
         computed = calibrate_each(design, profile, sources_of(data, each=True, progress=progress), error, progress)
@@ -285,6 +285,6 @@ class Design(LoadedDesign):
     def card(self, profile: str | None = None, *, progress: Progress = silent) -> "Card":
         """Find what to set, by [settings], for each spacing of [course.spacing]; arguments and errors as in `cam`."""
         from cadgen.api.card import Card
-        from cadgen.workflow.card.plan import plan_card
+        from cadgen.jobs.card.plan import plan_card
 
         return Card(plan_card(self.complete(), profile, progress))

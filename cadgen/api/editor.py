@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from cadgen.api.overrides import overrides_of
 from cadgen.api.values import name_or_path, whole
-from cadgen.editor.session import Session
 from cadgen.errors import DesignError
+from cadgen.viewer.editor.session import Session
 
 if TYPE_CHECKING:
     from cadgen.api.design import Design
@@ -79,7 +79,7 @@ class Editor:
         """
         number = whole("port", port, 0, 65535)
         try:
-            from cadgen.editor.running import serve
+            from cadgen.viewer.editor.running import serve
         except ModuleNotFoundError as error:
             if (error.name or "").partition(".")[0] not in _EXTRA:
                 raise

@@ -13,20 +13,20 @@ from cadgen.api.files import Written, folder_of
 from cadgen.api.values import Frozen, frozen, name_or_path, whole
 from cadgen.design.load import packaged_studies
 from cadgen.errors import DesignError, FileError, brief
-from cadgen.exploration import scripts
-from cadgen.exploration.engines import Cluster, Engine, Mapped, Processes, engine_of
-from cadgen.exploration.figures.figure import Figure as Figure
-from cadgen.exploration.figures.table import register as register_figure
-from cadgen.exploration.figures.table import remove as remove_figure
-from cadgen.exploration.files import Summary, write_summary
-from cadgen.exploration.journal import Journal
-from cadgen.exploration.merge import merged
-from cadgen.exploration.read import read_study
-from cadgen.exploration.results import Results
-from cadgen.exploration.run import Exploration as Computing
-from cadgen.exploration.run import open_journal
-from cadgen.exploration.study import Study
 from cadgen.progress import Progress, silent
+from cadgen.studies import scripts
+from cadgen.studies.engines import Cluster, Engine, Mapped, Processes, engine_of
+from cadgen.studies.figures.figure import Figure as Figure
+from cadgen.studies.figures.table import register as register_figure
+from cadgen.studies.figures.table import remove as remove_figure
+from cadgen.studies.files import Summary, write_summary
+from cadgen.studies.journal import Journal
+from cadgen.studies.merge import merged
+from cadgen.studies.read import read_study
+from cadgen.studies.results import Results
+from cadgen.studies.run import Exploration as Computing
+from cadgen.studies.run import open_journal
+from cadgen.studies.study import Study
 
 __all__ = ["Exploration", "Figure", "explore", "merge", "register_figure", "remove_figure", "write_script"]
 

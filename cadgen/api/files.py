@@ -12,8 +12,8 @@ from cadgen.errors import DesignError, brief
 
 if TYPE_CHECKING:
     from cadgen.check import Check
-    from cadgen.export.manifest import Written as Entry
-    from cadgen.export.verify import FolderState as FolderState
+    from cadgen.output.files.manifest import Written as Entry
+    from cadgen.output.files.verify import FolderState as FolderState
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -183,9 +183,9 @@ def verify(folder: str | PathLike[str], *, restore: bool = False) -> "FolderStat
     from dataclasses import replace
 
     from cadgen.errors import FileError
-    from cadgen.export.folder import undo_killed
-    from cadgen.export.lock import locked
-    from cadgen.export.verify import verify as verified
+    from cadgen.output.files.folder import undo_killed
+    from cadgen.output.files.lock import locked
+    from cadgen.output.files.verify import verify as verified
 
     place = folder_of(folder)
     if not place.is_dir():

@@ -19,7 +19,7 @@ from cadgen.parts.features import Hub, Keyway, Lightening, Web
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
-    from cadgen.solids.kernel import Solid
+    from cadgen.geometry.solids.kernel import Solid
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,7 +119,7 @@ class Gear:
     @cached_property
     def part(self) -> Any:
         """The gear as a part by itself, with its exact body."""
-        from cadgen.workflow.gears.numbers import part_of
+        from cadgen.jobs.gears.numbers import part_of
 
         return part_of(self.form, self.blank)
 
@@ -167,7 +167,7 @@ class Gear:
 
     def facts(self) -> dict[str, Any]:
         """The gear as plain values, with span over teeth and size over pins, mm, as it is cut."""
-        from cadgen.workflow.gears.numbers import gear_facts
+        from cadgen.jobs.gears.numbers import gear_facts
 
         return gear_facts(self.form, self.part, self.name)
 
@@ -177,7 +177,7 @@ class Gear:
         Raises:
             FileError: the CAD kernel cannot drill the set screw.
         """
-        from cadgen.workflow.gears.numbers import solid_of
+        from cadgen.jobs.gears.numbers import solid_of
 
         return solid_of(self.form, self.part, self.name).build123d()
 
@@ -199,7 +199,7 @@ class Gear:
             DesignError: a format is unknown.
             FileError: a file cannot be written, or holds something else when it is read back.
         """
-        from cadgen.workflow.gears.numbers import write_gear
+        from cadgen.jobs.gears.numbers import write_gear
 
         return written(folder, lambda place: write_gear(self.form, self.part, self.name, place, progress, formats))
 

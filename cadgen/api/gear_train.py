@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from cadgen.api.assembly import Assembly
 from cadgen.gears import train as numeric
-from cadgen.workflow.gears.plan import GearsPlan as GearsPlan
-from cadgen.workflow.gears.plan import NotMadeError as NotMadeError
+from cadgen.jobs.gears.plan import GearsPlan as GearsPlan
+from cadgen.jobs.gears.plan import NotMadeError as NotMadeError
 
 
 @dataclass(frozen=True, eq=False, repr=False)

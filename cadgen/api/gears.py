@@ -24,13 +24,13 @@ from cadgen.gears.kinds import spur
 from cadgen.gears.names import Thinning
 from cadgen.gears.thinning import with_deviation, with_deviations
 from cadgen.gears.tooth import tooth_of
+from cadgen.jobs.gears.plan import GearsPlan as GearsPlan
+from cadgen.jobs.gears.plan import NotMadeError as NotMadeError
 from cadgen.parts.blank import Blank
-from cadgen.workflow.gears.plan import GearsPlan as GearsPlan
-from cadgen.workflow.gears.plan import NotMadeError as NotMadeError
 
 if TYPE_CHECKING:
-    from cadgen.solids.train import Compound
-    from cadgen.workflow.gears.numbers import TrainPlan
+    from cadgen.geometry.solids.train import Compound
+    from cadgen.jobs.gears.numbers import TrainPlan
 
 # mm; of shafts whose bearings nobody has placed. Where the backlash is given no figure depends on it.
 _ANY_SPAN = 1000.0
@@ -181,8 +181,8 @@ class GearPair(Assembly):
         Raises:
             FileError: the CAD kernel cannot drill the set screw.
         """
-        from cadgen.solids.train import mesh_compound
-        from cadgen.workflow.gears.numbers import part_of, solid_of
+        from cadgen.geometry.solids.train import mesh_compound
+        from cadgen.jobs.gears.numbers import part_of, solid_of
 
         driver, driven = self.cut.wheels
         pinion = solid_of(driver, part_of(driver, self.pinion.blank), f"{self.name}_pinion", 1)
@@ -250,7 +250,7 @@ class Train(Assembly):
     @cached_property
     def computed(self) -> "TrainPlan":
         """The train laid out and measured in mesh; it takes a second or so when it is first asked for."""
-        from cadgen.workflow.gears.numbers import plan_train
+        from cadgen.jobs.gears.numbers import plan_train
 
         blanks = [self.stages[0].pinion.blank, *(pair.wheel.blank for pair in self.stages)]
         return plan_train(self._train, blanks, self.name, self.directions, self.clearance)

@@ -10,14 +10,14 @@ from cadgen.api.cam import Cam
 from cadgen.api.files import Written, refusal, written
 from cadgen.api.runs import map_of
 from cadgen.api.values import optional, whole
-from cadgen.build import cam_model
+from cadgen.car.planner.bounds import RESERVE, SEEDS, WITHIN_MM
+from cadgen.design import cam_model
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError, DesignError
-from cadgen.planner.bounds import RESERVE, SEEDS, WITHIN_MM
+from cadgen.jobs.planning.plan import PlannedPath, Wanted, plan_design
+from cadgen.jobs.planning.words import facts, sentences
+from cadgen.jobs.planning.write import write_plan
 from cadgen.progress import Progress, silent
-from cadgen.workflow.planning.plan import PlannedPath, Wanted, plan_design
-from cadgen.workflow.planning.words import facts, sentences
-from cadgen.workflow.planning.write import write_plan
 
 _WITHIN_MM = 25.0
 

@@ -9,26 +9,26 @@ from typing import Any, Protocol
 from cadgen.api.cam import Cam
 from cadgen.api.files import Written, written
 from cadgen.arrays import Array
+from cadgen.car.motion.drive import Run
+from cadgen.car.motion.errors import Event, RunError
+from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.errors import DesignError, brief
-from cadgen.exploration.engines import mapping
-from cadgen.monte_carlo.robust import FleetEnds, Map, Sensitivity
-from cadgen.motion.drive import Run
-from cadgen.motion.errors import Event, RunError
-from cadgen.optimize.evaluate import Evaluation
+from cadgen.inference.monte_carlo.robust import FleetEnds, Map, Sensitivity
+from cadgen.jobs.cam.as_built import as_built_sentences, assumed_play
+from cadgen.jobs.cam.manifest import remedy_facts
+from cadgen.jobs.cam.mechanics import joint_sentences
+from cadgen.jobs.cam.remedies import Remedy as Remedy
+from cadgen.jobs.cam.wheel import field_notice
+from cadgen.jobs.runs import files
+from cadgen.jobs.runs import simulation as simulations
+from cadgen.jobs.runs import tolerance as tolerances
+from cadgen.jobs.runs.budget import BudgetSheet as BudgetSheet
+from cadgen.jobs.runs.budget import shown_half_width as shown_half_width
+from cadgen.jobs.runs.budget import shown_value as shown_value
+from cadgen.jobs.runs.manifest import simulation_facts, tolerance_facts
+from cadgen.jobs.runs.tolerance import Spread as Spread
 from cadgen.progress import Progress, silent
-from cadgen.workflow.cam.as_built import as_built_sentences, assumed_play
-from cadgen.workflow.cam.manifest import remedy_facts
-from cadgen.workflow.cam.mechanics import joint_sentences
-from cadgen.workflow.cam.remedies import Remedy as Remedy
-from cadgen.workflow.cam.wheel import field_notice
-from cadgen.workflow.runs import files
-from cadgen.workflow.runs import simulation as simulations
-from cadgen.workflow.runs import tolerance as tolerances
-from cadgen.workflow.runs.budget import BudgetSheet as BudgetSheet
-from cadgen.workflow.runs.budget import shown_half_width as shown_half_width
-from cadgen.workflow.runs.budget import shown_value as shown_value
-from cadgen.workflow.runs.manifest import simulation_facts, tolerance_facts
-from cadgen.workflow.runs.tolerance import Spread as Spread
+from cadgen.studies.engines import mapping
 
 
 class Pool(Protocol):

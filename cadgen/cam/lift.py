@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
+from cadgen.curves.hermite import quintic_hermite
 from cadgen.curves.zeros import zeros
 from cadgen.errors import DesignError
-from cadgen.path.hermite import quintic_hermite
 
 # rad; a shorter piece before the blend is a share of the open curve's own polynomial: from values and derivatives at
 # its two ends its second derivative would err by the rounding of a value over the square of its length, 1e-8 here.

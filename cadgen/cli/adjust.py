@@ -4,8 +4,8 @@ from pathlib import Path
 
 import click
 
+from cadgen.car.optimize.profiles.optimized import OPTIMIZED
 from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
-from cadgen.optimize.profiles.optimized import OPTIMIZED
 
 
 @click.command()

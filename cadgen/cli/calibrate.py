@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from cadgen.car.optimize.profiles.actual import ACTUAL
 from cadgen.cli.options import Number, car_profile_option, design_and_files, out_option, overrides_option
-from cadgen.optimize.profiles.actual import ACTUAL
 
 if TYPE_CHECKING:
     from cadgen.api.advice import Advice, Predictions
@@ -68,7 +68,7 @@ def calibrate(
     from cadgen.cli import show
     from cadgen.cli.verdict import verdict
     from cadgen.design.load import packaged_designs
-    from cadgen.report.text import write
+    from cadgen.output.report.text import write
 
     design, files = design_and_files(arguments, packaged_designs(), some=not ask_next)
     loaded = Design.load(design, overrides)

@@ -30,7 +30,7 @@ def cam(
     from cadgen.api.design import Design
     from cadgen.cli import show, show_play
     from cadgen.cli.verdict import command, failed, verdict
-    from cadgen.export.formats import CAM_FORMATS, chosen_formats
+    from cadgen.output.files.formats import CAM_FORMATS, chosen_formats
 
     loaded = Design.load(design, overrides)
     chosen_formats(formats, CAM_FORMATS)  # before anything that takes time

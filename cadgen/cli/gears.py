@@ -49,13 +49,13 @@ def gears(
     """
     from cadgen.cli import show
     from cadgen.cli.verdict import command, failed, verdict
-    from cadgen.solids.beside import kernel_beside
+    from cadgen.geometry.solids.beside import kernel_beside
 
     # Before the rest is loaded, which takes as long as the kernel.
     with kernel_beside(wanted=formats is None):
         from cadgen.api.design import Design
         from cadgen.api.gear_train import NotMadeError
-        from cadgen.export.formats import TRAIN_FORMATS, chosen_formats
+        from cadgen.output.files.formats import TRAIN_FORMATS, chosen_formats
 
         loaded = Design.load(design, overrides, train_only=True)
         chosen_formats(formats, TRAIN_FORMATS)  # before anything that takes time

@@ -11,7 +11,7 @@ from contextlib import suppress
 from functools import partial
 from types import FrameType
 
-from cadgen.export.folder import abandon
+from cadgen.output.files.folder import abandon
 
 INTERRUPTED = 130
 _message = "interrupted: nothing was written"

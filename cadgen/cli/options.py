@@ -7,8 +7,8 @@ from typing import Any
 
 import click
 
-from cadgen.optimize.profiles.optimized import OPTIMIZED
-from cadgen.optimize.profiles.table import codes, meanings
+from cadgen.car.optimize.profiles.optimized import OPTIMIZED
+from cadgen.car.optimize.profiles.table import codes, meanings
 
 PLAY_PROFILES, PROFILES = codes(for_play=True), codes()
 

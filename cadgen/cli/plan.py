@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
+from cadgen.car.planner.bounds import RESERVE, SEEDS, WITHIN_MM
 from cadgen.cli.options import Number, out_option, overrides_option
-from cadgen.planner.bounds import RESERVE, SEEDS, WITHIN_MM
 
 
 @click.command()

@@ -16,8 +16,8 @@ from rich.text import Text
 
 from cadgen.check import Bound
 from cadgen.cli.output import hush
+from cadgen.output.report.table import FittedConsole, FittedTable
 from cadgen.progress import Progress
-from cadgen.report.table import FittedConsole, FittedTable
 
 if TYPE_CHECKING:
     from cadgen.api.cam import Cam, Cures

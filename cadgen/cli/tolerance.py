@@ -5,8 +5,8 @@ from pathlib import Path
 
 import click
 
+from cadgen.car.optimize.profiles.actual import ACTUAL
 from cadgen.cli.options import design_options, out_option, play_profile_option
-from cadgen.optimize.profiles.actual import ACTUAL
 
 
 @click.command()
@@ -46,7 +46,7 @@ def tolerance(
     """
     from cadgen.cli import show, show_play
     from cadgen.cli.verdict import command, failed, verdict
-    from cadgen.report.style import ready_to_draw
+    from cadgen.output.report.style import ready_to_draw
 
     # Before the rest is loaded, which takes as long as what draws.
     with ready_to_draw("cars", wanted=out is not None):

@@ -13,4 +13,5 @@
 | `spline`   | B-splines within a stated tolerance (STEP, DXF)                              |
 | `zeros`    | zeros of a piecewise polynomial of many pieces                               |
 | `polygon`  | chords within a stated tolerance (STL, 3MF)                                  |
+| `hermite`  | values and derivatives at nodes -> piecewise quintic polynomial             |
 """

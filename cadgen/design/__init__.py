@@ -30,4 +30,9 @@
 | `begin`     | name, points of a path, changes of keys -> a commented design            |
 | `planned`   | the design file with a planned path, comments kept                       |
 | `reference` | the schema as a page of documentation                                    |
+| `cam_model` | path, track, lift, follower, blank and car of a design                   |
+| `course_model` | the course and the car's outline                                      |
+| `draw_model` | what can be set on the car when a spacing is drawn                      |
+| `gear_model` | gear train, blanks, joints and limits of the search of a design         |
+| `variation` | what cars of a design differ by: return error, friction, tolerances      |
 """

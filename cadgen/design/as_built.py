@@ -5,20 +5,20 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field, Strict, field_validator, model_validator
 
+from cadgen.car.optimize.profiles.actual import ACTUAL
+from cadgen.car.optimize.profiles.table import codes
 from cadgen.design.section import WORD, OneOf, Section, listed
 from cadgen.deviations.names import Place
 from cadgen.errors import DesignError
-from cadgen.optimize.profiles.actual import ACTUAL
-from cadgen.optimize.profiles.table import codes
 
 if TYPE_CHECKING:
     from cadgen.deviations.effect import Effect as Known
-    from cadgen.measurement.record import Kind as KindOfData
+    from cadgen.inference.measurement.record import Kind as KindOfData
 
 
 def _codes() -> tuple[str, ...]:
     # Only here: the kinds need numpy, and most designs have no effects.
-    from cadgen.measurement.kinds import codes
+    from cadgen.inference.measurement.kinds import codes
 
     return codes()
 
@@ -77,7 +77,7 @@ class Effect(Section):
     @property
     def kind_of_data(self) -> "KindOfData":
         """The kind as an object."""
-        from cadgen.measurement.kinds import kind_of
+        from cadgen.inference.measurement.kinds import kind_of
 
         return kind_of(self.kind)
 

@@ -12,7 +12,7 @@ from cadgen.design.names import name_fault
 from cadgen.design.override import override
 from cadgen.design.template import EXAMPLE, GATE_RADIUS, LAP, text_of
 from cadgen.errors import DesignError, FileError, brief
-from cadgen.records.points import Points, read_points
+from cadgen.inference.records.points import Points, read_points
 
 _CAR = ("car.drive_wheel_offset_mm=", "car.idle_wheel_offset_mm=")
 _EXAMPLE_FIELD = (7000.0, 3000.0)

@@ -8,11 +8,11 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
+from cadgen.car.motion.friction import DiscMaterial
 from cadgen.design.joint import Held
 from cadgen.design.section import WORD, Feature, Section, ZeroOrFeature
 from cadgen.errors import DesignError
 from cadgen.gears.fit_table import zones_of
-from cadgen.motion.friction import DiscMaterial
 from cadgen.parts.names import Face
 
 _WIDEST_SCREW = 0.998  # of the bore

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
+from cadgen.car.path.kinds.kind import PathKind
+from cadgen.car.path.kinds.quintic import QUINTIC
 from cadgen.design.follower import FOLLOWER
 from cadgen.design.path import PATH
 from cadgen.design.stage import stage_kinds
 from cadgen.gears.kinds.kind import StageKind
-from cadgen.path.kinds.kind import PathKind
-from cadgen.path.kinds.quintic import QUINTIC
 
 # A key's parts from the top, items of lists counted from 0.
 Place = tuple[str | int, ...]

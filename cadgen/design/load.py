@@ -8,6 +8,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from cadgen.car.path.kinds.b_spline import B_SPLINE
 from cadgen.design.explain import explain
 from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.names import usable_name
@@ -17,7 +18,6 @@ from cadgen.design.path import OF_ANY_PATH
 from cadgen.design.schema import Design, DesignFile, TrainDesign, TrainFile
 from cadgen.design.section import listed
 from cadgen.errors import DesignError, brief
-from cadgen.path.kinds.b_spline import B_SPLINE
 from cadgen.reading import read_regular
 
 DEFAULT_DESIGN = "carbon_free_car"

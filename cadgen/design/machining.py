@@ -4,8 +4,8 @@ from typing import Self
 
 from pydantic import Field, field_validator, model_validator
 
+from cadgen.car.motion.friction import DiscMaterial
 from cadgen.design.section import Section, one_line
-from cadgen.motion.friction import DiscMaterial
 
 USUAL_FEED = 240.0  # mm/min, where the design gives neither a feed nor a material
 APPROACH_MM = 1.0  # above the work, to which a tool goes down at rapid speed

@@ -5,10 +5,10 @@ from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
+from cadgen.car.path.kinds.kind import PathKind
+from cadgen.car.path.kinds.quintic import QUINTIC
+from cadgen.car.path.kinds.table import codes, kind_of
 from cadgen.design.section import ByKind, OneOf, Section, keys_in, listed, section_with
-from cadgen.path.kinds.kind import PathKind
-from cadgen.path.kinds.quintic import QUINTIC
-from cadgen.path.kinds.table import codes, kind_of
 
 MOST_LAPS = 100
 _LAPS = 10  # of a run, where the design does not say

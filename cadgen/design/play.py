@@ -5,9 +5,9 @@ from typing import Annotated
 
 from pydantic import Field, Strict, model_validator
 
+from cadgen.car.motion.friction import DiscMaterial
 from cadgen.design.section import WORD, Section
 from cadgen.gears.names import Law, StageOrder
-from cadgen.motion.friction import DiscMaterial
 
 GATE_WIDTH_MM = 400.0
 

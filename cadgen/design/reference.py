@@ -3,12 +3,12 @@
 from math import degrees
 
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.car.path.kinds.kind import PathKind
+from cadgen.car.path.kinds.table import codes, kind_of
 from cadgen.design.keys import Key, Table, last, shown, tables
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs
 from cadgen.design.section import listed
-from cadgen.path.kinds.kind import PathKind
-from cadgen.path.kinds.table import codes, kind_of
 
 _HEAD = """\
 # The design file

@@ -10,7 +10,7 @@ from annotated_types import Ge, Le
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, Strict, create_model, model_validator
 from pydantic_core import CoreSchema, core_schema
 
-from cadgen.path import names
+from cadgen.car.path import names
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 

@@ -14,6 +14,7 @@ from cadgen.arrays import Array
 from cadgen.cam.contact import roll
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.rolled import Contact
+from cadgen.car.steering.car import Car
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.curves.moved import moved
 from cadgen.deviations import quantities
@@ -31,7 +32,6 @@ from cadgen.deviations.lead import led
 from cadgen.deviations.names import Place
 from cadgen.deviations.transmission import MESH
 from cadgen.errors import DesignError
-from cadgen.steering.car import Car
 
 # Which of a disc's effects stand still on the shaft, whatever way the disc's key is turned.
 _OF_SHAFT = (quantities.ECCENTRIC_BORE, quantities.SHAFT_RUNOUT)

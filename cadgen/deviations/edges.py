@@ -9,12 +9,12 @@ from cadgen.arrays import TURN
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
+from cadgen.car.motion.drive import drive, turns_of
+from cadgen.car.motion.sampled import rolled_lift
+from cadgen.car.steering.car import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.as_built import AsBuilt
-from cadgen.motion.drive import drive, turns_of
-from cadgen.motion.sampled import rolled_lift
-from cadgen.steering.car import Car
 
 MORE = 0.1  # mm: a hand with a file or a deburring tool takes that much without being asked
 _STATIONS = 1200  # the difference of two runs then errs by 1e-3 mm

@@ -17,12 +17,12 @@ from dataclasses import replace
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.car.motion.drive import Running
 from cadgen.deviations import quantities
 from cadgen.deviations.disc import ECCENTRIC_BORE
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
 from cadgen.deviations.friction import DRAG, FRICTIONS, MEASURE_FRICTION, friction, rubbing
 from cadgen.deviations.names import Place
-from cadgen.motion.drive import Running
 
 RUNNING = Stage[Running]("running")
 STEERING = Stage[Array]("steering")

@@ -18,15 +18,15 @@ import cadgen
 
 FOLDER = "reference/python"
 _ARRAY = re.compile(r"~?numpy\.ndarray\[tuple\[~?typing\.Any, \.\.\.\], ~?numpy\.dtype\[~?numpy\.float64\]\]")
-ROOMS = ("api", "path", "steering", "cam", "gears", "motion")
+ROOMS = ("api", "cam", "gears", "car.path", "car.steering", "car.motion")
 
 
 def modules(room: str) -> list[str]:
     """List a room's modules, the room itself first; none for a room that the package does not have."""
-    names = {module.name: module for module in iter_modules(cadgen.__path__)}
-    if room not in names:
+    folder = Path(cadgen.__path__[0], *room.split("."))
+    if not (folder.is_dir() or folder.with_suffix(".py").is_file()):
         return []
-    inside = iter_modules([str(Path(cadgen.__path__[0], room))]) if names[room].ispkg else []
+    inside = iter_modules([str(folder)])
     return [f"cadgen.{room}", *(f"cadgen.{room}.{module.name}" for module in inside)]
 
 

@@ -2,8 +2,8 @@
 
     python -m docs.tutorial.make_camera
 
-The car is stepped by the generator of the tests of calibration (`tests/measurement/synthetic_drive.py`), which shares
-no code with `cadgen calibrate`: the camshaft walks through its play, and the car goes by short arcs.
+The car is stepped by the generator of the tests of calibration (`tests/inference/measurement/synthetic_drive.py`),
+which shares no code with `cadgen calibrate`: the camshaft walks through its play, and the car goes by short arcs.
 """
 
 import tomllib
@@ -14,10 +14,10 @@ from types import SimpleNamespace
 import numpy as np
 
 from cadgen.cam.lift import lift_curve
-from cadgen.path.spline import plan_path
-from cadgen.path.track import offset_track
-from cadgen.steering.car import Car, steering_jets
-from tests.measurement.synthetic_drive import Wheels, track_record
+from cadgen.car.path.spline import plan_path
+from cadgen.car.path.track import offset_track
+from cadgen.car.steering.car import Car, steering_jets
+from tests.inference.measurement.synthetic_drive import Wheels, track_record
 
 HERE = Path(__file__).parent
 # What is wrong with the car: zero of the steering, radius of the drive wheel, play at the camshaft.

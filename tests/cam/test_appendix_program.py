@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cadgen.path.spline import plan_path
+from cadgen.car.path.spline import plan_path
 
 DATA = Path(__file__).parent.parent / "data"
 TABLE = np.genfromtxt(DATA / "appendix_cam.csv", delimiter=",", names=True)

@@ -3,20 +3,20 @@
 import numpy as np
 import pytest
 
-from cadgen.build.cam_model import lift
 from cadgen.cam import contact
 from cadgen.cam.contact import roll, roll_curve, rolling_step
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
+from cadgen.car.path import track
 from cadgen.curves.contour import circle
+from cadgen.curves.hermite import quintic_hermite
+from cadgen.design.cam_model import lift
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
-from cadgen.path import track
-from cadgen.path.hermite import quintic_hermite
-from cadgen.workflow.cam import cures as cures_module
-from cadgen.workflow.cam.cures import find_cures
-from cadgen.workflow.cam.plan import plan_cam
+from cadgen.jobs.cam import cures as cures_module
+from cadgen.jobs.cam.cures import find_cures
+from cadgen.jobs.cam.plan import plan_cam
 
 
 @pytest.mark.parametrize(

@@ -14,11 +14,11 @@ from cadgen.cam.followers.rod_profiles import published_profile, theoretical_pro
 from cadgen.cam.lift import lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
-from cadgen.optimize.compensation import compensated_lift
-from cadgen.optimize.smoothing import smoothed_lift
+from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.car.optimize.smoothing import smoothed_lift
+from cadgen.car.steering.car import steering_jets
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub
-from cadgen.steering.car import steering_jets
 
 LIMITS = CheckLimits(
     pressure_angle=PRESSURE_ANGLE_LIMITS["norton_oscillating"],

@@ -25,11 +25,11 @@ from cadgen.cam.loss import lost_lift
 from cadgen.cam.place import cam_place
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
+from cadgen.jobs.calibration.plan import nominal_of
+from cadgen.jobs.cam.cures import find_cures
+from cadgen.jobs.cam.files import write_cam
+from cadgen.jobs.cam.plan import plan_cam
 from cadgen.parts.blank import Blank
-from cadgen.workflow.calibration.plan import nominal_of
-from cadgen.workflow.cam.cures import find_cures
-from cadgen.workflow.cam.files import write_cam
-from cadgen.workflow.cam.plan import plan_cam
 from tests.docs.blocks import DOCS, blocks
 
 TURN = 2 * np.pi

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from cadgen.cam.lift import lift_curve
+from cadgen.car.steering.car import steering_jets
+from cadgen.curves.hermite import quintic_hermite
 from cadgen.errors import DesignError
-from cadgen.path.hermite import quintic_hermite
-from cadgen.steering.car import steering_jets
 
 TURN = 2 * np.pi
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.integrate import quad
 from scipy.optimize import minimize_scalar
 
-from cadgen.build import cam_model
+from cadgen.design import cam_model
 from cadgen.design.load import load_design
 
 Array = NDArray[np.float64]

@@ -92,7 +92,7 @@ def test_a_failed_check_exports_nothing_unless_forced(cadgen, tmp_path):
     result = cadgen("cam", "--profile", "actual", *thick_walls, "--out", "out", code=1)
     assert "FAIL: thinnest wall fails, so nothing was exported" in " ".join(result.stdout.split())
     assert not (tmp_path / "out").exists()
-    # Every format of this cam is read back in tests/workflow/test_lift_errors.py.
+    # Every format of this cam is read back in tests/jobs/test_lift_errors.py.
     forced = ("--force", "--formats", "step,csv", "--json")
     result = cadgen("cam", "appendix_car", "--profile", "actual", "--out", "out", *forced, code=0)
     part = parts(tmp_path / "out")["appendix_car_actual_step_csv"]
@@ -187,7 +187,7 @@ def test_an_interrupted_run_leaves_nothing(cadgen, tmp_path, number):
         "import os, signal\n"
         f"signal.signal({int(number)}, signal.SIG_DFL)\n"  # jobs in a background may ignore it
         "from cadgen.cli import main\n"
-        "from cadgen.workflow.cam import files\n"
+        "from cadgen.jobs.cam import files\n"
         "assert len(files._WRITERS) == 5\n"
         "dxf, make = 2, files.replace\n"
         "assert files._WRITERS[dxf].label == 'DXF'\n"

@@ -15,8 +15,8 @@ from cadgen.check import Bound, Check, CheckCode
 from cadgen.cli import cli, show
 from cadgen.cli.output import sentence
 from cadgen.errors import MOST_REPEATED, brief
-from cadgen.export.manifest import Written
-from cadgen.workflow.cam.cures import Cure, Cures
+from cadgen.jobs.cam.cures import Cure, Cures
+from cadgen.output.files.manifest import Written
 from tests.cli.conftest import one_sentence
 from tests.cli.test_commands import SQUARE_TURN
 

@@ -10,8 +10,8 @@ from cadgen.curves.biarc import arcs
 from cadgen.curves.polygon import polygon
 from cadgen.curves.spline import splines
 from cadgen.design.machining import Machining
-from cadgen.export.gcode import cutter_path, write_gcode
-from cadgen.export.gcode_reader import read_gcode
+from cadgen.output.files.gcode import cutter_path, write_gcode
+from cadgen.output.files.gcode_reader import read_gcode
 from tests.cam.test_random_cams import cams
 
 # A distance along the radius is at most this much more than along the normal, on the steepest of these cams.

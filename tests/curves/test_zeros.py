@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline, PPoly
 
-from cadgen.build import cam_model
 from cadgen.curves.zeros import zeros
+from cadgen.design import cam_model
 from cadgen.design.load import load_design
 
 

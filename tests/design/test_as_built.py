@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
-from cadgen.build import cam_model
+from cadgen.design import cam_model
 from cadgen.design.as_built import AsBuilt, Source
 from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError

@@ -6,11 +6,11 @@ import re
 import pytest
 import tomli_w
 
-from cadgen.build import cam_model, course_model
 from cadgen.cam.lift import LiftCurve
+from cadgen.design import cam_model, course_model
 from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError
-from cadgen.workflow.cam.course import on_course
+from cadgen.jobs.cam.course import on_course
 
 OUTLINE = {"length_mm": 260, "width_mm": 260, "front_overhang_mm": 60}
 PLAIN = {

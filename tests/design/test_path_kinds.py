@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from annotated_types import Gt, Le
 
-from cadgen.build import cam_model
+from cadgen.car.path.kinds import table
+from cadgen.car.path.kinds.kind import PathKind
+from cadgen.car.path.spline import control_path
+from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.path.kinds import table
-from cadgen.path.kinds.kind import PathKind
-from cadgen.path.spline import control_path
 
 ARC = [[1000 * float(np.sin(a)), 1000 - 1000 * float(np.cos(a))] for a in np.linspace(0, 2, 12)]
 BY_CONTROL = ["path=", 'path.spline="b_spline"', f"path.control_points_mm={ARC}"]

@@ -3,11 +3,11 @@
 import re
 from pathlib import Path
 
+from cadgen.car.path.kinds.table import codes, kind_of
 from cadgen.design.keys import keys, last, tables
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import load_design
 from cadgen.design.reference import page
-from cadgen.path.kinds.table import codes, kind_of
 
 PAGE = Path(__file__).parents[2] / "docs" / "design-file.md"
 

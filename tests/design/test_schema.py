@@ -11,14 +11,14 @@ from pydantic import ValidationError
 
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
+from cadgen.car.path.kinds.b_spline import B_SPLINE
+from cadgen.car.path.kinds.table import codes
+from cadgen.car.path.spline import DEGREE, MIN_WAYPOINTS, SplineKind
 from cadgen.design.blank import Blank, Lightening
 from cadgen.design.follower import section_of
 from cadgen.design.keys import keys
 from cadgen.design.kinds import Kinds
 from cadgen.design.schema import Cam, Checks, DesignFile
-from cadgen.path.kinds.b_spline import B_SPLINE
-from cadgen.path.kinds.table import codes
-from cadgen.path.spline import DEGREE, MIN_WAYPOINTS, SplineKind
 
 
 def accepted(section: type, **values: Any) -> bool:

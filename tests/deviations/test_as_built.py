@@ -8,7 +8,7 @@ from cadgen.curves.closed import Outline
 from cadgen.deviations.as_built import AsBuilt, Placed
 from cadgen.deviations.transmission import WIND_UP, runout
 from cadgen.errors import DesignError
-from cadgen.measurement.kinds import kind_of
+from cadgen.inference.measurement.kinds import kind_of
 
 THETA = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
 STEP = 0.03  # mm; rolling on it errs by under 0.01 um

@@ -14,7 +14,7 @@ import tomli_w
 import cadgen
 from cadgen.cli import cli
 from cadgen.design.load import load_design, load_train
-from cadgen.exploration.read import read_study
+from cadgen.studies.read import read_study
 from tests.docs.blocks import DOCS, INSTALL, ROOT, Block, Workshop, blocks, pages, same
 from tests.forks import MAIN
 
@@ -311,13 +311,13 @@ def test_the_reference_takes_up_the_face_of_the_package(tmp_path: Path, monkeypa
     from python_pages import modules
 
     (tmp_path / "api.py").touch()
-    (tmp_path / "motion").mkdir()
+    (tmp_path / "car/motion").mkdir(parents=True)
     for name in ("__init__", "drive", "play"):
-        (tmp_path / f"motion/{name}.py").touch()
+        (tmp_path / f"car/motion/{name}.py").touch()
     monkeypatch.setattr("cadgen.__path__", [str(tmp_path)])
     assert modules("api") == ["cadgen.api"]
-    assert modules("motion") == ["cadgen.motion", "cadgen.motion.drive", "cadgen.motion.play"]
-    assert modules("steering") == []
+    assert modules("car.motion") == ["cadgen.car.motion", "cadgen.car.motion.drive", "cadgen.car.motion.play"]
+    assert modules("car.steering") == []
 
 
 def test_ci_builds_the_site_and_stops_at_warnings() -> None:

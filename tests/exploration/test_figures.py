@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 import shapely
 
-from cadgen.build import cam_model
+from cadgen.car.optimize.band import fixed_profile_bound
+from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.exploration.figures.evaluated import Evaluated
-from cadgen.exploration.figures.figure import Figure
-from cadgen.exploration.figures.table import codes, kind_of, register, remove
-from cadgen.optimize.band import fixed_profile_bound
+from cadgen.studies.figures.evaluated import Evaluated
+from cadgen.studies.figures.figure import Figure
+from cadgen.studies.figures.table import codes, kind_of, register, remove
 
 OVERRIDES = (
     "blank.material=aluminium",

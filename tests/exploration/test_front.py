@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cadgen.exploration.effects import effects
-from cadgen.exploration.evaluate import Row
-from cadgen.exploration.figures.figure import Figure
-from cadgen.exploration.front import front, ranked
+from cadgen.studies.effects import effects
+from cadgen.studies.evaluate import Row
+from cadgen.studies.figures.figure import Figure
+from cadgen.studies.front import front, ranked
 
 LESS = Figure(code="less_mm", meaning="", of=lambda evaluated: 0.0)
 MORE = Figure(code="more_mm", meaning="", of=lambda evaluated: 0.0, more=True)

@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError, FileError
-from cadgen.exploration import plans
-from cadgen.exploration.read import read_study
-from cadgen.exploration.run import open_journal
-from cadgen.exploration.variation import Variation
+from cadgen.studies import plans
+from cadgen.studies.read import read_study
+from cadgen.studies.run import open_journal
+from cadgen.studies.variation import Variation
 
 TEXT = """
 objectives = ["worst_end_mm", "disc_diameter_mm"]
@@ -146,7 +146,7 @@ def test_journals_of_others_are_refused(tmp_path, monkeypatch):
     with pytest.raises(FileError, match=r"is of shard 1/1: name it study\.journal again"):
         open_journal(*read_study(tmp_path / "study.toml"), tmp_path, (1, 2))
     (tmp_path / "study.1of2.journal").rename(tmp_path / "study.journal")
-    monkeypatch.setattr("cadgen.exploration.run.__version__", "99.0")
+    monkeypatch.setattr("cadgen.studies.run.__version__", "99.0")
     with pytest.raises(FileError, match=r"was begun by cadgen .*, and this is 99\.0: end it with that version"):
         opened(TEXT)
     (tmp_path / "study.journal").write_text("something else, and longer than a header would ever be\n" * 200)

@@ -11,7 +11,7 @@ from cadgen.gears.contact import contact_ratio, found_contact_ratio
 from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.pair import Gear
 from cadgen.gears.tooth import GearForm, tooth_of
-from cadgen.meshes.teeth import LEAST_OVERLAP, measured_pair
+from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, measured_pair
 
 # Steps of the search over a pitch, and four of them for what ends between two.
 FOUND_WITHIN = 2e-3

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, linprog
 
-from cadgen.build import gear_model, variation
+from cadgen.design import gear_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.gears.fits import clearance, flat_play, key_play

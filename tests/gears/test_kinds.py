@@ -11,17 +11,17 @@ from math import degrees, pi, radians
 
 import pytest
 
-from cadgen.build import gear_model, variation
+from cadgen.design import gear_model, variation
 from cadgen.design.load import load_design, load_train, train_of
 from cadgen.errors import DesignError
 from cadgen.gears.engaged import PLAY_LIMIT_UM
 from cadgen.gears.kinds import table
 from cadgen.gears.kinds.spur import GearPair
-from cadgen.solids.gear_text import read_gear
-from cadgen.workflow.calibration import plan as calibration
-from cadgen.workflow.gears.facts import plan_facts
-from cadgen.workflow.gears.files import write_gears
-from cadgen.workflow.gears.plan import plan_gears
+from cadgen.geometry.solids.gear_text import read_gear
+from cadgen.jobs.calibration import plan as calibration
+from cadgen.jobs.gears.facts import plan_facts
+from cadgen.jobs.gears.files import write_gears
+from cadgen.jobs.gears.plan import plan_gears
 from tests.docs.blocks import DOCS, blocks
 from tests.forks import MAIN
 

@@ -14,7 +14,7 @@ from cadgen.gears.layout import Blanks, TrainLayout, lay_out
 from cadgen.gears.pair import Gear
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
-from cadgen.meshes.prisms import body_mesh
+from cadgen.geometry.meshes.prisms import body_mesh
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, SetScrew
 

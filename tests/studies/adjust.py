@@ -19,12 +19,12 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from cadgen.adjustment.trial import Settings, Trial
 from cadgen.arrays import Array
 from cadgen.cam.contact import roll
 from cadgen.design.load import load_design
-from cadgen.workflow.adjustment.plan import Bench, Wanted
-from cadgen.workflow.cam.plan import comparison_of, plan_cam
+from cadgen.inference.adjustment.trial import Settings, Trial
+from cadgen.jobs.adjustment.plan import Bench, Wanted
+from cadgen.jobs.cam.plan import comparison_of, plan_cam
 from tests.studies.command import DOCS, options, tell
 from tests.studies.friction_truth import CELLS, DEG, TURN, FrictionCar, World
 from tests.studies.journal import outcomes, share, stamp

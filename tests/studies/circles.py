@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.measurement.synthetic import TURN
+from tests.inference.measurement.synthetic import TURN
 from tests.studies.circles_truth import CELLS, UNDECLARED, Car, World, declared, drawn_form
 
 SECONDS = ("lift", "transmission", "profile")
@@ -70,7 +70,7 @@ class Outcome:
 @cache
 def _ground():
     from tests.conftest import build
-    from tests.measurement import synthetic as syn
+    from tests.inference.measurement import synthetic as syn
 
     built = build("carbon_free_car")
     return built, syn.Car(built)
@@ -133,10 +133,10 @@ def go_round(seed: int, number: int) -> Outcome:
     """Measure a car, calibrate it, plan its cam, and run it again."""
     from cadgen.design.load import load_design, packaged_designs
     from cadgen.errors import CadgenError
-    from cadgen.workflow.calibration import plan
-    from cadgen.workflow.calibration.as_built_file import as_built_text
-    from cadgen.workflow.cam.plan import plan_cam
-    from tests.measurement.synthetic import Car as Bed
+    from cadgen.jobs.calibration import plan
+    from cadgen.jobs.calibration.as_built_file import as_built_text
+    from cadgen.jobs.cam.plan import plan_cam
+    from tests.inference.measurement.synthetic import Car as Bed
 
     drawn, rng = draw(seed, number), np.random.default_rng([seed, number, 1])
     world, car, built = drawn.world, drawn.car, drawn.world.built

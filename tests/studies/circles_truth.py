@@ -1,7 +1,8 @@
 """Cars with declared and undeclared effects, stepped by hand: shares no code with the models under test.
 
-The rod is let down on the points of the outline (`tests.measurement.synthetic`); the camshaft stands behind gears that
-run out, and walks downhill in their play; the car goes by short arcs. On its way it meets what no catalogue has.
+The rod is let down on the points of the outline (`tests.inference.measurement.synthetic`);
+the camshaft stands behind gears that run out, and walks downhill in their play;
+the car goes by short arcs. On its way it meets what no catalogue has.
 """
 
 from collections.abc import Callable
@@ -10,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from cadgen.measurement.kinds import LIFT, TRACK, TRANSMISSION
-from cadgen.measurement.record import Record
-from tests.measurement.synthetic import DEG, TURN, Bench, form_error, profile_record
-from tests.measurement.synthetic import Car as Bed
+from cadgen.inference.measurement.kinds import LIFT, TRACK, TRANSMISSION
+from cadgen.inference.measurement.record import Record
+from tests.inference.measurement.synthetic import DEG, TURN, Bench, form_error, profile_record
+from tests.inference.measurement.synthetic import Car as Bed
 
 CELLS = 7200
 STEP = TURN / CELLS

@@ -23,7 +23,7 @@ from unittest.mock import patch
 
 from cadgen import __version__
 from cadgen.api.exploration import explore
-from cadgen.exploration import files
+from cadgen.studies import files
 from tests.exploration import cheap
 from tests.studies.command import DOCS, options, tell
 

@@ -10,12 +10,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from cadgen import __version__
-from cadgen.exploration.effects import effects
-from cadgen.exploration.evaluate import Row
-from cadgen.exploration.front import front, ranked
-from cadgen.exploration.journal import Journal
-from cadgen.exploration.read import study_of
-from cadgen.exploration.study import Study
+from cadgen.studies.effects import effects
+from cadgen.studies.evaluate import Row
+from cadgen.studies.front import front, ranked
+from cadgen.studies.journal import Journal
+from cadgen.studies.read import study_of
+from cadgen.studies.study import Study
 from tests.studies.command import DOCS, tell
 
 HAND_MADE_MM = 306.1  # worst end of the packaged car with its optimized cam, `cadgen optimize`

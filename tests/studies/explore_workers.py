@@ -21,15 +21,15 @@ from time import process_time
 
 from cadgen import __version__
 from cadgen.api.exploration import explore
-from cadgen.exploration import work
-from cadgen.exploration.journal import Journal
-from cadgen.exploration.work import Sizes
+from cadgen.studies import work
+from cadgen.studies.journal import Journal
+from cadgen.studies.work import Sizes
 from tests.exploration import cheap
 from tests.studies.command import DOCS, tell
 
 BAR = 0.9
 MESSAGE_S = 1e-3
-AHEAD = 2  # batches for each worker that are handed out; as `cadgen.exploration.work` does
+AHEAD = 2  # batches for each worker that are handed out; as `cadgen.studies.work` does
 # Processor time of 16 designs of the packaged study `paper_car`, s.
 RECORDED = Path(__file__).parents[1] / "data" / "explore_seconds.txt"
 

@@ -73,8 +73,8 @@ def start(job: Job, out: Path, kill: Killed | None = None, gate: int | None = No
 def _do(job: Job, out: Path) -> int:
     if job.arguments:
         return command(*job.arguments, "--out", str(out))
-    from cadgen.export.folder import publishing
-    from cadgen.export.manifest import file_facts, write_manifest
+    from cadgen.output.files.folder import publishing
+    from cadgen.output.files.manifest import file_facts, write_manifest
 
     with publishing(out) as staging:
         for name, content in job.files.items():
@@ -325,13 +325,13 @@ def main() -> None:
 def _load(*, commands: bool) -> None:
     """Import what the runs need once, so that they only fork."""
     import cadgen.cli.show
-    import cadgen.export.folder
-    import cadgen.export.verify
+    import cadgen.output.files.folder
+    import cadgen.output.files.verify
 
     if commands:
         os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
-        import cadgen.workflow.runs.files  # noqa: F401
+        import cadgen.jobs.runs.files  # noqa: F401
 
 
 def report(cases: int, seed: int, commands: bool, states: Mapping[str, int], failed: list[str]) -> str:

@@ -18,17 +18,17 @@ from matplotlib.figure import Figure
 from scipy.optimize import minimize
 
 from cadgen import __version__
-from cadgen.build import cam_model
 from cadgen.cam.lift import LiftCurve
+from cadgen.car.motion.friction import BEARING
+from cadgen.car.motion.mechanics import MechanicsBand
+from cadgen.car.optimize.band import best_for_band, over_band
+from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.car.optimize.remedies import holding, trims
+from cadgen.car.optimize.task import Task
+from cadgen.curves.hermite import quintic_hermite
+from cadgen.design import cam_model
 from cadgen.design.load import load_design
-from cadgen.motion.friction import BEARING
-from cadgen.motion.mechanics import MechanicsBand
-from cadgen.optimize.band import best_for_band, over_band
-from cadgen.optimize.compensation import compensated_lift
-from cadgen.optimize.remedies import holding, trims
-from cadgen.optimize.task import Task
-from cadgen.path.hermite import quintic_hermite
-from cadgen.workflow.cam.comparison import task_of
+from cadgen.jobs.cam.comparison import task_of
 
 ENDS = tuple(np.radians([0.512, 0.962]))
 PLAYS = np.radians([0.512, 0.737, 0.962])

@@ -100,7 +100,7 @@ def case(seed: int, number: int, cases: int) -> Case:
 
 def judged(seed: int, number: int, cases: int) -> Outcome:
     """Drive a car and calibrate it."""
-    from cadgen.measurement.calibrate import calibrate
+    from cadgen.inference.measurement.calibrate import calibrate
 
     made = case(seed, number, cases)
     world, nominal = _bench()
@@ -129,7 +129,7 @@ def _named(told):
 
 @cache
 def _bench():
-    from cadgen.measurement.nominal import Nominal
+    from cadgen.inference.measurement.nominal import Nominal
     from tests.conftest import build
 
     built = build("carbon_free_car")

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from cadgen.measurement.kinds import TRACK
-from cadgen.measurement.record import Record
+from cadgen.inference.measurement.kinds import TRACK
+from cadgen.inference.measurement.record import Record
 
 DEG, TURN = np.pi / 180, 2 * np.pi
 CELLS = 72_000  # of a turn

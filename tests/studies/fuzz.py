@@ -30,8 +30,8 @@ from pathlib import Path
 from pkgutil import walk_packages
 
 import cadgen
+from cadgen.car.optimize.profiles.table import codes
 from cadgen.design.load import packaged_designs
-from cadgen.optimize.profiles.table import codes
 from tests.studies import fuzz_data, fuzz_designs
 
 COMMANDS = (
@@ -199,7 +199,7 @@ def load_modules(command: str) -> None:
     os.environ.update(COLUMNS="200", TERM="dumb", PYTHONWARNINGS="default")
     os.environ.setdefault("MPLBACKEND", "agg")
     for module in walk_packages(cadgen.__path__, "cadgen."):
-        kernel = module.name.startswith("cadgen.solids.")
+        kernel = module.name.startswith("cadgen.geometry.solids.")
         if not module.name.endswith("__main__") and (not kernel or command in KERNEL_COMMANDS):
             import_module(module.name)
 

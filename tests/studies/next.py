@@ -20,7 +20,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from cadgen.expectation.proposals import proposals
+from cadgen.inference.expectation.proposals import proposals
 from tests.studies.circles_truth import Car, World, declared, drawn_form
 
 FIRST = ("track", "lift", "transmission")
@@ -79,9 +79,9 @@ class Outcome:
 @cache
 def _ground():
     from cadgen.design.load import load_design
-    from cadgen.workflow.calibration.plan import nominal_of
+    from cadgen.jobs.calibration.plan import nominal_of
     from tests.conftest import build
-    from tests.measurement import synthetic as syn
+    from tests.inference.measurement import synthetic as syn
 
     built, design = build("carbon_free_car"), load_design()
     return built, syn.Car(built), design, nominal_of(design, "actual")
@@ -100,8 +100,8 @@ def _readings(world: World, car: Car, what: str, noise: float, rng: np.random.Ge
 
 def _now(calibration: Any) -> float:
     """Mean distance of the end of the run on a new cam, mm; of one proposal only, for the others take time."""
-    from cadgen.expectation import next_measurement
-    from cadgen.workflow.calibration.advice import after
+    from cadgen.inference.expectation import next_measurement
+    from cadgen.jobs.calibration.advice import after
 
     def few(nominal: Any, known: Any, measured: Any) -> Any:
         every = proposals(nominal, known, measured)
@@ -113,8 +113,8 @@ def _now(calibration: Any) -> float:
 
 def measured(seed: int, number: int) -> Outcome:
     """Calibrate a car, rank what may be measured, and measure it."""
-    from cadgen.workflow.calibration import plan
-    from cadgen.workflow.calibration.advice import after
+    from cadgen.jobs.calibration import plan
+    from cadgen.jobs.calibration.advice import after
 
     rng = np.random.default_rng([seed, number])
     built, bed, design, nominal = _ground()

@@ -25,9 +25,9 @@ from cadgen.curves.biarc import arcs
 from cadgen.curves.spline import splines
 from cadgen.design.load import load_design
 from cadgen.errors import CadgenError
-from cadgen.export.points import read_xyz, write_xyz
-from cadgen.workflow.cam.files import write_cam
-from cadgen.workflow.cam.plan import CamPlan, plan_cam
+from cadgen.jobs.cam.files import write_cam
+from cadgen.jobs.cam.plan import CamPlan, plan_cam
+from cadgen.output.files.points import read_xyz, write_xyz
 from tests.studies.command import DOCS, options, tell
 from tests.studies.paths_truth import TURN, Truth
 

@@ -20,7 +20,7 @@ import numpy as np
 
 from cadgen import Design, __version__
 from cadgen.api.planning import Plan
-from cadgen.build import cam_model
+from cadgen.design import cam_model
 from tests.studies.command import DOCS
 
 REPORT = DOCS / "planner.md"

@@ -25,9 +25,9 @@ from cadgen import __version__
 from cadgen.arrays import TURN
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
-from cadgen.motion.play import follow
-from cadgen.optimize.compensation import compensated_lift
-from cadgen.path.hermite import quintic_hermite
+from cadgen.car.motion.play import follow
+from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.curves.hermite import quintic_hermite
 from tests.studies.command import DOCS, options, tell
 
 STEPS = 36000  # of the grid: a hundredth of a degree

@@ -1,12 +1,12 @@
 """How often the right effect is named: `python -m tests.studies.rates --cases 100 --seed 1 --log FILE --record`.
 
-Made records of four kinds (`tests.measurement.study`): the rod let down on points of a distorted outline, the camshaft
-stepped through its gap, the car driven by arcs. Noise 2 to 20 um (profile, lift), 0.01 to 0.1 degrees (train), 1 to
-10 mm (track), form error 2 um of random correlation, index error 0.01 degrees; half of the profiles measured all round
+Made records of four kinds (`tests.inference.measurement.study`): the rod let down on points of a distorted outline,
+the camshaft stepped through its gap, the car driven by arcs. Noise 2 to 20 um (profile, lift), 0.01 to 0.1 degrees
+(train), 1 to 10 mm (track), form error 2 um of random correlation, index error 0.01 degrees; half of the profiles measured all round
 and half to 345 degrees, half of them clamped anew for each run (0.2 degrees); sizes of effects as met in a workshop,
 drawn again if their rms is below 0.3 of the noise.
 
-Beside the rates stand those of a judge who knows noise and spectrum (`tests.measurement.limit`).
+Beside the rates stand those of a judge who knows noise and spectrum (`tests.inference.measurement.limit`).
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ Found = dict[str, Any]
 @cache
 def _car() -> Any:
     from tests.conftest import build
-    from tests.measurement import synthetic as syn
+    from tests.inference.measurement import synthetic as syn
 
     return syn.Car(build("carbon_free_car"))
 
@@ -40,8 +40,8 @@ def _car() -> Any:
 def judged(seed: int, kind: str, sort: str, number: int) -> Found:
     """A case, what was said of it, and what an ideal judge would say."""
     from cadgen.errors import CadgenError
-    from cadgen.measurement.diagnose import weigh
-    from tests.measurement import limit, study
+    from cadgen.inference.measurement.diagnose import weigh
+    from tests.inference.measurement import limit, study
 
     car, rng = _car(), np.random.default_rng([seed, number, len(sort), len(kind)])
     case = study.draw(car, kind, sort, rng)
@@ -72,13 +72,13 @@ def keys(cases: int, seed: int) -> list[Key]:
 
 
 def _all_in(found: Found, names: str) -> bool:
-    from tests.measurement.study import same
+    from tests.inference.measurement.study import same
 
     return all(any(same(t, c) for c in found[names]) for t in found["truth"])
 
 
 def _wrong(found: Found) -> bool:
-    from tests.measurement.study import same
+    from tests.inference.measurement.study import same
 
     outside = found["sort"] in ("strange", "none", "scattered")
     return any(outside or not any(same(t, c) for t in found["truth"]) for c in found["claimed"])

@@ -93,8 +93,8 @@ def judged(seed: int, number: int) -> tuple[str, str]:
     """Kind of outcome of a case, and what is wrong with it; empty if nothing is."""
     from cadgen.design.schema import TrainDesign
     from cadgen.errors import DesignError
-    from cadgen.workflow.gears.facts import plan_facts
-    from cadgen.workflow.gears.plan import NotMadeError, plan_gears
+    from cadgen.jobs.gears.facts import plan_facts
+    from cadgen.jobs.gears.plan import NotMadeError, plan_gears
 
     made = case(seed, number)
     try:

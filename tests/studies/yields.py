@@ -11,9 +11,9 @@ with the greatest share of the variance at the end.
 import numpy as np
 
 from cadgen import Design, __version__
-from cadgen.build import variation
-from cadgen.monte_carlo.robust import watched_run
-from cadgen.workflow.runs.tolerance import ToleranceRun, comparison_of, watched_fleet
+from cadgen.design import variation
+from cadgen.inference.monte_carlo.robust import watched_run
+from cadgen.jobs.runs.tolerance import ToleranceRun, comparison_of, watched_fleet
 from tests.studies.command import DOCS, options, tell
 from tests.studies.planner import gates
 

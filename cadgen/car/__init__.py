@@ -1,0 +1,12 @@
+"""The car that a steering cam drives: path, course, steering, and its run with play.
+
+| room       | what it holds                                                              |
+|------------|----------------------------------------------------------------------------|
+| `path`     | waypoints -> spline -> the drive wheel's track by arc length               |
+| `steering` | curvature of the track <-> steering angle                                  |
+| `course`   | field, posts, gates; the car's outline swept along its run                 |
+| `planner`  | course and car -> the path on which play moves the car least               |
+| `motion`   | how the car runs when the gears have play                                  |
+| `draws`    | one cam for every draw: what to set on the car for each spacing            |
+| `optimize` | methods against play and the choice among them                             |
+"""

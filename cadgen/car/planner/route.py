@@ -1,0 +1,258 @@
+"""A rough route of the planned point: from gate to gate, round what is in the way.
+
+Straight legs where nothing is; else the shortest way on a grid on which obstacles are as much wider as the car is from
+its middle to its side, and dearer near them.
+"""
+
+import itertools
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import distance_transform_edt
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import dijkstra
+
+from cadgen.arrays import Array
+from cadgen.car.course.course import Course, Gate
+from cadgen.car.course.names import Side
+from cadgen.car.planner.barriers import Barrier, barriers_of, parts_of, polygon_holds
+from cadgen.car.planner.gates import is_exact, planned_place
+from cadgen.car.planner.start import End
+from cadgen.car.planner.task import Vehicle
+from cadgen.errors import DesignError
+
+_CELL = 40.0  # mm
+_MOST_CELLS = 60_000
+_BESIDE = 300.0  # mm beyond gates and obstacles that the grid reaches
+_DEAR = 2.0  # times the length that a way close to an obstacle costs
+_COMFORT = 400.0  # mm from an obstacle from which on a way is not dearer
+_LEG = 350.0  # mm between the points of a way round something
+_BLOCKED = 1e3  # times the length that a way costs where the car does not fit
+_NOISE = 2.0  # by which another search makes places dearer
+
+
+def planned_end(gate: Gate | None, vehicle: Vehicle) -> End:
+    """Start or finish as the place of the planned point; free where the gate is not met exactly.
+
+    A place of another point of the car fixes that of the planned point only together with a heading.
+    """
+    if gate is None:
+        return End()
+    x, y = planned_place(gate, vehicle)
+    if not is_exact(gate) or (gate.heading is None and np.hypot(x, y) > 0):
+        return End(heading=gate.heading)
+    place = np.array(gate.place.points[0])
+    if gate.heading is None:
+        return End(place)
+    return End(place - _turned(x, y, gate.heading), gate.heading)
+
+
+def _turned(x: float, y: float, heading: float) -> Array:
+    c, s = np.cos(heading), np.sin(heading)
+    return np.array([x * c - y * s, x * s + y * c])
+
+
+@dataclass(frozen=True, eq=False)
+class _Map:
+    """A grid with what a way costs at each of its cells, infinite where the car does not fit."""
+
+    corner: Array
+    cell: float
+    cost: Array
+    half_width: float
+
+    def number(self, place: Array) -> int:
+        i, j = np.clip(((place - self.corner) / self.cell).astype(int), 0, np.array(self.cost.shape) - 1)
+        return int(i * self.cost.shape[1] + j)
+
+    def place(self, numbers: Array) -> Array:
+        i, j = np.divmod(numbers, self.cost.shape[1])
+        return self.corner + (np.stack([i, j], axis=1) + 0.5) * self.cell
+
+
+@dataclass(frozen=True, eq=False)
+class Route:
+    """Places of the planned point along a course.
+
+    Attributes:
+        places: the places, shape (k, 2), mm.
+        is_stop: which of them the course asks for; the others lead round what is in the way, shape (k,).
+    """
+
+    places: Array
+    is_stop: NDArray[np.bool_]
+
+    @property
+    def stops(self) -> int:
+        """Number of places that the course asks for."""
+        return int(self.is_stop.sum())
+
+    @property
+    def length(self) -> float:
+        """Length from place to place, mm."""
+        return float(np.linalg.norm(np.diff(self.places, axis=0), axis=1).sum())
+
+
+def route_of(course: Course, vehicle: Vehicle, seed: int = 0) -> Route:
+    """Rough route along a course.
+
+    Args:
+        course: course whose gates are passed in their order.
+        vehicle: the car.
+        seed: 0 for the way that is usually best; another number for another way.
+
+    Raises:
+        DesignError: the course has nothing to drive to.
+    """
+    stops, ahead = _stops(course, vehicle)
+    barriers = barriers_of(course, vehicle.body)
+    if not barriers:
+        return Route(stops, np.ones(len(stops), dtype=bool))
+    stops, ahead = _beside_posts(stops, ahead, barriers, _half_widths(vehicle))
+    chart = _chart(stops, barriers, vehicle, seed)
+    route, is_stop = [stops[:1]], [True]
+    for (a, leaving), (b, arriving) in itertools.pairwise(zip(stops, ahead, strict=True)):
+        way = _way(chart, a, b, _LEG * leaving, _LEG * arriving)
+        route += [way, b[None]]
+        is_stop += [*[False] * len(way), True]
+    return Route(np.vstack(route), np.array(is_stop))
+
+
+def _stops(course: Course, vehicle: Vehicle) -> tuple[Array, Array]:
+    """Places of the planned point at the gates, and unit vectors along their directions, 0 for any, shapes (k, 2)."""
+    gates = [gate for gate in (course.start, *course.gates, course.finish) if gate is not None]
+    middles = np.array([np.mean(gate.place.points, axis=0) for gate in gates]).reshape(-1, 2)
+    if len(middles) < 2:
+        raise DesignError("the course has nothing to drive to: add [[course.gates]] or [course.finish]")
+    along = np.gradient(middles, axis=0)
+    for number, gate in enumerate(gates):
+        heading = gate.heading if gate.heading is not None else float(np.arctan2(along[number, 1], along[number, 0]))
+        middles[number] -= _turned(*planned_place(gate, vehicle), heading)
+    return middles, np.array([_along(gate) for gate in gates])
+
+
+def _half_widths(vehicle: Vehicle) -> tuple[float, float]:
+    """How far the car reaches to the left and to the right of the planned point, mm."""
+    every = np.vstack([corners for corners, _ in parts_of(vehicle)])
+    return float(every[:, 1].max()), float(-every[:, 1].min())
+
+
+def _along(gate: Gate) -> tuple[float, float]:
+    """Unit vector along the direction of a gate; 0 where it may be passed in any."""
+    if gate.heading is None or gate.heading_tolerance > np.pi / 2:
+        return 0.0, 0.0
+    return float(np.cos(gate.heading)), float(np.sin(gate.heading))
+
+
+def _beside_posts(
+    stops: Array, ahead: Array, barriers: tuple[Barrier, ...], widths: tuple[float, float]
+) -> tuple[Array, Array]:
+    """The stops with places beside the posts whose side is given, each on the leg that is nearest to it."""
+    left, right = widths
+    more: list[tuple[int, float, Array]] = []
+    for barrier in barriers:
+        if barrier.side is None:
+            continue
+        post = barrier.points.mean(axis=0)
+        legs = np.diff(stops, axis=0)
+        share = np.clip(np.sum((post - stops[:-1]) * legs, axis=1) / np.maximum(np.sum(legs**2, axis=1), 1e-9), 0, 1)
+        off = np.linalg.norm(post - stops[:-1] - share[:, None] * legs, axis=1)
+        leg = int(off.argmin())
+        normal = np.array([-legs[leg, 1], legs[leg, 0]]) / max(float(np.linalg.norm(legs[leg])), 1e-9)
+        # To the left of the post the car has it on its right.
+        aside = (right if barrier.side == Side.LEFT else -left) + (1 if barrier.side == Side.LEFT else -1) * (
+            barrier.reach + barrier.margin
+        )
+        # No nearer than that to the post; where the leg is clear of it already it stays.
+        lateral = float((stops[leg] + share[leg] * legs[leg] - post) @ normal)
+        if (lateral - aside) * np.sign(aside) < 0:
+            more.append((leg, float(share[leg]), post + aside * normal))
+    for leg, _, place in sorted(more, key=lambda each: each[:2], reverse=True):
+        stops, ahead = np.insert(stops, leg + 1, place, axis=0), np.insert(ahead, leg + 1, 0.0, axis=0)
+    return stops, ahead
+
+
+def _chart(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: int) -> _Map:
+    points = np.vstack([stops, *(barrier.points for barrier in barriers if not barrier.inside)])
+    edge = [barrier.corners for barrier in barriers if barrier.inside]
+    low, high = points.min(axis=0) - _BESIDE - 500, points.max(axis=0) + _BESIDE + 500
+    if edge:
+        low, high = np.maximum(low, edge[0].min(axis=0)), np.minimum(high, edge[0].max(axis=0))
+    size = np.maximum(high - low, _CELL)
+    cell = max(_CELL, float(np.sqrt(size.prod() / _MOST_CELLS)))
+    shape = np.maximum(np.ceil(size / cell).astype(int), 1)
+    i, j = np.indices(shape)
+    centres = low + (np.stack([i, j], axis=-1).reshape(-1, 2) + 0.5) * cell
+    away = np.full(len(centres), np.inf)
+    half = sum(_half_widths(vehicle)) / 2
+    for barrier in barriers:
+        blocked = np.zeros(tuple(shape), dtype=bool)
+        if barrier.inside:
+            blocked |= ~polygon_holds(centres, barrier.corners).reshape(blocked.shape)
+            blocked = np.pad(blocked, 1, constant_values=True)
+            apart = distance_transform_edt(~blocked)[1:-1, 1:-1].ravel() * cell
+        else:
+            cells = np.clip(((barrier.points - low) / cell).astype(int), 0, shape - 1)
+            blocked[cells[:, 0], cells[:, 1]] = True
+            if len(barrier.corners):
+                blocked |= polygon_holds(centres, barrier.corners).reshape(blocked.shape)
+            apart = distance_transform_edt(~blocked).ravel() * cell
+        away = np.minimum(away, apart - barrier.reach - barrier.margin)
+    free = away > half - cell  # the grid is rough, and the search puts right what is short
+    dear = 1 + _DEAR * np.clip(1 - (away - half) / _COMFORT, 0, 1)
+    if seed:
+        random = np.random.default_rng(seed)
+        coarse = random.uniform(0, _NOISE, size=(8, 8))
+        dear += coarse[(i.ravel() * 8) // shape[0], (j.ravel() * 8) // shape[1]]
+    # Where the car does not fit a way is very dear, but there is one: what is in the way is said by the limits.
+    return _Map(low, cell, np.where(free, dear, _BLOCKED).reshape(tuple(shape)), half)
+
+
+def _way(chart: _Map, a: Array, b: Array, leaving: Array, arriving: Array) -> Array:
+    """Points of the way between two places, without them, shape (k, 2); none where the straight one is clear.
+
+    Args:
+        chart: what ways cost.
+        a, b: the places, mm.
+        leaving: step ahead from the first, where its direction is known, by which a way round something begins, mm.
+        arriving: step ahead to the second, likewise.
+    """
+    count = max(int(np.linalg.norm(b - a) / chart.cell * 2), 2)
+    straight = a + np.linspace(0, 1, count)[:, None] * (b - a)
+    numbers = np.array([chart.number(place) for place in straight])
+    # Beside a stop the car may well be nearer to something than it could be anywhere along its way.
+    ends = np.minimum(np.linalg.norm(straight - a, axis=1), np.linalg.norm(straight - b, axis=1))
+    if not (chart.cost.ravel()[numbers[ends > chart.half_width]] >= _BLOCKED).any():
+        return np.zeros((0, 2))
+    graph: Any = _graph(chart.cost)  # the stubs of scipy know no single start
+    # A car that leaves a gate in its direction does not turn back round what it stands before.
+    first, last = (
+        place + step if chart.cost.ravel()[chart.number(place + step)] < _BLOCKED else place
+        for place, step in ((a, leaving), (b, -arriving))
+    )
+    start: Any = chart.number(first)
+    _, before = dijkstra(graph, indices=start, return_predecessors=True)
+    way = [chart.number(last)]
+    while before[way[-1]] >= 0:
+        way.append(int(before[way[-1]]))
+    places = chart.place(np.array(way[::-1]))
+    arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(places, axis=0), axis=1)))
+    number = int(arc[-1] / _LEG)
+    at = np.linspace(0, arc[-1], number + 2)[0 if leaving.any() else 1 : None if arriving.any() else -1]
+    return np.stack([np.interp(at, arc, places[:, axis]) for axis in range(2)], axis=1)
+
+
+def _graph(cost: Array) -> csr_array:
+    """Ways between neighbouring cells in eight directions."""
+    number: NDArray[Any] = np.arange(cost.size).reshape(cost.shape)
+    rows, columns, lengths = [], [], []
+    for di, dj in ((0, 1), (1, 0), (1, 1), (1, -1)):
+        here = number[: number.shape[0] - di, max(-dj, 0) : number.shape[1] - max(dj, 0)]
+        there = number[di:, max(dj, 0) : number.shape[1] + min(dj, 0)]
+        mean = (cost.ravel()[here.ravel()] + cost.ravel()[there.ravel()]) / 2 * np.hypot(di, dj)
+        rows += [here.ravel(), there.ravel()]
+        columns += [there.ravel(), here.ravel()]
+        lengths += [mean, mean]
+    return csr_array((np.concatenate(lengths), (np.concatenate(rows), np.concatenate(columns))), shape=(cost.size,) * 2)

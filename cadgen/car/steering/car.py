@@ -1,0 +1,145 @@
+"""The three-wheeled car: curvature of its track by the steering angle, and the inverse.
+
+The steering angle of this and all later rooms is beta, the angle of the rod, which the cam sets. On a car as designed
+the front wheel has the same angle; on a car as built its angle beta_w may differ,
+    tan(beta_w) = tan(atan(g tan(beta)) + beta_0),
+and the drive wheel may go less far than its rim turns where the car turns, by the share slip |tan(beta_w)|.
+"""
+
+from dataclasses import dataclass
+from math import degrees, tan
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.car.path.track import Track
+from cadgen.errors import DesignError
+
+
+@dataclass(frozen=True, kw_only=True)
+class Car:
+    """The car in plan view (paper, figure 4 and table 1).
+
+    Attributes:
+        wheelbase: distance L from the front fork axis to the rear axle, mm.
+        drive_wheel_offset: distance A1 from the fork axis to the driven wheel, to the left, mm.
+        idle_wheel_offset: distance A2 from the fork axis to the idle wheel, to the right, mm.
+        max_steering_angle: greatest angle of the front wheel to either side, rad.
+        steering_zero: angle beta_0 of the front wheel where the rod is straight, rad.
+        steering_gain: gain g of the lever between rod and front wheel; negative where the cam is right of the fork
+            axis, and lifts the rod in a left turn.
+        slip: share of the rim's travel that is lost for each unit of |tan(beta_w)|.
+    """
+
+    wheelbase: float
+    drive_wheel_offset: float
+    idle_wheel_offset: float
+    max_steering_angle: float
+    steering_zero: float = 0.0
+    steering_gain: float = 1.0
+    slip: float = 0.0
+
+
+def wheel_tangent(tan_beta: Array, car: Car) -> Array:
+    """Tangent of the front wheel's angle from T, that of the rod: tan(atan(g T) + beta_0), by the addition theorem.
+
+    Args:
+        tan_beta: tangents of the rod's steering angle, shape (n,).
+        car: dimensions of the car.
+    """
+    if car.steering_gain == 1 and car.steering_zero == 0:
+        return tan_beta
+    geared, zero = car.steering_gain * tan_beta, tan(car.steering_zero)
+    return (geared + zero) / (1.0 - geared * zero)
+
+
+def pace(tan_beta: Array, car: Car) -> Array:
+    """Travel of the drive wheel for each mm of its rim, 1 - slip |tan(beta_w)|, from the rod's tan(beta).
+
+    Args:
+        tan_beta: tangents of the rod's steering angle, shape (n,).
+        car: dimensions of the car.
+    """
+    return wheel_pace(wheel_tangent(tan_beta, car), car)
+
+
+def wheel_pace(wheel: Array, car: Car) -> Array:
+    """Travel of the drive wheel for each mm of its rim, from the front wheel's tan(beta_w).
+
+    Args:
+        wheel: tangents of the front wheel's angle.
+        car: dimensions of the car.
+    """
+    return 1.0 - car.slip * np.abs(wheel)
+
+
+def tan_steering(curvature: Array, car: Car) -> Array:
+    """Tangent of the rod's steering angle from the signed curvature of the drive wheel's track, mm^-1.
+
+    tan(beta_w) = L k_r / (1 - A1 k_r) with k_r = -curvature (eq. 17-19 with signs; right turns have beta > 0).
+
+    Args:
+        curvature: signed curvatures of the drive wheel's track, mm^-1.
+        car: dimensions of the car.
+    """
+    return _rod_tangent(-car.wheelbase * curvature / (1.0 + car.drive_wheel_offset * curvature), car)
+
+
+def track_curvature(tan_beta: Array, car: Car) -> Array:
+    """Signed curvature of the drive wheel's track, mm^-1, from the rod's tan(beta): the inverse of `tan_steering`.
+
+    Args:
+        tan_beta: tangents of the rod's steering angle, shape (n,).
+        car: dimensions of the car.
+    """
+    return wheel_curvature(wheel_tangent(tan_beta, car), car)
+
+
+def wheel_curvature(wheel: Array, car: Car) -> Array:
+    """Signed curvature of the drive wheel's track, mm^-1, from the front wheel's tan(beta_w) (eq. 21 with signs).
+
+    Args:
+        wheel: tangents of the front wheel's angle.
+        car: dimensions of the car.
+    """
+    return -wheel / (car.wheelbase + car.drive_wheel_offset * wheel)
+
+
+def _rod_tangent(wheel: Array, car: Car) -> Array:
+    zero = tan(car.steering_zero)
+    return (wheel - zero) / (1.0 + wheel * zero) / car.steering_gain
+
+
+def steering_jets(track: Track, car: Car) -> Array:
+    """The rod's tan(beta) with two derivatives by the track's arc length at the track's nodes, shape (n, 3).
+
+    Raises:
+        DesignError: the path turns tighter than the steering can hold, with the place.
+    """
+    k, k1, k2 = track.curvature_jets.T
+    divisor = 1.0 + car.drive_wheel_offset * k
+    # Where the divisor is not positive, the turn's centre lies at or left of the fork: more than 90 degrees.
+    holds = (divisor > 0) & (
+        car.wheelbase * np.abs(k) <= np.tan(car.max_steering_angle) * np.where(divisor > 0, divisor, 1.0)
+    )
+    if not holds.all():
+        strain = np.where(divisor > 0, np.abs(k) / np.maximum(divisor, 1e-300), np.inf)
+        worst = int(np.argmax(np.where(holds, 0.0, strain)))
+        left = bool(k[worst] > 0)
+        tightest = car.wheelbase / tan(car.max_steering_angle)
+        tightest += -car.drive_wheel_offset if left else car.drive_wheel_offset
+        raise DesignError(
+            f"the drive wheel turns {'left' if left else 'right'} with a radius of {1 / abs(k[worst]):.0f} mm "
+            f"{track.where(track.arc[worst])}; steering of {degrees(car.max_steering_angle):.0f} degrees holds "
+            f"no less than {tightest:.0f} mm there: lead the path through a wider turn ({track.points_key}), or raise "
+            f"car.max_steering_angle_deg"
+        )
+    slope = -car.wheelbase / divisor**2
+    bend = 2 * car.wheelbase * car.drive_wheel_offset / divisor**3
+    wheel1, wheel2 = slope * k1, slope * k2 + bend * k1**2
+    # From the wheel to the rod: first and second derivative of `_rod_tangent`.
+    zero = tan(car.steering_zero)
+    away = 1.0 + zero * -car.wheelbase * k / divisor
+    rod1 = (1.0 + zero**2) / away**2 / car.steering_gain
+    rod2 = -2 * zero * rod1 / away
+    return np.stack([tan_steering(k, car), rod1 * wheel1, rod1 * wheel2 + rod2 * wheel1**2], axis=1)

@@ -1,0 +1,302 @@
+"""How much cars of a design vary: the return error of their gears and the tolerances of their dimensions."""
+
+from dataclasses import replace
+from functools import partial
+from math import degrees, inf, radians
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import TURN
+from cadgen.cam.follower import Follower
+from cadgen.cam.followers.rod import rod_of
+from cadgen.cam.followers.rod_kind import RodMaterial
+from cadgen.cam.lift import LiftCurve
+from cadgen.car.motion.drive import wheel_radius as drive_wheel_radius
+from cadgen.car.motion.friction import USUAL, DiscMaterial, friction_band
+from cadgen.car.motion.mechanics import MechanicsBand
+from cadgen.car.optimize.band import PlayBand
+from cadgen.car.optimize.remedies import holding
+from cadgen.design import cam_model, gear_model
+from cadgen.design.mechanics import Braked, Mechanics
+from cadgen.design.play import Hardware
+from cadgen.design.schema import Design
+from cadgen.design.section import listed
+from cadgen.errors import DesignError
+from cadgen.gears.distribution import ZoneSum
+from cadgen.gears.fits import clearance as fit_clearance
+from cadgen.gears.joints import WholePlay
+from cadgen.gears.names import Order, StageOrder
+from cadgen.gears.search import arrange
+from cadgen.inference.monte_carlo.derivatives import Expansion
+from cadgen.inference.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance
+from cadgen.inference.monte_carlo.processes import EXPANSION
+from cadgen.inference.monte_carlo.robust import Sampler, Tolerances
+
+_ENDINGS = {"mm": "mm", "rad": "deg", "N": "N", "K": "K", "1": "", "Nmm": ""}  # of the keys of [tolerances]
+_STATIONS = 3600  # of the turn at which forces are looked at
+
+
+def play_bands(design: Design) -> dict[StageOrder, PlayBand]:
+    """Bands of the return error at the camshaft, rad, by order of the train.
+
+    [play] says it of the car as built, and stands for what the tolerances of [train] leave. A return error that
+    [as_built] traces to the car is a measured one, and comes before play.measured_deg, which is older. Empty if the
+    design has nothing of these.
+
+    Raises:
+        DesignError: as `train_plays`.
+    """
+    bands = {
+        # Teeth that may jam have no play then, and not less than none.
+        order: PlayBand(least=max(train.return_error_min, 0.0), greatest=max(train.return_error_max, 0.0))
+        for order, train in train_plays(design).items()
+    }
+    given, own, measured = design.play, design.optimize.order, measured_play(design)
+    if given is not None and given.least_deg is not None and given.greatest_deg is not None:
+        return {own: PlayBand(least=radians(given.least_deg), greatest=radians(given.greatest_deg), measured=measured)}
+    if not bands and (joint := gear_model.cam_joint(design))[1] > 0:
+        bands = {own: PlayBand(least=joint[0], greatest=joint[1])}
+    if own in bands:
+        return {**bands, own: replace(bands[own], measured=measured)}
+    return {} if measured is None else {own: PlayBand(least=measured, greatest=measured, measured=measured)}
+
+
+def measured_play(design: Design) -> float | None:
+    """The return error that was measured on the car, rad; None if it was not."""
+    found, given = cam_model.as_built(design).play, design.play
+    if found is not None or given is None or given.measured_deg is None:
+        return found
+    return radians(given.measured_deg)
+
+
+def tabled_play(design: Design) -> float | None:
+    """The greatest return error that a car of this design may have as far as nothing was measured on it, rad.
+
+    None if the design has no play.
+    """
+    band = play_bands(design.as_designed()).get(design.optimize.order)
+    return None if band is None else band.ends[1]
+
+
+def mechanics(design: Design, follower: Follower, lift: LiftCurve) -> MechanicsBand | None:
+    """Range of the forces on the cam; None if the design has no [mechanics].
+
+    Where `optimize.hardware` allows a brake, its drag is one that holds. A friction that [as_built] has comes before
+    the band of [mechanics]; a return error that it has from a track without one was found without friction, and keeps
+    that.
+
+    Args:
+        design: loaded design.
+        follower: follower of the design.
+        lift: planned lift.
+
+    Raises:
+        DesignError: there are forces and the follower is not the rod, the rod's force is used up somewhere on the
+            lift, or the drive cannot turn the cam.
+    """
+    given, known = design.mechanics, cam_model.as_built(design)
+    hardware, keys = design.optimize.hardware or (), cam_model.rod_keys(design)
+    material = keys.material if keys else None
+    if given is None and (material or design.blank.material):
+        given = Mechanics()  # their friction follows from the materials
+    if given is None and known.friction is not None and not hardware:
+        return MechanicsBand(
+            follower=rod_of(follower, "friction", "remove [as_built]"), friction=_measured(known.friction)
+        )
+    if given is None:
+        if hardware:
+            raise DesignError(
+                f"optimize.hardware allows {listed(hardware, 'and')}, and what that brings goes by the rod's force and "
+                f"friction: add [mechanics], such as --set mechanics.friction_least={USUAL[0]:g} "
+                f"--set mechanics.friction_greatest={USUAL[1]:g}"
+            )
+        return None
+    if known.friction is not None:
+        friction = _measured(known.friction)
+    elif known.runs_free:
+        friction = 0.0, 0.0
+    elif given.friction_least is None or given.friction_greatest is None:
+        friction = friction_band(material or RodMaterial.STEEL, design.blank.material, greased=given.greased)
+    else:
+        friction = given.friction_least, given.friction_greatest
+    band = MechanicsBand(
+        follower=rod_of(follower, "friction", "remove [mechanics] and blank.material"),
+        rod_force=given.rod_force_N,
+        rod_rate=given.rod_rate_N_per_mm,
+        friction=friction,
+        drag=given.drag_Nmm,
+        behind=gear_model.cam_joint(design)[1] if given.drag_on == Braked.SHAFT else 0.0,
+    )
+    _refuse_lost_rod(band, lift, design.tolerances.rod_force_N or 0.0)
+    need = holding(lift, band)
+    if Hardware.DRAG in hardware and (band.drag[0] < need.torque or band.behind > 0):
+        # A brake on the disc itself, which holds the play of its joint, too.
+        band = replace(band, drag=(need.drag, max(need.drag, band.drag[1])), behind=0.0)
+    _refuse_weak_drive(design, band, lift)
+    return band
+
+
+def _measured(friction: tuple[float, float]) -> tuple[float, float]:
+    """Band of a measured friction: two standard deviations to either side; none about none."""
+    value, sigma = friction
+    return (max(value - 2 * sigma, 0.0), value + 2 * sigma) if value > 0 else (0.0, 0.0)
+
+
+def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve, tolerance: float) -> None:
+    """Refuse a spring whose force ends on the way, or in some car within its tolerance (N)."""
+    theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+    height = band.follower.lift(lift.tan_beta(theta))
+    force = band.nominal.force(height) - tolerance
+    worst = int(np.argmin(force))
+    if force[worst] <= 0:
+        raise DesignError(
+            f"at cam angle {degrees(theta[worst]):.1f} degrees, at a lift of {height[worst]:.2f} mm, the rod's force "
+            f"is {force[worst]:.3g} N, so the rod leaves the disc: raise mechanics.rod_force_N to "
+            f"{1.01 * (band.rod_force - force[worst]):.3g} or more, or bring mechanics.rod_rate_N_per_mm nearer to 0"
+        )
+
+
+def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: LiftCurve) -> None:
+    """Refuse a cam that the drive cannot turn: rod, friction and drag at their greatest."""
+    theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+    needed = band.at(band.friction[1], band.drag[1]).needed(lift, theta)
+    worst = int(np.argmax(needed))
+    if needed[worst] == inf:
+        raise DesignError(
+            f"at cam angle {degrees(theta[worst]):.1f} degrees the rod jams on the rise at a friction of "
+            f"{band.friction[1]:g}, and no torque turns the cam: lower mechanics.friction_greatest, raise "
+            f"cam.base_radius_mm, or widen the turn there"
+        )
+    spent = band.drag[1] * TURN * 1e-3
+    has = None if design.mechanics is None else design.mechanics.drive_energy_J
+    if has is not None and spent > has:
+        raise DesignError(
+            f"the drag of {band.drag[1]:.3g} N mm takes {spent:.3g} J a turn of the cam, and mechanics.drive_energy_J "
+            f"is {has:g}: lower mechanics.rod_force_N and the drag that holds it"
+        )
+    most = None if design.mechanics is None else design.mechanics.drive_torque_Nmm
+    if most is not None and needed[worst] > most:
+        raise DesignError(
+            f"at cam angle {degrees(theta[worst]):.1f} degrees the cam needs {needed[worst]:.3g} N mm, "
+            f"{band.drag[1]:.3g} of it for the drag, and mechanics.drive_torque_Nmm is {most:g}: lower "
+            f"mechanics.rod_force_N or the drag, or gear the drive down"
+        )
+
+
+def half_widths(design: Design, forces: MechanicsBand | None) -> dict[Tolerance, float]:
+    """Half of each tolerance zone by the names of `TOLERANCES`; what is 0 is left out.
+
+    Args:
+        design: a loaded design.
+        forces: range of the forces on its cam.
+
+    Raises:
+        DesignError: a tolerance of a quantity that the design lacks.
+    """
+    tolerances = design.tolerances
+    halves: dict[Tolerance, float] = {}
+    for name in TOLERANCES:
+        unit = name.unit
+        value = getattr(tolerances, f"{name}_{_ENDINGS[unit]}", None) or 0.0
+        halves[name] = radians(value) if unit == "rad" else value
+    if (fit := design.blank.bore_fit) is not None:
+        halves[Directed.ECCENTRICITY] += fit_clearance(fit, design.blank.bore_diameter_mm)[1] / 2
+    if forces is not None:
+        halves[Parameter.FRICTION], halves[Parameter.DRAG] = (
+            float(np.ptp(band)) / 2 for band in (forces.friction, forces.drag)
+        )
+    elif halves[Parameter.ROD_FORCE] > 0:
+        raise DesignError("tolerances.rod_force_N needs the force itself: add [mechanics] with rod_force_N")
+    if halves[Parameter.TEMPERATURE] > 0 and design.blank.material is None:
+        raise DesignError("tolerances.temperature_K needs to know what the disc is made of: set blank.material")
+    return {name: half for name, half in halves.items() if half > 0}
+
+
+def expansion(design: Design) -> Expansion:
+    """How disc, frame and rod grow with heat; not at all if the disc's material is not known."""
+    disc, frame = design.blank.material, design.tolerances.frame_material or DiscMaterial.ALUMINIUM
+    if disc is None:
+        return Expansion()
+    return Expansion(disc=EXPANSION[disc], frame=EXPANSION[frame], rod=EXPANSION[DiscMaterial.STEEL])
+
+
+def tolerances(design: Design, forces: MechanicsBand | None = None) -> Tolerances:
+    """How cars of this design may differ, also in the forces on their cams; a measured return error does not."""
+    law, given = design.tolerances.law, design.play
+    sample: Sampler | None = None
+    if measured_play(design) is not None:
+        sample = None
+    elif given is None:
+        if (whole := whole_play(design)) is not None:
+            sample = partial(_plays, whole.return_error_distribution(law))
+    else:
+        band = play_bands(design)[design.optimize.order]
+        sample = ZoneSum((Parameter.PLAY,), np.array([band.least]), np.array([band.greatest]), law).sample
+    return Tolerances(half_widths=half_widths(design, forces), law=law, play=sample)
+
+
+def _plays(spread: ZoneSum, generator: np.random.Generator, size: int) -> NDArray[np.float64]:
+    """Plays of cars, shape (size,), rad; teeth that jam have none."""
+    return np.maximum(spread.sample(generator, size), 0.0)
+
+
+def play_zones(design: Design) -> dict[str, float]:
+    """Half of the zone of each part of the play, rad: of the teeth, and of every joint; empty if it was measured."""
+    if measured_play(design) is not None:
+        return {}
+    whole = None if design.play is not None else whole_play(design)
+    if whole is None:
+        low, high = play_bands(design)[design.optimize.order].ends
+        return {Parameter.PLAY: (high - low) / 2}
+    teeth = whole.teeth
+    of_teeth = {} if teeth is None else {"play of the teeth": (teeth.return_error_max - teeth.return_error_min) / 2}
+    return {**of_teeth, **{joint.name: (joint.greatest - joint.least) / 2 for joint in whole.loose}}
+
+
+def wheel_radius(design: Design, length: float) -> float:
+    """Radius of the drive wheel by eq. 20, mm: the train's ratio gives it. Without a train, infinite.
+
+    Args:
+        design: loaded design.
+        length: travel of the drive wheel in one turn of the cam, mm.
+
+    Raises:
+        DesignError: the radius has a tolerance but no value.
+    """
+    if design.train is not None:
+        return drive_wheel_radius(length, float(gear_model.train(design).ratio))
+    for name in ("wheel_radius_mm", "wheel_runout_mm"):
+        if getattr(design.tolerances, name):
+            raise DesignError(
+                f"tolerances.{name} needs the radius itself, which follows from the ratio of [train]: add [train], "
+                f"or remove tolerances.{name}"
+            )
+    return inf
+
+
+def whole_play(design: Design) -> WholePlay | None:
+    """Return error of the teeth, the joints and the bearings of the car; None if the design has neither.
+
+    Raises:
+        DesignError: as `train_plays`.
+    """
+    if design.train is not None:
+        return train_plays(design)[design.optimize.order]
+    alone = gear_model.loose(design, None)
+    return WholePlay(teeth=None, loose=alone) if alone else None
+
+
+def train_plays(design: Design) -> dict[StageOrder, WholePlay]:
+    """The play of the train in the order of the design file and in the order of least return error, joints included.
+
+    Empty if the design has no [train].
+
+    Raises:
+        DesignError: gears that cannot be, or that the standards do not cover.
+    """
+    if design.train is None:
+        return {}
+    given = gear_model.train(design)
+    teeth = {order: arrange(given, Order(order))[0] for order in StageOrder}
+    return {order: WholePlay(teeth=one, loose=gear_model.loose(design, one.train)) for order, one in teeth.items()}

@@ -1,0 +1,108 @@
+"""The checks of a gear train: its stages, each by its own, the whole of it, and its parts at rest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from enum import StrEnum
+from functools import cache
+
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.gears.engaged import CONTRADICTION, PLAY_LIMIT_UM
+from cadgen.gears.layout import TrainLayout
+from cadgen.gears.stage import Stage
+from cadgen.gears.train import Train
+from cadgen.geometry.meshes.prisms import body_mesh
+from cadgen.geometry.meshes.teeth import MeasuredPair, measured_pair, return_error
+
+# Parts of which a volume in mm³ below this is common only touch: the rounding of the meshes.
+OVERLAP_LIMIT = 1e-6
+
+
+def gear_checks(layout: TrainLayout, chords: Sequence[float]) -> tuple[Check, ...]:
+    """Every check of a train that is laid out; `chords` (mm) are those of the parts' meshes."""
+    cut = layout.train.stages
+    checks = [*_bodies(layout, chords), *_worst([_of_stage(stage) for stage in cut])]
+    if meshes(cut):
+        error = return_error_um(cut, [_built(stage, stage.centre_distance) for stage in cut])
+        code, name = CheckCode.RETURN_ERROR, "return error - computed"
+        checks.append(Check(code, name, abs(error), "µm", PLAY_LIMIT_UM, Bound.MAX, "whole train", CONTRADICTION))
+    return tuple(checks)
+
+
+def failing_stages(layout: TrainLayout) -> list[int]:
+    """Stages, from 0, that fail a check of their own."""
+    cut = enumerate(layout.train.stages)
+    return [number for number, stage in cut if not all(check.passed for check in _of_stage(stage))]
+
+
+def meshes(cut: Sequence[Stage]) -> bool:
+    """Whether all stages, as made, have flanks with one play all the time: they neither jam nor pass each other."""
+    return all(stage.meshes(_built) for stage in cut)
+
+
+def play_error_um(stage: Stage, measured: MeasuredPair) -> float:
+    """Measured less computed play as cut, µm of arc on the driven gear's pitch circle.
+
+    `measured` may come from the exact curves or from a file.
+    """
+    return (measured.play(0.0) - stage.free_angle()) * stage.driven_pitch_radius * 1e3
+
+
+def return_error_um(cut: Sequence[Stage], measured: Sequence[MeasuredPair]) -> float:
+    """Measured less computed return error as cut, µm of arc on the output wheel's pitch circle."""
+    ratios = Train(tuple(cut)).output_ratios
+    computed = sum(stage.free_angle() / float(ratio) for stage, ratio in zip(cut, ratios, strict=True))
+    return (return_error(measured) - computed) * cut[-1].driven_pitch_radius * 1e3
+
+
+@cache  # equal stages of a train have equal sections
+def _built(stage: Stage, apart: float) -> MeasuredPair:
+    return measured_pair(stage, apart)
+
+
+@cache  # equal stages of a train have equal figures
+def _of_stage(stage: Stage) -> tuple[Check, ...]:
+    return stage.checks(_built)
+
+
+def _bodies(layout: TrainLayout, chords: Sequence[float]) -> list[Check]:
+    """The parts at their places as meshes: no two of them may have any volume in common."""
+    solids = [
+        body_mesh(part.body, chord).solid().transform(part.transform)
+        for part, chord in zip(layout.parts, chords, strict=True)
+    ]
+    shared = [
+        ((first ^ second).volume(), f"{layout.parts[i].name}, {layout.parts[j].name}")
+        for i, first in enumerate(solids)
+        for j, second in enumerate(solids)
+        if i < j
+    ]
+    worst, place = max(shared)
+    advice = "give a longer collar, smaller hubs, or more thinning"
+    met = place if worst > 0 else ""
+    return [Check(CheckCode.BODIES_OVERLAP, "bodies overlap", worst, "mm3", OVERLAP_LIMIT, Bound.MAX, met, advice)]
+
+
+def _worst(stages: Sequence[Sequence[Check]]) -> list[Check]:
+    """Each check at the stage that comes nearest to its limit, or oversteps it most.
+
+    A stage that does not mesh has fewer checks than others.
+    """
+    worst: dict[StrEnum, Check] = {}
+    for number, checks in enumerate(stages, 1):
+        for check in checks:
+            placed = replace(check, place=", ".join(filter(None, (f"stage {number}", check.place))))
+            nearest = worst.setdefault(check.code, placed)
+            if _reserve(check, nearest.limit) < _reserve(nearest, check.limit):
+                worst[check.code] = placed
+    return list(worst.values())
+
+
+def _reserve(check: Check, other_limit: float) -> float:
+    """Margin of a value to its limit: in its unit, or as a share of the limit where stages have different limits."""
+    value = -check.value if check.bound == Bound.MAX else check.value
+    if check.limit == other_limit:
+        return value
+    limit = -check.limit if check.bound == Bound.MAX else check.limit
+    return (value - limit) / abs(check.limit) if check.limit else value - limit

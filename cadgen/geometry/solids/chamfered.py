@@ -1,0 +1,233 @@
+"""A disc whose rim has both edges broken, as a solid: faces laid edge to edge, no boolean and no sewing.
+
+A chamfer consists of ruled faces between the outline and the curve inside it, on common knots. Why
+not the kernel's own chamfer: docs/decisions/0007-broken-edges.md.
+"""
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from OCP.BRep import BRep_Builder
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
+from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
+from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int, Array2_gp_Pnt
+from OCP.Geom import (
+    Geom_BSplineCurve,
+    Geom_BSplineSurface,
+    Geom_Curve,
+    Geom_Line,
+    Geom_Surface,
+    Geom_SurfaceOfLinearExtrusion,
+)
+from OCP.Geom2d import Geom2d_Line
+from OCP.gp import gp_Dir, gp_Dir2d, gp_Pln, gp_Pnt, gp_Pnt2d, gp_Vec
+from OCP.TopAbs import TopAbs_FACE, TopAbs_FORWARD, TopAbs_REVERSED
+from OCP.TopExp import TopExp_Explorer
+from OCP.TopLoc import TopLoc_Location
+from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shell, TopoDS_Solid, TopoDS_Vertex, TopoDS_Wire
+
+from cadgen.curves.inset import Strip
+from cadgen.curves.spline import SplineArc, ruled_splines
+from cadgen.geometry.solids.kernel import TOLERANCE, Edge, closed_wire, spline_edges
+
+_UP = gp_Dir(0.0, 0.0, 1.0)
+_BUILDER = BRep_Builder()
+
+
+class _Level(NamedTuple):
+    """The arcs of one height with the vertex where each begins, and its edge; none where the arc is a point."""
+
+    z: float
+    arcs: list[SplineArc]
+    vertices: list[TopoDS_Vertex]
+    edges: list[TopoDS_Edge | None]
+
+    @classmethod
+    def of(cls, arcs: Sequence[SplineArc], z: float) -> "_Level":
+        """Build vertices and edges; the last arc must not be a point."""
+        vertices: list[TopoDS_Vertex] = []
+        for before, arc in zip([arcs[-1], *arcs], arcs, strict=False):
+            if vertices and _is_point(before):
+                vertices.append(vertices[-1])
+                continue
+            vertex = TopoDS_Vertex()
+            _BUILDER.MakeVertex(vertex, _place(arc, z), TOLERANCE)
+            vertices.append(vertex)
+        edges = [
+            None if _is_point(arc) else _edge(curve.curve, (curve.first, curve.last), start, end)
+            for arc, curve, start, end in zip(
+                arcs, spline_edges(arcs, z), vertices, vertices[1:] + vertices[:1], strict=True
+            )
+        ]
+        return cls(z, list(arcs), vertices, edges)
+
+    def wire(self) -> TopoDS_Wire:
+        """The loop of the edges, counterclockwise."""
+        wire = TopoDS_Wire()
+        _BUILDER.MakeWire(wire)
+        for edge in self.edges:
+            if edge is not None:
+                _BUILDER.Add(wire, edge)
+        wire.Closed(True)
+        return wire
+
+
+def chamfered_disc(
+    strips: Sequence[Strip],
+    holes: Iterable[Sequence[Edge]],
+    thickness: float,
+    leg: float,
+    *,
+    tolerance: float,
+) -> TopoDS_Solid:
+    """Return a disc from z = 0 to z = thickness with both edges of its rim broken at 45 degrees.
+
+    Args:
+        strips: strips of the chamfer, from `cadgen.curves.inset.chamfer_strips`.
+        holes: closed chains at z = 0 inside what the chamfers leave of the faces, counterclockwise.
+        thickness: thickness of the disc, mm; more than two legs.
+        leg: leg of the chamfers, mm.
+        tolerance: greatest distance of the splines from the outline and from the curve inside it, mm.
+    """
+    pairs = ruled_splines(strips, tolerance, 5)
+    # The last arc is an edge at every height, so that vertices may be passed on from the first one.
+    last = max(k for k, pair in enumerate(pairs) if not any(_is_point(arc) for arc in pair))
+    pairs = pairs[last + 1 :] + pairs[: last + 1]
+    outer, inner = ([pair[side] for pair in pairs] for side in (0, 1))
+    levels = [
+        _Level.of(arcs, z) for arcs, z in ((inner, 0.0), (outer, leg), (outer, thickness - leg), (inner, thickness))
+    ]
+    bottom, top = (_cap(levels[0]), _cap(levels[-1]))
+    shell = TopoDS_Shell()
+    _BUILDER.MakeShell(shell)
+    for low, high in pairwise(levels):
+        for face in _wall(low, high):
+            _BUILDER.Add(shell, face)
+    for edges in holes:
+        wire = closed_wire(edges)
+        prism = BRepPrimAPI_MakePrism(wire, gp_Vec(0.0, 0.0, thickness))
+        explorer = TopExp_Explorer(prism.Shape(), TopAbs_FACE)
+        while explorer.More():
+            _BUILDER.Add(shell, explorer.Current())
+            explorer.Next()
+        bottom.Add(TopoDS.Wire(wire.Reversed()))
+        top.Add(TopoDS.Wire(prism.LastShape().Reversed()))
+    _BUILDER.Add(shell, bottom.Face().Reversed())
+    _BUILDER.Add(shell, top.Face())
+    shell.Closed(True)
+    solid = TopoDS_Solid()
+    _BUILDER.MakeSolid(solid)
+    _BUILDER.Add(solid, shell)
+    return solid
+
+
+def _cap(level: _Level) -> BRepBuilderAPI_MakeFace:
+    return BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.0, 0.0, level.z), _UP), level.wire(), True)
+
+
+def _wall(low: _Level, high: _Level) -> list[TopoDS_Face]:
+    """The faces between two heights: vertical where both have the same arcs, ruled elsewhere."""
+    same = all(a is b for a, b in zip(low.arcs, high.arcs, strict=True))
+    height = high.z - low.z if same else 1.0
+    count = len(low.arcs)
+    sides: list[TopoDS_Edge] = []
+    for k in range(count):
+        if k and low.vertices[k].IsSame(low.vertices[k - 1]) and high.vertices[k].IsSame(high.vertices[k - 1]):
+            sides.append(sides[-1])
+            continue
+        start, end = _place(low.arcs[k], low.z), _place(high.arcs[k], high.z)
+        line = Geom_Line(start, _UP) if same else _segment(start, end)
+        sides.append(_edge(line, (0.0, height), low.vertices[k], high.vertices[k]))
+    faces = []
+    for k in range(count):
+        edges = low.edges[k], high.edges[k]
+        if edges == (None, None):
+            continue
+        if same:
+            (curve,) = spline_edges([low.arcs[k]], low.z)
+            surface: Geom_Surface = Geom_SurfaceOfLinearExtrusion(curve.curve, _UP)
+        else:
+            surface = _ruled(low.arcs[k], low.z, high.arcs[k], high.z)
+        u = float(low.arcs[k].knots[0]), float(low.arcs[k].knots[-1])
+        face = TopoDS_Face()
+        _BUILDER.MakeFace(face, surface, TOLERANCE)
+        wire = TopoDS_Wire()
+        _BUILDER.MakeWire(wire)
+        after = (k + 1) % count
+        for edge, begin, way, backwards in (
+            (edges[0] or _pole(low.vertices[k], u), (0.0, 0.0), (1.0, 0.0), False),
+            (sides[after], (u[1], 0.0), (0.0, 1.0), False),
+            (edges[1] or _pole(high.vertices[k], u), (0.0, height), (1.0, 0.0), True),
+            (sides[k], (u[0], 0.0), (0.0, 1.0), True),
+        ):
+            line2d = Geom2d_Line(gp_Pnt2d(*begin), gp_Dir2d(*way))
+            _BUILDER.UpdateEdge(edge, line2d, surface, TopLoc_Location(), TOLERANCE)
+            _BUILDER.Add(wire, edge.Oriented(TopAbs_REVERSED if backwards else TopAbs_FORWARD))
+        wire.Closed(True)
+        _BUILDER.Add(face, wire)
+        faces.append(face)
+    return faces
+
+
+def _edge(curve: Geom_Curve, ends: tuple[float, float], start: TopoDS_Vertex, end: TopoDS_Vertex) -> TopoDS_Edge:
+    edge = TopoDS_Edge()
+    _BUILDER.MakeEdge(edge, curve, TOLERANCE)
+    _BUILDER.Add(edge, start.Oriented(TopAbs_FORWARD))
+    _BUILDER.Add(edge, end.Oriented(TopAbs_REVERSED))
+    _BUILDER.Range(edge, *ends)
+    return edge
+
+
+def _pole(vertex: TopoDS_Vertex, ends: tuple[float, float]) -> TopoDS_Edge:
+    """The edge without length by which a face that comes to a point is closed in its parameters."""
+    edge = TopoDS_Edge()
+    _BUILDER.MakeEdge(edge)
+    _BUILDER.Add(edge, vertex.Oriented(TopAbs_FORWARD))
+    _BUILDER.Add(edge, vertex.Oriented(TopAbs_REVERSED))
+    _BUILDER.Degenerated(edge, True)
+    _BUILDER.Range(edge, *ends)
+    return edge
+
+
+def _ruled(low: SplineArc, low_z: float, high: SplineArc, high_z: float) -> Geom_BSplineSurface:
+    """Straight lines between two splines on the same knots, 0 to 1 across."""
+    poles = Array2_gp_Pnt(1, len(low.control_points), 1, 2)
+    for column, (arc, z) in enumerate(((low, low_z), (high, high_z)), 1):
+        for number, (x, y) in enumerate(arc.control_points.tolist(), 1):
+            poles.SetValue(number, column, gp_Pnt(x, y, z))
+    values, counts = np.unique(low.knots, return_counts=True)
+    return Geom_BSplineSurface(
+        poles, _reals(values.tolist()), _reals([0.0, 1.0]), _integers(counts.tolist()), _integers([2, 2]), low.degree, 1
+    )
+
+
+def _segment(start: gp_Pnt, end: gp_Pnt) -> Geom_BSplineCurve:
+    poles = Array1_gp_Pnt(1, 2)
+    poles.SetValue(1, start)
+    poles.SetValue(2, end)
+    return Geom_BSplineCurve(poles, _reals([0.0, 1.0]), _integers([2, 2]), 1)
+
+
+def _reals(values: Sequence[float]) -> Array1_double:
+    array = Array1_double(1, len(values))
+    for number, value in enumerate(values, 1):
+        array.SetValue(number, value)
+    return array
+
+
+def _integers(values: Sequence[int]) -> Array1_int:
+    array = Array1_int(1, len(values))
+    for number, value in enumerate(values, 1):
+        array.SetValue(number, value)
+    return array
+
+
+def _is_point(arc: SplineArc) -> bool:
+    return bool((arc.control_points == arc.control_points[0]).all())
+
+
+def _place(arc: SplineArc, z: float) -> gp_Pnt:
+    x, y = arc.control_points[0].tolist()
+    return gp_Pnt(x, y, z)

@@ -1,0 +1,10 @@
+"""From measured data to what they show of the car, and what that promises.
+
+| room          | what it holds                                                           |
+|---------------|-------------------------------------------------------------------------|
+| `measurement` | measured data -> the effects that explain them; one object a kind       |
+| `expectation` | what a new cam, a measurement not made and a run not used will show     |
+| `monte_carlo` | many cars within the tolerances                                         |
+| `adjustment`  | trial runs -> settings of micrometer, key and start                     |
+| `records`     | measured data from files, each of the kind that its columns say         |
+"""

@@ -1,0 +1,332 @@
+"""Evidence of records on all effects at once, to first order: information matrices about the likeliest car.
+
+Every number of every effect is a direction, measured in standard deviations of what cars differ by. A record's rows are
+X p + D d + F b + e, as in `evidence`; its information on p is X'C^-1 X, with the datum d, what repeats without a name
+and the noise in C. What repeats in a track is the floor's and the disc's: runs that are measured later meet it again,
+so there its amplitudes are directions too.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import TURN, Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.names import Place
+from cadgen.deviations.quantities import Quantity
+from cadgen.deviations.usual import usual
+from cadgen.inference.expectation.outlook import ways
+from cadgen.inference.expectation.proposals import NOISE
+from cadgen.inference.measurement.diagnose import SOUND
+from cadgen.inference.measurement.doubt import resolved
+from cadgen.inference.measurement.evidence import Evidence, Spectrum, grid_of
+from cadgen.inference.measurement.findings import EvidenceDiagnosis
+from cadgen.inference.measurement.kinds import TRACK, TRANSMISSION
+from cadgen.inference.measurement.merged import Merged
+from cadgen.inference.measurement.models.base import Model, repeating, slopes
+from cadgen.inference.measurement.models.track import TrackModel
+from cadgen.inference.measurement.noise import Noise, estimate_noise
+from cadgen.inference.measurement.nominal import Nominal
+from cadgen.inference.measurement.record import Kind, Record
+from cadgen.inference.measurement.verdict import Verdict
+
+_FLAT = 1e-6  # precision that stands for no knowledge of a datum, relative to what the rows say of it
+
+
+@dataclass(frozen=True)
+class Linear:
+    """Effects of all kinds of data, and the directions that they span.
+
+    Attributes:
+        nominal: the design.
+        kinds: of data, those measured first.
+        measured: how many of them are.
+        models: one of each kind, the measured ones with their records.
+        noises: of the measured ones.
+        merged: their catalogues.
+        spread: of numbers by their names, in internal units, where the design states it.
+        likely: what may be true, the subset reported first: weight, and the effects with their values; nothing before
+            any measurement.
+        traced: whether all that the records show has names.
+    """
+
+    nominal: Nominal
+    kinds: tuple[Kind, ...]
+    measured: int
+    models: tuple[Model, ...]
+    noises: tuple[Noise, ...]
+    merged: Merged
+    spread: Mapping[str, float]
+    likely: tuple[tuple[float, Active], ...]
+    traced: bool
+
+    @classmethod
+    def of(
+        cls,
+        nominal: Nominal,
+        records: Sequence[Record],
+        told: Sequence[EvidenceDiagnosis],
+        others: Mapping[Kind, Record],
+        spread: Mapping[str, float],
+    ) -> "Linear":
+        """Put together what was measured and what may be.
+
+        Args:
+            nominal: the design.
+            records: measured, one of each kind.
+            told: what they show by one verdict, in the same order.
+            others: a record of each kind that was not measured.
+            spread: see `Linear.spread`.
+        """
+        kinds = (*(record.kind for record in records), *others)
+        models = tuple(nominal.model(record) for record in (*records, *others.values()))
+        noises = tuple(
+            resolved(record, estimate_noise(model, model.residual(d.active)))
+            for record, model, d in zip(records, models, told, strict=False)
+        )
+        merged = Merged.of(list(zip(kinds, models, strict=True)))
+        known = {
+            (kind.code, names[e.key].name, e.variant): e
+            for kind, names in zip(kinds, merged.names, strict=True)
+            for e in (*merged.catalogue, *merged.shapes)
+            if e.key in names
+        }
+        likely = [
+            (one.weight, [(known[*name, e.variant], v) for name, e, v in one.effects])
+            for d in told[:1]
+            for one in d.likely
+        ]
+        named = all(d.verdict in (*SOUND, Verdict.AMBIGUOUS) and not any(e.shape for e, _ in d.active) for d in told)
+        return cls(nominal, kinds, len(records), models, noises, merged, spread, tuple(likely or [(1.0, [])]), named)
+
+    @cached_property
+    def effects(self) -> tuple[Effect, ...]:
+        """Those that are weighed: all that combine freely, and what is likely beside them."""
+        wanted = {e.key for _, active in self.likely for e, _ in active}
+        every = (*self.merged.catalogue, *self.merged.shapes)
+        return tuple(e for e in every if e.key in wanted or not (e.numerous or e.shape))
+
+    @property
+    def best(self) -> Active:
+        """The effects reported, with their values."""
+        return self.likely[0][1]
+
+    def own(self, kind: Kind, active: Active) -> Active:
+        """Effects as those of a kind of data, without what does nothing there."""
+        names = self.merged.names[self.kinds.index(kind)]
+        return [(names[e.key], v) for e, v in active if e.key in names]
+
+    @cached_property
+    def spans(self) -> tuple[slice, ...]:
+        """Directions of each effect."""
+        ends = np.cumsum([0, *(len(e.parameters) for e in self.effects)]).tolist()
+        return tuple(slice(a, b) for a, b in pairwise(ends))
+
+    @cached_property
+    def scale(self) -> Array:
+        """One standard deviation of each direction, internal units, shape (p,)."""
+        return np.array([self.spread.get(q.name, 0.0) or usual(q) for e in self.effects for q in e.parameters])
+
+    @property
+    def size(self) -> int:
+        """How many directions there are, those of what repeats in a track among them."""
+        return len(self.scale) + len(self.repeats)
+
+    @cached_property
+    def track(self) -> TrackModel:
+        """The model of the track."""
+        model = self.models[self.kinds.index(TRACK)]
+        assert isinstance(model, TrackModel)
+        return model
+
+    def at_home(self, effect: Effect, kinds: Sequence[Kind]) -> tuple[tuple[int, Place], ...]:
+        """Nearness of the kinds in whose catalogue an effect stands, and what becomes of it by each."""
+        table = zip(self.kinds, self.models, self.merged.names, strict=True)
+        return tuple(
+            (kind.nearness, names[effect.key].places[0])
+            for kind, model, names in table
+            if kind in kinds and effect.key in names and names[effect.key] in model.catalogue
+        )
+
+    def place(self, effect: Effect, kinds: Sequence[Kind]) -> Place:
+        """Default place of an effect, once these kinds of data were measured."""
+        homes = self.at_home(effect, kinds)
+        return min(homes)[1] if homes else Place.NOTED
+
+    def ways(self, active: Active) -> NDArray[np.complex128]:
+        """How the end of the run answers one standard deviation in each direction, shape (size,), mm."""
+        own = self.own(TRACK, active)
+        names = self.merged.names[self.kinds.index(TRACK)]
+        out = []
+        for effect in self.effects:
+            here = names.get(effect.key)
+            at = own if here is None or any(e is here for e, _ in own) else [*own, (here, here.start)]
+            out.append(ways(self.track, here, at, len(effect.parameters)))
+        mine = np.flatnonzero(self.track.rows.run == 0)
+        last = repeating(self.track)[mine[[len(mine) // 2 - 1, -1]]]
+        # The floor stays; the old disc goes, and its form error with it.
+        last[:, : self.track.form.shape[1]] = 0.0
+        return np.concatenate([np.concatenate(out) * self.scale, (last[0] + 1j * last[1]) / np.sqrt(self.repeats)])
+
+    @cached_property
+    def grid(self) -> tuple[Spectrum, ...]:
+        """Spectra of what repeats that keep the stated floor."""
+        return tuple(s for s in grid_of([self.track]) if s.within)
+
+    @cached_property
+    def chances(self) -> tuple[Array, Array]:
+        """Chance of each spectrum by the records so far: of what repeats on the disc, and in the train."""
+        misfit = np.zeros((2, len(self.grid)))
+        for kind, model, noise in zip(self.kinds, self.models, self.noises, strict=False):
+            evidence = Evidence(model, noise, self.grid)
+            left = evidence.whiten(model.residual(self.own(kind, self.best)))
+            misfit[int(kind is TRANSMISSION)] += evidence.misfit(left)
+        disc, train = np.exp((misfit.min(axis=1)[:, None] - misfit) / 2)
+        return disc / disc.sum(), train / train.sum()
+
+    def spectrum(self, kind: Kind) -> Spectrum:
+        """The likeliest spectrum of what repeats in a kind of data."""
+        disc, train = self.chances
+        return self.grid[int(np.argmax(train if kind is TRANSMISSION else disc))]
+
+    @cached_property
+    def repeats(self) -> Array:
+        """Precision of each amplitude of what repeats in a track, by its mean variance over the spectra."""
+        disc, _ = self.chances
+        return np.asarray(1 / (disc @ self._variances))
+
+    @cached_property
+    def floors(self) -> tuple[tuple[float, Array], ...]:
+        """Chance of each size of what repeats beside the disc, and the precision of each amplitude then.
+
+        The precisions are relative to those of `repeats`, shape (repeats,).
+        """
+        disc, _ = self.chances
+        sizes = np.array([s.beside for s in self.grid])
+        out = []
+        for size in np.unique(sizes):
+            chance = np.where(sizes == size, disc, 0.0)
+            if chance.sum() > 0:
+                out.append((float(chance.sum()), np.asarray(chance.sum() / (chance @ self._variances) / self.repeats)))
+        return tuple(out)
+
+    @cached_property
+    def _variances(self) -> Array:
+        """Variance of each amplitude of what repeats in a track, by each spectrum, shape (spectra, repeats)."""
+        track = self.track
+        form = np.array([s.variance(track.order, track.floor) for s in self.grid])
+        beside = np.array([(s.beside * track.discrepancy.sigma) ** 2 for s in self.grid])
+        return np.hstack([form, beside])
+
+    def _columns(self, kind: Kind, model: Model, active: Active, idle: frozenset[Quantity]) -> Array:
+        """How a record answers one standard deviation in each direction, shape (n, size)."""
+        names, own = self.merged.names[self.kinds.index(kind)], self.own(kind, active)
+        out = np.zeros((len(model.rows.run), self.size))
+        for effect, span in zip(self.effects, self.spans, strict=True):
+            if effect.key in names and effect.quantity not in idle:
+                out[:, span] = -slopes(model, (names[effect.key],), own) * self.scale[span]
+        if kind is TRACK:
+            out[:, len(self.scale) :] = repeating(model) / np.sqrt(self.repeats)
+        return out
+
+    def rows(
+        self,
+        kind: Kind,
+        model: Model,
+        noise: Noise,
+        active: Active,
+        idle: frozenset[Quantity] = frozenset(),
+    ) -> "Rows":
+        """A record's rows, whitened.
+
+        Args:
+            kind, model, noise: of the record.
+            active: effects about which it answers in proportion.
+            idle: quantities that do not act in it.
+        """
+        evidence = Evidence(model, noise, (self.spectrum(kind),))
+        # What repeats in a track is among the directions.
+        first = repeating(model).shape[1] if kind is TRACK else 0
+        turned = slopes(model, model.datum, [*self.own(kind, active), *((e, e.start) for e in model.datum)])
+        return Rows(
+            evidence.whiten,
+            evidence.whiten(self._columns(kind, model, active, idle)),
+            np.hstack([evidence.basis[:, first:], evidence.whiten(turned)]),
+            np.append(evidence.prior[0][first:], np.zeros(turned.shape[1])),
+            model.rows.place,
+        )
+
+    def measured_rows(self, active: Active) -> list["Rows"]:
+        """The rows of every record so far, about some effects with their values."""
+        table = zip(self.kinds, self.models, self.noises, strict=False)
+        return [self.rows(kind, model, noise, active) for kind, model, noise in table]
+
+    def pull(self, rows: Sequence["Rows"], active: Active) -> Array:
+        """Information times directions of what the records leave beside some effects, shape (size,).
+
+        Args:
+            rows: of the records so far.
+            active: the effects with their values.
+        """
+        out = np.zeros(self.size)
+        for kind, model, one in zip(self.kinds, self.models, rows, strict=False):
+            out += one.pull(model.residual(self.own(kind, active)))
+        return out
+
+    def noise_of(self, kind: Kind, model: Model) -> Noise:
+        """Of a record to be made: that of the records so far, or the instrument's usual one."""
+        rows = len(model.rows.run)
+        if kind in self.kinds[: self.measured]:
+            known = self.noises[self.kinds.index(kind)]
+            return Noise(np.full(rows, known.rms), 0.0, 0.0, known.runs)
+        return Noise(np.full(rows, NOISE[kind.code]), 0.0, 0.0, model.rows.runs)
+
+
+@dataclass(frozen=True)
+class Rows:
+    """A record's rows, whitened.
+
+    Attributes:
+        whiten: of what is measured in each row, shape (n,).
+        columns: responses to all directions, shape (n, size).
+        nuisance: columns that are no directions: datum, and what repeats in this record alone, shape (n, k).
+        precision: of their amplitudes, shape (k,).
+        place: cam angle of each, shape (n,), rad.
+    """
+
+    whiten: Callable[[Array], Array]
+    columns: Array
+    nuisance: Array
+    precision: Array
+    place: Array
+
+    def within(self, begin: float, width: float) -> NDArray[np.bool_]:
+        """Which lie in a part of the turn.
+
+        Args:
+            begin: cam angle at which the part begins, rad.
+            width: width of the part, rad.
+        """
+        return np.asarray((self.place - begin) % TURN < width)
+
+    def information(self, rows: NDArray[np.bool_] | slice = slice(None)) -> Array:
+        """On all directions, by some of the rows, shape (size, size)."""
+        return self._less(self.columns[rows], self.columns[rows], self.nuisance[rows])
+
+    def pull(self, left: Array) -> Array:
+        """Information times directions of what the rows leave, shape (size,).
+
+        Args:
+            left: by each row, in the record's unit, shape (n,).
+        """
+        return self._less(self.columns, self.whiten(left)[:, None], self.nuisance)[:, 0]
+
+    def _less(self, one: Array, two: Array, nuisance: Array) -> Array:
+        """Products of columns, once the nuisance is taken out."""
+        inner = nuisance.T @ nuisance
+        inner[np.diag_indices(len(inner))] += np.maximum(self.precision, _FLAT * np.diag(inner) + 1e-300)
+        return np.asarray(one.T @ two - (nuisance.T @ one).T @ np.linalg.solve(inner, nuisance.T @ two))

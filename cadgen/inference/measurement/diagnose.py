@@ -1,0 +1,342 @@
+"""From measured data to a verdict: noise, search, comparison of the rivals, and a test on runs left out."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import UNITS, Active, Effect
+from cadgen.deviations.lift import Readings
+from cadgen.deviations.quantities import Quantity
+from cadgen.inference.measurement.doubt import doubted, refuse_too_few, resolved, unfit
+from cadgen.inference.measurement.evidence import Evidence, grid_of
+from cadgen.inference.measurement.findings import (
+    Candidate,
+    EvidenceDiagnosis,
+    Finding,
+    HeldOut,
+    Likely,
+    PerRun,
+    Residual,
+    Value,
+)
+from cadgen.inference.measurement.friction import with_friction_judged, with_known_play
+from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit, sized
+from cadgen.inference.measurement.joint import Build, Joint, Part
+from cadgen.inference.measurement.models.base import Model, repeating, slopes
+from cadgen.inference.measurement.noise import Noise, estimate_noise
+from cadgen.inference.measurement.record import Datum, Record
+from cadgen.inference.measurement.remains import registered
+from cadgen.inference.measurement.search import find
+from cadgen.inference.measurement.verdict import Judgement, Verdict, judge
+
+Step = Callable[[str], None]
+# A subset less likely than this does not change what is expected of the car.
+LEAST_WEIGHT = 1e-3
+# Noise that falls to this share once the likeliest effects are taken out was theirs.
+NOT_NOISE = 0.8
+# A discrepancy is said if one of its numbers is so many standard deviations from nothing.
+SURE_SIGMAS = 4.0
+# Of many runs several are left out at a time, for so many fits at most.
+MOST_FITS = 10
+# Verdicts beside which it counts that a quantity is not named.
+SOUND = (Verdict.NONE, Verdict.TRACED, Verdict.COMBINATION)
+
+
+def diagnose(
+    records: Sequence[Record], build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
+) -> tuple[EvidenceDiagnosis, ...]:
+    """Trace what records of one car show to effects, or say why not; arguments and errors as of `weigh`.
+
+    Returns:
+        What each record shows by the joint verdict.
+    """
+    return weigh(records, build, step, play).told(step)
+
+
+@dataclass(frozen=True)
+class Weighed:
+    """The joint verdict, the subset that it is on, all that were fitted, and whether a known play is in it."""
+
+    joint: Joint
+    judgement: Judgement
+    best: Hypothesis
+    found: list[Hypothesis]
+    play_known: bool
+
+    def told(self, step: Step = lambda text: None) -> tuple[EvidenceDiagnosis, ...]:
+        """Diagnosis of each record by the joint verdict, with the residual of runs left out."""
+        return tuple(_told(self, part, step) for part in self.joint.parts)
+
+
+def weigh(
+    records: Sequence[Record], build: Build, step: Step = lambda text: None, play: tuple[float, float] | None = None
+) -> Weighed:
+    """Search the effects that explain records of one car, and judge them.
+
+    Args:
+        records: measured data, one record of each kind.
+        build: makes the forward model of a record; called again for records with some runs left out.
+        step: told what is being done.
+        play: return error that was measured apart, and its standard deviation, rad.
+
+    Raises:
+        FileError: one run only, with too few rows to tell its noise.
+    """
+    models = [build(record) for record in records]
+    parts, grid = [], grid_of(models)
+    for record, model in zip(records, models, strict=True):
+        step(f"{record.source}: telling noise from what repeats")
+        refuse_too_few(record, model)
+        noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
+        parts.append(Part(record, build, model, noise, Evidence(model, noise, grid)))
+    joint = Joint.of(parts)
+    step(f"{joint.source}: comparing all small subsets of {len(joint.core) + len(joint.numerous)} effects")
+    found = find(joint)
+    quieter = [_less_noise(part, found[0]) for part in joint.parts]
+    if any(new is not old for new, old in zip(quieter, joint.parts, strict=True)):
+        # Runs that were taken differently differ by an effect, and not by noise alone.
+        joint = replace(joint, parts=tuple(quieter))
+        found = find(joint)
+    judgement, best = judge(joint, found)
+    found_alone = best = sized(joint, best)
+    best, another = with_known_play(joint, best, play)
+    for part in joint.parts:
+        after = registered(part.model, part.noise, part.residual(best.active) - _discrepancy(part, joint, best)[0])
+        chance = unfit(part.model, part.evidence, part.noise, best, part.residual(best.active))
+        judgement = doubted(judgement, part.record, part.model, part.noise, best, after, chance)
+    judgement = with_friction_judged(judgement, best, play_known=best is not found_alone)
+    if another:
+        judgement = replace(judgement, limits=(*judgement.limits, another))
+    return Weighed(joint, judgement, best, found, best is not found_alone)
+
+
+def _less_noise(part: Part, best: Hypothesis) -> Part:
+    """A part with the noise that is left of it by the likeliest effects, if that is much less."""
+    noise = resolved(part.record, estimate_noise(part.model, part.residual(best.active)))
+    if noise.rms > NOT_NOISE * part.noise.rms:
+        return part
+    return replace(part, noise=noise, evidence=Evidence(part.model, noise, part.evidence.grid))
+
+
+def _told(result: Weighed, part: Part, step: Step) -> EvidenceDiagnosis:
+    """Diagnosis of one record by the joint verdict."""
+    joint, best, record, model, noise = result.joint, result.best, part.record, part.model, part.noise
+    none = next(h for h in result.found if not h.effects)
+    before, after = (registered(model, noise, part.residual(h.active)) for h in (none, best))
+    datum, held, against = _datum(record.kind.datum, part, best)
+    held_out: list[tuple[Array, Array]] = []
+    for runs in np.array_split(np.arange(record.runs), min(record.runs, MOST_FITS)) if record.runs > 1 else ():
+        which = f"run {runs[0] + 1}" if len(runs) == 1 else f"runs {runs[0] + 1} to {runs[-1] + 1}"
+        step(f"{record.source}: {which} left out")
+        held_out += _held_out(joint, part, best, runs)
+    residual, per_run = _figures(model, noise, before, after, held_out)
+    entries = [(part.names[e.key], v, s) for e, v, s in best.values() if e.key in part.names]
+    twins = {e.key: e.twins for e in best.effects}
+    findings = tuple(
+        replace(_finding(best, part.names[e.key], v, s), twins=twins[e.key])
+        for e, v, s in best.values()
+        if e.key in part.names
+    )
+    here = {e.name: part.names[e.key].name for e in best.effects if e.key in part.names}
+    judgement = replace(
+        result.judgement,
+        claimed=tuple(here[name] for name in result.judgement.claimed if name in here),
+        limits=(*result.judgement.limits, *against),
+    )
+    return EvidenceDiagnosis(
+        source=record.source,
+        kind=record.kind,
+        unit=model.unit,
+        judgement=judgement,
+        findings=findings,
+        leads=tuple(here[e.name] for e in best.effects if joint.kinds.get(e.key) is part.kind and e.name in here),
+        datum=datum,
+        held=held,
+        discrepancy=_discrepancy(part, joint, best)[1],
+        candidates=tuple(
+            Candidate(
+                tuple(e.name for e in h.effects),
+                h.score - result.found[0].score,
+                tuple(_finding(h, *entry) for entry in h.values()),
+            )
+            for h in result.found
+        ),
+        residual=residual,
+        per_run=per_run,
+        correlation=noise.correlation,
+        place=model.rows.place,
+        run=model.rows.run.astype(float),
+        before=before,
+        after=after,
+        active=[(e, v) for e, v, _ in entries],
+        measured=model.measured,
+        backwards=model.rows.direction < 0 if isinstance(model.rows, Readings) else None,
+        unnamed=_unnamed(part, result),
+        play_known=result.play_known,
+        score=best.score,
+        likely=_likely(result),
+        beside=_beside(part, result),
+    )
+
+
+def _likely(result: Weighed) -> tuple[Likely, ...]:
+    """The subsets that may be true, the reported one with the values reported, with their weights."""
+    joint, best = result.joint, result.best
+    fitted = [best, *(h for h in result.found if h.key != best.key)]
+    least = min(h.score for h in fitted)
+    weight = np.exp([(least - h.score) / 2 for h in fitted])
+    weight /= weight.sum()
+    out = []
+    for h, share in zip(fitted, weight, strict=True):
+        if share < LEAST_WEIGHT and h is not best:
+            continue
+        first = len(h.covariance) - sum(len(v) for _, v, _ in h.values())
+        effects = tuple(((joint.kinds[e.key].code, joint.own_name(e)), e, v) for e, v, _ in h.values())
+        shown = tuple(
+            frozenset(part.record.kind.code for part in joint.parts if e.key in part.names) for e, _, _ in h.values()
+        )
+        out.append(Likely(float(share), effects, h.covariance[first:, first:], shown))
+    total = sum(likely.weight for likely in out)
+    return tuple(replace(likely, weight=likely.weight / total) for likely in out)
+
+
+def _beside(part: Part, result: Weighed) -> tuple[complex, float]:
+    """Repeating error beside the effects at the end of a track, x + iy, and the standard deviation of each, mm."""
+    if part.model.measured is None:
+        return 0j, 0.0
+    ends = np.flatnonzero(part.model.rows.run == 0)
+    last = ends[[len(ends) // 2 - 1, -1]]
+    columns, spectrum = repeating(part.model)[last], result.joint.grid.index(result.best.spectrum)
+    x, y = columns @ part.evidence.repeating(part.evidence.whiten(part.residual(result.best.active)), spectrum)
+    spread = np.trace(columns @ part.evidence.unsure(spectrum) @ columns.T) / 2
+    return complex(x, y), float(np.sqrt(spread))
+
+
+def _figures(
+    model: Model, noise: Noise, before: Array, after: Array, held_out: list[tuple[Array, Array]]
+) -> tuple[Residual, PerRun]:
+    """Root mean squares of all rows and of each run, in the record's unit; `held_out` as of `_held_out`."""
+    scale = UNITS[model.unit]
+    whole, less = ([pair[k] for pair in held_out] for k in (0, 1))
+    left_out = HeldOut(*(_rms(np.concatenate(parts)) / scale for parts in (whole, less))) if held_out else None
+    return Residual(_rms(before) / scale, _rms(after) / scale, noise.rms / scale, left_out), PerRun(
+        _by_run(before, model) / scale,
+        _by_run(after, model) / scale,
+        np.array([_rms(part) for part in whole]) / scale if held_out else None,
+    )
+
+
+def _unnamed(part: Part, result: Weighed) -> dict[Quantity, Finding]:
+    """How much of some quantities there could be where several runs and a sound verdict name none.
+
+    Where it is not clear what is there, one that the likeliest subset has but cannot be claimed is looked at by itself:
+    play that friction may hold is none in the run.
+    """
+    joint, best, judgement = result.joint, result.best, result.judgement
+    # Beside a form that has a place and a size, what is not there would have been seen too.
+    doubtful = judgement.verdict == Verdict.AMBIGUOUS
+    sound = doubtful or judgement.verdict in SOUND or (judgement.verdict == Verdict.PARTIAL and best.spectrum.within)
+    if part.model.rows.runs < 2 or not sound:
+        return {}
+    named = {e.quantity for e in best.effects if e.name in judgement.claimed or not doubtful}
+    unnamed: dict[Quantity, Finding] = {}
+    for effect in joint.core:
+        quantity = effect.quantity
+        if quantity is None or quantity not in part.kind.absences or quantity in named or quantity in unnamed:
+            continue
+        if joint.kinds[effect.key] is not part.kind:
+            continue
+        if effect.beside and effect.beside.name not in judgement.claimed:
+            continue
+        # With the effects found free beside it, what they could hide of it widens its error.
+        others = tuple(e for e in best.effects if quantity not in (e.quantity, e.beside and e.beside.quantity))
+        beside = fit(joint, (*others, effect), best.active, Search(1))
+        unnamed[quantity] = next(_finding(beside, *entry) for entry in beside.values() if entry[0] == effect)
+    return unnamed
+
+
+def _finding(best: Hypothesis, effect: Effect, values: Array, sigma: Array) -> Finding:
+    numbers = tuple(
+        Value(p.name, float(v / p.scale), float(s / p.scale), p.unit)
+        for p, v, s in zip(effect.parameters, values, sigma, strict=True)
+    )
+    at_bound = tuple(p.name for p in effect.parameters if p.name in best.at_bound)
+    return Finding(effect.name, numbers, effect.twins, at_bound, effect.indices)
+
+
+def _discrepancy(part: Part, joint: Joint, best: Hypothesis) -> tuple[Array, Finding | None]:
+    """Share of the discrepancy in the best subset's residual, and its numbers where they are significant."""
+    model, evidence = part.model, part.evidence
+    of, orders = model.discrepancy, model.form.shape[1]
+    spectrum = joint.grid.index(best.spectrum)
+    values = evidence.repeating(evidence.whiten(part.residual(best.active)), spectrum)[orders:]
+    sigma = np.sqrt(np.diag(evidence.unsure(spectrum))[orders:])
+    shown = tuple(
+        Value(name, float(v / UNITS[unit]), float(s / UNITS[unit]), unit)
+        for (name, unit), v, s in zip(of.numbers, values, sigma, strict=False)
+    )
+    sure = any(abs(v.value) > SURE_SIGMAS * v.sigma for v in shown)
+    return of.columns @ values, Finding(of.words, shown, (), ()) if sure else None
+
+
+def _datum(datum: Datum, part: Part, best: Hypothesis) -> tuple[tuple[Finding, ...], str, tuple[str, ...]]:
+    """The datum freedoms of each run beside the effects, what was known of them, and what speaks against that."""
+    if not datum.numbers:
+        return (), "", ()
+    model, noise = part.model, part.noise
+    mine = [(part.names[e.key], v, s) for e, v, s in best.datum() if e.key in part.names]
+    fitted = (datum.fit or _offsets)(model, part.residual(best.active), noise.sigma, part.own(best.active), mine)
+    held, against = datum.notes(model, *fitted) if datum.notes else ("", ())
+    found = tuple(
+        Finding(
+            f"{datum.name}, run {run + 1}",
+            tuple(
+                Value(name, float(v / UNITS[unit]), float(s / UNITS[unit]), unit)
+                for v, s, (name, unit) in zip(values, sigmas, datum.numbers, strict=True)
+            ),
+            (),
+            (),
+        )
+        for run, (values, sigmas) in enumerate(zip(*fitted, strict=True))
+    )
+    return found, held, against
+
+
+def _offsets(
+    model: Model, residual: Array, sigma: Array, active: Active, datum: list[tuple[Effect, Array, Array]]
+) -> tuple[Array, Array]:
+    """Values of the linear freedoms of each run and their standard deviations; see `record.DatumFit`."""
+    white = model.offsets / sigma[:, None]
+    values = np.linalg.lstsq(white, residual / sigma, rcond=None)[0]
+    error = np.sqrt(np.diag(np.linalg.pinv(white.T @ white)))
+    shape = (model.rows.runs, -1)
+    return np.asarray(values, dtype=float).reshape(shape), np.asarray(error, dtype=float).reshape(shape)
+
+
+def _held_out(joint: Joint, part: Part, best: Hypothesis, runs: NDArray[np.intp]) -> list[tuple[Array, Array]]:
+    """Residual of each run left out, effects from all else: datum refitted, without and with what the others repeat."""
+    others, tests = joint.without(part, runs, best.spectrum)
+    train = next(p for p, whole in zip(others.parts, joint.parts, strict=True) if whole is part)
+    # A step within one run is no use for another.
+    effects = tuple(e for e in best.effects if not e.one_run)
+    active = fit(others, effects, best.active, Search(1)).active
+    repeats = train.evidence.repeating(train.evidence.whiten(train.residual(active)), 0)
+    out = []
+    for test in tests:
+        own = test.residual(active)
+        # Of a datum that is no column, a run left out has its own value too.
+        turned = slopes(test.model, test.model.datum, test.own(active))
+        less = own - repeating(test.model) @ repeats
+        out.append((registered(test.model, test.noise, own, turned), registered(test.model, test.noise, less, turned)))
+    return out
+
+
+def _by_run(residual: Array, model: Model) -> Array:
+    return np.array([_rms(residual[model.rows.run == run]) for run in range(model.rows.runs)])
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values**2)))

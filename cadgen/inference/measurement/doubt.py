@@ -1,0 +1,178 @@
+"""Doubts about a verdict: values on a bound or within their error, what is left, no noise, too little data."""
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.stats import f as f_distribution
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import UNITS, causes
+from cadgen.deviations.friction import NO_FRICTION
+from cadgen.errors import FileError
+from cadgen.inference.measurement.evidence import Evidence, Spectrum
+from cadgen.inference.measurement.hypothesis import Hypothesis
+from cadgen.inference.measurement.models.base import Model, highest_order, repeating
+from cadgen.inference.measurement.noise import Noise
+from cadgen.inference.measurement.record import Record
+from cadgen.inference.measurement.remarks import instrument
+from cadgen.inference.measurement.search import MOST_CAUSES
+from cadgen.inference.measurement.verdict import SIGMAS, Judgement, Verdict, unclaimed, within_error, within_words
+
+# What is left after the best subset, over what noise and the stated form error make: no part is so far off that was
+# made to the design at all, and no effect stands beside such a rest with a name.
+DWARFED = 6.0  # of noise and form error; up to six effects take some of what a wrong design leaves, too
+# Beside a rest of this many times that, the size of an effect is the rest's as much as its own.
+LARGE = 3.0
+# Noise between runs this many times that of the instrument is another thing than the instrument.
+BEYOND_INSTRUMENT = 3.0
+# Neighbours so alike, or so opposite, are no neighbours in time.
+OUT_OF_ORDER = 0.9
+# What a subset of the largest size leaves is significant below this chance.
+UNFIT = 0.01
+# Form error of a middling spectrum, to weigh it in a track, where it is integrated twice.
+TYPICAL = Spectrum(1.0, 6.0, 1.0)
+LEAST_TURN_DEG = 300.0
+LEAST_OVER = 1.1  # rows for each column that one run must tell apart
+LEAST_ORDERS = 30  # below this, waviness and narrow bumps stand between the readings
+
+
+def refuse_too_few(record: Record, model: Model) -> None:
+    """A single run must have more rows than orders of form error, or nothing of it is noise.
+
+    Raises:
+        FileError: it has not.
+    """
+    rows, columns = len(model.rows.run), repeating(model).shape[1] + model.offsets.shape[1]
+    if record.runs == 1 and rows < LEAST_OVER * columns:
+        raise FileError(
+            f"{record.source}: one run of {rows} rows cannot tell noise from {int(model.order.max())} orders of form "
+            f"error; repeat the run, or give at least {int(LEAST_OVER * columns) + 1} rows in it"
+        )
+
+
+def resolved(record: Record, noise: Noise) -> Noise:
+    """Noise no smaller than the steps of the instrument make: readings may repeat to the last digit."""
+    steps = []
+    for column in record.kind.readings:
+        apart = np.diff(np.unique(record[column]))
+        # Rounding of decimal numbers leaves steps of 1e-13 that are none.
+        steps.append(float(np.min(apart[apart > 1e-9], initial=1.0)))
+    least = min(steps) / np.sqrt(12) * UNITS[record.kind.reading_unit]
+    return replace(noise, sigma=np.maximum(noise.sigma, least))
+
+
+def unfit(model: Model, evidence: Evidence, noise: Noise, best: Hypothesis, residual: Array) -> float:
+    """The chance that noise and form error alone leave so much that repeats, by F-test; 1 if it cannot be told.
+
+    r' C^-1 r is chi-square with as many degrees of freedom as rows less parameters. Those from which the noise was told
+    are left out: they are as large as the noise by definition.
+
+    Args:
+        model: model of the record.
+        evidence: evidence of the record.
+        noise: noise of the record.
+        best: subset of effects that is judged.
+        residual: residual that the subset leaves, shape (n,), mm or rad.
+    """
+    if not noise.freedom:
+        return 1.0
+    white = evidence.whiten(residual)[:, None]
+    square = float(evidence.products(white, white, [evidence.grid.index(best.spectrum)])[0, 0, 0])
+    fitted = model.offsets.shape[1] + sum(len(e.parameters) for e in (*model.datum, *best.effects))
+    extra = len(residual) - fitted - noise.freedom
+    if extra < 1:
+        return 1.0
+    ratio = (square - noise.freedom) / extra
+    return float(f_distribution.sf(ratio, extra, noise.freedom))
+
+
+def doubted(
+    judgement: Judgement,
+    record: Record,
+    model: Model,
+    noise: Noise,
+    best: Hypothesis,
+    after: Array,
+    chance: float = 1.0,
+) -> Judgement:
+    """A judgement less what the data cannot bear, with what they cannot show said.
+
+    Args:
+        judgement: judgement by the evidence alone.
+        record: record that it is about.
+        model: model of the record.
+        noise: noise of the record.
+        best: effects that were chosen.
+        after: residual with these, in the record's unit, shape (n, m).
+        chance: probability of such a misfit, as of `unfit`.
+    """
+    form = np.mean(model.form**2, axis=0) @ TYPICAL.variance(model.order, model.floor)
+    allowed = float(np.sqrt(noise.rms**2 + form))
+    left = float(np.sqrt(np.mean(after**2)))
+    judgement = replace(judgement, limits=(*judgement.limits, *_too_little(record, model)))
+    if left > DWARFED * allowed:
+        sentence = (
+            f"What the best effects leave is {left / allowed:.0f} times what noise and the stated form error make, and "
+            "dwarfs every effect: check that the design and the profile belong to this file, and the file's units."
+        )
+        return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=sentence, claimed=())
+    if no_noise := _no_noise(record, model, noise):
+        return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=no_noise, claimed=())
+    if not judgement.claimed:
+        return judgement
+    if left > LARGE * allowed:
+        why = f"what remains is {left / allowed:.1f} times what noise and the stated form error make"
+        return unclaimed(judgement, judgement.claimed, why)
+    if causes(best.effects) >= MOST_CAUSES and chance < UNFIT:
+        sentence = (
+            f"Consistent with {' and '.join(e.name for e in best.effects)}, but what they leave is more than noise and "
+            f"form error: there are more than {MOST_CAUSES} effects, so sizes are not sure and nothing is claimed."
+        )
+        return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence, claimed=())
+    # That there is no friction is as sure a finding as that there is some.
+    free = {e.name for e, v, s in best.values() if e.beside and v[0] + SIGMAS * s[0] <= NO_FRICTION}
+    named = [e for e in best.effects if not e.shape and e.name not in free]
+    stuck = {e.name: p.name for e in named for p in e.parameters if p.name in best.at_bound}
+    for name, value in stuck.items():
+        judgement = unclaimed(judgement, [name], f"{value} of {name} is on the bound of what can be")
+    unsure = [
+        e.name
+        for e, values, sigma in best.values()
+        if e in named and within_error([p.unit for p in e.parameters], values, sigma)
+    ]
+    return unclaimed(judgement, unsure, within_words())
+
+
+def _no_noise(record: Record, model: Model, noise: Noise) -> str:
+    """Why what differs between runs is not the instrument's noise; empty if it may be."""
+    # With one run noise also holds what repeats, which neighbours share.
+    if noise.runs > 1 and abs(noise.correlation) > OUT_OF_ORDER:
+        return (
+            f"The noise of neighbouring rows is correlated by {noise.correlation:.2f}, which no instrument's is: write "
+            "the rows in the order in which they were measured."
+        )
+    stated = instrument(record)
+    if stated and noise.runs > 1 and noise.rms > BEYOND_INSTRUMENT * stated.noise * UNITS[stated.unit]:
+        return (
+            f"The runs differ by {noise.rms / UNITS[model.unit]:.3g} {model.unit}, but the file says that the "
+            f"instrument's noise is {stated.noise:g} {stated.unit}: write the rows in the order in which they were "
+            "measured, and give runs of one part in one state."
+        )
+    return ""
+
+
+def _too_little(record: Record, model: Model) -> list[str]:
+    """Effects that these rows cannot show, in words."""
+    rows, limits = model.rows, []
+    if "direction" in record.columns and len(set(record.columns["direction"].tolist())) == 1:
+        limits.append("measured in one direction only: backlash and friction cannot be told from an offset or a phase")
+    if not record.kind.around:
+        return limits
+    orders = highest_order(rows.place, rows.run)
+    if orders < LEAST_ORDERS:
+        limits.append(f"too few points for fine shapes: the spacing resolves up to {orders} waves round the cam")
+    around = np.sort(np.degrees(rows.place) % 360.0)
+    turn = 360.0 - float(np.max(np.diff(around, append=around[0] + 360.0)))
+    if turn < LEAST_TURN_DEG:
+        limits.append(f"only {turn:.0f} degrees of the turn were measured: the rest is not judged")
+    return limits

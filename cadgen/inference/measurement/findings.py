@@ -1,0 +1,241 @@
+"""Findings in a record: effects with their numbers, the candidates compared, and the residual.
+
+Two methods choose effects (`record.Method`), and each has a diagnosis of its own: by the evidence of residuals there is
+noise, and a form error that repeats; by runs left out there are path errors alone.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.quantities import Quantity
+from cadgen.inference.measurement.record import Kind
+from cadgen.inference.measurement.verdict import SIGMAS, Judgement, Verdict, within_error
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """One fitted number in the unit its name ends in, with its standard deviation."""
+
+    name: str
+    value: float
+    sigma: float
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """An effect with its numbers, what it cannot be told from, and its `indices` (see `Effect.indices`).
+
+    `sigmas` is how many standard deviations from nothing its numbers must be to be sure: see `verdict.sigmas_of`.
+    """
+
+    effect: str
+    values: tuple[Value, ...]
+    twins: tuple[str, ...]
+    at_bound: tuple[str, ...]
+    indices: tuple[tuple[str, float], ...] = ()
+    sigmas: float = SIGMAS
+
+    @property
+    def within_error(self) -> bool:
+        """Whether one of its numbers may be nothing: see `verdict.within_error`."""
+        columns = zip(*((v.unit, v.value, v.sigma) for v in self.values), strict=True)
+        units, values, sigma = columns
+        return within_error(units, values, sigma, self.sigmas)
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A row of the table of candidates: a subset with its numbers.
+
+    Attributes:
+        effects: their names.
+        score: less is better. By evidence, how much worse than the best by the information criterion; by runs left
+            out, the path error there, mm.
+        findings: the numbers.
+    """
+
+    effects: tuple[str, ...]
+    score: float
+    findings: tuple[Finding, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class PathCandidate(Candidate):
+    """The same by runs left out, with the path error of each run when left out, mm."""
+
+    held_out: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class HeldOut:
+    """Root mean squares on runs left out, in the record's unit.
+
+    Attributes:
+        rms: of each run in turn, the effects fitted to the others.
+        repeating: the same, less what the other runs say of the form error.
+    """
+
+    rms: float
+    repeating: float
+
+
+@dataclass(frozen=True, slots=True)
+class Residual:
+    """Root mean squares in the record's unit (um, deg or mm).
+
+    Attributes:
+        before: of the bare design, datum fitted.
+        after: with the effects found.
+        noise: what does not repeat between runs.
+        left_out: on runs left out; None with one run.
+    """
+
+    before: float
+    after: float
+    noise: float
+    left_out: HeldOut | None
+
+
+@dataclass(frozen=True, slots=True)
+class PerRun:
+    """Root mean squares of each run in the record's unit, shape (runs,), as in `Residual`."""
+
+    before: Array
+    after: Array
+    held_out: Array | None
+
+
+@dataclass(frozen=True, slots=True)
+class PathError:
+    """Mean over runs of the distance from the path, start registered, rms along the run, mm: of the bare design, with
+    the effects found, and of each run in turn with the effects fitted to the others."""
+
+    before: float
+    after: float
+    held_out: float
+
+
+@dataclass(frozen=True, slots=True)
+class PathErrors:
+    """The same of each run, shape (runs,), and `as_logged` before the start pose is registered."""
+
+    before: Array
+    after: Array
+    held_out: Array
+    as_logged: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Diagnosis:
+    """Diagnosis of one record, by any method.
+
+    Attributes:
+        source, kind, unit: of the record; residuals are in the unit.
+        judgement: the class of verdict, what is claimed, and one sentence.
+        findings: the effects of the best subset, shapes among them.
+        candidates: the best subsets, best first.
+        place: of each measured row, shape (n,), internal units.
+        run: of each row, shape (n,).
+        before, after: residual of each row, datum fitted, internal units.
+        active: the effects found with their values, internal units.
+        measured: coordinate of each row of a track, mm; None for what is no track.
+        backwards: whether each row was read on the way back, shape (n,); None where the record does not say.
+    """
+
+    source: str
+    kind: Kind
+    unit: str
+    judgement: Judgement
+    findings: tuple[Finding, ...]
+    candidates: tuple[Candidate, ...]
+    place: Array
+    run: Array
+    before: Array
+    after: Array
+    active: Active
+    measured: Array | None = None
+    backwards: NDArray[np.bool_] | None = None
+
+    @property
+    def verdict(self) -> Verdict:
+        """The class of verdict."""
+        return self.judgement.verdict
+
+    @property
+    def runs(self) -> int:
+        """How many runs there are."""
+        return int(self.run.max()) + 1
+
+
+@dataclass(frozen=True, slots=True)
+class Likely:
+    """A subset that may be true, by all records together.
+
+    Attributes:
+        weight: its chance among those that may be.
+        effects: kind of data that each stands in and its name there, the effect, and its values in internal units.
+        covariance: of all values in order.
+        shown: for each effect, the kinds of data given in which it acts, by their codes.
+    """
+
+    weight: float
+    effects: tuple[tuple[tuple[str, str], Effect, Array], ...]
+    covariance: Array
+    shown: tuple[frozenset[str], ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class EvidenceDiagnosis(Diagnosis):
+    """Diagnosis of a record by the evidence of its residuals.
+
+    Attributes:
+        datum: fitted freedoms, never claimed; those of each run in order.
+        leads: effects found that stand in this kind's own catalogue, and are claimed by this record.
+        held: what was known of these beforehand, in words; empty if nothing was.
+        discrepancy: of the record's kind (see `models.base.Discrepancy`), never claimed; None where none is sure.
+        residual: before and after.
+        per_run: the same for each run.
+        correlation: of the noise between neighbours.
+        unnamed: how much there could be of the quantities of `Kind.absences` that a sound verdict does not name, by
+            quantity, fitted beside what it does.
+        score: of the subset reported, by the criterion; of all records judged together.
+        contradicted: whether the record was judged apart from others of the car that it contradicts.
+        likely: subsets that may be true by all records together, the same for each of them.
+        beside: of a track, what repeats beside the effects at the end of the run, x + iy, and its standard deviation,
+            mm.
+        play_known: whether the play found has in it what was measured of it apart.
+    """
+
+    datum: tuple[Finding, ...]
+    residual: Residual
+    per_run: PerRun
+    correlation: float
+    leads: tuple[str, ...] = ()
+    held: str = ""
+    discrepancy: Finding | None = None
+    unnamed: dict[Quantity, Finding] = field(default_factory=dict)
+    play_known: bool = False
+    score: float = 0.0
+    contradicted: bool = False
+    likely: tuple[Likely, ...] = ()
+    beside: tuple[complex, float] = (0j, 0.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PathDiagnosis(Diagnosis):
+    """Diagnosis of logged runs by path errors on runs left out.
+
+    Attributes:
+        residual: path errors before and after.
+        per_run: the same for each run.
+        candidates: every subset, best first.
+    """
+
+    residual: PathError
+    per_run: PathErrors
+    candidates: tuple[PathCandidate, ...]

@@ -1,0 +1,354 @@
+"""A subset of the catalogue, fitted exactly and scored."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from math import inf, log
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.inference.measurement.evidence import Spectrum
+from cadgen.inference.measurement.joint import Joint
+from cadgen.inference.measurement.settle import settled
+
+# However alike two effects are, both together must be narrowed by the data to a tenth of what was thought before.
+LEAST_PRICE = 2 * log(10)
+# Steps of the trials for a value that what is expected answers in steps, so many to either side, moved so often.
+_COARSE, _FINE, _REACH, _MOST_MOVES = 0.015, 0.0025, 6, 3
+# A fit begins this far inside the bounds, relative to the range, and a value this close to one at its end stands on it.
+_AT_BOUND, _NEAR_BOUND = 1e-6, 1e-3
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hypothesis:
+    """Effects with their most likely values.
+
+    Attributes:
+        effects: the subset, in the order of the catalogue.
+        active: datum and effects with values, as the model takes them.
+        covariance: of all values in order, datum first.
+        misfit: -2 log L for every spectrum of the form error.
+        penalty: for the number of parameters and the size of the catalogue searched.
+        within, beyond: spectrum of least misfit that keeps the stated floor, and that exceeds it.
+        at_bound: names of parameters that stand on a physical bound.
+        spectrum: of the form error that is reported with it.
+    """
+
+    effects: tuple[Effect, ...]
+    active: Active
+    covariance: Array
+    misfit: Array
+    penalty: float
+    within: int
+    beyond: int
+    at_bound: tuple[str, ...]
+    spectrum: Spectrum
+
+    @property
+    def score(self) -> float:
+        """Extended information criterion with the form error held to its floor; less is better."""
+        return float(self.misfit[self.within]) + self.penalty
+
+    @property
+    def loose_score(self) -> float:
+        """The same with a form error of any size: how well the effects do beside an unknown smooth shape."""
+        return float(self.misfit[self.beyond]) + self.penalty
+
+    @property
+    def key(self) -> frozenset[str]:
+        """Identity of the subset: the keys of its effects."""
+        return frozenset(effect.key for effect in self.effects)
+
+    @property
+    def parameters(self) -> int:
+        """How many numbers it fits beside the datum."""
+        return sum(len(effect.parameters) for effect in self.effects)
+
+    @property
+    def reach(self) -> frozenset[str]:
+        """Its key and that of every effect it becomes for some values: subsets within it are nested in it."""
+        return self.key | {effect.includes.key for effect in self.effects if effect.includes}
+
+    @property
+    def claims(self) -> frozenset[str]:
+        """Names of the effects that are not anonymous shapes."""
+        return frozenset(effect.name for effect in self.effects if not effect.shape)
+
+    @property
+    def holds(self) -> frozenset[str]:
+        """The claims, and the names of what they become for some values."""
+        return self.claims | {effect.includes.name for effect in self.effects if effect.includes}
+
+    def at(self, joint: Joint, *, loose: bool) -> "Hypothesis":
+        """The same with the spectrum that keeps the floor, or with the one that exceeds it."""
+        return replace(self, spectrum=joint.grid[self.beyond if loose else self.within])
+
+    def datum(self) -> list[tuple[Effect, Array, Array]]:
+        """The datum freedoms in the same form as `values`."""
+        return self._entries(claimed=False)
+
+    def values(self) -> list[tuple[Effect, Array, Array]]:
+        """Each effect with its values and standard deviations, internal units."""
+        return self._entries(claimed=True)
+
+    def _entries(self, *, claimed: bool) -> list[tuple[Effect, Array, Array]]:
+        sigma = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))
+        out, at = [], 0
+        for effect, value in self.active:
+            out.append((effect, value, sigma[at : at + len(value)]))
+            at += len(value)
+        return [entry for entry in out if (entry[0] in self.effects) == claimed]
+
+
+@dataclass(frozen=True)
+class Search:
+    """Size of the search, for the penalty.
+
+    Attributes:
+        rows: measured numbers.
+        entries: how many entries of the catalogue each sort of effect has (orders of waviness, noses); a sort is one
+            cause, however many places it can show in.
+        shapes: anonymous forms.
+    """
+
+    rows: int
+    entries: Mapping[str, int] = field(default_factory=dict)
+    shapes: int = 1
+
+    def penalty(self, effects: tuple[Effect, ...], parameters: int) -> float:
+        """Extended Bayesian information criterion (Chen and Chen 2008, gamma = 1): k ln n + 2 ln(choices).
+
+        Beforehand all sorts are alike likely, and so are the entries of one sort; every further cause is as unlikely as
+        the first, whatever others there are. What acts beside another is no further cause: every rod rubs, and only
+        the number is paid for.
+        """
+        named = [e.sort for e in effects if not (e.shape or e.beside)]
+        anonymous = sum(e.shape for e in effects)
+        choices = sum(log(max(len(self.entries), 1) * self.entries.get(sort, 1)) for sort in named)
+        return parameters * log(self.rows) + 2 * (choices + anonymous * log(self.shapes))
+
+
+def fit(
+    joint: Joint,
+    effects: tuple[Effect, ...],
+    start: Active,
+    search: Search,
+    known: Mapping[str, tuple[float, float]] | None = None,
+    level: float = inf,
+) -> Hypothesis:
+    """Fit a subset and the datum exactly, with the form error as a random effect.
+
+    Args:
+        joint: the records.
+        effects: the subset.
+        start: values to begin from; effects without one begin at their own start.
+        search: for the penalty.
+        known: value and standard deviation of effects' first numbers by the effects' keys, from other measurements.
+        level: -2 log L, dimensionless, above which the subset is out of the running, and need not be fitted to the end.
+    """
+    begin = {effect.key: values for effect, values in start}
+    problem = _Problem(joint, (*joint.datum, *effects), known or {})
+    chosen, bounds, stepwise = problem.chosen, problem.bounds, problem.stepwise
+    x = np.concatenate([begin.get(e.key, e.start) for e in chosen]) if chosen else np.empty(0)
+    if stepwise.any():
+        x, _ = _tried(problem.misfit, x, stepwise, bounds, _COARSE)
+    misfit, covariance = problem.misfit(x), np.empty((0, 0))
+    # A run that is left out is judged by one spectrum, whatever it is.
+    allowed = joint.within if joint.within.any() else ~joint.within
+    if len(x):
+        # A large discrepancy is forgiving, and so the first to be fitted with; but it may hide what an effect does, and
+        # with a slight one the values go on from there, if the subset fits at all.
+        fits = []
+        for size in np.unique(joint.beside[allowed])[::-1]:
+            spectrum = _least(misfit, allowed & (joint.beside == size))
+            x, covariance, fitting = problem.settled(x, spectrum, level)
+            misfit = problem.misfit(x)
+            fits.append((float(misfit[allowed].min()), spectrum, x, covariance, misfit))
+            if not fitting:
+                break
+        _, spectrum, x, covariance, misfit = min(fits, key=lambda entry: entry[0])
+        # The best spectrum may change as the fit improves: once more if it does.
+        for _ in range(2):
+            before, spectrum = spectrum, _least(misfit, allowed)
+            if spectrum == before or not fitting:
+                break
+            x, covariance, fitting = problem.settled(x, spectrum, level)
+            misfit = problem.misfit(x)
+        if stepwise.any():
+            x, variance = _tried(problem.misfit, x, stepwise, bounds, _FINE)
+            covariance[np.diag_indices(len(x))] += np.where(stepwise, variance, 0.0)
+            misfit = problem.misfit(x)
+    spectrum = _least(misfit, allowed)
+    parameters = sum(len(e.parameters) for e in effects)
+    return Hypothesis(
+        effects=effects,
+        active=problem.active(x),
+        covariance=covariance,
+        misfit=misfit,
+        penalty=search.penalty(effects, parameters) - _overlap(covariance, effects, log(search.rows)),
+        within=spectrum,
+        beyond=_least(misfit, ~joint.within),
+        spectrum=joint.grid[spectrum],
+        at_bound=_on_bounds(chosen, x, bounds),
+    )
+
+
+class _Problem:
+    """Least squares of a subset's values: bounds, residuals and tangents of whitened rows with prior knowledge."""
+
+    def __init__(self, joint: Joint, chosen: tuple[Effect, ...], known: Mapping[str, tuple[float, float]]) -> None:
+        self._joint, self.chosen, self._prior = joint, chosen, _Prior(chosen, known)
+        self.bounds = np.concatenate([e.bounds for e in chosen], axis=1) if chosen else np.empty((2, 0))
+        self.stepwise = np.array([p.stepwise for e in chosen for p in e.parameters], dtype=bool)
+        self._cuts = np.cumsum([len(e.parameters) for e in chosen])[:-1]
+
+    def active(self, values: Array) -> Active:
+        """The subset with values."""
+        return list(zip(self.chosen, np.split(values, self._cuts), strict=True)) if self.chosen else []
+
+    def misfit(self, values: Array) -> Array:
+        """-2 log L for every spectrum."""
+        return self._joint.misfit(self.active(values))
+
+    def settled(self, x: Array, spectrum: int, level: float) -> tuple[Array, Array, bool]:
+        """Values of least squares for one spectrum, their covariance, and whether they settled."""
+
+        def half(values: Array) -> float:
+            left = self._prior.residual(values)
+            return (self._joint.square(self.active(values), spectrum) + float(left @ left)) / 2
+
+        def normal(values: Array) -> tuple[Array, Array]:
+            # What answers in steps has no slopes; it is found by trial.
+            known, smooth = self._prior.rows, np.flatnonzero(~self.stepwise)
+            even = tuple(e for e in self.chosen if not e.parameters[0].stepwise)
+            H, g = known.T @ known, known.T @ self._prior.residual(values)
+            (information,), (gradient,) = self._joint.normal(even, self.active(values), [spectrum])
+            H[np.ix_(smooth, smooth)] += information
+            g[smooth] += gradient
+            return H, g
+
+        inside = self.bounds + np.outer([1, -1], _AT_BOUND * (self.bounds[1] - self.bounds[0]))
+        useless = (level - float(self._joint.constant[spectrum])) / 2
+        x, H, done = settled(half, normal, np.clip(x, *inside), inside, useless)
+        return x, _covariance(H, self.bounds, ~self.stepwise), done
+
+
+def sized(joint: Joint, found: Hypothesis) -> Hypothesis:
+    """The same with the covariance over all spectra of what repeats, each by its chance.
+
+    The spectrum of greatest likelihood at the fitted values is one that leaves to the effects what they take from it,
+    as an eccentricity does from the first harmonic, and so says that they are known too well. Each has the chance of
+    its restricted likelihood instead, with the values integrated out (Patterson and Thompson 1971), and its own values.
+    """
+    if not found.active:
+        return found
+    chosen = tuple(e for e, _ in found.active)
+    smooth = np.flatnonzero([not p.stepwise for e in chosen for p in e.parameters])
+    even = tuple(e for e in chosen if not e.parameters[0].stepwise)
+    among = np.flatnonzero(joint.within == found.spectrum.within)
+    bounds = np.hstack([e.bounds for e in even]) if even else np.empty((2, 0))
+    misfit: list[float] = []
+    covariances: list[Array] = []
+    for spectrum, H, g in zip(among.tolist(), *joint.normal(even, found.active, among), strict=True):
+        own = _covariance(H, bounds, np.ones(len(H), dtype=bool))
+        moved = -own @ g
+        misfit.append(float(found.misfit[spectrum] + g @ moved - np.linalg.slogdet(own)[1]))
+        covariances.append(own + np.outer(moved, moved))
+    levels = np.array(misfit)
+    if not np.isfinite(levels).any():  # what cannot be told at all, by no spectrum
+        return found
+    chance = np.exp((levels[np.isfinite(levels)].min() - levels) / 2)
+    covariance = found.covariance.copy()
+    covariance[np.ix_(smooth, smooth)] = np.tensordot(chance / chance.sum(), np.array(covariances), axes=1)
+    return replace(found, covariance=covariance)
+
+
+def _covariance(information: Array, bounds: Array, smooth: NDArray[np.bool_]) -> Array:
+    """Covariance by the information; a number of which there is less than its bounds say is known by these alone.
+
+    So is the play behind a friction that holds the cam all the way: more of it changes nothing. What answers in steps
+    has no slopes, and so no information but what was known before; its variance is found by trial.
+    """
+    out = np.asarray(np.linalg.pinv(information), dtype=float)
+    within = (bounds[1] - bounds[0]) ** 2 / 12
+    blind = np.flatnonzero(smooth & (np.diag(information) * within < 1))
+    out[blind, blind] = np.maximum(out[blind, blind], within[blind])
+    return out
+
+
+def _on_bounds(effects: tuple[Effect, ...], values: Array, bounds: Array) -> tuple[str, ...]:
+    """Names of the parameters whose values stand on a bound of what can be."""
+    parameters = (p for e in effects for p in e.parameters)
+    return tuple(p.name for p, stuck in zip(parameters, on_bound(values, bounds), strict=True) if stuck)
+
+
+def on_bound(values: Array, bounds: Array) -> NDArray[np.bool_]:
+    """Whether values stand on a bound of what can be: then they are none that were found; shape (p,).
+
+    Args:
+        values: of parameters, mm or rad, shape (p,).
+        bounds: least and greatest of each, mm or rad, shape (2, p).
+    """
+    near = _NEAR_BOUND * (bounds[1] - bounds[0])
+    return np.asarray((values < bounds[0] + near) | (values > bounds[1] - near))
+
+
+def _tried(
+    misfit: Callable[[Array], Array], x: Array, stepwise: NDArray[np.bool_], bounds: Array, step: float
+) -> tuple[Array, float]:
+    """Values with the stepwise one at its likely mean over trials about it, and its variance."""
+    k = int(np.argmax(stepwise))
+    for _ in range(_MOST_MOVES):
+        # On one grid, since what a value makes of the cam is remembered.
+        near = step * (np.round(x[k] / step) + np.arange(-_REACH, _REACH + 1))
+        trials = np.unique(np.clip(near, bounds[0, k], bounds[1, k]))
+        found = np.array([misfit(np.where(stepwise, trial, x)).min() for trial in trials])
+        weight = np.exp((found.min() - found) / 2)
+        weight /= weight.sum()
+        best, before = int(np.argmin(found)), x[k]
+        x = np.where(stepwise, weight @ trials, x)
+        if 0 < best < len(trials) - 1 or abs(x[k] - before) < step:
+            break
+    return x, float(weight @ (trials - x[k]) ** 2 + step**2 / 12)
+
+
+class _Prior:
+    """Prior knowledge of some values, as rows of a least-squares problem."""
+
+    def __init__(self, chosen: tuple[Effect, ...], known: Mapping[str, tuple[float, float]]) -> None:
+        starts = np.cumsum([0, *(len(e.parameters) for e in chosen)])
+        of = [(int(starts[i]), *known[e.key]) for i, e in enumerate(chosen) if e.key in known]
+        self.rows = np.zeros((len(of), int(starts[-1])))
+        self.mean = np.array([mean / sigma for _, mean, sigma in of])
+        for row, (column, _, sigma) in enumerate(of):
+            self.rows[row, column] = 1 / sigma
+
+    def residual(self, values: Array) -> Array:
+        return np.asarray(self.rows @ values - self.mean)
+
+
+def _overlap(covariance: Array, effects: tuple[Effect, ...], price: float) -> float:
+    """Sum of ln det I_ee over the named effects' blocks of their information I, less ln det I; datum and shapes fitted.
+
+    The price of a parameter, ln n, is that of a prior that knows as much as one row does (Kass and Wasserman 1995).
+    Such a prior belongs to each effect by itself: the data narrow the second of two near twins less, and by so much it
+    costs less.
+    """
+    widths = [len(e.parameters) for e in effects]
+    ends = len(covariance) - sum(widths) + np.cumsum([0, *widths])
+    spans = [np.arange(a, b) for (a, b), e in zip(pairwise(ends), effects, strict=True) if not e.shape]
+    if len(spans) < 2:
+        return 0.0
+    named = np.concatenate(spans)
+    whole = np.linalg.slogdet(covariance[np.ix_(named, named)])[1]
+    information = np.linalg.pinv(covariance[np.ix_(named, named)])
+    cuts = np.cumsum([0, *(len(span) for span in spans)])
+    saved = whole + sum(np.linalg.slogdet(information[a:b, a:b])[1] for a, b in pairwise(cuts))
+    return float(np.clip(saved, 0.0, (len(spans) - 1) * (price - LEAST_PRICE))) if np.isfinite(saved) else 0.0
+
+
+def _least(misfit: Array, among: NDArray[np.bool_]) -> int:
+    return int(np.argmin(np.where(among, misfit, np.inf)))

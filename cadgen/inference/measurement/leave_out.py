@@ -1,0 +1,188 @@
+"""Choose a subset by how well it predicts runs it was not fitted to: for tracks whose errors accumulate.
+
+Where every small error of the floor and the wheels adds up along the path, residuals are not draws of a noise: the
+runs are. Each subset of up to three effects is fitted to all runs but one, for every run, and judged by the path
+error of the run left out, its start pose registered. The smallest subset within one standard error (over runs, paired)
+or a few per cent of the best is told; others as small, and as good as that one, are its rivals (Breiman and others
+1984, sec. 3.4.3).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect
+from cadgen.inference.measurement.models.base import Model, slopes
+from cadgen.inference.measurement.record import Record
+from cadgen.inference.measurement.verdict import sigmas_of
+
+LARGEST_SUBSET = 3
+LEAST_RUNS = 4
+# A smaller subset must predict at least this many standard errors worse to be given up.
+STANDARD_ERRORS = 1.0
+# Path errors within this share of each other are the same, however steadily they differ: models err by more.
+SAME = 0.05
+# Share of its range within which a number is on its bound.
+AT_BOUND = 1e-3
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A subset and its path error on runs left out.
+
+    Attributes:
+        effects: the subset.
+        values: fitted to all runs, internal units.
+        sigma: by the jackknife over runs.
+        sigmas: how many of these a number must be from nothing to be sure, for so few runs and so many effects.
+        at_bound: names of the numbers that the fit drives to the bound of what can be.
+        held_out: path error rms of each run when left out, shape (runs,), mm.
+        fitted: the same when all runs are fitted.
+    """
+
+    effects: tuple[Effect, ...]
+    values: Array
+    sigma: Array
+    sigmas: float
+    at_bound: tuple[str, ...]
+    held_out: Array
+    fitted: Array
+
+    @property
+    def error(self) -> float:
+        """Mean over runs, mm."""
+        return float(self.held_out.mean())
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """Result of predicting runs that were left out.
+
+    Attributes:
+        before: path error rms of each run of the bare design, registered, mm.
+        chosen: the smallest subset among the best.
+        rivals: others no larger that predict as well as that one, best first.
+        trials: all subsets, best first.
+    """
+
+    before: Array
+    chosen: Trial
+    rivals: tuple[Trial, ...]
+    trials: tuple[Trial, ...]
+
+
+def leave_runs_out(record: Record, build: Callable[[Record], Model]) -> LeftOut:
+    """Compare all subsets of a model's catalogue.
+
+    Args:
+        record: with its runs.
+        build: makes the forward model of some of the runs; called once for each run.
+
+    Fewer than `LEAST_RUNS` runs say nothing sure; with one run, that run is judged as it was fitted.
+    """
+    runs = [_Run.of(build(record.only(np.array([k])))) for k in range(record.runs)]
+    catalogue = runs[0].model.catalogue
+    before = np.array([run.error([]) for run in runs])
+    sigmas = sigmas_of(len(runs) - 1, len(catalogue))
+    subsets = [subset for size in range(1, LARGEST_SUBSET + 1) for subset in combinations(catalogue, size)]
+    trials = [_trial(runs, subset, sigmas) for subset in subsets]
+    trials.append(Trial((), np.empty(0), np.empty(0), sigmas, (), before, before))
+    trials.sort(key=lambda t: t.error)
+    best = trials[0]
+    close = [t for t in trials if _as_good(t, best)]
+    chosen = min(close, key=lambda t: (len(t.values), t.error))
+    rivals = [t for t in trials if t is not chosen and len(t.values) <= len(chosen.values) and _as_good(t, chosen)]
+    return LeftOut(before, chosen, tuple(rivals), tuple(trials))
+
+
+def _as_good(trial: Trial, best: Trial) -> bool:
+    """Whether a subset predicts as well as another one, by the standard error or but for a few per cent."""
+    return _excess(trial, best) <= STANDARD_ERRORS or trial.error <= best.error * (1 + SAME)
+
+
+def _excess(trial: Trial, best: Trial) -> float:
+    """How much worse than the best, in standard errors of the paired difference over runs."""
+    difference = trial.held_out - best.held_out
+    if len(difference) < 2:
+        return np.inf if difference.any() else 0.0
+    error = float(difference.std(ddof=1)) / np.sqrt(len(difference))
+    return float(difference.mean()) / error if error > 0 else 0.0
+
+
+@dataclass(frozen=True)
+class _Run:
+    """One run: its model, and a basis of its start pose's columns."""
+
+    model: Model
+    pose: Array
+
+    @classmethod
+    def of(cls, model: Model) -> "_Run":
+        return cls(model, np.linalg.qr(model.offsets)[0])
+
+    def registered(self, columns: Array) -> Array:
+        """Columns less the start pose."""
+        return np.asarray(columns - self.pose @ (self.pose.T @ columns))
+
+    def residual(self, active: Active) -> Array:
+        return self.registered(self.model.residual(active))
+
+    def tangents(self, effects: tuple[Effect, ...], active: Active) -> Array:
+        return -self.registered(slopes(self.model, effects, active))
+
+    def error(self, active: Active) -> float:
+        """RMS distance from the path; x and y are one row each."""
+        return float(np.sqrt(2 * np.mean(self.residual(active) ** 2)))
+
+
+def _trial(runs: list[_Run], effects: tuple[Effect, ...], sigmas: float) -> Trial:
+    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
+    bounds = np.concatenate([e.bounds for e in effects], axis=1)
+
+    def active(values: Array) -> Active:
+        return list(zip(effects, np.split(values, cuts), strict=True))
+
+    def off(values: Array) -> Array:
+        return np.concatenate([run.residual(active(values)) for run in runs])
+
+    def tangents(values: Array) -> Array:
+        return np.concatenate([run.tangents(effects, active(values)) for run in runs])
+
+    # Not by `settled`: in logs that say little, where the fit stops along a valley decides what is said.
+    x = least_squares(
+        off,
+        np.concatenate([e.start for e in effects]),
+        jac=tangents,
+        bounds=(bounds[0], bounds[1]),
+        x_scale=np.concatenate([e.steps for e in effects]),
+        ftol=1e-6,
+        max_nfev=20,
+    ).x
+    # One Gauss-Newton step from the fit to all runs gives the fit to all but one; the run left out is then driven
+    # exactly with it.
+    jacobians = [run.tangents(effects, active(x)) for run in runs]
+    grams = [j.T @ j for j in jacobians]
+    pulls = [j.T @ run.residual(active(x)) for j, run in zip(jacobians, runs, strict=True)]
+    whole = np.sum(grams, axis=0)
+    left = np.array(
+        [x + np.linalg.lstsq(whole - gram, pull, rcond=1e-10)[0] for gram, pull in zip(grams, pulls, strict=True)]
+    )
+    # Before they are held within their bounds: held there, all would agree.
+    spread = left - np.mean(left, axis=0)
+    reach = AT_BOUND * (bounds[1] - bounds[0])
+    stuck = (x < bounds[0] + reach) | (x > bounds[1] - reach)
+    return Trial(
+        effects=effects,
+        values=x,
+        sigma=np.sqrt((len(runs) - 1) / len(runs) * np.sum(spread**2, axis=0)),
+        sigmas=sigmas,
+        at_bound=tuple(p.name for p, on in zip((p for e in effects for p in e.parameters), stuck, strict=True) if on),
+        held_out=np.array(
+            [run.error(active(values)) for run, values in zip(runs, np.clip(left, *bounds), strict=True)]
+        ),
+        fitted=np.array([run.error(active(x)) for run in runs]),
+    )

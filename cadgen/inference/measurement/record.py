@@ -1,0 +1,325 @@
+"""A kind of measured data as one object, and measured data of a kind as read: one table with its runs."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from enum import Enum, StrEnum
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.deviations.catalogue import Catalogue
+from cadgen.deviations.effect import Active, Effect
+from cadgen.deviations.quantities import Quantity
+from cadgen.errors import DesignError, FileError
+from cadgen.inference.measurement.models.base import Model
+
+# Of one kind: the catalogue has some 2000 columns of them, and must fit into memory.
+MOST_ROWS = 20_000
+LEAST_ROWS = 24  # of each run: fewer cannot tell a harmonic from a bump
+MOST_RUNS = 100  # each brings columns of its own, such as its start pose; real cars are driven ten times
+MOST_TOGETHER = 10_000  # rows of several kinds, whose effects all act in each: 1.8 GB
+MOST_ENTRIES = 500_000  # rows times runs, in columns of runs and their products: 0.9 GB
+
+
+class Method(Enum):
+    """How the effects of a kind of data are chosen."""
+
+    EVIDENCE = "likelihood of the residuals, with noise and form error; each run left out tests the result"
+    RUNS_LEFT_OUT = "path error on runs left out, where small errors add up along the run"
+    ZONE_MEANS = "least squares of mean turns; there are no runs"
+
+
+class Abscissa(Enum):
+    """Label of the axis over which a picture shows the residual."""
+
+    CAM_ANGLE = "cam angle (°)"
+    TRAVEL = "travel of the drive wheel (m)"
+    SHARE = "part of the run (%)"
+
+
+class Direction(StrEnum):
+    """Direction in which the cam turned to a reading, as files have it."""
+
+    FORWARD = "forward"
+    REVERSE = "reverse"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Column:
+    """A column of a file.
+
+    Attributes:
+        name: with the unit at its end.
+        lower, upper: what a number can be, in that unit.
+        words: that a column of text may hold; empty for numbers.
+        least_span: of the numbers of each run. A mistaken unit (rad for deg, um for mm, m for mm) makes it smaller.
+    """
+
+    name: str
+    lower: float = -np.inf
+    upper: float = np.inf
+    words: tuple[str, ...] = ()
+    least_span: float = 0.0
+
+
+@dataclass(frozen=True)
+class Span:
+    """How far readings span, and how far the design or another column lets expect, both in one unit."""
+
+    columns: str
+    measured: float
+    expected: float
+    unit: str
+
+
+# (model, residual, its sigma, active effects, values of the datum's effects) -> values of each run and their standard
+# deviations, shape (runs, numbers) each, internal units.
+DatumFit = Callable[[Any, Array, Array, Active, list[tuple[Effect, Array, Array]]], tuple[Array, Array]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Datum:
+    """Freedoms that are fitted to each run and never claimed.
+
+    Attributes:
+        words: as in "fitted and never claimed: the start pose of each run".
+        name: of one run's.
+        numbers: name and unit of each; they are the model's `offsets`, run by run.
+        fit: of the numbers, where they are not the offsets alone.
+        notes: (model, values, standard deviations) -> what was known of them beforehand, in words, and what speaks
+            against that; shape (runs, numbers) each, internal units.
+    """
+
+    words: str
+    name: str = ""
+    numbers: tuple[tuple[str, str], ...] = ()
+    fit: DatumFit | None = None
+    notes: Callable[[Any, Array, Array], tuple[str, tuple[str, ...]]] | None = None
+
+
+def _no_check(record: "Record") -> None:
+    """Nothing beside what every record must be."""
+
+
+def _no_spans(record: "Record", against: Any) -> Iterable[Span]:
+    """Nothing to compare with."""
+    return ()
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Kind:
+    """A kind of measured data: everything that reading, judging and showing it need to know.
+
+    Attributes:
+        code: unique, as files write it.
+        title: of its page of effects.
+        columns: beside `key`. A file is of the kind if it has exactly these and `key`, in any order.
+        key: column that tells the rows apart: runs, numbered in order of appearance, or names of zones.
+        readings: columns that the instrument reads; the steps of their numbers are noise.
+        catalogue: the effects that can show.
+        method: how they are chosen.
+        datum: what is fitted to each run and never claimed.
+        model: (record, `Nominal` or `LoggedCar`) -> the forward model of the record; None where there is none.
+        check: refuses a record that cannot be, beside what is checked of all kinds.
+        spans: (record, the same) -> what betrays numbers of another unit.
+        most_rows: of all files of the kind together.
+        least_rows: of each run.
+        counts: most steps over the span of the readings with which an instrument that counts, such as an encoder, may
+            read the same in every run; 0 where no two runs are ever alike.
+        around: whether it is to show the whole turn of the cam, as few and far points cannot.
+        absences: quantities of which a sound verdict that does not name them says that there is little.
+        nearness: among kinds that show one quantity, the least is nearest to what the car drives with.
+        rod_on: whether the rod is on the disc and the car runs, so that friction acts beside the play.
+        of_design: whether the car is the design's, so that a remark that names another is a warning.
+        abscissa: of its picture.
+        plan_view: whether its picture shows the path in plan view instead of a spectrum.
+    """
+
+    code: str
+    title: str
+    columns: tuple[Column, ...]
+    key: str = "run"
+    readings: tuple[str, ...]
+    catalogue: Catalogue
+    method: Method = Method.EVIDENCE
+    datum: Datum
+    model: Callable[["Record", Any], Model] | None = None
+    check: Callable[["Record"], None] = _no_check
+    spans: Callable[["Record", Any], Iterable[Span]] = _no_spans
+    most_rows: int = MOST_ROWS
+    least_rows: int = LEAST_ROWS
+    counts: int = 0
+    around: bool = False
+    absences: tuple[Quantity, ...] = ()
+    nearness: int
+    rod_on: bool = False
+    of_design: bool = True
+    abscissa: Abscissa = Abscissa.CAM_ANGLE
+    plan_view: bool = False
+
+    def __str__(self) -> str:
+        return self.code
+
+    @property
+    def header(self) -> tuple[str, ...]:
+        """Every column of a file."""
+        return (self.key, *(column.name for column in self.columns))
+
+    @property
+    def stem(self) -> str:
+        """The code as a part of file names."""
+        return self.code.replace(" ", "_")
+
+    @property
+    def reading_unit(self) -> str:
+        """Unit of the readings."""
+        return self.readings[0].rpartition("_")[2]
+
+    def quantity(self, effect: str) -> Quantity:
+        """Physical quantity of a catalogue's effect; an effect of this kind alone is a quantity of its own."""
+        known = self.catalogue.named(effect)
+        return (known and known.quantity) or Quantity(f"{effect} ({self.code})")
+
+    def named(self, name: str, indices: Mapping[str, float] | None = None) -> Effect:
+        """The effect that is written under a name, with the numbers that belong to the name (`Catalogue.named`).
+
+        Raises:
+            DesignError: there is no such effect; names the nearest.
+        """
+        if effect := self.catalogue.named(name, indices):
+            return effect
+        names = [entry.name for entry in self.catalogue.entries]
+        near = get_close_matches(name, names, 3, 0.5) or names
+        raise DesignError(f'there is no effect "{name}" in data of kind {self.code}: write {" or ".join(near)}')
+
+
+@dataclass(frozen=True, kw_only=True)
+class Record:
+    """One file, or several of one kind.
+
+    Attributes:
+        kind: by its columns.
+        columns: name with unit, as in the file -> values, shape (n,); text columns as strings.
+        run: number of the run of each row, shape (n,), from 0 in order of appearance.
+        remarks: the comment lines, without their mark.
+        source: file name, for messages.
+        resolved: highest order that the spacing of the points resolves, where a part of a record must have the
+            orders of the whole; None to go by the points themselves.
+        of_runs: the comment lines of each run's own file where several files were joined; empty for one file.
+    """
+
+    kind: Kind
+    columns: dict[str, NDArray[np.generic]]
+    run: NDArray[np.intp]
+    remarks: tuple[str, ...]
+    source: str
+    resolved: int | None = None
+    of_runs: tuple[tuple[str, ...], ...] = ()
+
+    @property
+    def runs(self) -> int:
+        """How many runs there are."""
+        return int(self.run.max()) + 1
+
+    @property
+    def parts(self) -> list[slice]:
+        """The rows of each run, which stand together."""
+        bounds = [0, *(np.flatnonzero(np.diff(self.run)) + 1).tolist(), len(self.run)]
+        return [slice(start, stop) for start, stop in pairwise(bounds)]
+
+    def __getitem__(self, column: str) -> Array:
+        return self.columns[column].astype(float)
+
+    def only(self, runs: NDArray[np.intp]) -> "Record":
+        """The rows of some runs, numbered anew."""
+        part = self.where(np.isin(self.run, runs))
+        kept, run = np.unique(part.run, return_inverse=True)
+        of_runs = tuple(self.of_runs[k] for k in kept) if self.of_runs else ()
+        return replace(part, run=run.astype(np.intp), of_runs=of_runs)
+
+    def where(self, keep: NDArray[np.bool_]) -> "Record":
+        """Some of the rows, runs numbered as before."""
+        columns = {name: values[keep] for name, values in self.columns.items()}
+        return replace(self, columns=columns, run=self.run[keep])
+
+
+def join(records: Sequence[Record]) -> Record:
+    """Several records of one kind as one, their runs numbered on.
+
+    Raises:
+        FileError: nothing to join, records of different kinds, or too many rows or runs.
+    """
+    if not records:
+        raise FileError("no measured file was given; name at least one")
+    kinds = {record.kind for record in records}
+    if len(kinds) > 1:
+        codes = sorted(kind.code for kind in kinds)
+        raise FileError(f"{', '.join(r.source for r in records)}: kinds {codes} cannot be joined as one")
+    rows = sum(len(record.run) for record in records)
+    name = " + ".join(record.source for record in records)
+    refuse_many(records[0].kind, rows, name)
+    if len(records) == 1:
+        return records[0]
+    if records[0].kind.method is not Method.ZONE_MEANS:
+        refuse_many_runs(records[0].kind, rows, sum(record.runs for record in records), name)
+    before = np.cumsum([0, *(record.runs for record in records)])
+    return Record(
+        kind=records[0].kind,
+        columns={c: np.concatenate([r.columns[c] for r in records]) for c in records[0].columns},
+        run=np.concatenate([r.run + n for r, n in zip(records, before, strict=False)]),
+        remarks=tuple(remark for record in records for remark in record.remarks),
+        source=name,
+        of_runs=tuple(own for record in records for own in record.of_runs or (record.remarks,) * record.runs),
+    )
+
+
+def refuse_many(kind: Kind, rows: int, name: str) -> None:
+    """Refuse more rows of a kind than can be judged together.
+
+    Raises:
+        FileError: there are more; says how many to keep.
+    """
+    most = kind.most_rows
+    if rows > most:
+        raise FileError(
+            f"{name}: {rows} rows, more than the {most} that can be judged together; "
+            f"keep one row in {-(-rows // most)}, or give fewer files"
+        )
+
+
+def refuse_many_together(records: Sequence[Record]) -> None:
+    """Refuse more rows of several kinds than can be judged by one model.
+
+    Raises:
+        FileError: there are more; says how many to keep.
+    """
+    rows = sum(len(record.run) for record in records)
+    if len(records) > 1 and rows > MOST_TOGETHER:
+        raise FileError(
+            f"{', '.join(record.source for record in records)}: {rows} rows of {len(records)} kinds, more than the "
+            f"{MOST_TOGETHER} that can be judged by one model; keep one row in {-(-rows // MOST_TOGETHER)}, or give "
+            "fewer files"
+        )
+
+
+def refuse_many_runs(kind: Kind, rows: int, runs: int, name: str) -> None:
+    """Refuse more runs than can be judged together, in all or with so many rows; logs are thinned before.
+
+    Raises:
+        FileError: there are more; says how many to keep.
+    """
+    if runs > MOST_RUNS:
+        raise FileError(
+            f"{name}: {runs} runs, more than the {MOST_RUNS} that can be judged together; keep one run in "
+            f"{-(-runs // MOST_RUNS)}, or give fewer files"
+        )
+    most = MOST_ENTRIES // max(rows, 1)
+    if kind.most_rows <= MOST_ROWS and runs > most:
+        raise FileError(
+            f"{name}: {runs} runs of {rows} rows in all, more than the {most} runs that can be judged together with so "
+            f"many rows; keep one row in {-(-rows * runs // MOST_ENTRIES)}, or give fewer runs"
+        )

@@ -1,0 +1,65 @@
+"""The catalogue of effects as a page: `python -m cadgen.inference.measurement.reference > docs/effects.md`."""
+
+import re
+
+from cadgen.deviations.effect import Effect, Parameter
+from cadgen.inference.measurement.kinds import kinds
+from cadgen.inference.measurement.record import Kind
+
+_HEAD = """\
+# The effects that measured data are traced to
+
+`cadgen calibrate` looks for these; [measurement.md](measurement.md) says how. An effect is written to `[as_built]`
+with its name, the kind of data, its numbers, in the unit at the end of their names and within their bounds, and a
+[place](measurement.md#the-as-built-design), which says how other commands use it (the first is the default; any effect
+may be `noted`).
+
+*Cannot be told from* names the [twins](glossary.md#twin): no data of this kind separate the two. *Looks like* names
+effects that such data may resemble; *told apart by* says how to separate them.
+
+**Frame.** x and y are those of the exported files and of a measured profile: the bore at the origin, +x towards the rod
+at a cam angle of 0°. The polar angle counts counterclockwise, and the cam angle at which a point of the outline meets
+the rod is about its polar angle. Left and right are those of a driver. The steering is positive to the right where a
+cam steers, since a lifted rod turns the car right; where it was logged it is positive to the left, as the heading is.
+"""
+_UNITS = {"um": "µm", "deg": "°", "%": "%", "mm": "mm", "s": "s", "": ""}
+# Effects that come in series (orders, stages): one row stands for all of a series.
+_MANY = ((re.compile(r", order \d+$"), ", order n"), (re.compile(r" of (the camshaft|stage \d)$"), " of ..."))
+
+
+def page() -> str:
+    """The reference page in Markdown, written from the catalogue."""
+    return _HEAD + "".join(map(_kind, kinds()))
+
+
+_INDICES = {
+    "nose_number": "which one, counted from 1 by polar angle",
+    "turns_per_turn": "turns of that shaft for one of the cam; only a whole number may have the place `car`",
+}
+
+
+def _kind(kind: Kind) -> str:
+    head = (
+        "| effect | numbers | places | cannot be told from | looks like | told apart by |\n|---|---|---|---|---|---|\n"
+    )
+    return f"\n## {kind.title}\n\n{head}{''.join(map(_row, kind.catalogue.entries))}"
+
+
+def _row(effect: Effect) -> str:
+    name = effect.name
+    for pattern, shown in _MANY:
+        name = pattern.sub(shown, name)
+    numbers = [_number(p) for p in effect.parameters]
+    numbers += [f"`{index}`: {_INDICES[index]}" for index, _ in effect.indices]
+    twins, places = ", ".join(effect.twins), ", ".join(effect.places)
+    cells = (name, "<br>".join(numbers), places, twins, effect.confused_with, effect.separated_by)
+    return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |\n"
+
+
+def _number(p: Parameter) -> str:
+    space = "" if p.unit in ("deg", "") else " "
+    return f"`{p.name}` ({p.lower:g} to {p.upper:g}{space}{_UNITS[p.unit]}): {p.meaning}"
+
+
+if __name__ == "__main__":
+    print(page(), end="")

@@ -1,0 +1,377 @@
+"""Compare every small subset of the catalogue by its linearised misfit, and hand the best to the exact fit.
+
+Subsets of up to three freely combining causes are all tried, each with and without what acts beside it. The numerous
+ones (orders of waviness, places of bumps and steps) are tried beside the best of these, one at a time; one that wins
+joins the free ones in the next round.
+After each round the catalogue is linearised anew about the best exact fit, until that no longer changes; then about the
+best one without an anonymous shape, if that has one. At last the subsets within the best one are fitted.
+"""
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from itertools import chain, combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Active, Effect, causes
+from cadgen.errors import DesignError
+from cadgen.inference.measurement.columns import Columns, of_shapes, side_by_side, tangents
+from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
+from cadgen.inference.measurement.joint import Joint
+from cadgen.inference.measurement.numerous import Index, Numerous
+
+Start = tuple[tuple[Effect, ...], Active]  # a subset, and values to begin from
+
+# Causes of which all subsets are tried, and that a subset may have which grows from the best one while that leaves more
+# than noise and form error.
+LARGEST_SUBSET, MOST_CAUSES = 3, 6
+# Subsets that get an exact fit in each round, and that the numerous effects are tried beside.
+REFINED = 5
+NAMED = 2
+BASES = 20
+ROUNDS = 5
+# A subset that is not fitted yet is so if its linearised score is within this much of the best one's.
+NEAR = 10.0
+# What is left is more than chance if its chi-square is so many standard deviations above its mean.
+CHANCE = 3.0
+# An effect of the instrument and one of the part are told apart by data in which they differ by this share: more than a
+# part differs that is clamped anew by eye (one degree), less than one that is turned on purpose.
+APART = 0.05
+# Values that are better than those fitted by this much, in -2 log L, lie in another valley.
+BETTER = 1.0
+# A subset that stays behind the best one by so much of the criterion is not fitted to the end.
+HOPELESS = 100.0
+# Two columns whose cosine exceeds this cannot be told apart by this data: their subset is not tried.
+COLLINEAR = 0.99999
+
+
+@dataclass(frozen=True, eq=False)
+class Rated:
+    """A subset with its linearised score and estimate, internal units; columns of the free ones first."""
+
+    score: float
+    effects: tuple[Effect, ...]
+    estimate: Array
+    columns: Index
+
+
+@dataclass(frozen=True)
+class Round:
+    """Products of the free columns, the datum and the residual for every spectrum that keeps the floor.
+
+    Attributes:
+        free: the freely combining effects.
+        products: shape (g, f, f); after the effects' columns come the datum's, and last the residual.
+        cross: products of these with the numerous columns, shape (g, f, m).
+        constant: log det C, shape (g,).
+        always: columns of the datum, in every subset.
+    """
+
+    free: Columns
+    products: Array
+    cross: Array
+    constant: Array
+    always: Index
+
+
+def find(joint: Joint) -> list[Hypothesis]:
+    """Fit the most likely subsets exactly; best first by score, the empty one always among them."""
+    core, named = told_apart(joint), joint.numerous
+    entries = Counter(e.sort for e in (*core, *named) if not (e.shape or e.parts or e.beside))
+    anonymous = len(joint.shapes) + sum(e.shape for e in named)
+    search = Search(joint.rows, entries, max(anonymous, 1))
+    none = fit(joint, (), [], search)
+    fitted = {none.key: none}
+    best = about = none
+    # Numerous effects are small and many: their tangents at the bare design serve for all rounds.
+    many = Numerous(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
+    for _ in range(ROUNDS):
+        _fit_new(joint, _promising(joint, about, core, many, search, fitted), fitted, search)
+        leader = min(fitted.values(), key=lambda h: h.score)
+        if leader is not best:
+            best = about = leader
+            # What acts beside another linearises badly, and may look needed where it is not.
+            less = [tuple(e for e in best.effects if e is not beside) for beside in best.effects if beside.beside]
+            _fit_new(joint, [(effects, best.active) for effects in less], fitted, search)
+        elif about is best and any(e.shape for e in best.effects):
+            # An anonymous shape may stand for names, and these are found from what there is without it.
+            about = min((h for h in fitted.values() if not any(e.shape for e in h.effects)), key=lambda h: h.score)
+            if about.score > best.score + HOPELESS:
+                break
+        else:
+            break
+    _fit_new(joint, list(_within(joint, min(fitted.values(), key=lambda h: h.score))), fitted, search)
+    return sorted(fitted.values(), key=lambda h: h.score)
+
+
+def _within(joint: Joint, best: Hypothesis) -> Iterator[Start]:
+    """Subsets within the best one that lose little: where an effect of it is too small to be named, one of these is."""
+    for size in range(1, len(best.effects)):
+        for effects in combinations(best.effects, size):
+            kept = {e.key for e in effects}
+            start = [(e, v) for e, v in best.active if e in joint.datum or e.key in kept]
+            if not all(e.beside is None or e.beside in effects for e in effects):
+                continue
+            with suppress(DesignError):  # a part of what makes a disc may be a disc that no rod can follow
+                if _misfit(joint, start) < best.misfit[best.within] + HOPELESS:
+                    yield effects, start
+
+
+def _fit_new(joint: Joint, subsets: list[Start], fitted: dict[frozenset[str], Hypothesis], search: Search) -> None:
+    """Fit subsets exactly, and add them; one that is fitted already again if the values to begin from are better."""
+    for effects, start in subsets:
+        key = frozenset(e.key for e in effects)
+        try:
+            if key not in fitted or _misfit(joint, start) < fitted[key].misfit[fitted[key].within] - BETTER:
+                level = min(h.score for h in fitted.values()) + HOPELESS
+                anew = fit(joint, effects, start, search, level=level)
+                fitted[key] = min(fitted.get(key, anew), anew, key=lambda h: h.score)
+        except DesignError:
+            # On its way the fit met a disc that no rod can follow: no such part was measured.
+            continue
+
+
+def _misfit(joint: Joint, active: Active) -> float:
+    """-2 log L of values, by the best spectrum that keeps the floor."""
+    return float(joint.misfit(active)[joint.within].min())
+
+
+def told_apart(joint: Joint) -> tuple[Effect, ...]:
+    """The freely combining effects, less those of the instrument that are another's twins in these data.
+
+    Two are told apart if their responses, less the datum, enclose an angle that `APART` is the sine of.
+    """
+    kept = {e.key: e for e in joint.core}
+    datum = [(e, e.start) for e in joint.datum]
+    free = np.linalg.qr(joint.whiten(np.hstack([joint.offsets, joint.slopes(joint.datum, datum)])))[0]
+
+    def response(effect: Effect) -> Array:
+        white = joint.whiten(joint.slopes((effect,), datum))
+        return np.linalg.qr(white - free @ (free.T @ white))[0]
+
+    for effect in joint.core:
+        other = effect.looks_like and kept.get(effect.looks_like.key)
+        if not other:
+            continue
+        mine, others = response(effect), response(other)
+        if np.linalg.norm(mine - others @ (others.T @ mine), 2) < APART:
+            del kept[effect.key]
+            by = f"{other.separated_by}; {effect.name}: {effect.separated_by}"
+            kept[other.key] = replace(other, twins=tuple(dict.fromkeys((*other.twins, effect.name))), separated_by=by)
+    return tuple(kept.values())
+
+
+def _promising(
+    joint: Joint,
+    best: Hypothesis,
+    core: tuple[Effect, ...],
+    many: Numerous,
+    search: Search,
+    fitted: Collection[frozenset[str]],
+) -> list[Start]:
+    """The subsets of least linearised score about the best one so far, with estimates to begin from."""
+    # Numerous effects that have entered combine freely from now on.
+    core = core + tuple(e for e in best.effects if e.numerous)
+    free = tangents(joint, core, best)
+    datum = joint.slopes(joint.datum, best.active)
+    # What the residual would be without the active effects follows from their own tangents.
+    known = [_value_in(best, e)[: s.stop - s.start] for e, s in zip(free.effects, free.spans, strict=True)]
+    bare = joint.residual(best.active) + (free.values @ np.concatenate(known) if known else 0.0)
+    white = joint.whiten(np.column_stack([free.values, datum, bare]))
+    halves = joint.halves(white)
+    width = free.values.shape[1]
+    this = Round(
+        free,
+        white.T @ white - np.swapaxes(halves, 1, 2) @ halves,
+        white.T @ many.white - np.swapaxes(halves, 1, 2) @ many.halves,
+        joint.constant[joint.within],
+        np.arange(width, width + datum.shape[1]),
+    )
+    leaves_more = _leaves_more(joint, best)
+    subsets = {*_subsets(free.effects), *_grown(free.effects, best)}
+    rated = sorted(_rate_free(this, subsets, search), key=lambda r: r.score)
+    most = MOST_CAUSES if leaves_more else LARGEST_SUBSET
+    bases = [r for r in rated if causes(r.effects) < most][:BASES]
+    # In the best subset a numerous effect may stand in another's place.
+    bases += [r for r in rated if r not in bases and _keyed(r) < best.key and len(best.key) - len(r.effects) == 1]
+    rated += [r for base in bases for r in _rate_beside(this, base, many, search)]
+    rated.sort(key=lambda r: r.score)
+    # Anonymous shapes come in so many places and widths that they linearise well: names keep places of their own.
+    datum_start = [(e, v) for e, v in best.active if e in joint.datum]
+    chosen: list[Rated] = []
+    level = min(best.score, rated[0].score) + NEAR
+    for some in (rated, [r for r in rated if r.score < level and _keyed(r) not in fitted]):
+        chosen += [r for r in some if r not in chosen][:REFINED]
+        chosen += [r for r in some if r not in chosen and not any(e.shape for e in r.effects)][:NAMED]
+    # What acts beside another is far from proportion, and linearises too badly to be seen until it is fitted; and a
+    # shape without a name, or the disc, may stand for it.
+    beside = [r for r in rated if any(e.beside for e in r.effects) and not any(e.shape for e in r.effects)]
+    more = leaves_more or any(e.shape for e in best.effects)
+    companions = [e for e in core if e.beside and (more or e.beside in best.effects) and e not in best.effects]
+    if companions:
+        chosen += [r for r in beside[:NAMED] if r not in chosen]
+    starts = [_accompanied(effect, core, beside, best) for effect in companions]
+    return [*starts, *((r.effects, [*datum_start, *_cut(r.effects, r.estimate)]) for r in chosen)]
+
+
+def _keyed(rated: Rated) -> frozenset[str]:
+    return frozenset(e.key for e in rated.effects)
+
+
+def _accompanied(companion: Effect, core: tuple[Effect, ...], beside: list[Rated], best: Hypothesis) -> Start:
+    """The best subset less its anonymous shapes, with what acts beside another, and that other."""
+    wanted = {e.key for e in (*best.effects, companion, companion.beside) if e and not e.shape}
+    near = next((r for r in beside if companion in r.effects), None)
+    values = _cut(near.effects, near.estimate) if near else []
+    datum = [(e, v) for e, v in best.active if e not in best.effects]
+    known = {e.key: (e, v) for e, v in (*values, *best.active) if e.key in wanted}
+    return tuple(e for e in core if e.key in wanted), [*datum, *known.values()]
+
+
+def _leaves_more(joint: Joint, best: Hypothesis) -> bool:
+    """Does the best subset leave more than noise and form error, by chi-square, so that there is more to find?
+
+    Asked at the least discrepancy, for as large as it may be it would hide what an effect does better.
+    """
+    spectrum = int(np.argmin(np.where(joint.within & (joint.beside == joint.beside.min()), best.misfit, np.inf)))
+    return joint.square(best.active, spectrum) > joint.rows + CHANCE * float(np.sqrt(2 * joint.rows))
+
+
+def _rate_free(this: Round, subsets: Iterable[tuple[int, ...]], search: Search) -> Iterator[Rated]:
+    """Subsets of the freely combining effects, and none of them, by their places."""
+    free = this.free
+    bundles: dict[int, list[tuple[int, ...]]] = {0: [()]}
+    for subset in sorted(subsets):
+        width = sum(free.spans[i].stop - free.spans[i].start for i in subset)
+        bundles.setdefault(width, []).append(subset)
+    for width, subsets in bundles.items():
+        columns = np.array(
+            [np.concatenate([_range(free.spans[i]) for i in subset] or [_range(slice(0, 0))]) for subset in subsets]
+        )
+        index = np.hstack([columns, np.broadcast_to(this.always, (len(subsets), len(this.always)))])
+        gram = this.products[:, index[:, :, None], index[:, None, :]]
+        score, estimate, sound = _solve(gram, this.products[:, index, -1], this.constant + this.products[:, -1, -1])
+        for row, subset in enumerate(subsets):
+            effects = tuple(free.effects[i] for i in subset)
+            values = _completed(effects, estimate[row], [free.spans[i] for i in subset])
+            if sound[row] and _possible(effects, values):
+                yield Rated(float(score[row]) + search.penalty(effects, width), effects, values, columns[row])
+
+
+def _subsets(effects: tuple[Effect, ...]) -> Iterator[tuple[int, ...]]:
+    """Places of effects that may be at work together, but for none at all."""
+    alone = [i for i, e in enumerate(effects) if not e.beside]
+    for size in range(1, LARGEST_SUBSET + 1):
+        for subset in combinations(alone, size):
+            chosen = [effects[i] for i in subset]
+            if not _compatible(chosen):
+                continue
+            companions = [i for i, e in enumerate(effects) if e.beside in chosen]
+            for more in range(len(companions) + 1):
+                yield from (tuple(sorted(subset + some)) for some in combinations(companions, more))
+
+
+def _grown(effects: tuple[Effect, ...], best: Hypothesis) -> Iterator[tuple[int, ...]]:
+    """Subsets beyond three about the best one: all within it, with two others more, and with one for up to two of it.
+
+    Growth takes in what stands for several effects; once these are there, it is not needed, and what it had hidden is.
+    """
+    inside = tuple(i for i, e in enumerate(effects) if e.key in best.key)
+    outside = [i for i in range(len(effects)) if i not in inside]
+    for count in range(3):
+        left_out = (range(len(inside) + 1), range(3), range(1))[count]
+        for more in combinations(outside, count):
+            for less in chain.from_iterable(combinations(inside, size) for size in left_out):
+                subset = tuple(sorted({*inside, *more}.difference(less)))
+                chosen = [effects[i] for i in subset]
+                paired = all(e.beside is None or e.beside in chosen for e in chosen)
+                if paired and _compatible(chosen) and LARGEST_SUBSET < causes(chosen) <= MOST_CAUSES:
+                    yield subset
+
+
+def _rate_beside(this: Round, base: Rated, many: Numerous, search: Search) -> Iterator[Rated]:
+    """A subset with each of the numerous effects in turn, by the Schur complement; the best few of each group."""
+    held = np.concatenate([base.columns, this.always])
+    inner = this.products[:, held[:, None], held]
+    right = np.concatenate([this.cross[:, held], this.products[:, held, -1:]], axis=2)
+    solved = np.linalg.solve(inner, right) if len(held) else right
+    # Products of numerous columns with the residual, and its square, once the base is taken out.
+    left = np.swapaxes(right, 1, 2)
+    target = this.cross[:, -1] - np.einsum("gkm,gk->gm", this.cross[:, held], solved[:, :, -1])
+    square = this.products[:, -1, -1] - np.einsum("gk,gk->g", right[:, :, -1], solved[:, :, -1])
+    for alike in many.groups:
+        columns, width = alike.columns, alike.columns.shape[1]
+        a, b = columns[:, :, None], columns[:, None, :]
+        taken = alike.products - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
+        score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, alike.size)
+        for row in np.argsort(np.where(sound, score, np.inf))[:3]:
+            effects = (*base.effects, many.effects[alike.effects[row]])
+            tail = effects[-1].start.copy()
+            tail[:width] = estimate[row]
+            values = np.concatenate([base.estimate, tail])
+            if sound[row] and _compatible(list(effects)) and _possible(effects, values):
+                effects = tuple(part for e in effects for part in (e.parts or (e,)))
+                penalty = search.penalty(effects, sum(len(e.parameters) for e in effects))
+                yield Rated(float(score[row]) + penalty, effects, values, base.columns)
+
+
+def _solve(gram: Array, right: Array, base: Array, size: Array | None = None) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Least misfit over spectra, estimate there, and whether the columns can be told apart; one row a subset.
+
+    Columns are measured against `size`, which they had before others were taken out; left out, against their own.
+    """
+    if not gram.shape[-1]:
+        return np.full(gram.shape[1], base.min()), np.empty((gram.shape[1], 0)), np.ones(gram.shape[1], dtype=bool)
+    if size is None:
+        size = np.sqrt(np.maximum(np.einsum("gsii->gsi", gram), 1e-300))
+    cosine = gram / size[..., :, None] / size[..., None, :]
+    scaled = (right / size)[..., None]
+    estimate = np.linalg.solve(cosine + 1e-10 * np.eye(gram.shape[-1]), scaled)
+    misfit = base[:, None] - np.sum(estimate * scaled, axis=(2, 3))
+    least = np.argmin(misfit, axis=0)
+    rows = np.arange(gram.shape[1])
+    smallest = np.linalg.eigvalsh(cosine[least, rows])[:, 0]
+    return misfit[least, rows], (estimate[..., 0] / size)[least, rows], smallest > 1 - COLLINEAR
+
+
+def _range(span: slice) -> Index:
+    return np.arange(span.start, span.stop)
+
+
+def _compatible(effects: list[Effect]) -> bool:
+    """At most one of each group."""
+    groups = [e.group for e in effects if e.group is not None]
+    return len(set(groups)) == len(groups)
+
+
+def _completed(effects: tuple[Effect, ...], estimate: Array, spans: list[slice]) -> Array:
+    """Estimates of the columns, with starts for the parameters that have none."""
+    parts, at = [], 0
+    for effect, span in zip(effects, spans, strict=True):
+        values, width = effect.start.copy(), span.stop - span.start
+        values[:width] = estimate[at : at + width]
+        parts.append(values)
+        at += width
+    return np.concatenate(parts) if parts else np.empty(0)
+
+
+def _cut(effects: tuple[Effect, ...], values: Array) -> list[tuple[Effect, Array]]:
+    cuts = np.cumsum([len(e.parameters) for e in effects])[:-1]
+    return list(zip(effects, np.split(values, cuts), strict=True)) if effects else []
+
+
+def _value_in(best: Hypothesis, effect: Effect) -> Array:
+    return next((values for active, values in best.active if active is effect), np.zeros(len(effect.parameters)))
+
+
+def _possible(effects: tuple[Effect, ...], values: Array) -> bool:
+    """A linear estimate may overshoot a bound by a difference step; more is physically impossible."""
+    for effect, part in _cut(effects, values):
+        lower, upper = effect.bounds
+        if np.any(part < lower - effect.steps) or np.any(part > upper + effect.steps):
+            return False
+    return True

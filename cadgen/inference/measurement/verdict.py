@@ -1,0 +1,345 @@
+"""The verdict: what the rivals and what remains allow to be claimed, in one sentence."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from itertools import chain, combinations
+from math import log
+
+import numpy as np
+from scipy.stats import norm
+from scipy.stats import t as student
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import UNITS, Active
+from cadgen.inference.measurement.hypothesis import Hypothesis
+from cadgen.inference.measurement.joint import Joint, Part
+from cadgen.inference.measurement.remains import largest, left_over, registered, runs_disagree
+
+
+class Verdict(StrEnum):
+    """Class of a verdict."""
+
+    NONE = "none"
+    TRACED = "traced"
+    COMBINATION = "combination"
+    AMBIGUOUS = "ambiguous"
+    PARTIAL = "partial"
+    UNTRACED_SHAPE = "untraced shape"
+    UNEXPLAINED = "unexplained"
+    RUNS_DISAGREE = "runs disagree"
+
+
+# A name is claimed if the subsets that hold it have this probability together, of three names and more each more: see
+# `sure_of`. That is of the least sure claim; of all claims far more are right (docs/measurement.md).
+SURE = 0.85
+# The same as a difference of the criterion between two subsets: 2 ln(odds).
+MARGIN = 2 * log(SURE / (1 - SURE))
+# Subsets within this much of the best one (odds of 12 to 1) are its rivals, and reported beside it.
+RIVAL = 5.0
+# A form error beyond the floor has two numbers more (size and knee) that nothing in the catalogue explains.
+LOOSE = 16.0
+# An effect beside an unknown shape must be this much more likely than the shape alone.
+BESIDE_UNKNOWN = 40.0
+# Effects that change the residual by less than this share of the stated form error are part of it.
+LEAST_OF_FLOOR = 0.4
+# RMS over the noise that thousands of rows of noise do not reach.
+LEFT_OVER = 1.3
+# Beside an unknown shape, effects are named only if they account for this share of the square of the residual.
+MOST = 0.8
+
+
+# Of a number whose standard deviation exceeds its size over this nothing is known, not even its sign.
+SIGMAS = 2.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judgement:
+    """The verdict and its reasons.
+
+    Attributes:
+        verdict: its class.
+        sentence: in words.
+        claimed: names that are as good as sure: see `SURE`.
+        reported: these and the names in any likely subset.
+        rivals: likely subsets other than the best, best first.
+        separate: for each claimed or rival effect, the measurement that would decide.
+        limits: what cannot be judged with this data.
+    """
+
+    verdict: Verdict
+    sentence: str
+    claimed: tuple[str, ...]
+    reported: tuple[str, ...]
+    rivals: tuple[tuple[str, ...], ...]
+    separate: tuple[str, ...]
+    limits: tuple[str, ...] = ()
+
+
+def sigmas_of(freedom: float, choices: int = 1) -> float:
+    """Standard deviations beyond which a number is as seldom chance as beyond `SIGMAS` of one that is known exactly.
+
+    By Student's t where the standard deviation was estimated from few runs, and by Bonferroni's bound where the number
+    is one of several that the same runs were searched for.
+
+    Args:
+        freedom: degrees of freedom from which the standard deviation was estimated; with none no number is sure.
+        choices: how many numbers were looked at.
+    """
+    return float(student.isf(norm.sf(SIGMAS) / choices, freedom)) if freedom > 0 else float("inf")
+
+
+def within_words(sigmas: float = SIGMAS) -> str:
+    """Why a number is not claimed.
+
+    Args:
+        sigmas: number of standard deviations.
+    """
+    return f"within {sigmas:.3g} standard deviations of nothing"
+
+
+def within_error(
+    units: Sequence[str], values: Sequence[float] | Array, sigma: Sequence[float] | Array, sigmas: float = SIGMAS
+) -> bool:
+    """Is a number of an effect within `sigmas` standard deviations of nothing? Then the effect is not claimed.
+
+    Numbers of one unit are components of one thing, as an eccentricity's x and y: one of them may be nothing, if its
+    error is small beside the largest.
+
+    Args:
+        units, values, sigma: of the effect's numbers, standard deviations in the same units.
+        sigmas: see `sigmas_of`.
+    """
+    for unit, error in zip(units, sigma, strict=True):
+        size = max(abs(value) for other, value in zip(units, values, strict=True) if other == unit)
+        if not sigmas * error < size:
+            return True
+    return False
+
+
+def unclaimed(judgement: Judgement, names: Sequence[str], why: str) -> Judgement:
+    """A judgement that does not claim these names; a verdict that rested on them is no more than ambiguous."""
+    dropped = [name for name in dict.fromkeys(names) if name in judgement.claimed]
+    if not dropped:
+        return judgement
+    limit = f"{why}, and so not claimed: {'; '.join(dropped)}"
+    judgement = replace(
+        judgement,
+        claimed=tuple(name for name in judgement.claimed if name not in dropped),
+        limits=(*judgement.limits, limit),
+    )
+    if judgement.verdict not in (Verdict.TRACED, Verdict.COMBINATION):
+        return judgement
+    sentence = f"Consistent with {' and '.join(judgement.reported)}, but not sure of {' and '.join(dropped)}: {why}."
+    return replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=sentence)
+
+
+def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
+    """Weigh the fitted subsets against each other and against what they leave; and the subset that is reported."""
+    found = [h for h in found if not _below_floor(joint, h)]
+    tight = found[0]
+    loose = min(found, key=lambda h: h.loose_score)
+    if tight.score <= loose.loose_score + LOOSE:
+        judgement, best = _within_floor(joint, found)
+    else:
+        judgement, best = _beyond_floor(joint, loose, found)
+    left, where = max((left_over(part, joint, best), part.record.source) for part in joint.parts)
+    if judgement.verdict in (Verdict.UNTRACED_SHAPE, Verdict.PARTIAL, Verdict.NONE) and left > LEFT_OVER:
+        sentence = (
+            f"What remains is {left:.1f} times the noise and neither an effect of the catalogue nor a shape that "
+            "repeats: check that the design belongs to this file, and the file's units."
+        )
+        return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=sentence, claimed=()), best
+    if left > LEFT_OVER:
+        limit = f"what remains in {where} is {left:.1f} times its noise and has no name: something else is at work too"
+        judgement = replace(judgement, limits=(*judgement.limits, limit))
+    if judgement.verdict != Verdict.NONE and any(runs_disagree(part, best) for part in joint.parts):
+        sentence = "The runs differ from each other by more than the noise within them: nothing is claimed."
+        return replace(judgement, verdict=Verdict.RUNS_DISAGREE, sentence=sentence, claimed=()), best
+    if all(part.noise.runs == 1 for part in joint.parts):
+        limit = "one run only: noise cannot be told from what repeats, so no name is certain; repeat the measurement"
+        words = f"One run only: consistent with {_names(best)}, but noise cannot be told from what repeats."
+        if judgement.verdict != Verdict.NONE:
+            judgement = replace(judgement, verdict=Verdict.AMBIGUOUS, sentence=words)
+        return replace(judgement, claimed=(), limits=(limit, *judgement.limits)), best
+    return _less_single_runs(joint, judgement, best), best
+
+
+def _less_single_runs(joint: Joint, judgement: Judgement, best: Hypothesis) -> Judgement:
+    """A judgement that claims nothing which only records of one run show, of which the noise is not known."""
+    several = [part for part in joint.parts if part.noise.runs > 1]
+    alone = [e.name for e in best.effects if not any(e.key in part.names for part in several)]
+    return unclaimed(judgement, alone, "of one run only, whose noise cannot be told from what repeats")
+
+
+def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
+    distinct = _distinct(found)
+    best = found[0]
+    likely = [h for h in distinct if h.score < best.score + RIVAL]
+    # A name of the catalogue comes before an anonymous shape that does no better ...
+    named = [h for h in likely if h.effects and not any(e.shape for e in h.effects)]
+    best = named[0] if named and best.effects else best
+    sure = _sure(best, distinct, [h.score for h in distinct])
+    # ... and the smallest subset nested in the best and as likely before the best: what more that holds is not needed.
+    nested = [h for h in found if h.key <= best.reach and sure <= h.holds and h.score < best.score + MARGIN]
+    best = min(nested, key=lambda h: (len(h.key), h.parameters, h.score))
+    rivals = [h for h in likely if not best.key <= h.reach]
+    common = best.claims & sure
+    reported = best.claims.union(*(h.claims for h in likely)) if best.effects else frozenset[str]()
+    anonymous = any(e.shape for e in best.effects)
+    verdict: Verdict
+    if not best.effects:
+        disagree = any(runs_disagree(part, best) for part in joint.parts)
+        verdict, rivals = (Verdict.RUNS_DISAGREE if disagree else Verdict.NONE), []
+    elif anonymous and not best.claims:
+        verdict = Verdict.UNTRACED_SHAPE
+    elif anonymous:
+        verdict = Verdict.PARTIAL
+        if _explained(joint, found, best) < MOST:
+            common = frozenset()
+    elif best.claims != common:
+        verdict = Verdict.AMBIGUOUS
+    else:
+        verdict = Verdict.TRACED if len(best.effects) == 1 else Verdict.COMBINATION
+    judgement = Judgement(
+        verdict=verdict,
+        sentence=_sentence(verdict, best, rivals, sorted(reported - best.claims)),
+        claimed=tuple(sorted(common)),
+        reported=tuple(sorted(reported)),
+        rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
+        separate=_separate([best, *rivals]),
+    )
+    return judgement, best.at(joint, loose=False)
+
+
+def _distinct(found: list[Hypothesis]) -> list[Hypothesis]:
+    """The best of each set of names: places and widths from which a search began are no rivals of each other."""
+    first: dict[tuple[frozenset[str], int], Hypothesis] = {}
+    for h in found:
+        first.setdefault((h.claims, sum(e.shape for e in h.effects)), h)
+    return list(first.values())
+
+
+def _below_floor(joint: Joint, h: Hypothesis) -> bool:
+    """Do effects of the subset, one or some together, change no registered residual by a share of its floor?
+
+    Together, because two near twins of opposite sign can make any small shape that neither makes.
+    """
+    for some in chain.from_iterable(combinations(h.key, size) for size in range(1, len(h.key) + 1)):
+        rest = [(e, v) for e, v in h.active if e.key not in some]
+        if not any(_shows(part, h.active, rest) for part in joint.parts):
+            return True
+    return False
+
+
+def _shows(part: Part, whole: Active, rest: Active) -> bool:
+    """Do the effects that `rest` lacks change a record by more than a share of its floor?"""
+    change = registered(part.model, part.noise, part.residual(whole) - part.residual(rest))
+    return bool(np.sqrt(np.mean(change**2)) >= LEAST_OF_FLOOR * part.model.floor)
+
+
+def _explained(joint: Joint, found: list[Hypothesis], best: Hypothesis) -> float:
+    """Share of the registered residuals' square, each over its noise, that the named effects take away."""
+    none = next(h for h in found if not h.effects)
+    named = [(e, v) for e, v in best.active if not e.shape]
+    before, after = (
+        sum(float(np.sum((registered(p.model, p.noise, p.residual(a)) / p.noise.rms) ** 2)) for p in joint.parts)
+        for a in (none.active, named)
+    )
+    return 1.0 - after / before
+
+
+def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]:
+    """No subset leaves a residual within the floor: an unknown shape is there, alone or beside effects."""
+    alone = min((h for h in found if not h.claims), key=lambda h: h.loose_score)
+    best = loose if loose.claims and loose.loose_score < alone.loose_score - BESIDE_UNKNOWN else alone
+    if best.claims and _explained(joint, found, best) < MOST:
+        best = alone
+    verdict: Verdict = Verdict.PARTIAL if best.claims else Verdict.UNTRACED_SHAPE
+    # Beside an unknown shape, too, a name is claimed only if no other does as well.
+    distinct = _distinct(sorted(found, key=lambda h: h.loose_score)) if best.claims else []
+    claimed = best.claims & _sure(best, distinct, [h.loose_score for h in distinct])
+    likely = [h for h in distinct if h.loose_score < best.loose_score + RIVAL]
+    rivals = [h for h in likely if not best.key <= h.reach]
+    reported = best.claims.union(*(h.claims for h in likely))
+    beyond = best.at(joint, loose=True)
+    _, place, size, part = max((largest(part, joint, beyond) for part in joint.parts), key=lambda found: found[0])
+    unit = part.model.unit
+    words = (
+        f"what remains is no effect of the catalogue: a smooth shape beyond the stated form error, largest "
+        f"({size / UNITS[unit]:+.3g} {unit}) at {np.degrees(place):.0f} deg"
+    )
+    if len(joint.parts) > 1:
+        words += f" in {part.record.source}"
+    if best.claims:
+        words = f"partly consistent with {_names(best)}; {words}"
+    judgement = Judgement(
+        verdict=verdict,
+        sentence=words[0].upper() + words[1:] + ".",
+        claimed=tuple(sorted(claimed)),
+        reported=tuple(sorted(reported)),
+        rivals=tuple(tuple(e.name for e in h.effects) for h in rivals),
+        separate=_separate([best, *rivals]),
+    )
+    return judgement, beyond
+
+
+def sure_of(names: int) -> float:
+    """The chance that each of several names must have: `SURE`, and of three or more the more, the more there are.
+
+    Bonferroni's bound over the others: each is one more that can be wrong.
+
+    Args:
+        names: how many the subset has.
+    """
+    return 1 - (1 - SURE) / max(names - 1, 1)
+
+
+def _sure(best: Hypothesis, distinct: list[Hypothesis], scores: list[float]) -> frozenset[str]:
+    """Names of a subset that those which hold them are sure of together, by the scores of all."""
+    weight = np.exp((min(scores, default=0.0) - np.array(scores)) / 2)
+    chance = {n: sum(w for h, w in zip(distinct, weight, strict=True) if n in h.holds) for n in best.holds}
+    return frozenset(n for n, together in chance.items() if together >= sure_of(len(best.claims)) * weight.sum())
+
+
+def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> str:
+    if verdict == Verdict.NONE:
+        return "No effect beyond noise and the stated form error."
+    if verdict == Verdict.RUNS_DISAGREE:
+        return "The runs differ from each other by more than the noise within them: nothing is claimed."
+    names = _names(best)
+    if verdict in (Verdict.TRACED, Verdict.COMBINATION):
+        names = f"Traced to {names}{' together' if verdict == Verdict.COMBINATION else ''}"
+        twins = [f"{e.name} from {' or '.join(e.twins)}" for e in best.effects if e.twins]
+        names += f"; this data cannot tell {' nor '.join(twins)}" if twins else ""
+        return f"{names}; less likely but not ruled out: {', '.join(possible)}." if possible else f"{names}."
+    if verdict == Verdict.UNTRACED_SHAPE:
+        return f"A shape that no effect of the catalogue makes: {names} ({_numbers(best)})."
+    if verdict == Verdict.PARTIAL:
+        named = [e for e in best.effects if not e.shape]
+        rest = [e for e in best.effects if e.shape]
+        return (
+            f"Partly traced to {' and '.join(e.name for e in named)}; beside it, {' and '.join(e.name for e in rest)}."
+        )
+    if not rivals:
+        return f"Consistent with {names}, but not sure of each: of so many names none may be likely to be wrong."
+    others = "; or ".join(_names(h) for h in rivals)
+    return f"Consistent with {names}; or {others}: this data cannot tell."
+
+
+def _names(h: Hypothesis) -> str:
+    return " and ".join(e.name for e in h.effects) or "no effect"
+
+
+def _numbers(h: Hypothesis) -> str:
+    """Every parameter of every shape, in the unit its name ends in."""
+    return ", ".join(
+        f"{p.name} {v / p.scale:.4g}"
+        for effect, values, _ in h.values()
+        for p, v in zip(effect.parameters, values, strict=True)
+    )
+
+
+def _separate(hypotheses: list[Hypothesis]) -> tuple[str, ...]:
+    said = {e.name: e.separated_by for h in hypotheses for e in h.effects if e.separated_by}
+    return tuple(f"{name}: {how}" for name, how in said.items())

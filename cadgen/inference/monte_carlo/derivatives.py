@@ -1,0 +1,150 @@
+"""Change of the steering, to first order, with small deviations of the disc and the rod.
+
+As `cadgen.cam.followers.rod_first_order` has it:
+
+- a **larger disc**, along its normal, lifts the rod as a thicker rod would, but for 1 / cos(beta);
+- an **eccentric bore** displaces every point alike, in a direction that turns with the cam;
+- a disc that **wobbles**, tilted by gamma towards the direction d, has dw = gamma p . d at the point p, and the edge,
+  off the disc's middle by w - m, goes to the other side by gamma (w - m);
+- a rod **above** the camshaft's plane is a disc below it;
+- a **taper** of the cut makes one face larger along its normal, and the other smaller, by half of it;
+- **heat** scales the disc about the shaft, and the frame, which holds camshaft and fork apart.
+
+Near zero steering the two edges of the rim lift the rod almost equally. A taper or a wobble can then make
+the other edge carry the rod, instead of the edge that carries it on the nominal disc (`OtherEdge`).
+"""
+
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.followers.rod_first_order import FirstOrder
+from cadgen.cam.rolled import Contact
+from cadgen.inference.monte_carlo.parameters import Parameter
+
+# The rows, in order.
+STEERING = (
+    *(
+        Parameter.BASE_RADIUS,
+        Parameter.INNER_FACE,
+        Parameter.OUTER_FACE,
+        Parameter.ROD_RADIUS,
+        Parameter.PROFILE_OFFSET,
+        Parameter.STEERING_ZERO,
+    ),
+    *(
+        Parameter.TAPER,
+        Parameter.ROD_HEIGHT,
+        Parameter.ECCENTRICITY_0,
+        Parameter.ECCENTRICITY_90,
+        Parameter.WOBBLE_0,
+        Parameter.WOBBLE_90,
+        Parameter.TEMPERATURE,
+    ),
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class OtherEdge:
+    """The edge that does not carry the nominal rod, at n cam angles.
+
+    Attributes:
+        below: amount by which tan(beta) would be less if this edge alone carried the rod, shape (n,).
+        rising: excess of its derivatives of tan(beta) by `PARTS` over those of the carrying edge, shape (3, n).
+    """
+
+    below: Array
+    rising: Array
+
+    PARTS: ClassVar[tuple[Parameter, ...]] = (Parameter.TAPER, Parameter.WOBBLE_0, Parameter.WOBBLE_90)
+
+    @classmethod
+    def of(cls, contact: Contact, follower: LeaningRod) -> "OtherEdge":
+        """The edge opposite a contact of the nominal rod on the nominal disc."""
+        opposite = replace(contact, face=follower.inner + follower.outer - contact.face)
+        carrying, other = (steering_derivatives(edge, follower) for edge in (contact, opposite))
+        rows = [STEERING.index(name) for name in cls.PARTS]
+        # Both edges have one outline, so the lift would be the same, further out or further in.
+        below = np.abs(contact.tan_beta * (1 - contact.face / opposite.face))
+        return cls(below=below, rising=other[rows] - carrying[rows])
+
+    def raised(self, deviations: Array, columns: NDArray[np.intp]) -> tuple[NDArray[np.intp], Array]:
+        """Cam angles at which cars ride on this edge, and the angle by which it turns the rod.
+
+        Args:
+            deviations: deviations in `PARTS`, mm, shape (m, 3).
+            columns: indices of cam angles, shape (j,).
+
+        Returns:
+            Places in `columns` at which some car may ride on it, shape (q,), and increase of tan(beta), shape (m, q).
+        """
+        most = np.abs(deviations).max(axis=0) @ np.abs(self.rising)
+        near = np.flatnonzero((most > self.below)[columns])
+        at = columns[near]
+        return near, np.maximum(np.einsum("ci,ij->cj", deviations, self.rising[:, at]) - self.below[at], 0.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Expansion:
+    """Coefficients of linear thermal expansion, per K.
+
+    Attributes:
+        disc, frame, rod: coefficient of that part, 1/K.
+    """
+
+    disc: float = 0.0
+    frame: float = 0.0
+    rod: float = 0.0
+
+
+def steering_derivatives(
+    contact: Contact, follower: LeaningRod, gain: float = 1.0, expansion: Expansion | None = None
+) -> Array:
+    """Derivatives of tan(beta) at each cam angle by the dimensions of cam and rod.
+
+    The wheel turned against the rod adds to the angle behind the lever, whose tangent is g T.
+
+    Args:
+        contact: contact of the nominal rod with the nominal disc, at n cam angles.
+        follower: the rod and the faces.
+        gain: gain g of the lever.
+        expansion: thermal expansion of disc and frame; none if left out.
+
+    Returns:
+        Shape (13, n), rows as `STEERING`: per mm, but steering_zero and the wobbles per rad, temperature per K. The
+        numbers 0 and 90 are polar angles of the direction.
+    """
+    T, w, y = contact.tan_beta, contact.face, contact.across
+    first = FirstOrder.of(contact, follower)
+    root, height, divisor, displaced = first.root, first.height, first.divisor, first.displaced
+    raised, face = first.thicker, first.face
+    inner = w == follower.inner
+    zero = (1 + (gain * T) ** 2) / gain
+    base = [-1 / divisor, np.where(inner, face, 0.0), np.where(inner, 0.0, face), raised, raised, zero]
+
+    middle = (follower.inner + follower.outer) / 2
+    x = follower.base_radius + w * T - height * root
+    c, s = np.cos(contact.cam_angle), np.sin(contact.cam_angle)
+
+    directions = ((c, -s), (s, c))
+    wobbles = [
+        face * (x * along + y * across) - (w - middle) * displaced(along, across) for along, across in directions
+    ]
+    heat = expansion or Expansion()
+    grown = heat.disc * displaced(x, y) - heat.frame * follower.base_radius / divisor
+    grown += face * (heat.frame * middle + heat.disc * (w - middle)) + heat.rod * follower.radius * raised
+    # Along the outline's normal in the plane of the edge, (h / sqrt(1 + T^2), -y) before it is made a unit.
+    normal = np.hypot(height / root, y)
+    offset = displaced(height / root / normal, -y / normal) if follower.radius > 0 else 1 / divisor
+    more = [
+        np.where(inner, -0.5, 0.5) * offset,
+        displaced(np.zeros_like(T), -np.ones_like(T)),
+        *(displaced(along, across) for along, across in directions),
+        *wobbles,
+        grown,
+    ]
+    return np.stack([*base, *more])

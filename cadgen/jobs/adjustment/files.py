@@ -1,0 +1,87 @@
+"""An adjustment as plain values, and as a JSON file beside an empty table for the next trial run."""
+
+import json
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+from cadgen.errors import FileError
+from cadgen.inference.adjustment.choice import Forecast
+from cadgen.inference.adjustment.trial import Settings
+from cadgen.jobs.adjustment.plan import Adjustment
+from cadgen.output.files.folder import publishing
+from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.progress import Progress, silent
+from cadgen.version import __version__
+
+
+def adjustment_facts(adjustment: Adjustment) -> dict[str, Any]:
+    """The result in the units of its names."""
+    design = adjustment.plan.design
+    return {
+        "design": design.name,
+        "design_sha256": design.content_hash,
+        "overrides": list(design.overrides),
+        "drive_wheel": adjustment.plan.wheel.facts(),
+        "cadgen": __version__,
+        "profile": adjustment.plan.profile.code,
+        "trial_runs": len(adjustment.trials),
+        "points": [len(trial.points) for trial in adjustment.trials],
+        "measured_point": adjustment.wanted.point.value,
+        "noise_mm": adjustment.wanted.noise,
+        "division_um": adjustment.wanted.division * 1e3,
+        "residual_in_noise": adjustment.posterior.residual,
+        "explained": adjustment.explained,
+        "settings": _settings(adjustment.settings),
+        "settings_of_last_trial_run": _settings(adjustment.trials[-1].settings),
+        "divisions": adjustment.divisions,
+        "end_position_mm": {
+            "as_designed": _expected(adjustment.designed),
+            "before": _expected(adjustment.before),
+            "after": _expected(adjustment.after),
+        },
+        "chance_to_be_worse": adjustment.worse,
+        "said": adjustment.sentences(),
+        "steps": adjustment.steps(),
+        "line": adjustment.line,
+    }
+
+
+def _settings(settings: Settings) -> dict[str, float]:
+    return {
+        "head_mm": settings.head,
+        "key_deg": degrees(settings.key),
+        "start_x_mm": settings.start_x,
+        "start_y_mm": settings.start_y,
+        "start_heading_deg": degrees(settings.start_heading),
+    }
+
+
+def _expected(errors: Forecast) -> dict[str, float]:
+    return {
+        "mean": float(errors.end.mean()),
+        "5 %": errors.end_quantile(0.05),
+        "95 %": errors.end_quantile(0.95),
+        "on the way": float(errors.way.mean()),
+    }
+
+
+def write_adjustment(adjustment: Adjustment, out: Path, progress: Progress = silent) -> Written:
+    """Publish the result as JSON, and the table of the next trial run with its settings and no rows yet.
+
+    Raises:
+        FileError: a file cannot be written, or read back is not what was written.
+    """
+    stem = f"{adjustment.plan.design.name}_{adjustment.plan.profile.code}_adjustment".replace("+", "_")
+    facts = adjustment_facts(adjustment)
+    progress("writing")
+    with publishing(out) as staging:
+        document, table = staging / f"{stem}.json", staging / f"{stem}_next_run.csv"
+        document.write_text(json.dumps(facts, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+        table.write_text(f"{adjustment.line}\nrun,x_mm,y_mm\n", encoding="utf-8")
+        if json.loads(document.read_text(encoding="utf-8")) != facts:
+            raise FileError(f"{document.name}: read back it is not what was written; try again or choose another disk")
+        names = [document.name, table.name]
+        entry = {**facts, "versions": versions(), "files": {name: file_facts(staging / name) for name in names}}
+        write_manifest(staging, stem, entry)
+    return Written(stem, entry)

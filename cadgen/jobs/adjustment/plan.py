@@ -1,0 +1,332 @@
+"""From trial runs of a car to what a hand sets: cars that explain them, the best settings, what to expect."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from math import ceil, degrees, radians, sqrt
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.car.motion.drive import STEPS, start_pose
+from cadgen.car.motion.friction import USUAL
+from cadgen.car.motion.mechanics import Mechanics
+from cadgen.design import cam_model, variation
+from cadgen.design.schema import Design
+from cadgen.inference.adjustment.choice import LIMITS, Forecast, best_settings, forecast
+from cadgen.inference.adjustment.posterior import Posterior, Prior, explain
+from cadgen.inference.adjustment.trial import STARTS, Noise, Setting, Settings, Trial
+from cadgen.inference.monte_carlo.fleet import Fleet
+from cadgen.inference.monte_carlo.parameters import Directed, Parameter, parts_of
+from cadgen.inference.records.trials import read_trials, settings_line, trials_of
+from cadgen.jobs.cam.plan import CamPlan, comparison_of, plan_cam
+from cadgen.jobs.runs.fleet import fleet_of
+from cadgen.progress import Progress, silent
+
+WIDER = 2.0  # cars may be off by so many times their tolerances
+PLAYS, FRICTION_STEP = 7, 0.03  # of the grid on which cars are looked for
+FINE, COARSE = 24, 150  # steps of the run from station to station, for points and for errors
+CARS = 128  # that stand for all that explain the trial runs
+SEED = 1
+_GRID = 1200  # cam angles of a turn: the end of the run errs by less than 0.1 mm
+MOST_RESIDUAL = 1.6  # root mean square in standard deviations of a point, beyond which a run is not explained
+WORTH = 60.0  # mm at the end that settings are to leave at most, if the design has no gates
+# No car is better known than so, whatever its tolerances say: mm and rad.
+_LEAST: dict[Parameter, float] = {
+    Parameter.BASE_RADIUS: 0.01,
+    Parameter.STEERING_ZERO: radians(0.05),
+    Parameter.CAM_PHASE: radians(0.1),
+}
+# Deviations of the start are in each run's own settings and noise.
+_OF_A_RUN = tuple(setting.parameter for setting in STARTS)
+
+
+class Point(Enum):
+    """A point of the car whose places are measured."""
+
+    DRIVE_WHEEL = "drive-wheel"
+    FORK = "fork"
+    IDLE_WHEEL = "idle-wheel"
+    PATH = "path"
+
+    def lever(self, design: Design) -> complex:
+        """Its place in the car's frame from the drive wheel, ahead + i left, mm."""
+        car = design.car
+        return {
+            Point.DRIVE_WHEEL: 0j,
+            Point.FORK: car.wheelbase_mm - 1j * car.drive_wheel_offset_mm,
+            Point.IDLE_WHEEL: -1j * (car.drive_wheel_offset_mm + car.idle_wheel_offset_mm),
+            Point.PATH: -1j * design.path.offset_mm,
+        }[self]
+
+
+class Knob(Enum):
+    """Settings that may be changed by hand."""
+
+    HEAD = "head"
+    KEY = "key"
+    START = "start"
+
+    @property
+    def settings(self) -> tuple[Setting, ...]:
+        """Its settings."""
+        return STARTS if self is Knob.START else (Setting(self.value),)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wanted:
+    """How trial runs were measured, and what may be set.
+
+    Attributes:
+        point: point of the car that was measured.
+        knobs: settings that a hand may change.
+        noise: standard deviation of a measured coordinate, mm.
+        division: division of the micrometer head, mm.
+    """
+
+    point: Point = Point.DRIVE_WHEEL
+    knobs: tuple[Knob, ...] = (Knob.HEAD, Knob.START)
+    noise: float = 10.0
+    division: float = 0.01
+
+
+@dataclass(frozen=True, kw_only=True)
+class Adjustment:
+    """Settings by hand after trial runs.
+
+    Attributes:
+        plan: plan of the cam on the car.
+        wanted: how the runs were measured, and what may be set.
+        trials: in the order of driving.
+        posterior: cars that explain them.
+        settings: for the next run.
+        designed: errors to expect as the car is designed.
+        before: errors to expect with the settings of the last trial run.
+        after: errors to expect with the new settings.
+    """
+
+    plan: CamPlan
+    wanted: Wanted
+    trials: tuple[Trial, ...]
+    posterior: Posterior
+    settings: Settings
+    designed: Forecast
+    before: Forecast
+    after: Forecast
+
+    @property
+    def allowed(self) -> float:
+        """Position error at the end that the next run may have, mm: half the narrowest gate, or 60 without gates."""
+        course, width = self.plan.course, self.plan.design.tolerances.gate_width_mm
+        reaches = [gate.place.reach for gate in course.course.gates if gate.place.reach] if course else []
+        return min(reaches, default=WORTH if width is None else width / 2)
+
+    @property
+    def explained(self) -> bool:
+        """Whether cars within twice the tolerances explain the trial runs."""
+        return self.posterior.residual <= MOST_RESIDUAL
+
+    @property
+    def worse(self) -> float:
+        """Chance that the next run ends further off than one with the settings of the last, 0 to 1."""
+        return float(np.mean(self.after.end > self.before.end))
+
+    @property
+    def divisions(self) -> int:
+        """Divisions by which the head is turned from where it stood; positive makes the base radius larger."""
+        return round((self.settings.head - self.trials[-1].settings.head) / self.wanted.division)
+
+    def sentences(self) -> list[str]:
+        """The result in words, the most important first."""
+        said = []
+        if not self.explained:
+            said.append(
+                f"not explained: the points lie {self.posterior.residual:.1f} times their noise off the track of every "
+                f"car within {WIDER:g} times the tolerances, so set nothing by this yet: look for a wrong unit, point "
+                "or start, or for what no tolerance holds; measure lift or transmission and run cadgen calibrate"
+            )
+        said.append(
+            f"end of the run: {_range(self.before)} with the settings of the last trial run, {_range(self.after)} with "
+            f"the new ones; chance to end further off than before {100 * self.worse:.0f} %"
+        )
+        if self.after.end_quantile(0.95) > self.allowed:
+            said.append(
+                f"a new cam is worth it: more than one run in twenty ends beyond the {self.allowed:g} mm allowed, "
+                "whatever is set; measure the car and run cadgen calibrate"
+            )
+        elif self.after.way.mean() > self.allowed:
+            said.append(
+                f"on its way the car is up to {self.after.way.mean():.0f} mm off, more than the {self.allowed:g} mm "
+                "allowed: where that matters a new cam is worth it; measure the car and run cadgen calibrate"
+            )
+        return said
+
+    def steps(self) -> list[str]:
+        """Settings, one sentence a knob."""
+        last, new = self.trials[-1].settings, self.settings
+        steps = []
+        if Knob.HEAD in self.wanted.knobs:
+            way = "larger" if self.divisions > 0 else "smaller"
+            steps.append(
+                f"micrometer head: base radius {way} by {abs(self.divisions)} × {self.wanted.division * 1e3:g} µm (in "
+                f"all {new.head * 1e3:+.0f} µm)"
+                if self.divisions
+                else f"micrometer head: leave it (in all {new.head * 1e3:+.0f} µm)"
+            )
+        if Knob.KEY in self.wanted.knobs:
+            steps.append(
+                f"cam on its shaft: {_turn(new.key - last.key, 'ahead', 'back')} (in all {degrees(new.key):+.2f}°)"
+            )
+        if Knob.START in self.wanted.knobs:
+            steps.append(
+                f"start, from where it is planned: {_shift(new.start_x, 'ahead', 'back')}, "
+                f"{_shift(new.start_y, 'to the left', 'to the right')}, heading "
+                f"{_turn(new.start_heading, 'to the left', 'to the right')}"
+            )
+        return steps
+
+    @property
+    def line(self) -> str:
+        """The comment line that the file of the next trial run begins with."""
+        return f"# {settings_line(self.settings)}"
+
+
+def _range(errors: Forecast) -> str:
+    low, high = errors.end_quantile(0.05), errors.end_quantile(0.95)
+    return f"{errors.end.mean():.0f} mm expected ({low:.0f} to {high:.0f} in nine runs of ten)"
+
+
+def _turn(angle: float, positive: str, negative: str) -> str:
+    return f"{abs(degrees(angle)):.2f}° {positive if angle >= 0 else negative}"
+
+
+def _shift(length: float, positive: str, negative: str) -> str:
+    return f"{abs(length):.0f} mm {positive if length >= 0 else negative}"
+
+
+def adjust(
+    design: Design, files: Sequence[Path], profile: str, wanted: Wanted, progress: Progress = silent
+) -> Adjustment:
+    """Settings for the next run from trial runs of one car.
+
+    Args:
+        design: a loaded design.
+        files: CSV files of trial runs, in the order of driving.
+        profile: code of the profile of the cam on the car.
+        wanted: how the runs were measured, and what may be set.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: as `plan_cam`.
+        FileError: as `read_trials` and `trials_of`.
+    """
+    cam_model.refuse_laps(design, "an adjustment by trial runs", "adjust the car on a design with an open path")
+    records = read_trials(files)
+    plan = plan_cam(design, profile, progress, with_play=True)
+    trials = trials_of(records, start_pose(plan.track), plan.lift.blend_start)
+    progress("explaining the trial runs")
+    return Bench.of(plan, wanted).adjustment(trials)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bench:
+    """A car that is to be adjusted, ready for any trial runs.
+
+    Attributes:
+        plan: plan of the cam on it.
+        wanted: how runs are measured, and what may be set.
+        prior: what the car may differ by.
+        fine, coarse: the nominal car at stations close together, for points, and further apart, for errors.
+    """
+
+    plan: CamPlan
+    wanted: Wanted
+    prior: Prior
+    fine: Fleet
+    coarse: Fleet
+
+    @classmethod
+    def of(cls, plan: CamPlan, wanted: Wanted) -> "Bench":
+        """Of a cam planned with play.
+
+        Deviations lie evenly within twice their tolerances. Friction is that of [mechanics], or anything from none to
+        that of a greased rod: the nominal car stands in the middle of the bands.
+        """
+        comparison = comparison_of(plan)
+        band = comparison.task.mechanics
+        low, high = comparison.band.ends
+        play = (low + high) / 2
+        if band is None:
+            frictions: tuple[float, float] = (0.0, USUAL[1])
+            mechanics = Mechanics(follower=comparison.task.follower, friction=sum(frictions) / 2)
+        else:
+            frictions, mechanics = band.friction, band.nominal
+        steps = 1 + ceil((frictions[1] - frictions[0]) / FRICTION_STEP - 1e-9)
+        grid = {
+            Parameter.PLAY: _grid(low, high, PLAYS if high > low else 1) - play,
+            Parameter.FRICTION: _grid(*frictions, steps) - mechanics.friction,
+        }
+        sigma = _spreads(plan)
+        if len(grid[Parameter.PLAY]) == 1:
+            sigma[Parameter.PLAY] = max(0.03 * play, radians(0.01))
+        noise = Noise(point=wanted.noise, head=wanted.division / sqrt(12))
+        ordered = {name: sigma[name] for name in Parameter if name in sigma}
+        fine, coarse = (
+            fleet_of(plan, list(range(0, STEPS + 1, apart)), mechanics, play, grid=_GRID) for apart in (FINE, COARSE)
+        )
+        return cls(
+            plan=plan,
+            wanted=wanted,
+            prior=Prior(sigma=ordered, grid=grid, noise=noise),
+            fine=fine,
+            coarse=coarse,
+        )
+
+    def adjustment(self, trials: tuple[Trial, ...]) -> Adjustment:
+        """Settings for the next run after these."""
+        wanted, noise, last = self.wanted, self.prior.noise, trials[-1].settings
+        posterior = explain(self.fine, wanted.point.lever(self.plan.design), self.prior, trials)
+        cars = posterior.draw(np.random.default_rng(SEED), CARS)
+        free = [name for knob in wanted.knobs for name in knob.settings]
+        settings = best_settings(
+            self.coarse,
+            cars,
+            free,
+            division=wanted.division,
+            limits=LIMITS,
+            noise=noise,
+            generator=np.random.default_rng(SEED),
+        )
+        designed, before, after = (
+            forecast(self.coarse, cars, chosen, noise, np.random.default_rng(SEED))
+            for chosen in (Settings(), last, settings)
+        )
+        return Adjustment(
+            plan=self.plan,
+            wanted=wanted,
+            trials=trials,
+            posterior=posterior,
+            settings=settings,
+            designed=designed,
+            before=before,
+            after=after,
+        )
+
+
+def _spreads(plan: CamPlan) -> dict[Parameter, float]:
+    """Standard deviations of what the car may differ by, but for play, friction and the start."""
+    sigma = dict(_LEAST)
+    for name, width in variation.half_widths(plan.design, comparison_of(plan).task.mechanics).items():
+        if name in (*_OF_A_RUN, Parameter.PLAY, Parameter.FRICTION):
+            continue
+        for part in parts_of(name):
+            # A value that is anywhere within the zone, or one direction of such a size.
+            spread = WIDER * width / (sqrt(6) if isinstance(name, Directed) else sqrt(3))
+            sigma[part] = max(sigma.get(part, 0.0), spread)
+    return sigma
+
+
+def _grid(low: float, high: float, count: int) -> Array:
+    """Even steps from end to end; the middle if there is one only."""
+    return np.linspace(low, high, count) if count > 1 else np.array([(low + high) / 2])

@@ -1,0 +1,116 @@
+"""The design file with what was measured: comments kept, overrides applied, and a table [as_built] at its end."""
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import Any
+
+from cadgen.design.override import override
+from cadgen.deviations.names import Place
+from cadgen.inference.expectation.outlook import Outlook
+from cadgen.inference.measurement.findings import Value
+from cadgen.jobs.calibration.places import agreed_places
+from cadgen.jobs.calibration.plan import Calibration
+from cadgen.jobs.calibration.words import sentence, shown
+
+_TABLE = "as_built"
+
+
+def as_built_text(calibration: Calibration, design_text: str) -> str:
+    """The design's own text with the overrides and the effects; an earlier [as_built] is replaced.
+
+    Args:
+        calibration: calibration with at least one claim.
+        design_text: text of the design file.
+    """
+    import tomlkit
+
+    values: Any = tomlkit.parse(design_text)
+    for text in calibration.design.overrides:
+        override(values, text)
+    values.pop(_TABLE, None)
+    if "name" not in values:
+        # A design without a name has that of its file, and this one is called otherwise.
+        named = tomlkit.document()
+        named.add("name", calibration.design.name)
+        design_text = f"{named.as_string()}{values.as_string()}"
+    else:
+        design_text = values.as_string()
+    return f"{design_text.rstrip()}\n\n{_table(calibration)}"
+
+
+def _table(calibration: Calibration) -> str:
+    lines = [
+        f"[{_TABLE}]",
+        "# Written by cadgen calibrate: what this car was measured to be. Every command takes it into account.",
+        f'profile = "{calibration.profile}"',
+    ]
+    places = [built.place for built in calibration.built]
+    for name, outlook, reckoned in (
+        ("outlook", calibration.outlook, places),
+        ("outlook_agreed", calibration.outlook_agreed, agreed_places(calibration.built)),
+    ):
+        if outlook is not None:
+            lines += ["", f"[{_TABLE}.{name}]", *_outlook(outlook, reckoned)]
+    for source in calibration.sources:
+        lines += [
+            "",
+            f"[[{_TABLE}.sources]]",
+            f"file = {_text(source.path.name)}",
+            f'kind = "{source.kind.code}"',
+            f'sha256 = "{source.sha256}"',
+            f'verdict = "{calibration.verdict(source.kind)}"',
+        ]
+    earlier = calibration.design.as_built
+    for known in earlier.effects if earlier else ():
+        if known.place in (Place.CAR, Place.PROCESS):
+            values = [_inline(value.name, repr(value.value), value.sigma) for value in known.values]
+            lines += _effect("cut_for", known.effect, known.kind, known.place, values)
+    for built in calibration.built:
+        finding = built.claim.finding
+        values = [*map(_value, finding.values), *(_inline(name, repr(number)) for name, number in finding.indices)]
+        lines += _effect("effects", finding.effect, built.claim.kind.code, built.place, values, sentence(built))
+    return "\n".join(lines) + "\n"
+
+
+def _outlook(outlook: Outlook, places: Sequence[Place]) -> list[str]:
+    return [
+        f"old_mm = {outlook.old:.1f}",
+        f"new_mm = {outlook.new:.1f}",
+        f"least_mm = {outlook.least:.1f}",
+        f"most_mm = {outlook.most:.1f}",
+        f"chance_worse = {outlook.worse:.4f}",
+        *([] if outlook.explained is None else [f"explained = {str(outlook.explained).lower()}"]),
+        f"places = [{', '.join(map(_text, places))}]",
+    ]
+
+
+def _effect(table: str, effect: str, kind: str, place: str, values: list[str], words: str = "") -> list[str]:
+    return [
+        "",
+        f"[[{_TABLE}.{table}]]",
+        *([f"# {words}"] if words else []),
+        f"effect = {_text(effect)}",
+        f'kind = "{kind}"',
+        f'place = "{place}"',
+        f"values = [{', '.join(values)}]",
+    ]
+
+
+def _value(value: Value) -> str:
+    number, sigma = shown(value)
+    return _inline(value.name, _float(number), _float(sigma) if isfinite(value.sigma) and sigma else None)
+
+
+def _inline(name: str, value: str, sigma: str | float | None = None) -> str:
+    return f'{{ name = "{name}", value = {value}{f", sigma = {sigma}" if sigma else ""} }}'
+
+
+def _float(number: str) -> str:
+    """A TOML float has a point or an exponent."""
+    return number if any(mark in number for mark in ".e") else f"{number}.0"
+
+
+def _text(words: str) -> str:
+    import tomlkit
+
+    return tomlkit.item(words).as_string()

@@ -1,0 +1,380 @@
+"""From measured files to what the design lacks: one verdict for each kind of data, and what they say together."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import degrees, pi, radians
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.cam.contact import roll_curve
+from cadgen.cam.followers.rod import LeaningRod
+from cadgen.cam.lift import LiftCurve
+from cadgen.car.motion.mechanics import Mechanics, holding_friction
+from cadgen.car.motion.sampled import rolled_lift
+from cadgen.design import cam_model, gear_model, variation
+from cadgen.design.schema import Design
+from cadgen.deviations import quantities
+from cadgen.deviations.names import Place
+from cadgen.errors import FileError, brief
+from cadgen.gears.kinds.spur import spur_pairs
+from cadgen.gears.names import Order
+from cadgen.gears.search import arrange
+from cadgen.inference.expectation.outlook import Outlook
+from cadgen.inference.measurement.calibrate import calibrate as judge
+from cadgen.inference.measurement.calibrate import calibrate_tricycle
+from cadgen.inference.measurement.diagnose import SOUND
+from cadgen.inference.measurement.findings import Diagnosis, EvidenceDiagnosis
+from cadgen.inference.measurement.nominal import MACHINED_UM, PRINTED_UM, Nominal
+from cadgen.inference.measurement.record import Kind, Method, Record, join
+from cadgen.inference.measurement.remarks import printed, said
+from cadgen.inference.measurement.together import Claim, Shared, claims, no_friction, no_play, shared
+from cadgen.inference.measurement.verdict import Verdict
+from cadgen.inference.records.load import digest, load
+from cadgen.jobs.calibration.joint_effect import with_joint_effect
+from cadgen.jobs.calibration.new_cam import expected_of
+from cadgen.jobs.calibration.places import Built, agreed_places, placed
+from cadgen.jobs.calibration.zone_means import ZoneMeans, zone_means
+from cadgen.jobs.cam.plan import plan_cam
+from cadgen.progress import Progress, silent
+
+# A closed path is refused with these.
+_LAPS = (
+    "a calibration",
+    "calibrate the car on a design with an open path, and give a measured return error as play.measured_deg",
+)
+_STATIONS = 3600  # at which any other is rolled
+# Rows that are read for one command which judges every file alone: their records have some 200 MB.
+MOST_READ = 2_000_000
+INCLINOMETER_DEG = 0.01  # standard deviation of play.measured_deg
+
+
+@dataclass(frozen=True)
+class Source:
+    """A measured file: its record and the hash of its bytes."""
+
+    path: Path
+    record: Record
+    sha256: str
+
+    @property
+    def kind(self) -> Kind:
+        """Of data."""
+        return self.record.kind
+
+
+@dataclass(frozen=True, kw_only=True)
+class Calibration:
+    """Calibration of a car by measured files.
+
+    Attributes:
+        design, profile: that they were measured against.
+        form_error_um: stated, and `form_error_from`: by whom.
+        wheelbase: of logged tracks, mm, and whether a file said it; None without such a track.
+        track_length: of the design's track, mm; None if only logged tracks and zones were given.
+        sources: the files.
+        diagnoses: what each kind with a forward model shows.
+        zones: on means over zones.
+        claims: what the verdicts claim, that there is no play where that was seen, and what is not sure by name but
+            taken out for its effect on the run.
+        warnings: what does not fit, but was let pass.
+        outlook: what a new cam is expected to do; None where nothing is claimed that it could take out.
+        outlook_agreed: the same once the user agrees to all that a cam can take out; None where nothing waits for that.
+        nominal: the design as data of its kinds were judged against it; None without such data.
+        holds: friction from which on the cam never leads, and the cam angle that takes it, rad; None where no such data
+            show a car without play.
+    """
+
+    design: Design
+    profile: str
+    form_error_um: float
+    form_error_from: str
+    wheelbase: tuple[float, bool] | None
+    track_length: float | None
+    sources: tuple[Source, ...]
+    diagnoses: tuple[Diagnosis, ...]
+    zones: ZoneMeans | None
+    claims: tuple[Claim, ...]
+    warnings: tuple[str, ...]
+    holds: tuple[float, float] | None = None
+    outlook: Outlook | None = None
+    outlook_agreed: Outlook | None = None
+    nominal: Nominal | None = None
+
+    @cached_property
+    def built(self) -> tuple[Built, ...]:
+        """Everything claimed, each physical quantity at work once."""
+        return placed(self.claims)
+
+    @cached_property
+    def shared(self) -> tuple[Shared, ...]:
+        """Quantities that several kinds of data show."""
+        return shared(self.claims)
+
+    def files(self, kind: Kind) -> tuple[Source, ...]:
+        """The files of a kind, in the order given."""
+        return tuple(source for source in self.sources if source.kind is kind)
+
+    def verdict(self, kind: Kind) -> Verdict:
+        """On the files of a kind."""
+        if self.zones is not None and kind is self.zones.kind:
+            return self.zones.judgement.verdict
+        return next(diagnosis.verdict for diagnosis in self.diagnoses if diagnosis.kind is kind)
+
+
+def read(paths: Sequence[Path], progress: Progress = silent, *, each: bool = False) -> tuple[Source, ...]:
+    """Read measured files.
+
+    Args:
+        paths: of the files.
+        progress: function that is called with a few words on each step.
+        each: every file will be judged alone; if not, those of one kind must not have more rows than can be judged
+            together.
+
+    Raises:
+        FileError: one is no measured data, the same data are given twice, or there are more than can be judged.
+    """
+    return gathered(_loaded(paths, progress), each=each)
+
+
+def _loaded(paths: Iterable[Path], progress: Progress) -> Iterator[Source]:
+    for path in paths:
+        progress(f"reading {brief(path.name)}")
+        yield Source(path, load(path), digest(path))
+
+
+def gathered(sources: Iterable[Source], *, each: bool = False) -> tuple[Source, ...]:
+    """Measured data as they come; arguments and errors as of `read`."""
+    known: dict[str, Source] = {}
+    rows: dict[Kind | None, int] = {}
+    for source in sources:
+        record = source.record
+        if twin := known.get(source.sha256):
+            raise FileError(f"{source.path} holds the same data as {twin.path}: give each file once")
+        known[source.sha256] = source
+        kind = None if each else record.kind
+        rows[kind] = rows.get(kind, 0) + len(record.run)
+        # Before the next is read: a hundred long files take minutes.
+        if rows[kind] > (most := MOST_READ if kind is None else kind.most_rows):
+            data, at_once = (f" of {kind.code} data", "together") if kind else ("", "in one command")
+            raise FileError(
+                f"the {len(known)} files up to {record.source} have {rows[kind]} rows{data}, more than the {most} "
+                f"that can be judged {at_once}: give fewer files, or keep fewer rows of each"
+            )
+    return tuple(known.values())
+
+
+def calibrate(
+    design: Design,
+    profile: str,
+    sources: Sequence[Source],
+    form_error_um: float | None = None,
+    progress: Progress = silent,
+    nominal: Nominal | None = None,
+) -> Calibration:
+    """Judge measured files of one car against its design.
+
+    Args:
+        design: a loaded design.
+        profile: of the cam that was measured, or on the car.
+        sources: from `read`; files of one kind are taken together.
+        form_error_um: stated form error of the disc, rms; if left out, that of a printed disc if a file says that it
+            is printed, and else of a machined one.
+        progress: function that is called with a few words on each step.
+        nominal: from `nominal_of`, if that is at hand already.
+
+    Raises:
+        DesignError: the design or its profile cannot be built, or it has no train for a transmission's data.
+        FileError: files that cannot be judged together, whose units cannot be, or that the design has in it already.
+    """
+    cam_model.refuse_laps(design, *_LAPS)
+    _refuse_known(design, sources)
+    floor, stated = stated_form_error(sources, form_error_um)
+    diagnoses: dict[Kind, Diagnosis] = {}
+    track_length, holds, known = None, None, None
+    records = {method: [s.record for s in sources if s.kind.method is method] for method in Method}
+    zones = (
+        zone_means(design, join(records[Method.ZONE_MEANS]), _train(design)[0]) if records[Method.ZONE_MEANS] else None
+    )
+    if records[Method.EVIDENCE]:
+        known = replace(nominal or nominal_of(design, profile, progress), form_error=floor * 1e-3)
+        if zones is not None and zones.judgement.claimed:
+            known = replace(known, play=(radians(zones.zones.return_error_deg), radians(zones.zones.sigma_deg)))
+        track_length = known.track.length
+        diagnoses |= {diagnosis.kind: diagnosis for diagnosis in judge(records[Method.EVIDENCE], known, progress)}
+        holds = holding_friction(known.cut or known.lift, known.follower)
+    wheelbase = None
+    if logged := records[Method.RUNS_LEFT_OUT]:
+        wheelbase = wheelbase_of(design, logged)
+        diagnosis = calibrate_tricycle(logged, wheelbase[0], progress)
+        diagnoses[diagnosis.kind] = diagnosis
+    found = _claims(design, diagnoses.values(), zones)
+    if not any(c.absent and c.quantity == quantities.RETURN_ERROR and c.kind.rod_on for c in found):
+        holds = None
+    calibration = Calibration(
+        design=design,
+        profile=profile,
+        form_error_um=floor,
+        form_error_from=stated,
+        wheelbase=wheelbase,
+        track_length=track_length,
+        sources=tuple(sources),
+        diagnoses=tuple(diagnoses[kind] for kind in dict.fromkeys(s.kind for s in sources) if kind in diagnoses),
+        zones=zones,
+        claims=tuple(found),
+        warnings=tuple(_warnings(design, profile, sources)),
+        holds=holds,
+        nominal=known,
+    )
+    if known is None:
+        return calibration
+
+    def expected(built: Sequence[Built], places: Sequence[Place]) -> Outlook | None:
+        claimed = [(each.claim, place) for each, place in zip(built, places, strict=True)]
+        return expected_of(design, known, calibration.diagnoses, claimed)
+
+    def with_claims(some: Sequence[Claim]) -> Outlook | None:
+        built = placed(some)
+        return expected(built, [each.place for each in built])
+
+    taken, outlook = with_joint_effect(calibration.diagnoses, found, with_claims)
+    calibration = replace(calibration, claims=taken, outlook=outlook)
+    given, agreed = [built.place for built in calibration.built], agreed_places(calibration.built)
+    return calibration if agreed == given else replace(calibration, outlook_agreed=expected(calibration.built, agreed))
+
+
+def calibrate_each(
+    design: Design,
+    profile: str,
+    sources: Sequence[Source],
+    form_error_um: float | None = None,
+    progress: Progress = silent,
+) -> tuple[Calibration, ...]:
+    """Judge every file alone, as if each were of a car of its own. Arguments and errors as in `calibrate`."""
+    nominal = nominal_of(design, profile, progress)
+    return tuple(calibrate(design, profile, [source], form_error_um, progress, nominal) for source in sources)
+
+
+def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nominal:
+    """Nominal state for data of a cam and its car: the cam as this design makes it, the car as designed.
+
+    Raises:
+        DesignError, CheckError: see `plan_cam`.
+    """
+    cam_model.refuse_laps(design, *_LAPS)
+    bare = design.as_designed()
+    rod = cam_model.rod(bare, "a calibration")
+    plan = plan_cam(design, profile, progress)
+    follower = rod.point() if plan.profile.by_axis else rod
+    lift = cut = plan.lift
+    if design.as_built is not None or not plan.profile.gives_lift:
+        # What is cut gives the rod of the designed car another lift than the planned one.
+        angle = np.linspace(0.0, 2 * pi, _STATIONS, endpoint=False)
+        lift = rolled_lift(roll_curve(plan.on_shaft, follower, angle)[0], lift, blend_start=lift.blend_start)
+        cut = cut if plan.profile.gives_lift else lift
+    ratios, teeth = _train(design)
+    return Nominal(
+        lift=lift,
+        cut=cut,
+        mechanics=_forces(bare, follower, cut),
+        play=_measured_play(bare),
+        follower=follower,
+        profile=plan.on_shaft,
+        car=cam_model.car(bare),
+        track=plan.track,
+        ratios=ratios,
+        teeth=teeth,
+    )
+
+
+def _forces(design: Design, rod: LeaningRod, lift: LiftCurve) -> Mechanics | None:
+    """Rod force and drag by [mechanics]; None without it."""
+    band = variation.mechanics(design, rod, lift)
+    return None if band is None else band.nominal
+
+
+def _measured_play(design: Design) -> tuple[float, float] | None:
+    """Return error of [play] that was measured with the rod lifted, and its standard deviation, rad."""
+    given = None if design.play is None else design.play.measured_deg
+    return None if given is None else (radians(given), radians(INCLINOMETER_DEG))
+
+
+def _train(design: Design) -> tuple[tuple[float, ...], tuple[int, ...]]:
+    """Ratio and driven wheel's teeth of each stage, in the order that the car has; nothing without [train]."""
+    if design.train is None:
+        return (), ()
+    train = arrange(gear_model.train(design), Order(design.optimize.order))[0].train
+    pairs = spur_pairs(train, "a calibration is")
+    return tuple(float(pair.ratio) for pair in pairs), tuple(pair.driven.form.teeth for pair in pairs)
+
+
+def _claims(design: Design, diagnoses: Iterable[Diagnosis], zones: ZoneMeans | None) -> list[Claim]:
+    """Claims of the verdicts, and of no play where they would have claimed play of the tabled size."""
+    tabled = variation.tabled_play(design)
+    found: list[Claim | None] = []
+    for diagnosis in diagnoses:
+        found += claims(diagnosis)
+        unnamed = diagnosis.unnamed if isinstance(diagnosis, EvidenceDiagnosis) else {}
+        if tabled is not None and (play := unnamed.get(quantities.RETURN_ERROR)):
+            found.append(no_play(diagnosis.source, diagnosis.kind, play, degrees(tabled)))
+        if friction := unnamed.get(quantities.SLIDING_FRICTION):
+            found.append(no_friction(diagnosis.source, diagnosis.kind, friction))
+    if zones is not None and zones.judgement.claimed:
+        found.append(Claim(zones.source, zones.kind, zones.finding))
+    elif zones is not None and tabled is not None and zones.judgement.verdict in SOUND:
+        found.append(no_play(zones.source, zones.kind, zones.finding, degrees(tabled)))
+    return [claim for claim in found if claim is not None]
+
+
+def stated_form_error(sources: Sequence[Source], given: float | None) -> tuple[float, str]:
+    """Form error to expect on the disc, um rms, and its source.
+
+    Args:
+        sources: measured files.
+        given: form error that the caller gives, um rms; None if none.
+    """
+    if given is not None:
+        return given, "given"
+    if by := next((s for s in sources if printed(s.record)), None):
+        return PRINTED_UM, f"{by.record.source} says printed"
+    return MACHINED_UM, "machined: no file says printed"
+
+
+def wheelbase_of(design: Design, records: Sequence[Record]) -> tuple[float, bool]:
+    """Wheelbase of the logged car, mm, and whether it is from a file."""
+    stated = {float(match[0]) for record in records if (match := said(record, r"wheelbase ([0-9.]*[0-9]) mm"))}
+    if len(stated) > 1:
+        raise FileError(
+            f"{' and '.join(r.source for r in records)} say different wheelbases, {sorted(stated)} mm: judge them apart"
+        )
+    return (stated.pop(), True) if stated else (design.car.wheelbase_mm, False)
+
+
+def _refuse_known(design: Design, sources: Sequence[Source]) -> None:
+    """The effects of a file that a design was calibrated with are in it, and would be found a second time."""
+    known = {} if design.as_built is None else {source.sha256: source.file for source in design.as_built.sources}
+    for source in sources:
+        if source.sha256 in known:
+            raise FileError(
+                f"{source.path} is among the files that {design.name} was calibrated with ({known[source.sha256]} in "
+                "[as_built.sources]), so its effects would count twice: judge it against the design that it came from, "
+                "or measure again with the new cam"
+            )
+
+
+def _warnings(design: Design, profile: str, sources: Sequence[Source]) -> list[str]:
+    found = []
+    if design.as_built is not None and design.as_built.profile == profile:
+        found.append(
+            f"the design has [as_built] of a car with the {profile} profile, and was judged with --profile {profile}: "
+            "that means a new cam, cut for what [as_built] says; data of the older cam belong to the design without it"
+        )
+    for source in sources:
+        name = said(source.record, r"^design: *([A-Za-z0-9._-]+)")
+        if source.kind.of_design and name and name[0] != design.name:
+            found.append(f"{source.record.source} says design {name[0]}, but it was judged against {design.name}")
+        made = said(source.record, r"\b(actual|theoretical|published|optimized|compensated|smoothed) profile\b")
+        if made and made[0] != profile:
+            found.append(f"{source.record.source} says {made[0]} profile, but it was judged against {profile}")
+    return found

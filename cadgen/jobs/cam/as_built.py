@@ -1,0 +1,176 @@
+"""Deviations of the car as it was built, in words."""
+
+from math import degrees, radians
+
+from cadgen.arrays import TURN
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.design import cam_model, gear_model, variation
+from cadgen.design.as_built import Effect
+from cadgen.design.schema import Design
+from cadgen.design.section import listed
+from cadgen.deviations.names import Place
+
+_SIGNS = {"deg": "°", "um": " µm", "%": " %", "mm": " mm", "s": " s", "": ""}
+_OTHER_PLACES = (
+    "What the new cam is expected to do is not known: [as_built.outlook] is of other places than the effects have now. "
+    "Calibrate again, or give the effects those places."
+)
+_LEAST_SHIFT = radians(0.005)  # of the run's end: less than a hundredth of a degree is not worth a sentence
+
+
+def as_built_sentences(design: Design, stop: float) -> list[str]:
+    """Effects that count, effects that are only noted, where to stop the run, and how to set the cam, in words.
+
+    Args:
+        design: loaded design.
+        stop: motor position at which the run ends, rad.
+    """
+    record = design.as_built
+    if record is None:
+        return []
+    used, noted = (
+        [effect for effect in record.effects if (effect.place == Place.NOTED) is aside] for aside in (False, True)
+    )
+    lines = [f"As built: {_listed_effects(used)}." if used else "As built: nothing that a cam or a run depends on."]
+    if noted:
+        lines.append(f"Only noted: {_listed_effects(noted)}.")
+    lines += [*_lead_sentences(design), *_friction_sentences(design)]
+    if abs(stop - stop_as_designed(design)) > _LEAST_SHIFT:
+        turns = ""
+        if design.train is not None:
+            turns = f" ({stop / TURN * float(gear_model.train(design).ratio):.3f} turns of the wheel)"
+        lines.append(
+            f"The path ends at {degrees(stop):.2f}° of cam angle{turns}, not at "
+            f"{degrees(stop_as_designed(design)):.2f}°: stop the run there."
+        )
+    phase = cam_model.as_built(design).phase
+    if phase != 0 and cam_model.has_key(design):
+        lines.append(f"The key of the new cam is turned by {-degrees(phase):.3f}°, which takes out the cam's phase.")
+    elif phase != 0:
+        way = "back against" if phase > 0 else "ahead in"
+        lines.append(
+            f"Set the new cam on its shaft {abs(degrees(phase)):.3f}° {way} its sense of turning from where the "
+            "measured one stood: without a keyway or D-flat nothing does it for you."
+        )
+    return lines
+
+
+def outlook_sentence(design: Design) -> str:
+    """Expected run of the car on the new cam; empty if no measurement predicts it."""
+    outlook = design.as_built and design.as_built.expected
+    if not outlook:
+        return _OTHER_PLACES if design.as_built and design.as_built.outlook else ""
+    return (
+        f"The new cam is expected to end the run {outlook.new_mm:.1f} mm off ({outlook.least_mm:.1f} to "
+        f"{outlook.most_mm:.1f} mm in 90 %), the old one {outlook.old_mm:.1f} mm; it is worse with a chance of "
+        f"{outlook.chance_worse:.1%}."
+    )
+
+
+def outlook_checks(design: Design) -> tuple[Check, ...]:
+    """Whether a new cam is worth its cutting, by what was measured of the car: nothing without [as_built.outlook].
+
+    The chance to be worse of other places than the effects have is no figure of this cam; it stands if it refuses one,
+    for by a change of places nothing was found that speaks for a cam.
+    """
+    known = design.as_built and design.as_built.expected
+    outlook = known or (design.as_built and design.as_built.outlook)
+    if not outlook:
+        return ()
+    # Only here: it needs the models of all kinds of data, and most designs have no outlook.
+    from cadgen.inference.expectation.outlook import WORSE
+
+    remedy = "measure what cadgen calibrate asks for, and calibrate again"
+    checks = []
+    if known or outlook.chance_worse > WORSE:
+        checks.append(
+            Check(
+                CheckCode.CHANCE_WORSE,
+                "chance to be worse than the old cam",
+                100 * outlook.chance_worse,
+                "%",
+                100 * WORSE,
+                Bound.MAX,
+                "end of the run" if known else "with the places as calibrated",
+                remedy,
+            )
+        )
+    if outlook.explained is not None:
+        checks.append(
+            Check(
+                CheckCode.RUNS_EXPLAINED,
+                "measured runs explained",
+                float(outlook.explained),
+                "",
+                1.0,
+                Bound.MIN,
+                "1: yes, 0: no",
+                remedy,
+            )
+        )
+    return tuple(checks)
+
+
+def _lead_sentences(design: Design) -> list[str]:
+    """How to keep what the cam takes out of the train at its place, in words."""
+    if not any(placed.leads for placed in cam_model.as_built(design).effects):
+        return []
+    return [
+        "The cam takes out what its shaft leads or lags the gears by at each turn: mark every wheel, its shaft and the "
+        "teeth in mesh before you take the train apart, and put them together as they were measured."
+    ]
+
+
+def _friction_sentences(design: Design) -> list[str]:
+    """Conditions under which a track showed play or none, in words."""
+    known = cam_model.as_built(design)
+    if known.play == 0 and known.shows_play_with_rod and known.friction is None:
+        return [
+            "The car showed no play with the rod on: its gears have none, or friction or drag holds the cam, and then "
+            "oil or shaking sets it free: measure the play with the rod lifted."
+        ]
+    if known.runs_free and known.play:
+        instead = " instead of the friction of [mechanics]" if design.mechanics is not None else ""
+        return [
+            f"The return error was found on a track as if the rod slid without friction, and is used so{instead}: "
+            "calibrate that track again to look for friction too; a play measured with the rod lifted belongs in "
+            "play.measured_deg."
+        ]
+    if known.friction is not None and known.friction[0] > 0:
+        return [
+            "Friction was measured on this car as it was then: oil, wear or shaking change it, and with it where the "
+            "cam leads its gears."
+        ]
+    return []
+
+
+def assumed_play(design: Design) -> list[str]:
+    """A warning where a car was measured but not its play, and a run or a profile goes by the tabled one."""
+    tabled = variation.tabled_play(design)
+    if design.as_built is None or tabled is None or variation.measured_play(design) is not None:
+        return []
+    lowest = variation.play_bands(design)[design.optimize.order].least
+    return [
+        "Warning: play was not measured on this car, so the tabled return error is assumed, "
+        f"{degrees(lowest):.3f} to {degrees(tabled):.3f}°: calibrate with a track, a transmission or zones, or set "
+        "play.measured_deg."
+    ]
+
+
+def stop_as_designed(design: Design) -> float:
+    """Cam angle at which the path of the car as designed ends, rad."""
+    return cam_model.turn_to_finish(design, cam_model.track(design))
+
+
+def _listed_effects(effects: list[Effect]) -> str:
+    named = [f"{effect.effect} {_values(effect)} ({effect.place}, from {effect.kind})" for effect in effects]
+    return listed(named, "and")
+
+
+def _values(effect: Effect) -> str:
+    units = {p.name: p.unit for p in effect.known().parameters}
+    return ", ".join(
+        f"{value.value:.4g}{_SIGNS[units.get(value.name, '')]}"
+        + (f" ± {value.sigma:.2g}" if value.sigma is not None else "")
+        for value in effect.values
+    )

@@ -1,0 +1,365 @@
+"""Runs of a car held against the course of its design: the planned run, and those over the band of play."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import ceil, degrees, inf
+
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.cam.lift import LiftCurve
+from cadgen.car.course.body import Body
+from cadgen.car.course.course import Course
+from cadgen.car.course.gates import Passage, passages
+from cadgen.car.course.judge import Driven, Stand, judge
+from cadgen.car.course.laps import judge_laps
+from cadgen.car.course.names import Judged, ObstacleKind
+from cadgen.car.course.poses import Poses
+from cadgen.car.course.refuse import refuse_course
+from cadgen.car.course.sweep import Approach
+from cadgen.car.motion.drive import STEPS, Run, drive, start_pose
+from cadgen.car.motion.mechanics import Mechanics
+from cadgen.car.motion.poses import poses_of
+from cadgen.car.path.track import Track
+from cadgen.car.steering.car import Car
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.design import cam_model, course_model
+from cadgen.design.schema import Design
+from cadgen.jobs.cam.comparison import PlayComparison
+
+_STEP = 2.5  # mm of travel between poses: straight lines between them then err by 2 um on turns of 400 mm
+_MOST_STEPS = 40_000
+_LEAST_STEPS = 360  # of a lap
+_ROUNDING = 1e-9  # rad
+_NAMED = 6  # missed gates in a sentence; of ten laps there may be a hundred
+_OF_KIND = {
+    ObstacleKind.POST: CheckCode.COURSE_POST,
+    ObstacleKind.WALL: CheckCode.COURSE_WALL,
+    ObstacleKind.ZONE: CheckCode.COURSE_ZONE,
+}
+
+
+@dataclass(frozen=True)
+class OnCourse:
+    """A design's course with the car that is to keep it.
+
+    Without a wheel's radius a turn of the cam takes the whole path. Then runs are judged to where the closing blend
+    begins, as everywhere; they go on over the blend to the end of the turn, and what happens there is shown. On a
+    closed path every lap of the run is held against the course.
+
+    Attributes:
+        design: loaded design.
+        track: track of the drive wheel.
+        lift: lift wanted.
+        course: course of the design.
+    """
+
+    design: Design
+    track: Track
+    lift: LiftCurve
+    course: Course
+
+    @cached_property
+    def car(self) -> Car:
+        """The car in plan view."""
+        return cam_model.car(self.design)
+
+    @cached_property
+    def body(self) -> Body:
+        """Outline and wheels of the car."""
+        return course_model.body(self.design)
+
+    @property
+    def stop(self) -> float:
+        """Motor position at which the runs end, rad."""
+        return self.lift.blend_start if self.all_driven else TURN
+
+    @property
+    def all_driven(self) -> bool:
+        """Whether the whole path is driven before a closing blend, or is closed and needs none."""
+        return self.track.closed or self.design.car.drive_wheel_radius_mm is not None
+
+    def run(self, driving: Callable[[float, int], Run]) -> "CourseRun":
+        """Hold a run against the course.
+
+        Args:
+            driving: run up to a motor position (rad) in a number of steps, with what happens between them.
+        """
+        if self.track.closed:
+            return self._run_laps(driving)
+        steps = min(max(STEPS, ceil(cam_model.travel(self.design, self.track) / _STEP)), _MOST_STEPS)
+        run = driving(self.stop, steps)
+        poses, end = poses_of(run, self.car), len(run.motor)
+        if self.all_driven:
+            return CourseRun(self, run, poses, judge(poses, self.car, self.body, self.course))
+        end = max(int(np.searchsorted(run.motor, self.lift.blend_start)) + 1, 2)
+        late = _late(passages(poses, self.car, self.course.gates), end - 1)
+        before, behind = (
+            replace(
+                self.course,
+                gates=tuple(gate for gate, after in zip(self.course.gates, late, strict=True) if after is on_blend),
+                start=None if on_blend else self.course.start,
+                finish=self.course.finish if on_blend else None,
+            )
+            for on_blend in (False, True)
+        )
+        driven = judge(poses.part(0, end), self.car, self.body, before)
+        blend = judge(poses.part(end - 1, len(poses)), self.car, self.body, behind)
+        return CourseRun(self, run, poses, driven, blend)
+
+    def _run_laps(self, driving: Callable[[float, int], Run]) -> "CourseRun":
+        laps = self.design.path.run_laps
+        steps = min(max(_LEAST_STEPS, ceil(self.track.length / _STEP)), _MOST_STEPS // laps)
+        run = driving(self.stop, steps * laps)
+        poses, lap = poses_of(run, self.car), TURN / self.track.turn_laps
+        ends = np.searchsorted(run.motor, lap * (np.arange(laps) + 1.0) - _ROUNDING).tolist()
+        return CourseRun(self, run, poses, judge_laps(poses, self.car, self.body, self.course, ends))
+
+    @cached_property
+    def planned(self) -> "CourseRun":
+        """The planned run.
+
+        Raises:
+            DesignError: no car can keep the course.
+        """
+        travel, start = cam_model.travel(self.design, self.track), start_pose(self.track)
+
+        def driving(stop: float, steps: int) -> Run:
+            return drive(self.lift, self.car, travel, start=start, stop=stop, steps=steps, at_joints=True)
+
+        first = poses_of(driving(self.stop * 1e-9, 1), self.car)
+        refuse_course(self.course, self.body, first)
+        return self.run(driving)
+
+    def played(self, comparison: PlayComparison, play: float, mechanics: Mechanics | None = None) -> "CourseRun":
+        """Run of the chosen profile with play, held against the course.
+
+        Args:
+            comparison: comparison of the profiles.
+            play: return error, rad.
+            mechanics: friction and drag; those of the nominal car if left out.
+        """
+        task, chosen = comparison.task, comparison.chosen
+        following = task.following(
+            chosen.rolled, play, least_swing=chosen.least_swing, cut=chosen.lift, mechanics=mechanics
+        )
+
+        def driving(stop: float, steps: int) -> Run:
+            return drive(
+                chosen.rolled,
+                task.car,
+                task.length,
+                start=task.start,
+                stop=stop,
+                steps=steps,
+                following=following,
+                at_joints=True,
+            )
+
+        return replace(self.run(driving), play=play)
+
+
+@dataclass(frozen=True)
+class CourseRun:
+    """A run held against a course.
+
+    Attributes:
+        on: course and car.
+        run: the run.
+        poses: its poses.
+        driven: what the car comes near to and what it passes, up to where the run is judged.
+        blend: the same on the closing blend; None where the path is driven before it.
+        play: return error, rad; None of the planned run.
+    """
+
+    on: OnCourse
+    run: Run
+    poses: Poses
+    driven: Driven
+    blend: Driven | None = None
+    play: float | None = None
+
+    def figures(self) -> dict[str, tuple[str, float]]:
+        """Clearance to each thing and margin of each gate by its key, mm, with the part of the car or what is wrong."""
+        found = self.driven.figures()
+        if self.blend is not None:
+            for key, (where, room) in self.blend.figures().items():
+                if key not in found or room < found[key][1]:
+                    found[key] = (f"{where}, on the blend", room)
+        return found
+
+    def checks(self) -> tuple[Check, ...]:
+        """Every figure of the run with its verdict."""
+        return (*self._clear(), *self._sides(), *self._gates(), *self._stands(), *self._blend())
+
+    def _blend(self) -> Iterator[Check]:
+        """Least room on the closing blend: a figure, for the path does not steer there."""
+        if self.blend is None:
+            return
+        room = min(
+            ((room, f"{key}, {where}") for key, (where, room) in self.blend.figures().items()),
+            default=None,
+        )
+        if room is not None:
+            yield Check(
+                CheckCode.COURSE_BLEND if self.play is None else CheckCode.COURSE_BLEND_PLAY,
+                "least room on the blend" + ("" if self.play is None else ", with play"),
+                room[0],
+                "mm",
+                -inf,
+                Bound.MIN,
+                room[1] + ("" if self.play is None else f", return error {degrees(self.play):.3f}°"),
+            )
+
+    def _clear(self) -> Iterator[Check]:
+        margin, driven = self.on.course.margin, self.driven
+        for kind, code in _OF_KIND.items():
+            near = [(obstacle, there) for obstacle, there in driven.approaches if obstacle.kind == kind]
+            if near:
+                obstacle, there = min(near, key=lambda pair: pair[1].clearance)
+                advice = f"move the path away from {obstacle.key}, or lower course.margin_mm"
+                yield self._check(
+                    code,
+                    f"nearest {kind}",
+                    there.clearance,
+                    "mm",
+                    margin,
+                    Bound.MIN,
+                    self._by(obstacle.key, there),
+                    advice,
+                )
+        if driven.edge is not None:
+            place = self._by("course.field" if self.on.body.corners else "course.field (wheels alone)", driven.edge)
+            advice = "move the path away from the field's edge, or lower course.margin_mm"
+            yield self._check(
+                CheckCode.COURSE_EDGE,
+                "edge of the field",
+                driven.edge.clearance,
+                "mm",
+                margin,
+                Bound.MIN,
+                place,
+                advice,
+            )
+
+    def _sides(self) -> Iterator[Check]:
+        if any(obstacle.side for obstacle in self.on.course.obstacles):
+            wrong = self.driven.wrong_sides
+            place = ", ".join(f"{obstacle.key} is not passed on its {obstacle.side}" for obstacle in wrong) or "none"
+            advice = "lead the path past it on the other side, or change its key side"
+            yield self._check(
+                CheckCode.COURSE_SIDE, "passed on the wrong side", len(wrong), "", 0.0, Bound.MAX, place, advice
+            )
+
+    def _gates(self) -> Iterator[Check]:
+        passages = self.driven.passages
+        worst = self.driven.worst_gate
+        if worst is None:
+            return
+        missed = [passage for passage in passages if passage.margin < 0 or passage.fault]
+        place = ", ".join(passage.missed for passage in missed[:_NAMED]) or f"all, {len(passages)} in order"
+        if len(missed) > _NAMED:
+            place += f", and {len(missed) - _NAMED} more"
+        advice = "lead the path through the gates in their order and direction, or make them wider"
+        yield self._check(
+            CheckCode.COURSE_GATES,
+            "gates passed",
+            len(passages) - len(missed),
+            "",
+            len(passages),
+            Bound.MIN,
+            place,
+            advice,
+        )
+        where = f"{worst.gate.key}, {worst.off:.1f} mm from its middle, {self._at(worst.place)}"
+        yield self._check(
+            CheckCode.COURSE_GATE_MARGIN, "least margin of a gate", worst.margin, "mm", 0.0, Bound.MIN, where, advice
+        )
+
+    def _stands(self) -> Iterator[Check]:
+        for name, stand, code, turned in (
+            ("start", self.driven.start, CheckCode.COURSE_START, CheckCode.COURSE_START_HEADING),
+            ("finish", self.driven.finish, CheckCode.COURSE_FINISH, CheckCode.COURSE_FINISH_HEADING),
+        ):
+            if stand is None or (code == CheckCode.COURSE_START and self.play is not None):
+                continue
+            yield from self._stand(name, stand, code, turned)
+
+    def _stand(self, name: str, stand: Stand, code: CheckCode, turned: CheckCode) -> Iterator[Check]:
+        wanted = stand.wanted
+        what = f"{wanted.point.replace('_', ' ')} of the car"
+        yield self._check(
+            code,
+            f"{name} off",
+            stand.off,
+            "mm",
+            wanted.place.reach or course_model.STAND_RADIUS,  # a line has none, and rounding must not fail it
+            Bound.MAX,
+            what,
+            f"let the path {name} there, or change {wanted.key}",
+        )
+        if stand.turned is not None:
+            yield self._check(
+                turned,
+                f"{name}, heading off",
+                degrees(abs(stand.turned)),
+                "°",
+                degrees(wanted.heading_tolerance),
+                Bound.MAX,
+                what,
+                f"let the path {name} in that direction, or change {wanted.key}.heading_deg",
+            )
+
+    def _check(
+        self, code: CheckCode, name: str, value: float, unit: str, limit: float, bound: str, place: str, advice: str
+    ) -> Check:
+        if self.play is None:
+            return Check(code, name, value, unit, limit, bound, place, advice)  # type: ignore[arg-type]
+        judged, finish = self.on.course.judged == Judged.PLAY, self.on.course.finish
+        cure = 'make the course keep more room, take play out of the gears, or set course.judged = "planned"'
+        if code == CheckCode.COURSE_FINISH and finish is not None and len(finish.place.points) > 1:
+            cure = (
+                "with play no run ends on a line: give course.finish as a disc, at_mm with a radius_mm that holds "
+                'where the runs end, or set course.judged = "planned"'
+            )
+        free = inf if bound == Bound.MAX else -inf
+        return Check(
+            CheckCode(f"{code}-play"),
+            f"{name}, with play",
+            value,
+            unit,
+            limit if judged else free,
+            bound,  # type: ignore[arg-type]
+            f"{place}, return error {degrees(self.play):.3f}°",
+            cure,
+        )
+
+    def _by(self, key: str, there: Approach) -> str:
+        return f"{key}, by the {there.part}, {self._at(there.place)}"
+
+    def _at(self, place: float) -> str:
+        at = self.poses.at(np.array([place]))
+        return f"{at.travel[0]:.0f} mm along, fork at ({at.fork[0].real:.0f}, {at.fork[0].imag:.0f}) mm"
+
+
+def _late(passed: Sequence[Passage], end: float) -> list[bool]:
+    """Whether each gate lies behind a place of the run: of those that have an order only the last can."""
+    late, last = [], True
+    for passage in reversed(passed):
+        behind = passage.place > end and (passage.gate.free or last)
+        last = last and (behind or passage.gate.free)
+        late.append(behind)
+    return late[::-1]
+
+
+def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:
+    """The design's course; None without [course].
+
+    Args:
+        design: loaded design.
+        track: track of the drive wheel.
+        lift: lift wanted.
+    """
+    course = course_model.course(design)
+    return None if course is None else OnCourse(design, track, lift, course)

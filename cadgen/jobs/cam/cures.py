@@ -1,0 +1,115 @@
+"""Cures of lost lift: changes of one key, each proved by planning the cam again."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import ceil, floor, log10
+
+from cadgen.cam.checks import LOST_LIFT
+from cadgen.cam.cure import undercut_cures
+from cadgen.car.path.kinds.cubic import CUBIC
+from cadgen.check import Check, failing
+from cadgen.design.load import with_overrides
+from cadgen.design.section import listed
+from cadgen.errors import CadgenError
+from cadgen.jobs.cam.plan import CamPlan, replanned_checks
+from cadgen.progress import Progress, silent
+
+# Each cure is proved by planning the cam again, some thirty times in all. With more kinks than this, which each take a
+# hundredth of a second a plan, no cures are sought.
+MOST_KINKS_CURED = 300
+# Lengthening the closing blend is tried by these factors, and limits are rounded up to a tenth of a micrometre.
+_BLEND_FACTORS = (1.5, 2.0, 3.0, 5.0, 8.0)
+
+
+@dataclass(frozen=True)
+class Cure:
+    """One change of the design after which no more lift is lost than allowed.
+
+    Attributes:
+        override: change, as for `--set`.
+        now: present value of the key, as text.
+        failing: checks that fail with the change.
+    """
+
+    override: str
+    now: str
+    failing: tuple[Check, ...]
+
+
+@dataclass(frozen=True)
+class Cures:
+    """Cures of the lost lift of a plan.
+
+    Attributes:
+        lost: failed checks on lost lift; empty if there is nothing to cure.
+        proved: changes that cure it, each alone.
+        kinks: number of kinks of the lift; cures are sought for up to `MOST_KINKS_CURED`.
+    """
+
+    lost: tuple[Check, ...]
+    proved: tuple[Cure, ...]
+    kinks: int
+
+    @property
+    def sought(self) -> bool:
+        """Whether the lift has so few kinks that cures are sought."""
+        return self.kinks <= MOST_KINKS_CURED
+
+    def sentences(self) -> list[str]:
+        """Cures of lost lift, in words."""
+        lines = []
+        for cure in self.proved:
+            change = f"--set {cure.override} (now {cure.now}) "
+            failed = listed([check.name for check in cure.failing], "and")
+            lines.append(change + (f"ends that, but fails {failed}." if cure.failing else "cures it."))
+        if self.lost and not self.sought:
+            lines.append(
+                f"What would cure it was not sought, for the lift has {self.kinks} kinks and it is for up to "
+                f'{MOST_KINKS_CURED}: set path.spline = "quintic", which has none, or keep fewer waypoints.'
+            )
+        elif self.lost and not lines:
+            lines.append("No change of one key cures it: the path itself must become milder.")
+        return lines
+
+
+def find_cures(plan: CamPlan, progress: Progress = silent) -> Cures:
+    """Look for changes of one key that bring lost lift within its limit; takes many plans if lift is lost.
+
+    Args:
+        plan: computed cam.
+        progress: function that is called with a few words on each step.
+    """
+    cures = Cures(plan.lost, (), len(plan.lift.kinks))
+    if not cures.lost or not cures.sought:
+        return cures
+    progress("looking for a change that cures lost lift")
+    return Cures(cures.lost, tuple(_tried(plan)), cures.kinks)
+
+
+def _tried(plan: CamPlan) -> Iterator[Cure]:
+    """Try one key at a time: the spline, the blend, the rod, the base circle, and at last the limit itself."""
+    design = plan.design
+    if design.path.spline == CUBIC.code:
+        yield from _proved(plan, 'path.spline="quintic"', "cubic")
+    now = design.cam.blend_deg
+    in_blend = any(trim.after >= plan.lift.blend_start for trim in plan.trims)
+    for factor in _BLEND_FACTORS if in_blend else ():
+        if proved := _proved(plan, f"cam.blend_deg={now * factor:g}", f"{now:g}"):
+            yield from proved
+            break
+    for change in undercut_cures(plan.lift, plan.rod, design.checks.lost_lift_limit_um * 1e-3):
+        # Three digits, rounded to the safe side.
+        unit = 10.0 ** (floor(log10(change.value)) - 2)
+        safe = (ceil if change.value > change.now else floor)(change.value / unit) * unit
+        yield from _proved(plan, f"{change.parameter}={safe:.4g}", f"{change.now:g}")
+    allowed = ceil(max(check.value for check in plan.lost) * 10) / 10
+    yield from _proved(plan, f"checks.lost_lift_limit_um={allowed:g}", f"{design.checks.lost_lift_limit_um:g}")
+
+
+def _proved(plan: CamPlan, override: str, now: str) -> list[Cure]:
+    """The change, if the design stays valid and no more lift than allowed is lost with it; else nothing."""
+    try:
+        failed = failing(replanned_checks(plan, with_overrides(plan.design, [override])))
+    except CadgenError:
+        return []
+    return [] if any(check.code in LOST_LIFT for check in failed) else [Cure(override, now, failed)]

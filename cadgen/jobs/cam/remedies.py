@@ -1,0 +1,299 @@
+"""The remedies against play on one sheet: the error that each leaves, and what to build for it."""
+
+from dataclasses import dataclass, replace
+from math import degrees
+
+import numpy as np
+
+from cadgen.cam.checks import check_cam
+from cadgen.cam.envelope import actual_profile
+from cadgen.cam.followers.rod_kind import RodMaterial
+from cadgen.cam.lift import LiftCurve
+from cadgen.car.motion.friction import BEARING
+from cadgen.car.motion.mechanics import Mechanics, MechanicsBand
+from cadgen.car.optimize.band import PlayBand, best_for_band, over_band
+from cadgen.car.optimize.evaluate import Evaluation
+from cadgen.car.optimize.profiles.actual import ACTUAL
+from cadgen.car.optimize.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
+from cadgen.car.optimize.task import Task
+from cadgen.design import cam_model, variation
+from cadgen.design.load import with_overrides
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError
+from cadgen.gears.names import StageOrder
+from cadgen.jobs.cam.comparison import PlayComparison, known_trains
+from cadgen.progress import Progress, silent
+
+_ALLOWED_END = 100.0  # mm; error allowed to a trimmed car where [optimize] has no limit
+
+
+@dataclass(frozen=True, kw_only=True)
+class Remedy:
+    """A remedy against play, and the error that it leaves.
+
+    Attributes:
+        name: name of the remedy.
+        cut_for: window of a compensated profile, rad; None for the plain profile.
+        worst_end: position error at the end of the run in the worst car of the bands, mm; None if it cannot be built.
+        on_way: greatest position error on the run of the worst car, mm; None if it cannot be built.
+        build: advice on what to build or do besides the cam, a sentence; empty if there is none.
+    """
+
+    name: str
+    cut_for: float | None
+    worst_end: float | None
+    on_way: float | None
+    build: str = ""
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """A design with its bands of play, friction and drag."""
+
+    design: Design
+    task: Task
+    band: PlayBand
+    mechanics: MechanicsBand
+
+    @property
+    def known(self) -> MechanicsBand:
+        """Range of the forces on the cam without a brake, for comparison of the remedies."""
+        return replace(self.mechanics, drag=(0.0, 0.0), behind=0.0)
+
+    @property
+    def plays(self) -> list[float]:
+        measured = self.band.measured
+        return list(self.band.ends) if measured is None else [measured]
+
+    def row(
+        self,
+        name: str,
+        lift: LiftCurve,
+        rolled: LiftCurve,
+        cases: tuple[Mechanics, ...],
+        *,
+        plays: list[float] | None = None,
+        cut_for: float | None = None,
+        build: str = "",
+    ) -> Remedy:
+        """A remedy judged by its worst run.
+
+        Args:
+            name: name of the remedy.
+            lift: lift that the cam is cut for.
+            rolled: lift that the follower gets.
+            cases: frictions and drags of the cars.
+            plays: return errors, rad; those of the design if left out.
+            cut_for, build: same as in `Remedy`.
+        """
+        task, plays = self.task, self.plays if plays is None else plays
+        ends = over_band(rolled, task.lift, task.car, task.length, np.array(plays), mechanics=cases, cut=lift)
+        way = worst_on_way(task, rolled, lift, plays, cases)
+        return Remedy(name=name, cut_for=cut_for, worst_end=ends.worst_distance, on_way=way, build=build)
+
+
+def remedies(design: Design, comparison: PlayComparison, progress: Progress = silent) -> tuple[Remedy, ...]:
+    """Every remedy for the design's car, in the worst of its plays and frictions, and the design as it is.
+
+    Remedies are compared without the brake that the design may have.
+
+    Args:
+        design: loaded design.
+        comparison: its profiles against play, with those of all its trains.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: the design has no [mechanics].
+    """
+    mechanics = comparison.task.mechanics
+    if mechanics is None:
+        raise DesignError("remedies against play go by the rod's force and friction: add [mechanics]")
+    progress("comparing remedies against play")
+    sheet = _Sheet(design, comparison.task, comparison.band, mechanics)
+    plain = next(
+        evaluation
+        for evaluation in comparison.evaluations
+        if evaluation.profile is ACTUAL and evaluation.train == design.optimize.order and not evaluation.measured
+    )
+    cases, chosen = sheet.known.cases, comparison.chosen
+    rows = [
+        sheet.row(f"this design: {chosen.profile}", chosen.lift, chosen.rolled, mechanics.cases),
+        sheet.row("plain cam", plain.lift, plain.rolled, cases),
+    ]
+    rows += _reordered(sheet)
+    rows += _compensated(sheet)
+    rows += _tight_joint(sheet)
+    rows += _split_wheel(sheet)
+    rows += _bearing(sheet)
+    if holding(plain.lift, sheet.known).torque > 0:
+        rows += _trim(sheet, plain)
+        rows += _drag(sheet, plain)
+    return tuple(rows)
+
+
+def _reordered(sheet: _Sheet) -> list[Remedy]:
+    """The plain cam on the train with its stages in the other order."""
+    bands = known_trains(sheet.design)
+    if StageOrder.REORDERED not in bands or sheet.design.optimize.order == StageOrder.REORDERED:
+        return []
+    lift, plays = sheet.task.lift, list(bands[StageOrder.REORDERED].ends)
+    build = "the train with its stages reordered: --set optimize.order=reordered"
+    return [sheet.row("plain cam, reordered", lift, lift, sheet.known.cases, plays=plays, build=build)]
+
+
+def _compensated(sheet: _Sheet) -> list[Remedy]:
+    """Profiles compensated for the car in the middle of the bands, and for all of them."""
+    task, known = sheet.task, sheet.known
+    play = sum(sheet.plays) / len(sheet.plays)
+    middle = best_for_band(task.lift, task.follower, task.car, task.length, (play, play), mechanics=(known.nominal,))
+    left = middle.worst_distance
+    rows = [
+        sheet.row(
+            "compensated for one car",
+            middle.lift,
+            middle.lift,
+            known.cases,
+            cut_for=middle.made_for,
+            build=f"right for a play of {degrees(play):.3f}° and a friction of {known.nominal.friction:.3g}, where it "
+            f"leaves {left:.0f} mm: measure both on the car",
+        )
+    ]
+    return [*rows, _robust(sheet, "compensated for all", (min(sheet.plays), max(sheet.plays)))]
+
+
+def _robust(sheet: _Sheet, name: str, ends: tuple[float, float], build: str = "") -> Remedy:
+    """The profile with the least worst end over plays between two ends (rad), as a remedy."""
+    task, known = sheet.task, sheet.known
+    best = best_for_band(task.lift, task.follower, task.car, task.length, ends, mechanics=known.corners)
+    return sheet.row(name, best.lift, best.lift, known.cases, plays=list(ends), cut_for=best.made_for, build=build)
+
+
+def _tight_joint(sheet: _Sheet) -> list[Remedy]:
+    """The loosest joint clamped, pinned or glued, and a profile for the play that is left."""
+    whole = variation.whole_play(sheet.design)
+    if whole is None or not whole.loose or sheet.design.play is not None:
+        return []
+    worst = max(whole.loose, key=lambda joint: joint.greatest)
+    low, high = sheet.band.ends
+    ends = max(low - worst.least, 0.0), max(high - worst.greatest, 0.0)
+    return [_robust(sheet, "no play in one joint, compensated", ends, whole.sentence())]
+
+
+def _split_wheel(sheet: _Sheet) -> list[Remedy]:
+    """A wheel of two halves under springs at the camshaft: it takes out its own mesh, and no other."""
+    trains = variation.train_plays(sheet.design)
+    if not trains or sheet.design.play is not None:
+        return []
+    teeth = trains[sheet.design.optimize.order].teeth
+    if teeth is None or not teeth.train.stages[-1].toothed:
+        return []
+    last = teeth.stages[-1]
+    low, high = sheet.band.ends
+    ends = max(low - last.B_min, 0.0), max(high - last.B_max, 0.0)
+    build = (
+        f"a wheel of two halves under springs on the camshaft, which takes out its own mesh only, "
+        f"{degrees(last.B_max):.3f} of {degrees(high):.3f}°; its springs must hold more torque than the cam gives"
+    )
+    return [_robust(sheet, "split wheel, compensated", ends, build)]
+
+
+def _bearing(sheet: _Sheet) -> list[Remedy]:
+    """A ball bearing on the rod, and a cam for its radius, compensated."""
+    task, design = sheet.task, sheet.design
+    keys = cam_model.rod_keys(design)
+    if keys is None or keys.material == RodMaterial.BALL_BEARING:
+        return []
+    fitting = bearing_for(task.lift, task.follower)
+    if fitting is None:
+        return []
+    bearing, count = fitting
+    follower = replace(task.follower, radius=bearing.outside / 2)
+    known = replace(sheet.known, follower=follower, friction=BEARING)
+    overrides = [
+        f"follower.radius_mm={bearing.outside / 2:g}",
+        "follower.material=ball_bearing",
+        f"follower.width_mm={count * bearing.width:g}",
+    ]
+    if design.mechanics and design.mechanics.friction_least is not None:
+        overrides += ["mechanics.friction_least=", "mechanics.friction_greatest="]
+    try:
+        with_overrides(design, overrides)
+        ends = min(sheet.plays), max(sheet.plays)
+        best = best_for_band(task.lift, follower, task.car, task.length, ends, mechanics=known.corners)
+        profile = actual_profile(best.lift, follower)
+        limits = cam_model.check_limits(design)
+        checks = check_cam(best.lift, follower, profile.curve, profile.trims, cam_model.blank(design), limits)
+        failed = [check.name for check in checks if not check.passed]
+        verdict = f"its cam fails {', '.join(failed)}" if failed else "its cam keeps every check"
+    except DesignError as error:
+        return [
+            Remedy(
+                name="ball bearing, compensated",
+                cut_for=None,
+                worst_end=None,
+                on_way=None,
+                build=f"no cam can be made for a bearing of {bearing.outside:g} mm: {error}",
+            )
+        ]
+    several = "a ball bearing" if count == 1 else f"{count} ball bearings side by side"
+    return [
+        sheet.row(
+            "ball bearing, compensated",
+            best.lift,
+            best.lift,
+            known.cases,
+            cut_for=best.made_for,
+            build=f"{several} of {bearing.bore:g} x {bearing.outside:g} x {bearing.width:g} mm on the rod, and a cam "
+            f"for it: --set {' --set '.join(overrides)}; {verdict}",
+        )
+    ]
+
+
+def _trim(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
+    """The plain cam with the steering set after a trial run."""
+    task, known = sheet.task, sheet.known
+    settings = trims(task, plain.rolled, plain.lift, sheet.plays, known.fine_cases)
+    middle = sum(sheet.plays) / len(sheet.plays)
+    allowed = sheet.design.optimize.max_end_position_mm or _ALLOWED_END
+    low, high = friction_to_fail(task, plain.rolled, plain.lift, middle, known.nominal, allowed)
+    # A larger base radius turns the steering to the left: tan(beta) falls by its growth over the faces' distance.
+    arm = (task.follower.inner + task.follower.outer) / 2
+    turns = sorted((-trim.tan_beta * arm * 1e3 for trim in settings), key=abs)
+    return [
+        Remedy(
+            name="plain cam, trimmed",
+            cut_for=None,
+            worst_end=max(trim.error.end_distance for trim in settings),
+            on_way=max(float(trim.error.distance.max()) for trim in settings),
+            build=f"after a trial run change the base radius at the micrometer by {turns[0]:+.0f} to "
+            f"{turns[-1]:+.0f} µm, so that the end is met; set at a friction of {known.nominal.friction:.3g}, the end "
+            f"stays within {allowed:g} mm more while friction stays from {low:.3g} to {high:.3g}",
+        )
+    ]
+
+
+def _drag(sheet: _Sheet, plain: Evaluation) -> list[Remedy]:
+    """The plain cam with a brake on the disc that holds it."""
+    need = holding(plain.lift, sheet.known)
+    braked = replace(sheet.known, drag=(need.drag, need.drag), friction=(0.0, sheet.known.friction[1]), behind=0.0)
+    keys = sheet.design.mechanics
+    share = ""
+    if keys is not None and keys.drive_energy_J is not None:
+        share = f", {100 * need.energy / keys.drive_energy_J:.1f} % of the drive's {keys.drive_energy_J:g} J"
+        if need.energy > keys.drive_energy_J:
+            share += ", which it has not got"
+    return [
+        sheet.row(
+            "plain cam, drag that holds",
+            plain.lift,
+            plain.rolled,
+            braked.cases,
+            build=f"a brake or felt on the disc itself, {need.drag:.3g} N·mm for a rod force of "
+            f"{sheet.known.rod_force:g} N: a quarter more than the cam's {need.torque:.3g} N·mm at "
+            f"{degrees(need.cam_angle):.1f}° without friction ({need.with_friction:.3g} at the least friction); it "
+            f"takes {need.energy:.2g} J a turn{share}, and holds until the drag falls by "
+            f"{100 * (1 - need.torque / need.drag):.0f} % or the rod's force rises by "
+            f"{100 * (need.drag / need.torque - 1):.0f} %; a milder path there needs less, a "
+            f"larger base radius does not",
+        )
+    ]

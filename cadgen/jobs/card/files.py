@@ -1,0 +1,83 @@
+"""A card of settings as sentences, as plain values, and as files: a table and a page to print."""
+
+import csv
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+from cadgen.errors import CheckError, FileError
+from cadgen.jobs.card.plan import Card
+from cadgen.output.files.folder import publishing
+from cadgen.output.files.manifest import Written, file_facts, versions, write_manifest
+from cadgen.output.report import settings
+from cadgen.output.report.card import printed_card
+from cadgen.progress import Progress, silent
+from cadgen.version import __version__
+
+
+def sentences(card: Card) -> list[str]:
+    """The result in words, the most important first."""
+    comparison, laps = card.cam.comparison, card.cam.laps
+    lines = settings.sentences(
+        card.drawn,
+        None if comparison is None else comparison.band.ends,
+        None if laps is None else laps.in_run,
+    )
+    if card.cam.passed:
+        return lines
+    names = ", ".join(check.name for check in card.cam.failed)
+    return [f"the cam itself fails its checks ({names}): see cadgen check", *lines]
+
+
+def facts(card: Card) -> dict[str, Any]:
+    """The result in the units of its names."""
+    design, comparison = card.design, card.cam.comparison
+    return {
+        "design": design.name,
+        "design_sha256": design.content_hash,
+        "overrides": list(design.overrides),
+        "cadgen": __version__,
+        "profile": card.cam.profile.code,
+        "drive_wheel": card.cam.wheel.facts(),
+        "passed": card.passed,
+        "failed": [check.code for check in card.cam.failed],
+        "stated_spacing_mm": card.draw.stated,
+        "start_of": settings.planned_point(design),
+        "worst_error_mm": card.worst.error,
+        "worst_error_at_mm": card.worst.spacing,
+        "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
+        "said": sentences(card),
+        "settings": settings.rows(design, card.drawn),
+    }
+
+
+def write_card(card: Card, out: Path, progress: Progress = silent) -> Written:
+    """Publish the card as CSV and as a page to print.
+
+    Args:
+        card: a card; where it does not keep the course the page and the table say so.
+        out: folder, which is made if need be.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        CheckError: the cam itself fails its checks.
+        FileError: a file cannot be written, or read back is not what was written.
+    """
+    if not card.cam.passed:
+        raise CheckError(sentences(card)[0])
+    stem, known, columns = f"{card.design.name}_card", facts(card), settings.columns(card.design, card.drawn)
+    rows, legend = known["settings"], settings.legend(card.design, columns, card.draw.stated)
+    title = f"{card.design.name}: settings for the spacing that is drawn"
+    html = printed_card(title, known["said"], columns, rows, legend)
+    progress("writing")
+    with publishing(out) as staging:
+        table, page = staging / f"{stem}.csv", staging / f"{stem}.html"
+        table.write_text(settings.csv_text(rows), encoding="utf-8", newline="")
+        page.write_text(html, encoding="utf-8", newline="")
+        with table.open(encoding="utf-8", newline="") as stream:
+            again = [float(row["wheel_radius_mm"]) for row in csv.DictReader(stream)]
+        if again != [row["wheel_radius_mm"] for row in rows] or page.read_text(encoding="utf-8") != html:
+            raise FileError(f"{stem}: read back it is not what was written; try again or choose another disk")
+        entry = {**known, "versions": versions(), "files": {file.name: file_facts(file) for file in (table, page)}}
+        write_manifest(staging, stem, entry)
+    return Written(stem, entry)

@@ -1,0 +1,206 @@
+"""The setting of a spacing: sought to first order on the rolled disc, then driven by the exact chain and checked."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import floor
+
+import numpy as np
+
+from cadgen.arrays import TURN, Array
+from cadgen.cam.checks import riding_checks
+from cadgen.cam.followers.rod import LeaningRod, rod_of
+from cadgen.cam.lift import LiftCurve
+from cadgen.cam.rolled import Contact
+from cadgen.car.course.course import Course
+from cadgen.car.course.names import Judged
+from cadgen.car.course.scaled import Draw
+from cadgen.car.draws.drawn import Drawn, steering_check
+from cadgen.car.draws.error import Target, planned_point
+from cadgen.car.draws.knobs import Setting
+from cadgen.car.draws.search import best_settings, first_guess
+from cadgen.car.draws.steering import Steering, moved_rod
+from cadgen.car.motion.drive import Pose, Run, drive, turns_of
+from cadgen.car.motion.sampled import rolled_lift
+from cadgen.car.optimize.profiles.actual import ACTUAL
+from cadgen.curves.closed import ClosedCurve
+from cadgen.design import cam_model, course_model, draw_model
+from cadgen.design.schema import Design
+from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.jobs.cam.course import CourseRun, OnCourse
+from cadgen.jobs.cam.course_checks import play_checks
+from cadgen.jobs.cam.plan import CamPlan
+
+_STATIONS = 3600  # at which the rod is rolled, an even number; the run then errs by 0.02 mm
+TRIES = 3  # settings that are sought for a spacing at which the course is not kept
+_HEAVIER = 2.0  # times which the error counts where the course is not kept, each time
+_ROUNDING = 1e-9  # of a step
+_ABOUT = 0.04  # of the run, to either side of such a place
+
+
+@dataclass(frozen=True)
+class Maker:
+    """Makes the settings of a cam.
+
+    Attributes:
+        cam: plan of the cam.
+        draw: spacings that can be drawn.
+        tries: settings that are sought for a spacing at which the course is not kept.
+    """
+
+    cam: CamPlan
+    draw: Draw
+    tries: int = TRIES
+
+    def drawn(self, spacing: float) -> Drawn:
+        """Setting for a spacing (mm) with the least error that keeps the course; else the one nearest to keeping it.
+
+        Args:
+            spacing: spacing that is drawn, mm.
+        """
+        design, track = self._design, self.cam.track
+        target = draw_model.target(design, track, self.draw, spacing, self._nodes, self._motor, self._steering)
+        knobs = draw_model.knobs(design, track, self._start(spacing))
+        weights = np.ones(len(self._motor))
+        middle = (self._rod.inner + self._rod.outer) / 2
+        begin = first_guess(knobs, middle, track.turn, spacing / self.draw.stated)
+        rows: list[Drawn] = []
+        for _ in range(self.tries):
+            near = best_settings(target, knobs, begin, weights)
+            wrong: list[float] = []  # of the best
+            for found in near:
+                row, places = self._driven(spacing, target, found.setting)
+                rows.append(row)
+                if not places:
+                    return min(rows, key=lambda each: each.merit)
+                wrong = wrong or places
+            for place in wrong:
+                weights[np.abs(self._motor - place) < _ABOUT * self._motor[-1]] *= _HEAVIER
+            begin = near[0].setting.values
+        return min(rows, key=lambda each: each.merit)
+
+    def _start(self, spacing: float) -> tuple[float, float, float]:
+        return draw_model.start_of(self.draw, self.cam.track, spacing / self.draw.stated)
+
+    @property
+    def _design(self) -> Design:
+        return self.cam.design
+
+    @cached_property
+    def _course(self) -> Course:
+        """The course as stated; where the car starts the setting says."""
+        course = course_model.course(self._design)
+        assert course is not None  # it has spacings
+        return replace(course, start=None)
+
+    @property
+    def _wanted(self) -> LiftCurve:
+        """Lift wanted, without play."""
+        return self.cam.lift if self.cam.comparison is None else self.cam.comparison.task.lift
+
+    @cached_property
+    def _rod(self) -> LeaningRod:
+        return rod_of(self.cam.follower, "a card of settings")
+
+    @cached_property
+    def _plain(self) -> ClosedCurve:
+        """Curve to be cut of the disc that gives the wanted lift without play."""
+        if self.cam.comparison is None:
+            return self.cam.curve
+        return cam_model.as_built(self._design).precompensated(ACTUAL.curve(self._wanted, self._rod).curve)
+
+    @cached_property
+    def _stations(self) -> Array:
+        return np.linspace(0.0, TURN, _STATIONS, endpoint=False)
+
+    @cached_property
+    def _nodes(self) -> Array:
+        """Every other station up to where runs are judged, or all round where they go on."""
+        even = np.linspace(0.0, TURN, _STATIONS // 2 + 1)
+        return even[: floor(self._wanted.blend_start / even[1] + _ROUNDING) + 1]
+
+    @cached_property
+    def _motor(self) -> Array:
+        """Nodes of all turns of a run, of several turns one in as many, so that there are no more than of one."""
+        stop = self._wanted.blend_start
+        step = turns_of(stop) * TURN / (_STATIONS // 2)
+        return np.asarray(np.arange(floor(stop / step + _ROUNDING) + 1) * step)
+
+    @cached_property
+    def _steering(self) -> Steering:
+        knobs = draw_model.knobs(self._design, self.cam.track, self._start(self.draw.stated))
+        return Steering.of(self._rod, knobs.disc, knobs.head, lambda rod: self._contact(self._plain, rod).tan_beta)
+
+    def _contact(self, cut: ClosedCurve, rod: LeaningRod) -> Contact:
+        return draw_model.contact(self._design, cut, rod, self._stations)
+
+    def _driven(self, spacing: float, target: Target, setting: Setting) -> tuple[Drawn, list[float]]:
+        """The setting as it drives, and motor positions, rad, at which it does not keep the course."""
+        rod = moved_rod(self._rod, setting.disc, setting.head)
+        contact = self._contact(self._plain, rod)
+        lift = rolled_lift(contact, self._wanted, blend_start=self._wanted.blend_start)
+        start, length = target.start(setting.values), target.rim * setting.travel
+        on = OnCourse(self._design, self.cam.track, self._wanted, self.draw.course(self._course, spacing))
+
+        def driving(stop: float, steps: int) -> Run:
+            return drive(lift, target.car, length, start=start, stop=stop, steps=steps, at_joints=True)
+
+        held = on.run(driving)
+        off = self._off(held.run, spacing)
+        checks = [*held.checks(), steering_check(lift, self._nodes, target.car)]
+        with_play = None
+        if self.cam.comparison is not None:
+            contact = self._contact(self.cam.curve, rod)
+            lift = rolled_lift(contact, self.cam.lift, blend_start=self._wanted.blend_start)
+            comparison = _moved(self.cam.comparison, lift, start, length)
+            with_play = self._end_with_play(comparison, spacing)
+            if self._course.judged == Judged.PLAY:
+                checks += play_checks(on, comparison)
+        checks += riding_checks(lift, rod, contact, self.cam.blank, cam_model.check_limits(self._design))
+        worst = int(np.argmax(off))
+        place = planned_point(np.array([start.x + 1j * start.y]), np.array([start.heading]), target.offset)[0]
+        row = Drawn(
+            spacing=spacing,
+            setting=setting,
+            start=(float(place.real), float(place.imag), start.heading),
+            error=float(off[worst]),
+            error_at=float(held.run.motor[worst] / TURN * length),
+            end=float(off[-1]),
+            end_with_play=with_play,
+            checks=tuple(checks),
+        )
+        return row, _wrong_places(held)
+
+    def _off(self, run: Run, spacing: float) -> Array:
+        """Distance of the planned point of the car from the scaled path, as far as runs are judged, shape (n,), mm."""
+        judged = int(np.searchsorted(run.motor, self._wanted.blend_start, side="right"))
+        wheel = run.drive_wheel[:, 0] + 1j * run.drive_wheel[:, 1]
+        place = planned_point(wheel, run.heading, self._design.path.offset_mm)
+        wanted = draw_model.places(self._design, self.cam.track, self.draw, run.motor, spacing)
+        return np.asarray(np.abs(place - wanted)[:judged])
+
+    def _end_with_play(self, comparison: PlayComparison, spacing: float) -> float:
+        """Greatest distance from the path, at the end of the run or on its last lap, over the band of play, mm."""
+        measured, band = comparison.band.measured, comparison.chosen.band.plays
+        plays = band if measured is None else np.array([measured])
+        track, stop = self.cam.track, self._wanted.blend_start
+        last = stop - (TURN / track.turn_laps if track.closed else 0.0)
+        runs = (comparison.run(comparison.chosen, play) for play in plays.tolist())
+        return max(float(self._off(run, spacing)[run.motor[run.motor <= stop] >= last].max()) for run in runs)
+
+
+def _moved(comparison: PlayComparison, rolled: LiftCurve, start: Pose, length: float) -> PlayComparison:
+    """The comparison under play with the chosen profile on a disc that was moved, another wheel and another start."""
+    task = replace(comparison.task, start=start, length=length)
+    return replace(comparison, task=task, chosen=replace(comparison.chosen, rolled=rolled))
+
+
+def _wrong_places(run: CourseRun) -> list[float]:
+    """Motor positions, rad, where a run does not keep its course."""
+    margin, driven, motor = run.on.course.margin, run.driven, run.run.motor
+    places = [there.place for _, there in driven.approaches if there.clearance < margin]
+    if driven.edge is not None and driven.edge.clearance < margin:
+        places.append(driven.edge.place)
+    places += [passage.place for passage in driven.passages if passage.margin < 0]
+    if driven.finish is not None and driven.finish.off > driven.finish.wanted.place.reach:
+        places.append(len(motor) - 1.0)
+    return np.interp(places, np.arange(len(motor)), motor).tolist() if places else []

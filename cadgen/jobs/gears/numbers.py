@@ -1,0 +1,218 @@
+"""Gears and trains given by numbers, without a design file: the same teeth, checks and files as a design's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property, partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cadgen.check import Check
+from cadgen.design.gear_model import usual_chord
+from cadgen.errors import FileError
+from cadgen.gears.blank import gear_body
+from cadgen.gears.inspection import inspection_of
+from cadgen.gears.kinds.spur_facts import form_facts
+from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.stage import Wheel
+from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import Train, TrainPlay, train_play
+from cadgen.geometry.meshes.train_made import MadeTrain, make_train
+from cadgen.jobs.gears.facts import checks_facts, parts_facts, return_error, stages_facts
+from cadgen.jobs.gears.files import Maker, publish, write_stl
+from cadgen.jobs.gears.step_files import VOLUME_LIMIT, Result, tooth_errors
+from cadgen.output.files.formats import GEAR_FORMATS, Format, chosen_formats
+from cadgen.output.files.manifest import Written
+from cadgen.parts.blank import Blank
+from cadgen.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from cadgen.geometry.solids.kernel import Part
+
+_FRAME = "mm; the gear's axis is z, a tooth stands on x, and its lower face lies at z = 0"
+
+
+@dataclass(frozen=True)
+class TrainPlan:
+    """A train given by numbers, computed and checked.
+
+    Attributes:
+        name: name of the train; the names of its files begin with it.
+        train: play, layout, inspection and checks of the train.
+    """
+
+    name: str
+    train: MadeTrain
+
+    @property
+    def play(self) -> TrainPlay:
+        """Play of the train."""
+        return self.train.play
+
+    @property
+    def layout(self) -> TrainLayout:
+        """Parts at their places."""
+        return self.train.layout
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Every figure with its verdict."""
+        return self.train.checks
+
+    @property
+    def passed(self) -> bool:
+        """Whether every check keeps its limit."""
+        return all(check.passed for check in self.checks)
+
+    @property
+    def stem(self) -> str:
+        """Start of the names of its files."""
+        return self.name
+
+    @property
+    def description(self) -> str:
+        """One line for STEP files."""
+        return f"gear train {self.name}"
+
+    def chord(self, gears: Sequence[Wheel]) -> float:
+        """Greatest chord error of a part's mesh, mm."""
+        return usual_chord(gears)
+
+    def facts(self) -> dict[str, Any]:
+        """The plan as plain values for the manifest and for machines."""
+        return self._facts
+
+    @cached_property
+    def _facts(self) -> dict[str, Any]:
+        return {
+            "train": self.name,
+            "passed": self.passed,
+            "ratio": str(self.play.train.ratio),
+            "return_error_deg": return_error(self.play),
+            "stages": stages_facts(self.layout),
+            "checks": checks_facts(self.checks),
+            "parts": parts_facts(self.layout),
+        }
+
+
+def plan_train(
+    train: Train,
+    blanks: Sequence[Blank],
+    name: str,
+    directions: Sequence[float | None] | None = None,
+    clearance: float = 0.3,
+) -> TrainPlan:
+    """Compute a train, lay it out, and measure its teeth in mesh.
+
+    Args:
+        train: train with its stages.
+        blanks: features of the gears besides their teeth, for each shaft from the drive to the output.
+        name: name of the train.
+        directions: directions of the stages' lines of centres, rad; None for any.
+        clearance: least gap between bodies on different shafts, mm.
+
+    Raises:
+        DesignError: a gear, its blank or the layout is impossible, or no standard covers a size.
+    """
+    return TrainPlan(name, make_train(train_play(train), blanks, directions, clearance, usual_chord))
+
+
+def part_of(form: GearForm, blank: Blank) -> TrainPart:
+    """One gear as a part by itself, its axis on z and its lower face at z = 0.
+
+    Raises:
+        DesignError: the tooth or the blank cannot be made.
+    """
+    body = gear_body(form, blank)
+    return TrainPart(
+        name="gear",
+        shaft=1,
+        gears=(form,),
+        stages=(1,),
+        blank=blank,
+        body=body,
+        axis=0j,
+        angle=0.0,
+        height=0.0,
+        flipped=False,
+    )
+
+
+def solid_of(form: GearForm, part: TrainPart, name: str, shaft: int = 1) -> Part:
+    """A gear's part as a solid; `shaft` decides its colour."""
+    from cadgen.geometry.solids.gear import body_solid
+    from cadgen.geometry.solids.kernel import Part
+    from cadgen.geometry.solids.train import colour_of_shaft
+
+    description = f"spur gear of {form.teeth} teeth, module {form.normal_module:g} mm"
+    return Part(solid=body_solid(part.body), name=name, description=description, colour=colour_of_shaft(shaft))
+
+
+def write_gear(
+    form: GearForm,
+    part: TrainPart,
+    name: str,
+    out: Path,
+    progress: Progress = silent,
+    formats: str | Iterable[str] | None = None,
+) -> Written:
+    """Write, read back, judge and publish the files of one gear.
+
+    Args:
+        form: numbers of its teeth.
+        part: gear as a part, from `part_of`.
+        name: name of the gear; the names of its files begin with it.
+        out: folder for the files; it is made if need be. Nothing appears in it unless everything succeeded.
+        progress: function that is called with a few words on each step.
+        formats: some of `GEAR_FORMATS`; all of them if left out.
+
+    Raises:
+        DesignError: a format is unknown.
+        FileError: a file cannot be written, or holds something else when it is read back.
+    """
+    makers: dict[Format, Maker] = {
+        Format.STEP: ("STEP", partial(_step_file, form, part, name)),
+        Format.STL: ("STL", partial(_stl_file, part, name)),
+    }
+    wanted = chosen_formats(formats, GEAR_FORMATS)
+    return publish(f"{name}_gear", gear_facts(form, part, name), _FRAME, makers, wanted, out, progress)
+
+
+def gear_facts(form: GearForm, part: TrainPart, name: str) -> dict[str, Any]:
+    """One gear as plain values, with what the shop measures on it as it is cut."""
+    deviation = form.tooth_thickness_deviation
+    sizes = inspection_of(form, deviation, deviation)
+    return {
+        "gear": name,
+        **form_facts(form),
+        "bore_mm": part.blank.bore_diameter,
+        "E_sn_um": deviation * 1e3,
+        "teeth_spanned": sizes.span.teeth_spanned if sizes.span else None,
+        "span_mm": sizes.span.span.upper if sizes.span else None,
+        "pin_diameter_mm": sizes.pins.pin_diameter if sizes.pins else None,
+        "over_pins_mm": sizes.pins.over_pins.upper if sizes.pins else None,
+        "volume_mm3": part.volume,
+    }
+
+
+def _step_file(form: GearForm, part: TrainPart, name: str, staging: Path) -> list[Result]:
+    """Write a STEP file; require one valid solid with name and exact volume by the kernel, tooth curves by its text."""
+    from cadgen.geometry.solids.gear_text import read_gear
+    from cadgen.geometry.solids.step import read_part, step_bytes
+
+    file = staging / f"{name}.step"
+    solid = solid_of(form, part, name)
+    file.write_bytes(step_bytes(solid))
+    again = read_part(file)
+    if not again.valid or again.bodies != 1 or again.name != name or again.description != solid.description:
+        raise FileError(f"{file.name}, read back, is not one valid solid with its name: report this gear")
+    error = abs(again.volume / part.volume - 1)
+    if not error <= VOLUME_LIMIT:
+        raise FileError(f"{file.name}, read back, misses the exact volume by {error:.1e}: report this gear")
+    errors = tooth_errors(file.name, read_gear(file, part.gears, part.starts))
+    return [(file.name, {**errors, "volume_mm3": again.volume, "volume_error_relative": error})]
+
+
+def _stl_file(part: TrainPart, name: str, staging: Path) -> Iterator[Result]:
+    yield write_stl(part, staging, name, usual_chord(part.gears))

@@ -1,0 +1,263 @@
+"""A path planned, run through the exact chain with all its checks, and planned again with what they ask for.
+
+Of several such paths, with more and more room at gates and obstacles, the one is kept that most cars drive (`cars`).
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from math import ceil, pi
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.car.course.body import place_of
+from cadgen.car.course.names import Judged
+from cadgen.car.course.poses import Poses
+from cadgen.car.course.refuse import refuse_course
+from cadgen.car.draws.drawn import Drawn
+from cadgen.car.path.track import Track
+from cadgen.car.planner.gates import is_exact
+from cadgen.car.planner.plan import Plan
+from cadgen.car.planner.plan import plan as planned
+from cadgen.car.planner.reasons import Reason, reasons
+from cadgen.car.planner.task import Task
+from cadgen.car.planner.tightening import Tightening
+from cadgen.design import cam_model, course_model, draw_model, gear_model
+from cadgen.design.load import design_of
+from cadgen.design.planned import planned_text, rounded
+from cadgen.design.schema import Design
+from cadgen.errors import CheckError, DesignError
+from cadgen.jobs.cam.plan import CamPlan, plan_cam
+from cadgen.jobs.card.plan import card_of
+from cadgen.jobs.planning.cars import ALL, REFINED, Cars, Tried, best, cars_on, saturated, tried
+from cadgen.jobs.planning.task import task_of
+from cadgen.progress import Progress, silent
+
+# Of plan and exact chain; most plans need one. More where other runs than the planned one must keep the course.
+_ROUNDS, _MORE_ROUNDS = 5, 7
+_SPACINGS = 5  # of a draw, at which a plan is driven
+_WHEEL_STEP = 100  # parts of a millimetre in which a drive wheel's radius is chosen
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """Options of a plan besides its course.
+
+    Attributes:
+        near: track to stay near to; None for a plan from scratch.
+        within: how far from it the drive wheel may be, mm.
+        calm: track whose curvature's slopes are not to be exceeded; None without.
+        seeds: number of searches; the best one counts.
+        map_with: function like the built-in `map` that runs several searches.
+        replaced: design with the path that the plan takes the place of; None without.
+        reserve: room at gates and obstacles besides their margins, as a factor on the scatter of cars; None to choose
+            it by the share of the cars that keep the course.
+    """
+
+    near: Track | None = None
+    within: float = 0.0
+    calm: Track | None = None
+    seeds: int = 1
+    map_with: Callable[..., Iterable[Plan]] | None = None
+    replaced: Design | None = None
+    reserve: float | None = None
+
+
+@dataclass(frozen=True)
+class PlannedPath:
+    """A planned path, or the reasons why there is none.
+
+    Attributes:
+        design: design that was planned.
+        task: what the planner was asked.
+        plan: the planner's result.
+        text: text of the design file with the path; empty if the course cannot be driven.
+        cam: plan of the cam for the path with all checks; None if the course cannot be driven.
+        reasons: why the course cannot be driven; empty if it can.
+        failed: sentence on a limit of [optimize] that no profile keeps; empty if there is one.
+        drawn: settings with which the path was driven at some of the spacings that can be drawn; empty without them.
+        kept: what was kept from the limits besides.
+        cars: cars within the tolerances on this path, on that before it, and on others; None if nothing varies or the
+            course holds nothing that cars could miss.
+        no_cars: why the cars cannot be reckoned, in a sentence; empty if they can.
+    """
+
+    design: Design
+    task: Task
+    plan: Plan
+    text: str
+    cam: CamPlan | None
+    reasons: tuple[Reason, ...] = ()
+    failed: str = ""
+    drawn: tuple[Drawn, ...] = ()
+    kept: Tightening = field(default_factory=Tightening)
+    cars: Cars | None = None
+    no_cars: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether there is a path and all checks pass, at every spacing that was driven."""
+        return self.cam is not None and self.cam.passed and not any(each.failed for each in self.drawn)
+
+    @property
+    def wheel_radius(self) -> float | None:
+        """Radius of the drive wheel that the plan chose, mm; None if it was given or follows from the path."""
+        return None if self.cam is None else _chosen_radius(self.design, self.task, self.plan)
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """Everything that a path is planned for; arguments of `plan_design`."""
+
+    design: Design
+    text: str
+    drawn: Track | None
+    wanted: Wanted
+    progress: Progress
+
+
+def plan_design(
+    design: Design, text: str, drawn: Track | None, wanted: Wanted, progress: Progress = silent
+) -> PlannedPath:
+    """Plan a path for a design.
+
+    Args:
+        design: loaded design; its own path counts only for what the course leaves out.
+        text: text of its file.
+        drawn: drive wheel's track of its own path; None if it has none.
+        wanted: what the plan is asked for.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        DesignError: the design has no course or no start, or its values cannot be.
+    """
+    _refuse_course(design)
+    asked = _Asked(design, text, drawn, wanted, progress)
+    path = _planned(asked, Tightening())
+    if not path.passed or path.cam is None:
+        return path
+    try:
+        first = tried(path.cam, 0.0)
+    except DesignError as error:
+        return replace(path, no_cars=str(error))
+    if first is None:
+        return path
+    return _chosen(asked, path, path.cam, first)
+
+
+def _chosen(asked: _Asked, path: PlannedPath, cam: CamPlan, cars: Tried) -> PlannedPath:
+    """The path that most cars keep the course on, of one without room for their scatter and others with more and more.
+
+    Args:
+        asked: what a path is planned for.
+        path: the first, without such room.
+        cam: its cam.
+        cars: cars on it.
+    """
+    wanted, found = asked.wanted, [(path, cam, cars)]
+    factors = REFINED if cars.kept < ALL else ()
+    if wanted.reserve is not None:
+        factors = (wanted.reserve,) if wanted.reserve > 0 else ()
+    for factor in factors:
+        asked.progress(f"planning with room for {factor:g} times the scatter of the cars")
+        last, _, known = found[-1]
+        path = _planned(asked, last.kept, known.spare(factor), rounded(last.plan.path.points))
+        more = None if path.cam is None or not path.passed else tried(path.cam, factor)
+        if path.cam is not None and more is not None:
+            found.append((path, path.cam, more))
+        elif wanted.reserve is not None:
+            return path
+        if wanted.reserve is None and saturated([each for _, _, each in found]):
+            break
+    every = [cars for _, _, cars in found]
+    number = best(every) if wanted.reserve is None else len(found) - 1
+    path, cam, _ = found[number]
+    return replace(path, cars=cars_on(cam, wanted.replaced, every, number, asked.progress))
+
+
+def _planned(
+    asked: _Asked, tightening: Tightening, spare: Mapping[str, float] | None = None, begin: Array | None = None
+) -> PlannedPath:
+    """Plan a path, with what its checks ask for.
+
+    Args:
+        asked: what it is planned for.
+        tightening: kept from the limits from the beginning.
+        spare: distance to keep besides where it costs little, by the keys of gates and obstacles, mm.
+        begin: control points to go on from, shape (n, 2), mm; None to plan from scratch.
+    """
+    design, wanted, progress = asked.design, asked.wanted, asked.progress
+    rounds = _MORE_ROUNDS if design.course is not None and design.course.judged == Judged.PLAY else _ROUNDS
+    if course_model.draw(design) is not None:
+        draw_model.settings(design)
+        rounds = _MORE_ROUNDS
+    for number in range(rounds):
+        progress("planning the path" if number == 0 else "planning on with what the checks ask for")
+        task = task_of(
+            design, drawn=asked.drawn, near=wanted.near, within=wanted.within, calm=wanted.calm, tightening=tightening
+        )
+        task = replace(task, spare=spare or {})
+        result = planned(
+            task,
+            seeds=wanted.seeds,
+            begin=begin,
+            report=lambda words: progress(f"planning the path: {words}"),
+            map_with=wanted.map_with,
+        )
+        if result.missed:
+            progress("looking for the reason")
+            return PlannedPath(design, task, result, "", None, reasons(result))
+        radius = _chosen_radius(design, task, result)
+        written = planned_text(design, asked.text, result.path.points, radius)
+        progress("checking the planned cam")
+        try:
+            cam = plan_cam(design_of(written, Path(f"{design.name}.toml")), None, progress)
+        except CheckError as error:
+            return PlannedPath(design, task, result, "", None, (), str(error))
+        except DesignError:
+            # The closing blend is too steep for the rod to follow it: the other limits are those of the plan.
+            if number == rounds - 1 or task.vehicle.closed:
+                raise
+            tightening, begin = replace(tightening, blend=tightening.blend + 1), rounded(result.path.points)
+            continue
+        settings = _settings(task, cam, progress)
+        path = PlannedPath(design, task, result, written, cam, drawn=settings, kept=tightening)
+        more = tightening.after(cam.failed)
+        for each in settings:
+            more = more.larger(tightening.after(each.failed))
+        if more == tightening:
+            break
+        tightening, begin = more, rounded(result.path.points)
+    return path
+
+
+def _settings(task: Task, cam: CamPlan, progress: Progress) -> tuple[Drawn, ...]:
+    """Settings at the ends of what is drawn and between, if a spacing is drawn."""
+    if task.draw is None:
+        return ()
+    draw_model.refuse_range(cam.design, task.draw, cam.track, cam_model.rod(cam.design, "a card of settings"))
+    low, high = task.draw.spacings[0], task.draw.spacings[-1]
+    few = replace(task.draw, spacings=tuple(np.linspace(low, high, _SPACINGS).tolist()))
+    return card_of(cam, few, progress, tries=1).drawn
+
+
+def _refuse_course(design: Design) -> None:
+    """Refuse a course on which the car cannot stand at its start, where the course says how it stands there."""
+    course, car = course_model.course(design), cam_model.car(design)
+    start = None if course is None else course.start
+    if course is None or start is None or start.heading is None or not is_exact(start):
+        return
+    ahead = np.exp(1j * start.heading)
+    fork = complex(*start.place.points[0]) - complex(*place_of(start.point, car)) * ahead
+    still = np.zeros(2)
+    pose = Poses(fork=np.full(2, fork), heading=still + start.heading, steering=still, travel=still)
+    refuse_course(course, course_model.body(design), pose)
+
+
+def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
+    if task.vehicle.closed or task.vehicle.path_turn == 1.0:
+        return None
+    turn = result.path.cost.line.length / task.vehicle.path_turn
+    least = turn / (2 * pi * float(gear_model.train(design).ratio))
+    return ceil(least * _WHEEL_STEP + 1e-3) / _WHEEL_STEP

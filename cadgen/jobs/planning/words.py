@@ -1,0 +1,154 @@
+"""The result of a plan, or why there is none, as sentences and as plain values."""
+
+from math import degrees
+from typing import Any
+
+from cadgen.jobs.cam.comparison import PlayComparison
+from cadgen.jobs.planning.cars import Cars
+from cadgen.jobs.planning.plan import PlannedPath
+from cadgen.output.report import settings
+from cadgen.output.report.reasons import cure, fault, narrow_field
+from cadgen.version import __version__
+
+
+def sentences(planned: PlannedPath) -> list[str]:
+    """The result in words, the most important first."""
+    if planned.reasons or planned.cam is None:
+        return _refusal(planned)
+    plan, cam = planned.plan, planned.cam
+    lines = [] if planned.cars is None else [_kept(planned.cars)]
+    if cam.comparison is not None:
+        low, high = (degrees(end) for end in cam.comparison.band.ends)
+        before = None if planned.cars is None or planned.cars.before is None else planned.cars.before.plan.comparison
+        was = "" if before is None else f", and on the path before {_ends(before)}"
+        lines.append(
+            f"with play from {low:.3f} to {high:.3f} degrees the run ends at most {_ends(cam.comparison)} off{was} "
+            f"({cam.comparison.chosen.profile} profile, by the exact chain)"
+        )
+    if planned.cars is not None:
+        lines += _reserves(planned.cars)
+    if planned.no_cars:
+        lines.append(f"how many cars keep the course is not known: {planned.no_cars}")
+    length = plan.path.cost.line.length
+    lines.append(
+        f"the drive wheel's track is {length:.0f} mm long; the path has {len(plan.path.points)} control points"
+    )
+    if (radius := planned.wheel_radius) is not None:
+        lines.append(
+            f"the plan is for a drive wheel of {radius:.2f} mm radius: the whole path before the closing blend"
+        )
+    if cam.laps is not None:
+        said = [cam.wheel.sentence()]
+        if cam.comparison is not None:
+            said += cam.laps.sentences(cam.comparison.run, cam.comparison.before, cam.comparison.chosen)
+        lines += [sentence.removesuffix(".") for sentence in said]
+    if planned.drawn:
+        lines += [*settings.sentences(planned.drawn, None), "cadgen card has the settings for every spacing"]
+    if not planned.passed:
+        lines.append("a check still fails, so nothing is written: see the table")
+    return lines
+
+
+def _kept(cars: Cars) -> str:
+    """Sentence on how many cars keep the course, before and after, and what binds them."""
+    after, (key, share), first = cars.after, cars.binding, cars.after.sensitivities[0]
+    said = (
+        f"{100 * after.passed:.1f} % of {after.samples} cars within the tolerances keep the course with the "
+        f"{after.plan.profile.code} profile"
+    )
+    if cars.before is not None:
+        said += f", where {100 * cars.before.passed:.1f} % do on the path before"
+    if cars.fewer:
+        said = f"fewer cars than on the path before: {said}"
+    if after.passed == 1.0:
+        return said
+    said += f"; what binds is {key}, which {100 * share:.1f} % keep"
+    if first.share == 0:
+        return said
+    return f"{said}, and {first.name.replace('_', ' ')} makes {100 * first.share:.0f} % of the variance at the end"
+
+
+def _reserves(cars: Cars) -> list[str]:
+    """Sentence on the paths that were tried, so that another may be asked for."""
+    if len(cars.tried) == 1:
+        return []
+    each = ", ".join(f"{each.factor:g} ({each.worst:.0f} mm, {100 * each.kept:.1f} %)" for each in cars.tried)
+    return [
+        f"room at gates and obstacles is planned for {cars.chosen.factor:g} times the scatter of the cars; tried, with "
+        f"the run's worst end and the cars that keep the course: {each}; --reserve asks for one"
+    ]
+
+
+def _ends(comparison: PlayComparison) -> str:
+    band = comparison.chosen.band
+    return f"{band.worst_distance:.0f} mm and {degrees(band.worst_heading):.2f} degrees"
+
+
+def _cars_facts(cars: Cars | None) -> dict[str, Any] | None:
+    """Cars on the path as plain values."""
+    if cars is None:
+        return None
+    (key, share), before = cars.binding, cars.before
+    known = None if before is None else before.plan.comparison
+    return {
+        "cars": cars.after.samples,
+        "profile": cars.after.plan.profile.code,
+        "seed": cars.after.seed,
+        "kept": cars.after.passed,
+        "kept_before": None if before is None else before.passed,
+        "worst_end_position_before_mm": None if known is None else known.chosen.band.worst_distance,
+        "binding": key,
+        "binding_kept": share,
+        "greatest_share_of_variance": {each.name: each.share for each in cars.after.sensitivities[:3]},
+        "reserve": cars.chosen.factor,
+        "tried": [
+            {"reserve": each.factor, "kept": each.kept, "worst_end_position_mm": each.worst} for each in cars.tried
+        ],
+        "scatter_mm": dict(cars.chosen.scatter),
+    }
+
+
+def _refusal(planned: PlannedPath) -> list[str]:
+    if planned.failed:
+        return [f"the path can be driven, but not with the limits of [optimize]: {planned.failed}"]
+    if not planned.reasons:
+        names = ", ".join(map(str, planned.plan.missed))
+        return [f"no path was found that keeps all limits; the best one violates {names}: try --seeds 5"]
+    first, *rest = planned.reasons
+    if narrow := narrow_field(first, planned.task):
+        return [f"the course cannot be driven: {narrow}"]
+    lines = [f"the course cannot be driven: {fault(first, planned.task)}"]
+    if first.enough:
+        lines[0] += f"; least change that does: {cure(first, planned.task, planned.design)}"
+        lines += [f"or {cure(reason, planned.task, planned.design)}" for reason in rest if reason.enough]
+    else:
+        lines[0] += "; and no single limit that gives way is enough"
+    return lines
+
+
+def facts(planned: PlannedPath) -> dict[str, Any]:
+    """The result in the units of its names."""
+    design, plan, cam = planned.design, planned.plan, planned.cam
+    comparison = None if cam is None else cam.comparison
+    return {
+        "design": design.name,
+        "design_sha256": design.content_hash,
+        "overrides": list(design.overrides),
+        "cadgen": __version__,
+        "passed": planned.passed,
+        "control_points": len(plan.path.points),
+        "track_mm": plan.path.cost.line.length,
+        "drive_wheel_radius_mm": planned.wheel_radius,
+        "first_order_mm": plan.path.cost.distance,
+        "worst_end_position_mm": None if comparison is None else comparison.chosen.band.worst_distance,
+        "worst_end_heading_deg": None if comparison is None else degrees(comparison.chosen.band.worst_heading),
+        "return_error_deg": None if comparison is None else [degrees(end) for end in comparison.band.ends],
+        "yield": _cars_facts(planned.cars),
+        "failed": [] if cam is None else [check.code for check in cam.failed],
+        "settings": settings.rows(design, planned.drawn),
+        "said": sentences(planned),
+        "reasons": [
+            {"limit": str(each.limit), "amount": each.amount, "near_mm": list(each.place), "enough": each.enough}
+            for each in planned.reasons
+        ],
+    }

@@ -1,0 +1,100 @@
+"""The error budget of a design on one sheet: what costs most at the finish, and what to hold tighter."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import degrees
+
+from cadgen.design import variation
+from cadgen.design.schema import Design
+from cadgen.inference.monte_carlo.budget import Budget, Cost, by_process, error_budget
+from cadgen.inference.monte_carlo.fleet import Fleet
+from cadgen.inference.monte_carlo.parameters import Tolerance
+from cadgen.inference.monte_carlo.processes import Process
+from cadgen.inference.monte_carlo.robust import Tolerances
+
+_SHOWN = {"rad": ("deg", degrees(1.0)), "Nmm": ("N·mm", 1.0)}
+
+
+@dataclass(frozen=True)
+class BudgetSheet:
+    """Error budget of a design's cars, and of a disc by manufacturing process.
+
+    Attributes:
+        budget: budget of the design.
+        processes: budget of a disc with the usual tolerances of each process.
+    """
+
+    budget: Budget
+    processes: Mapping[Process, Budget]
+
+    def sentences(self) -> list[str]:
+        """Advice on the tolerance to hold tighter, and the meaning of the marks, in words."""
+        lines = []
+        costs = self.budget.costs
+        if costs:
+            first = costs[0]
+            kept = max(self.budget.after**2 - 0.75 * first.after**2, 0.0) ** 0.5
+            lines.append(
+                f"Hold tighter first: {first.name.replace('_', ' ')}, {shown_half_width(first)}; half of it would take "
+                f"all together from {self.budget.after:.0f} to {kept:.0f} mm after a trim."
+            )
+            untrimmed = max(costs, key=lambda cost: cost.before)
+            if untrimmed is not first:
+                lines.append(
+                    f"Without a trim {untrimmed.name.replace('_', ' ')} costs most, {untrimmed.before:.0f} mm; a trial "
+                    f"run and a turn of the micrometer leave {untrimmed.after:.0f} mm of it, as long as it repeats."
+                )
+        if any(not cost.repeats for cost in costs):
+            lines.append("* is anew in every run, or is how closely the trim itself is set: no trim takes it out.")
+        if any(cost.rough for budget in (self.budget, *self.processes.values()) for cost in budget.costs):
+            lines.append("~ is beyond what first order is good for: of that size, and no closer.")
+        return lines
+
+    def rows(self) -> list[tuple[str, list[str]]]:
+        """Rows of a table: each deviation with its cost by process, greatest first, then all together."""
+        first = max(self.processes.values(), key=lambda budget: budget.before)
+        rows = []
+        for name in [cost.name for cost in first.costs]:
+            cells = []
+            for budget in self.processes.values():
+                cost = next((cost for cost in budget.costs if cost.name == name), None)
+                rough = "~" if cost is not None and cost.rough else ""
+                cells.append("" if cost is None else f"{rough}{cost.before:.0f}, {cost.after:.0f}")
+            rows.append((name, cells))
+        together = [f"{budget.before:.0f}, {budget.after:.0f}" for budget in self.processes.values()]
+        return [*rows, ("all, root of squares", together)]
+
+
+def budget_sheet(design: Design, fleet: Fleet, tolerances: Tolerances) -> BudgetSheet:
+    """The error budget of a design.
+
+    Args:
+        design: loaded design.
+        fleet: nominal car of the design.
+        tolerances: tolerances of its cars.
+    """
+    return BudgetSheet(
+        budget=error_budget(fleet, tolerances.half_widths, variation.play_zones(design)), processes=by_process(fleet)
+    )
+
+
+def unit_of(name: Tolerance) -> tuple[str, float]:
+    """Unit of a tolerance on screen and in files, and the factor from the internal unit to it."""
+    unit = name.unit
+    return _SHOWN.get(unit, (unit, 1.0))
+
+
+def shown_value(name: Tolerance, value: float) -> str:
+    """Value of a tolerance as text, with its unit on screen.
+
+    Args:
+        name: tolerance.
+        value: value, mm or rad.
+    """
+    unit, scale = unit_of(name)
+    return f"{value * scale:.3g}" + {"deg": "°", "1": ""}.get(unit, f" {unit}")
+
+
+def shown_half_width(cost: Cost) -> str:
+    """Half width of a deviation as text, with its unit on screen."""
+    return shown_value(cost.parameter, cost.half_width)

@@ -1,0 +1,83 @@
+"""A fleet that is held against the course of its design."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from cadgen.car.course.body import place_of
+from cadgen.car.course.gates import Passage, turned_by
+from cadgen.car.course.sweep import nearest_point
+from cadgen.inference.monte_carlo.fleet import Fleet, Poses
+from cadgen.inference.monte_carlo.watch import ClearanceWatch, Complex, GateWatch
+from cadgen.jobs.cam.course import CourseRun
+
+_WINDOW = 600.0  # mm of the planned track to either side of a gate, in which a car may be early or late
+_STEP = 10.0  # mm between its points
+_EDGE = "course.field"  # key of the field's edge
+
+
+def watching(fleet: Fleet, planned: CourseRun) -> Fleet:
+    """The fleet with stations at the gates, the nearest obstacles and the edge, besides its own.
+
+    Args:
+        fleet: nominal car; its last station is the end of the run.
+        planned: planned run of its design, held against the course.
+    """
+    wheel = planned.run.drive_wheel[:, 0] + 1j * planned.run.drive_wheel[:, 1]
+    turned = np.exp(-1j * planned.run.heading[0])
+    driven, course = planned.driven, planned.on.course
+    watched: list[tuple[int, GateWatch | ClearanceWatch]] = []
+
+    def local(points: Complex) -> Complex:
+        """Points on the floor in the frame of the start."""
+        return np.asarray((points - wheel[0]) * turned)
+
+    for passage in driven.passages:
+        watched.append((round(passage.place), _gate(planned, passage, local)))
+    near = [(obstacle.key, obstacle.shape, there) for obstacle, there in driven.approaches]
+    if course.edge is not None and driven.edge is not None:
+        near.append((_EDGE, course.edge, driven.edge))
+    for key, shape, there in near:
+        point, away = nearest_point(planned.poses, planned.on.body, shape, there, edge=key == _EDGE)
+        room = there.clearance - course.margin
+        watch = ClearanceWatch(0, local(np.array([point])), complex(away * turned), room, key)
+        watched.append((round(there.place), watch))
+
+    motor = planned.run.motor[[number for number, _ in watched]]
+    stations = np.union1d(fleet.stations, motor)
+    heading, position = np.empty((1, len(stations))), np.empty((1, len(stations)), dtype=complex)
+    for (number, _), at in zip(watched, np.searchsorted(stations, motor), strict=True):
+        heading[0, at] = planned.run.heading[number] - planned.run.heading[0]
+        position[0, at] = (wheel[number] - wheel[0]) * turned
+    own = np.searchsorted(stations, fleet.stations)
+    heading[0, own], position[0, own] = fleet.planned.heading[0], fleet.planned.position[0]
+    return replace(
+        fleet,
+        stations=stations,
+        planned=Poses(heading, position),
+        end=int(own[-1]),
+        watches=tuple(
+            replace(watch, station=int(at))
+            for (_, watch), at in zip(watched, np.searchsorted(stations, motor), strict=True)
+        ),
+    )
+
+
+def _gate(planned: CourseRun, passage: Passage, local: Callable[[Complex], Complex]) -> GateWatch:
+    gate, poses, number = passage.gate, planned.poses, round(passage.place)
+    middle = poses.travel[number]
+    around = np.searchsorted(poses.travel, np.arange(middle - _WINDOW, middle + _WINDOW, _STEP))
+    around = np.unique(np.clip(around, 0, len(poses) - 1))
+    heading = None
+    if gate.heading is not None:
+        heading = float(turned_by(poses.heading[number], gate.heading)), gate.heading_tolerance
+    return GateWatch(
+        0,
+        local(np.array([complex(*point) for point in gate.place.points])),
+        gate.place.reach,
+        local(poses.track(place_of(gate.point, planned.on.car))[around]),
+        heading,
+        not passage.fault,
+        gate.key,
+    )

@@ -1,0 +1,363 @@
+"""Sheet of a cam: face, section, radii by the angle, and what a shop has to know of it."""
+
+from dataclasses import dataclass
+from math import atan2, ceil, cos, degrees, sin
+
+import numpy as np
+import shapely
+
+from cadgen.arrays import TURN, Array
+from cadgen.curves.contour import Contour, circle
+from cadgen.output.drawing.room import placed
+from cadgen.output.drawing.screw import ScrewHole
+from cadgen.output.drawing.section import Layer, beyond, drawn, material
+from cadgen.output.drawing.sheet import (
+    BEYOND,
+    DIAMETER,
+    EDGE,
+    LEFT,
+    SHOWN,
+    SIZES,
+    TITLE_SIZE,
+    Closed,
+    Diameter,
+    Dimension,
+    Drawing,
+    Label,
+    Line,
+    Linear,
+    Stroke,
+    Table,
+    Title,
+    View,
+    centre_cross,
+    chosen_sheet,
+    cutting_plane,
+    ring,
+    section_name,
+    shown,
+    wrapped,
+)
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import DFlat, Keyway
+from cadgen.parts.names import Face
+
+EVERY = 10  # degrees between the rows of the table of radii
+_CHORD = 0.01  # mm, of outlines in a section
+_GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
+_ARROW = 14.0  # mm on paper of the arrow at the zero mark
+_STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class CamPart:
+    """A cam, for its sheet.
+
+    Attributes:
+        profile: outline as lines and arcs, mm.
+        angles: polar angles of the table, rad, shape (n,).
+        radii: distance of the exact outline from the axis there, mm.
+        greatest: greatest radius of the outline, and its polar angle: mm, rad.
+        least: least radius, likewise.
+        blank: bore, keyway, hub, holes, broken edges.
+        thickness: between the faces, mm.
+        bore_fit: tolerance class of the bore, such as `H7`; empty if none is given.
+        profile_tolerance: half width of the zone of the outline, mm; None if none is given.
+        face: words for the face that is seen.
+        files: name and hash of each file that holds the outline.
+        notes: further sentences.
+    """
+
+    profile: Contour
+    angles: Array
+    radii: Array
+    greatest: tuple[float, float]
+    least: tuple[float, float]
+    blank: Blank
+    thickness: float
+    bore_fit: str
+    profile_tolerance: float | None
+    face: str
+    files: tuple[tuple[str, str], ...]
+    notes: tuple[str, ...]
+
+
+def cam_drawing(cam: CamPart, title: Title) -> Drawing:
+    """Sheet A4, or A3 where the cam is larger than A4 shows at 1:1."""
+    across = 2 * cam.greatest[0]
+    axial = cam.thickness + (cam.blank.hub.length if cam.blank.hub else 0.0)
+    table_width = 3 * 34.0
+    beside = (table_width + 85.0, TITLE_SIZE[1] + 25.0)
+    size, scale = chosen_sheet((across + axial, across), beside, 1.0, 2.0)
+    width, height = SIZES[size]
+    least = EDGE + TITLE_SIZE[1] + 19.0 + _letters_below(cam) + scale * across / 2
+    face_at = (LEFT + 22.0 + scale * across / 2, max(least, height / 2 + 5.0))
+    section_at = (face_at[0] + scale * across / 2 + 38.0 + scale * _below(cam), face_at[1])
+    table_at = (width - EDGE - table_width, height - EDGE - 2.0)
+    tables = _radii(cam, table_at)
+    return Drawing(
+        size=size,
+        scale=scale,
+        title=title,
+        views=(_face(cam, face_at, scale), _section(cam, section_at, scale)),
+        tables=tables,
+        notes=wrapped(_notes(cam), table_width),
+        notes_at=(table_at[0], table_at[1] - max(table.height for table in tables) - 3.0),
+    )
+
+
+def _below(cam: CamPart) -> float:
+    """Length of a hub on the inner face, mm."""
+    hub = cam.blank.hub
+    return hub.length if hub and hub.side == Face.INNER else 0.0
+
+
+def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
+    blank, reach, holes = cam.blank, cam.greatest[0], cam.blank.lightening
+    zero = float(np.interp(0.0, cam.angles, cam.radii, period=TURN))
+    gap = _GAP / scale
+    curves: list[Closed | Stroke] = [
+        Closed(cam.profile),
+        Closed(blank.bore()),
+        *([ring(holes.circle_diameter, Line.CENTRE)] if holes and holes.circle_diameter else []),
+        *(Closed(hole) for hole in blank.holes()),
+        *centre_cross(reach + 0.4 * gap),
+    ]
+    labels = [
+        Label(text="θ = 0", at=(zero + 0.6 * _ARROW / scale, 2.2 / scale)),
+        Label(text=f"{cam.face}: this face up", at=(0.0, -reach - 1.1 * gap - _letters_below(cam) / scale), height=3.5),
+    ]
+    curves += _arrow((zero + _ARROW / scale, 0.0), (zero + 0.8 / scale, 0.0), 2.5 / scale)
+    if blank.hub:
+        seen = Line.VISIBLE if blank.hub.side == Face.OUTER else Line.HIDDEN
+        curves.append(ring(blank.hub.diameter, seen))
+    screw = _screw(cam)
+    curves += screw.face() if screw else ()
+    angle = _cut_angle(cam)
+    # Beside the arrow at the zero mark there is no room for the end of the plane.
+    end = reach + 0.4 * gap if abs(sin(angle)) > _STEEP else max(reach, zero + _ARROW / scale) + 1.0 / scale
+    plane, letters = cutting_plane(angle, end, scale)
+    curves += plane
+    labels += letters
+    dimensions = placed(_face_dimensions(cam, scale), curves, labels, scale)
+    return View(place=place, curves=tuple(curves), dimensions=dimensions, labels=tuple(labels))
+
+
+def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
+    blank, gap = cam.blank, _GAP / scale
+    fit = f" {cam.bore_fit}" if cam.bore_fit else ""
+    aside = degrees(blank.key.angle if blank.key else 0.0) + 125.0
+    dimensions: list[Dimension] = [
+        Diameter(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=aside, suffix=fit)
+    ]
+    match blank.key:
+        case Keyway(width=width, depth=depth, angle=angle):
+            out = blank.bore_diameter / 2 + depth
+            start, end = (_polar(out, angle, side * width / 2) for side in (-1, 1))
+            at, across = _polar(out + 0.7 * gap, angle, 0.0), degrees(angle) + 90.0
+            beside = scale * width / 2 + BEYOND
+            dimensions.append(Linear(name="keyway width", start=start, end=end, at=at, angle=across, beside=beside))
+        case DFlat(depth=depth, angle=angle):
+            radius = blank.bore_diameter / 2
+            start, end = _polar(-radius, angle, 0.0), _polar(radius - depth, angle, 0.0)
+            at = _polar(0.0, angle, -radius - 0.7 * gap)
+            dimensions.append(Linear(name="across the flat", start=start, end=end, at=at, angle=degrees(angle)))
+    if blank.mark:
+        dimensions.append(
+            Diameter(
+                name="mark",
+                centre=blank.mark.centre,
+                diameter=blank.mark.diameter,
+                angle=degrees(blank.mark.angle),
+                suffix=" mark",
+            )
+        )
+    ring_of_holes = blank.lightening
+    if ring_of_holes and ring_of_holes.circle_diameter:
+        x, y = ring_of_holes.centers()[ring_of_holes.count // 3].tolist()
+        many = f"{ring_of_holes.count} × " if ring_of_holes.count > 1 else ""
+        dimensions += [
+            Diameter(
+                name="hole",
+                centre=(x, y),
+                diameter=ring_of_holes.hole_diameter,
+                angle=degrees(atan2(y, x)),
+                prefix=many,
+            ),
+            Diameter(
+                name="circle of holes",
+                centre=(0.0, 0.0),
+                diameter=ring_of_holes.circle_diameter,
+                angle=degrees(ring_of_holes.start_angle) - 180 / ring_of_holes.count,
+            ),
+        ]
+    return dimensions
+
+
+def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
+    """Section through the axis along the key, which points upwards; the face that is seen is on the right."""
+    blank, thickness, gap = cam.blank, cam.thickness, _GAP / scale
+    angle = _cut_angle(cam)
+    boss, bore = blank.boss(thickness), blank.bore().polygon(_CHORD)
+    profile, holes = cam.profile.polygon(_CHORD), tuple(hole.polygon(_CHORD) for hole in blank.holes())
+    layers = [Layer(0.0, thickness, (profile, bore), holes)]
+    if boss:
+        layers.append(Layer(boss.low, boss.high, (circle((0.0, 0.0), boss.diameter / 2).polygon(_CHORD), bore)))
+    areas = [_chamfered(area, cam) for area in material(layers, angle)]
+    screw = _screw(cam)
+    whole, areas = areas, screw.cut(areas, angle) if screw else areas
+    strokes, hatches = drawn(areas)
+    strokes += beyond(layers, whole)
+    top = max(area.bounds[3] for area in areas)
+    low = min(area.bounds[0] for area in areas)
+    high = max(area.bounds[2] for area in areas)
+    axis = Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), Line.CENTRE)
+    dimensions: list[Dimension] = [
+        Linear(name="thickness", start=(0.0, top), end=(thickness, top), at=(0.0, top + 0.8 * gap))
+    ]
+    if isinstance(blank.key, Keyway):
+        radius, depth = blank.bore_diameter / 2, blank.key.depth
+        side = boss.high if boss else thickness
+        at = (max(side, thickness) + gap, 0.0)
+        dimensions.append(
+            Linear(name="bore and keyway", start=(side, -radius), end=(side, radius + depth), at=at, angle=90.0)
+        )
+    if boss:
+        outer, half = boss.high > thickness, boss.diameter / 2
+        end = boss.high if outer else boss.low
+        dimensions += [
+            Linear(
+                name="hub length", start=(boss.low, -half), end=(boss.high, -half), at=(boss.low, -half - 1.6 * gap)
+            ),
+            Linear(
+                name="hub diameter",
+                start=(end, -half),
+                end=(end, half),
+                at=(end + (2.0 if outer else -1.0) * gap, 0.0),
+                angle=90.0,
+                prefix=DIAMETER,
+            ),
+        ]
+    if boss and screw:
+        face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
+        dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap)))
+    middle, under = (low + high) / 2, -cam.greatest[0] - 1.1 * gap
+    labels = (
+        Label(text=section_name(angle), at=(middle, under), height=3.5),
+        Label(text=f"{cam.face} on the right", at=(middle, under - 5.0 / scale)),
+    )
+    return View(
+        place=place,
+        curves=(*strokes, *(screw.section(angle) if screw else ()), axis),
+        hatches=tuple(hatches),
+        dimensions=tuple(dimensions),
+        labels=labels,
+    )
+
+
+def _cut_angle(cam: CamPart) -> float:
+    """Direction of the plane of the section, rad: along the key, or the zero mark."""
+    return cam.blank.key.angle if cam.blank.key else 0.0
+
+
+def _letters_below(cam: CamPart) -> float:
+    """Room under the face for the end of the plane of the section, mm on paper."""
+    return 7.0 if abs(sin(_cut_angle(cam))) > _STEEP else 0.0
+
+
+def _screw(cam: CamPart) -> ScrewHole | None:
+    boss = cam.blank.boss(cam.thickness)
+    return ScrewHole.of(cam.blank, boss.drill if boss else None)
+
+
+def _chamfered(area: shapely.Polygon, cam: CamPart) -> shapely.Polygon:
+    """Area of the section with the broken edges of the outline taken off."""
+    leg, thickness = cam.blank.edge_break, cam.thickness
+    if not leg:
+        return area
+    _, low, _, high = area.bounds
+    for r, inwards in ((high, -1.0), (low, 1.0)):
+        if abs(r) < cam.least[0] - leg:
+            continue  # the bore's side
+        for z, along in ((0.0, 1.0), (thickness, -1.0)):
+            corner = shapely.Polygon([(z, r), (z + along * leg, r), (z, r + inwards * leg)])
+            area = shapely.difference(area, corner)
+    return area
+
+
+def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[Table, ...]:
+    """Radius of the outline by the polar angle, in three tables beside each other."""
+    head = ("θ, °", "R, mm")
+    cells = [
+        (shown(degrees(angle), 1), f"{radius:.3f}")
+        for angle, radius in zip(cam.angles.tolist(), cam.radii.tolist(), strict=True)
+    ]
+    third = ceil(len(cells) / 3)
+    return tuple(
+        Table(
+            title="outline about the axis" if number == 0 else "",
+            at=(at[0] + number * 34.0, at[1]),
+            widths=(13.0, 20.0),
+            rows=(head, *cells[number * third : (number + 1) * third]),
+        )
+        for number in range(3)
+    )
+
+
+def _notes(cam: CamPart) -> tuple[str, ...]:
+    (most, at_most), (least, at_least) = cam.greatest, cam.least
+    notes = [
+        f"R {most:.3f} at most, at θ = {degrees(at_most) % 360:.1f}°; {least:.3f} at least, at "
+        f"{degrees(at_least) % 360:.1f}°.",
+        "θ counts counterclockwise from the arrow. The table is for inspection; cut from a file (sha256):",
+        *(f"   {name}  {digest[:SHOWN]}" for name, digest in cam.files),
+    ]
+    if not cam.files:
+        notes.append("   none lies in this folder: make one with cadgen cam.")
+    if cam.profile_tolerance is not None:
+        key = {Keyway: " and the keyway (datum B)", DFlat: " and the flat (datum B)"}.get(type(cam.blank.key), "")
+        notes.append(f"Outline: profile of a line {2 * cam.profile_tolerance:g} mm to the bore (datum A){key}.")
+    at_angle = {Keyway: "Keyway", DFlat: "Flat"}.get(type(cam.blank.key), "")
+    if cam.blank.key and at_angle:
+        notes.append(f"{at_angle} at θ = {shown(degrees(cam.blank.key.angle), 3)}°.")
+    elif cam.blank.mark:
+        notes.append("Plain bore: the mark alone tells the angle on the part.")
+    else:
+        notes.append("Plain bore: scribe the arrow at θ = 0 before the part leaves the machine.")
+    if cam.blank.lightening:
+        notes.append(f"First hole at θ = {shown(degrees(cam.blank.lightening.start_angle), 3)}°.")
+    if not cam.bore_fit:
+        notes.append("Fit of the bore: not stated; choose it with the shaft.")
+    if cam.blank.edge_break:
+        notes.append(f"Both edges of the outline broken {cam.blank.edge_break:g} × 45°; the rod rides between them.")
+    else:
+        notes.append("Edges of the outline sharp, burrs off with a stone: a broken edge moves the rod.")
+    if cam.blank.mark:
+        mark, held = cam.blank.mark, cam.blank.key
+        side = "left" if sin(mark.angle - (held.angle if held else 0.0)) > 0 else "right"
+        of = {Keyway: "the keyway", DFlat: "the flat"}.get(type(held), "the arrow") + ", seen from the axis outwards"
+        notes.append(
+            f"Mark at R {mark.radius:g}, θ = {degrees(mark.angle):g}°: {side} of {of} on this face. On "
+            "the other side the disc is turned over."
+        )
+    if cam.blank.hub and cam.blank.hub.set_screw:
+        screw = cam.blank.hub.set_screw
+        notes.append(
+            f"Radial hole {DIAMETER}{screw.diameter:g} through the hub's wall, to be tapped, {screw.height:g} mm from "
+            f"the disc's face, at θ = {degrees(screw.angle):g}°."
+        )
+    return (*notes, *cam.notes)
+
+
+def _polar(radius: float, angle: float, aside: float) -> tuple[float, float]:
+    """A point at a radius in a direction, and a way to the left of it, mm."""
+    return radius * cos(angle) - aside * sin(angle), radius * sin(angle) + aside * cos(angle)
+
+
+def _arrow(start: tuple[float, float], end: tuple[float, float], head: float) -> list[Stroke]:
+    way = np.array(end) - np.array(start)
+    along = way / np.linalg.norm(way)
+    across = np.array([-along[1], along[0]])
+    tip = np.array(end)
+    barbs = [tip - head * along + side * head / 3 * across for side in (-1, 1)]
+    return [Stroke(np.array([start, end])), Stroke(np.array([barbs[0], tip, barbs[1]]))]

@@ -1,0 +1,317 @@
+"""A sheet as DXF (R2010, mm on paper), with true dimensions that count mm of the part; and these read again."""
+
+import io
+from dataclasses import dataclass
+from pathlib import Path
+
+import ezdxf
+import numpy as np
+import shapely
+from ezdxf.document import Drawing as Document
+from ezdxf.enums import TextEntityAlignment
+from ezdxf.layouts import Modelspace
+from ezdxf.math import Vec2
+
+from cadgen.errors import FileError
+from cadgen.output.drawing.sheet import (
+    EDGE,
+    LEFT,
+    ROW,
+    SIZES,
+    TEXT,
+    TITLE_SIZE,
+    Closed,
+    Diameter,
+    Dimension,
+    Drawing,
+    Hatch,
+    Line,
+    Linear,
+    Stroke,
+    Table,
+    View,
+    is_wide,
+    scale_text,
+    width_of,
+)
+from cadgen.output.files.dxf import fixed_dates
+
+APP = "CADGEN"  # of the names of dimensions in the file
+FONT = "DejaVuSans.ttf"  # free, and at hand wherever matplotlib is
+FAR_EASTERN_STYLE = "CADGEN_CJK"
+_FAR_EASTERN_FONT = "simsun.ttc"  # that of Windows, for which every CAD has one in its place
+_STYLE = "CADGEN"
+_MM = 4  # $INSUNITS
+# Width of each kind of line, hundredths of a mm (ISO 128), and its pattern on paper.
+_WIDTHS = {Line.VISIBLE: 50, Line.FRAME: 50}
+_PATTERNS = {
+    Line.HIDDEN: [4.0, 3.0, -1.0],
+    Line.CENTRE: [13.0, 9.0, -1.5, 1.0, -1.5],
+    Line.PHANTOM: [15.5, 9.0, -1.5, 1.0, -1.5, 1.0, -1.5],
+}
+_THIN = 18
+_HATCH_STEP = 2.0  # mm on paper
+_DIMGAP = 0.6  # mm on paper between a dimension line and its number
+
+
+def dxf_bytes(drawing: Drawing) -> bytes:
+    """The DXF of a sheet: the same bytes for the same sheet."""
+    with fixed_dates():
+        document = document_of(drawing)
+        # Of the classes that every file has, ezdxf keeps a set, whose order is by chance.
+        document.classes.add_required_classes(document.dxfversion)
+        document.classes.classes = dict(sorted(document.classes.classes.items()))
+        text = io.StringIO()
+        document.write(text)
+    return text.getvalue().encode(document.output_encoding, errors="dxfreplace")
+
+
+def document_of(drawing: Drawing) -> Document:
+    """The sheet as a document of ezdxf."""
+    document = ezdxf.new("R2010", units=_MM)
+    document.styles.add(_STYLE, font=FONT)
+    if far_eastern(drawing):
+        document.styles.add(FAR_EASTERN_STYLE, font=_FAR_EASTERN_FONT)
+    for name, pattern in _PATTERNS.items():
+        document.linetypes.add(name, pattern)
+    for line in Line:
+        document.layers.add(
+            line, lineweight=_WIDTHS.get(line, _THIN), linetype=line if line in _PATTERNS else "CONTINUOUS"
+        )
+    document.appids.add(APP)
+    _dimension_style(document, drawing.scale)
+    space = document.modelspace()
+    for view in drawing.views:
+        _Place(space, view, drawing.scale).draw()
+    for table in drawing.tables:
+        _table(space, table)
+    left, top = drawing.notes_at
+    for number, note in enumerate(drawing.notes):
+        _text(space, note, (left, top - (number + 0.7) * ROW), TEXT)
+    _frame(space, drawing)
+    width, height = SIZES[drawing.size]
+    space.reset_extents((0.0, 0.0, 0.0), (width, height, 0.0))
+    return document
+
+
+def far_eastern(drawing: Drawing) -> frozenset[str]:
+    """Letters of the texts with Chinese, Japanese or Korean ones, which a font of their own must have."""
+    texts = (drawing.title.title, drawing.title.finish)
+    return frozenset().union(*(text for text in texts if any(map(is_wide, text))))
+
+
+def _dimension_style(document: Document, scale: float) -> None:
+    style = document.dimstyles.new(_STYLE)
+    style.dxf.dimtxsty = _STYLE
+    style.dxf.dimtxt = TEXT
+    style.dxf.dimasz = 2.5
+    style.dxf.dimexe = 1.0
+    style.dxf.dimexo = 0.5
+    style.dxf.dimgap = _DIMGAP
+    style.dxf.dimtad = 1
+    style.dxf.dimdec = 3
+    style.dxf.dimzin = 8  # no zeros at the end
+    style.dxf.dimdsep = ord(".")
+    style.dxf.dimlfac = 1.0 / scale
+    style.dxf.dimtih = 0
+    style.dxf.dimtoh = 0
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A view at its place on the paper."""
+
+    space: Modelspace
+    view: View
+    scale: float
+
+    def draw(self) -> None:
+        for hatch in self.view.hatches:
+            self._hatch(hatch)
+        for curve in self.view.curves:
+            self._curve(curve)
+        for dimension in self.view.dimensions:
+            self._dimension(dimension)
+        for label in self.view.labels:
+            _text(self.space, label.text, self._on_paper(label.at), label.height, TextEntityAlignment.MIDDLE_CENTER)
+
+    def _on_paper(self, point: tuple[float, float]) -> tuple[float, float]:
+        x, y = self.view.place
+        return x + self.scale * point[0], y + self.scale * point[1]
+
+    def _curve(self, curve: Closed | Stroke) -> None:
+        attributes = {"layer": curve.line.value}
+        if isinstance(curve, Stroke):
+            points = np.array(self.view.place) + self.scale * curve.points
+            self.space.add_lwpolyline(points.tolist(), dxfattribs=attributes)
+            return
+        contour = curve.contour
+        if contour.is_circle:
+            x, y = contour.centers[0].tolist()
+            self.space.add_circle(self._on_paper((x, y)), self.scale * float(contour.radii[0]), dxfattribs=attributes)
+            return
+        corners = np.array(self.view.place) + self.scale * contour.vertices
+        sides = np.column_stack([corners, contour.bulges])
+        self.space.add_lwpolyline(sides.tolist(), format="xyb", close=True, dxfattribs=attributes)
+
+    def _hatch(self, hatch: Hatch) -> None:
+        """Lines at 45 degrees: a HATCH entity is drawn by its readers in ways of their own, and in no fixed order."""
+        outlines = [np.array(self.view.place) + self.scale * outline for outline in (hatch.outside, *hatch.holes)]
+        area = shapely.Polygon(outlines[0], outlines[1:])
+        left, low, right, high = area.bounds
+        step = _HATCH_STEP * np.sqrt(2.0)
+        starts = np.arange(np.ceil((left - high) / step), np.floor((right - low) / step) + 1) * step
+        lines = shapely.linestrings([[[low + x, low], [high + x, high]] for x in starts.tolist()])
+        for piece in shapely.get_parts(shapely.intersection(area, lines)):
+            if isinstance(piece, shapely.LineString) and not piece.is_empty:
+                self.space.add_line(*np.asarray(piece.coords).tolist(), dxfattribs={"layer": Line.HATCH.value})
+
+    def _dimension(self, dimension: Dimension) -> None:
+        text = f"{dimension.prefix}<>{dimension.suffix}"
+        attributes = {"layer": Line.DIMENSION.value}
+        made: ezdxf.entities.DimStyleOverride
+        if isinstance(dimension, Diameter):
+            made = self.space.add_diameter_dim(
+                center=Vec2(self._on_paper(dimension.centre)),
+                radius=self.scale * dimension.diameter / 2,
+                angle=dimension.angle,
+                text=text,
+                dimstyle=_STYLE,
+                override={"dimtad": 1, "dimtofl": 1, "dimtmove": 0},
+                location=self._outside(dimension),
+                dxfattribs=attributes,
+            )
+        else:
+            made = self.space.add_linear_dim(
+                base=self._on_paper(dimension.at),
+                p1=self._on_paper(dimension.start),
+                p2=self._on_paper(dimension.end),
+                location=self._beside(dimension) if dimension.beside else None,
+                angle=90.0 - (90.0 - dimension.angle) % 180.0,  # so that no number stands on its head
+                text=text,
+                dimstyle=_STYLE,
+                override={"dimtmove": 2, "dimtofl": 1} if dimension.beside else {},
+                dxfattribs=attributes,
+            )
+        made.render()
+        made.dimension.set_xdata(APP, [(1000, dimension.name)])
+
+    def _beside(self, dimension: Linear) -> Vec2:
+        """Place of a number beside the middle of its dimension line, above that line."""
+        along = Vec2.from_deg_angle(dimension.angle)
+        base, *ends = (Vec2(self._on_paper(point)) for point in (dimension.at, dimension.start, dimension.end))
+        middle = sum(((end - base).dot(along) for end in ends), 0.0) / 2
+        upright = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0)
+        return base + along * (middle + dimension.beside) + upright * (_DIMGAP + TEXT / 2)
+
+    def _outside(self, dimension: Diameter) -> Vec2:
+        """Place of the text of a diameter: outside the circle, on the dimension line's own side."""
+        reach = dimension.reach or self.scale * dimension.diameter / 2 + 9.0
+        return Vec2(self._on_paper(dimension.centre)) + Vec2.from_deg_angle(dimension.angle, reach)
+
+
+def _text(
+    space: Modelspace,
+    text: str,
+    at: tuple[float, float],
+    height: float,
+    align: TextEntityAlignment = TextEntityAlignment.LEFT,
+) -> None:
+    plain = text.replace("^", "^ ").replace("%%", "% %")  # of a TEXT both begin codes
+    style = FAR_EASTERN_STYLE if any(map(is_wide, plain)) else _STYLE
+    drawn = space.add_text(plain, height=height, dxfattribs={"layer": Line.TEXT.value, "style": style})
+    drawn.set_placement(at, align=align)
+
+
+def _table(space: Modelspace, table: Table) -> None:
+    x, y = table.at
+    if table.title:
+        _text(space, table.title, (x, y - 0.7 * ROW), TEXT)
+    top = y - ROW
+    bottom = top - len(table.rows) * ROW
+    edges = [x + sum(table.widths[:n]) for n in range(len(table.widths) + 1)]
+    thin = {"layer": Line.THIN.value}
+    for number in range(len(table.rows) + 1):
+        if number < 2 or number == len(table.rows) or not table.headed:
+            space.add_line((x, top - number * ROW), (edges[-1], top - number * ROW), dxfattribs=thin)
+    for edge in edges:
+        space.add_line((edge, top), (edge, bottom), dxfattribs=thin)
+    for number, row in enumerate(table.rows):
+        for left, cell in zip(edges, row, strict=False):
+            _text(space, cell, (left + 1.0, top - (number + 0.75) * ROW), 0.85 * TEXT)
+
+
+def _frame(space: Modelspace, drawing: Drawing) -> None:
+    width, height = SIZES[drawing.size]
+    frame = {"layer": Line.FRAME.value}
+    corners = [(LEFT, EDGE), (width - EDGE, EDGE), (width - EDGE, height - EDGE), (LEFT, height - EDGE)]
+    space.add_lwpolyline(corners, close=True, dxfattribs=frame)
+    across, up = TITLE_SIZE
+    x, y = width - EDGE - across, EDGE
+    space.add_lwpolyline([(x, y), (x, y + up), (x + across, y + up)], dxfattribs=frame)
+    title = drawing.title
+    cells = [  # column, row from below, width of the cell in columns, name, text
+        (0, 4, 2, "part", title.part),
+        (2, 4, 1, "quantity", str(title.quantity)),
+        (0, 3, 2, "title", title.title),
+        (2, 3, 1, "scale", f"{scale_text(drawing.scale)}  ({drawing.size})"),
+        (0, 2, 1, "material", title.material or "not stated"),
+        (1, 2, 1, "finish", title.finish or "not stated"),
+        (2, 2, 1, "general tolerances", "ISO 2768-m"),
+        (0, 1, 2, "design", title.design),
+        (2, 1, 1, "date", title.date),
+        (0, 0, 3, "drawing", title.number),
+    ]
+    column, row = across / 3, up / 5
+    thin = {"layer": Line.THIN.value}
+    for at, level, span, name, text in cells:
+        left, low = x + at * column, y + level * row
+        space.add_lwpolyline(
+            [(left, low), (left + span * column, low), (left + span * column, low + row), (left, low + row)],
+            close=True,
+            dxfattribs=thin,
+        )
+        _text(space, name, (left + 1.0, low + row - 2.6), 1.7)
+        fitting = min(3.0 if span > 1 else TEXT, (span * column - 2.0) / max(width_of(text), 1.0))
+        _text(space, text, (left + 1.0, low + 1.8), fitting)
+    _first_angle(space, x + across - 9.0, y + 3.5 * row)
+
+
+def _first_angle(space: Modelspace, x: float, y: float) -> None:
+    """The sign of projection in the first angle (ISO 5456-2), its middle at a point on the paper, mm."""
+    small, length = 1.3, 5.2
+    left, right, ring = x - 6.5, x - 6.5 + length, x + 3.9
+    cone = [(left, y - small), (right, y - 2 * small), (right, y + 2 * small), (left, y + small)]
+    space.add_lwpolyline(cone, close=True, dxfattribs={"layer": Line.FRAME.value})
+    for radius in (small, 2 * small):
+        space.add_circle((ring, y), radius, dxfattribs={"layer": Line.FRAME.value})
+    thin = {"layer": Line.THIN.value}
+    for start, end in (
+        ((left - 1.0, y), (right + 1.0, y)),
+        ((ring - 3.6, y), (ring + 3.6, y)),
+        ((ring, y - 3.6), (ring, y + 3.6)),
+    ):
+        space.add_line(start, end, dxfattribs=thin)
+
+
+def read_dimensions(path: Path) -> dict[str, float]:
+    """Length of every dimension in a file by its name, mm of the part: measured on its points, not its text.
+
+    Raises:
+        FileError: the file is damaged, or has a dimension without a name.
+    """
+    try:
+        document = ezdxf.readfile(path)
+        faults = document.audit().errors
+        if faults:
+            raise FileError(f"{path.name} has {len(faults)} faults, the first: {faults[0].message}: write it again")
+        lengths = {}
+        for entity in document.modelspace().query("DIMENSION"):
+            name = next(value for code, value in entity.get_xdata(APP) if code == 1000)
+            if name in lengths:
+                raise FileError(f"{path.name} has two dimensions named {name}: write it again")
+            factor = document.dimstyles.get(entity.dxf.dimstyle).dxf.dimlfac
+            lengths[name] = float(entity.get_measurement()) * factor
+    except (OSError, ezdxf.DXFError, StopIteration) as error:
+        raise FileError(f"{path.name} is no whole DXF of a drawing ({error}): write it again") from error
+    return lengths

@@ -1,0 +1,343 @@
+"""Sheet of a part of a gear train: face, section, and a table of data for each of its gears."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import atan2, degrees
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.curves.contour import Contour
+from cadgen.gears.layout import TrainPart
+from cadgen.output.drawing.room import placed
+from cadgen.output.drawing.screw import ScrewHole
+from cadgen.output.drawing.section import Layer, beyond, drawn, material
+from cadgen.output.drawing.sheet import (
+    BEYOND,
+    DIAMETER,
+    EDGE,
+    LEFT,
+    ROW,
+    SHOWN,
+    SIZES,
+    TITLE_SIZE,
+    Closed,
+    Diameter,
+    Dimension,
+    Drawing,
+    Label,
+    Line,
+    Linear,
+    Stroke,
+    Table,
+    Title,
+    View,
+    centre_cross,
+    chosen_sheet,
+    cutting_plane,
+    ring,
+    section_name,
+    shown,
+    wrapped,
+)
+from cadgen.parts.body import Body
+from cadgen.parts.features import Keyway
+from cadgen.parts.loop import Arc, Loop
+
+_CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
+_GAP = 8.0  # mm on paper from the part to a dimension line, and from line to line
+_TABLE = (42.0, 42.0)  # widths of the columns, mm
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class GearPart:
+    """A part on a shaft, for its sheet.
+
+    Attributes:
+        part: the part with its gears, blank and body.
+        data: names and values of the table of each gear, from below.
+        files: name and hash of each file that holds the part.
+        notes: further sentences.
+    """
+
+    part: TrainPart
+    data: tuple[tuple[tuple[str, str], ...], ...]
+    files: tuple[tuple[str, str], ...]
+    notes: tuple[str, ...]
+
+
+def gear_drawing(gear: GearPart, title: Title) -> Drawing:
+    """Sheet A4, or A3 where the part is larger than A4 shows at 1:1."""
+    body = gear.part.body
+    across, axial = 2 * _reach(body), body.slabs[-1].end - body.slabs[0].start
+    table_width = sum(_TABLE)
+    size, scale = chosen_sheet((across + axial, across), (table_width + 74.0, TITLE_SIZE[1] + 30.0), 2.0, 5.0)
+    rows = sum(len(data) + 1 for data in gear.data)
+    if rows * ROW > SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1] - 6.0:
+        size = "A3"  # for its tables
+    width, height = SIZES[size]
+    middle = EDGE + TITLE_SIZE[1] + (height - 2 * EDGE - TITLE_SIZE[1]) / 2 + 2.0
+    face_at = (LEFT + 14.0 + scale * across / 2, middle)
+    section_at = (face_at[0] + scale * across / 2 + 30.0, middle)
+    tables, top = [], height - EDGE - 2.0
+    for data, name in zip(gear.data, _names(gear.part), strict=True):
+        at = (width - EDGE - table_width, top)
+        tables.append(Table(title=name, at=at, widths=_TABLE, rows=data, headed=False))
+        top -= tables[-1].height + 1.0
+    notes = wrapped(_notes(gear), width - EDGE - TITLE_SIZE[0] - LEFT - 6.0)
+    return Drawing(
+        size=size,
+        scale=scale,
+        title=title,
+        views=(_face(gear, face_at, scale), _section(gear, section_at, scale)),
+        tables=tuple(tables),
+        notes=notes,
+        notes_at=(LEFT + 3.0, EDGE + TITLE_SIZE[1]),
+    )
+
+
+def _names(part: TrainPart) -> tuple[str, ...]:
+    if len(part.gears) == 1:
+        return ("gear",)
+    return "lower gear", "upper gear"
+
+
+def _reach(body: Body) -> float:
+    return max(loop.radii[1] for slab in body.slabs for loop in slab.rings)
+
+
+def _points(loop: Loop) -> Array:
+    corners = loop.polygon(_CHORD * loop.radii[1])
+    return np.stack([corners.real, corners.imag], axis=1)
+
+
+def _outline(loop: Loop, line: Line = Line.VISIBLE) -> Closed:
+    points = _points(loop)
+    return Closed(Contour(points, np.zeros(len(points))), line)
+
+
+def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
+    """The part from above, where its hub or its upper gear stands; what lies below is left out."""
+    part, gap = gear.part, _GAP / scale
+    blank = part.blank
+    reach = _reach(part.body)
+    curves: list[Closed | Stroke] = [_outline(loop) for loop in dict.fromkeys(_rims(part.body))]
+    # Under a wider gear they are not seen.
+    holes = () if part.gears[-1].tip_diameter > part.gears[0].tip_diameter else _drilled(part)
+    curves += [_outline(hole) for hole in holes]
+    if blank.bore_diameter:
+        curves.append(Closed(blank.bore()))
+    curves += [ring(diameter, Line.CENTRE) for diameter in _pitch_circles(gear)]
+    curves += centre_cross(reach + 0.4 * gap)
+    dimensions: list[Dimension] = []
+    if blank.bore_diameter:
+        dimensions.append(Diameter(name="bore", centre=(0.0, 0.0), diameter=blank.bore_diameter, angle=125.0))
+    if isinstance(blank.key, Keyway):
+        half, out = blank.key.width / 2, blank.bore_diameter / 2 + blank.key.depth
+        dimensions.append(
+            Linear(
+                name="keyway width",
+                start=(out, -half),
+                end=(out, half),
+                at=(out + 0.7 * gap, 0.0),
+                angle=90.0,
+                beside=scale * half + BEYOND,
+            )
+        )
+    if holes:
+        centres = [complex(_points(hole).mean(axis=0) @ np.array([1.0, 1.0j])) for hole in holes]
+        first = centres[len(centres) // 3]
+        size, circle = _hole_sizes(holes)
+        many = f"{len(holes)} × " if len(holes) > 1 else ""
+        angle = degrees(atan2(first.imag, first.real))
+        at = (first.real, first.imag)
+        dimensions += [
+            Diameter(name="hole", centre=at, diameter=size, angle=angle, prefix=many),
+            Diameter(name="circle of holes", centre=(0.0, 0.0), diameter=circle, angle=angle + 180 / len(holes)),
+        ]
+        curves.append(ring(circle, Line.CENTRE))
+    screw = ScrewHole.of(blank, part.body.radial_hole)
+    plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
+    curves += [*(screw.face() if screw else ()), *plane]
+    labels = (Label(text="from above", at=(0.0, -reach - gap), height=3.5), *letters)
+    return View(place=place, curves=tuple(curves), dimensions=placed(dimensions, curves, labels, scale), labels=labels)
+
+
+def _rims(body: Body) -> Iterator[Loop]:
+    """Outlines seen from above but bores: of the highest slab, and of those below that reach further out."""
+    reach = 0.0
+    for slab in reversed(body.slabs):
+        rings = slab.rings[:-1] if len(slab.rings) % 2 == 0 else slab.rings
+        yield from (loop for loop in rings if loop.radii[1] > reach)
+        reach = max(reach, slab.rings[0].radii[0])
+
+
+def _drilled(part: TrainPart) -> tuple[Loop, ...]:
+    """Lightening holes of a part, which are in its lower gear."""
+    return next((slab.holes for slab in part.body.slabs if slab.holes), ())
+
+
+def _pitch_circles(gear: GearPart) -> list[float]:
+    named = (dict(data).get("pitch diameter d") for data in gear.data)
+    return [float(value.split()[0]) for value in named if value]
+
+
+def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
+    """Section through the axis along the key, which points upwards; the upper end is on the right."""
+    part, gap = gear.part, _GAP / scale
+    blank = part.blank
+    layers = [
+        Layer(slab.start, slab.end, tuple(map(_points, slab.rings)), tuple(map(_points, slab.holes)))
+        for slab in part.body.slabs
+    ]
+    layers = [_without_teeth(layer, part) for layer in layers]
+    whole = material(layers, 0.0)
+    screw = ScrewHole.of(blank, part.body.radial_hole)
+    areas = screw.cut(whole, 0.0) if screw else whole
+    strokes, hatches = drawn(areas)
+    strokes += beyond(layers, whole)
+    low, high = part.body.slabs[0].start, part.body.slabs[-1].end
+    strokes.append(Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), Line.CENTRE))
+    dimensions: list[Dimension] = []
+    for number, (wheel, start) in enumerate(zip(part.gears, part.starts, strict=True)):
+        tip, root, end = wheel.tip_diameter / 2, wheel.root_diameter / 2, start + wheel.width
+        for side in (1.0, -1.0):
+            strokes.append(Stroke(side_of([(start, root), (start, tip), (end, tip), (end, root)], side)))
+        name = _names(part)[number]
+        keyed = isinstance(blank.key, Keyway)
+        out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
+        edge = start if number == 0 else end
+        dimensions += [
+            Linear(
+                name=f"tip diameter, {name}",
+                start=(edge, -tip),
+                end=(edge, tip),
+                at=(out, 0.0),
+                angle=90.0,
+                prefix=DIAMETER,
+            ),
+            Linear(
+                name=f"width, {name}", start=(start, tip), end=(end, tip), at=(start, _reach(part.body) + 0.8 * gap)
+            ),
+        ]
+    dimensions += _lengths(part, low, high, gap, screw)
+    if isinstance(blank.key, Keyway):
+        radius = blank.bore_diameter / 2
+        up = radius + blank.key.depth
+        dimensions.append(
+            Linear(
+                name="bore and keyway", start=(high, -radius), end=(high, up), at=(high + 0.9 * gap, 0.0), angle=90.0
+            )
+        )
+    rows_below = [each.at[1] for each in dimensions if isinstance(each, Linear) and not each.angle and each.at[1] < 0.0]
+    lowest = min(rows_below, default=-_reach(part.body))
+    label = Label(text=section_name(0.0), at=((low + high) / 2, lowest - 0.9 * gap), height=3.5)
+    return View(
+        place=place,
+        curves=(*strokes, *(screw.section(0.0) if screw else ())),
+        hatches=tuple(hatches),
+        dimensions=tuple(dimensions),
+        labels=(label,),
+    )
+
+
+def side_of(points: list[tuple[float, float]], side: float) -> Array:
+    """Points (mm) above the axis, or mirrored below it: side is a factor, 1 or -1.
+
+    Args:
+        points: points above the axis, mm.
+        side: factor, 1 or -1.
+    """
+    return np.array(points) * [1.0, side]
+
+
+def _without_teeth(layer: Layer, part: TrainPart) -> Layer:
+    """The layer with a rim of teeth cut back to its root circle: teeth are not cut in a section (ISO 2203)."""
+    reach = float(np.linalg.norm(layer.rings[0], axis=1).max())
+    for wheel in part.gears:
+        if abs(reach - wheel.tip_diameter / 2) < 0.01 and wheel.root_diameter < wheel.tip_diameter - 0.01:
+            turn = np.linspace(0, 2 * np.pi, 720, endpoint=False)
+            root = wheel.root_diameter / 2 * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+            return Layer(layer.low, layer.high, (root, *layer.rings[1:]), layer.holes)
+    return layer
+
+
+def _lengths(part: TrainPart, low: float, high: float, gap: float, screw: ScrewHole | None) -> Iterator[Dimension]:
+    """Dimensions of screw, hub and web in the section: lengths in rows below it, the shorter ones nearer."""
+    blank, body = part.blank, part.body
+    reach, first = _reach(body), part.gears[0].width
+    row = 0.8
+    if screw:
+        yield screw.height(first, (first, -reach - row * gap))
+        row += 0.9
+    if high - low > first:
+        at = (low, -reach - (row + 0.9) * gap)
+        yield Linear(name="length", start=(low, -reach), end=(high, -reach), at=at)
+    if blank.hub and blank.hub.length:
+        alone, half = len(part.gears) == 1, blank.hub.diameter / 2
+        end = high if alone else part.gears[0].width + blank.hub.length
+        yield Linear(
+            name="hub diameter" if alone else "collar diameter",
+            start=(end, -half),
+            end=(end, half),
+            at=(high + (3.0 if isinstance(blank.key, Keyway) else 2.0) * gap, 0.0),
+            angle=90.0,
+            prefix=DIAMETER,
+        )
+        if alone:
+            start, at = (first, -half), (high, -reach - row * gap)
+            yield Linear(name="hub length", start=start, end=(high, -half), at=at)
+    if blank.web:
+        web = body.slabs[1]  # between the two recesses
+        radius = (blank.hub.diameter / 2 if blank.hub else 0.0) + 0.3 * part.gears[0].root_diameter / 2
+        recess = body.slabs[0].rings[1].radii[1]
+        yield Linear(
+            name="recess diameter",
+            start=(low, -recess),
+            end=(low, recess),
+            at=(low - 1.9 * gap, 0.0),
+            angle=90.0,
+            prefix=DIAMETER,
+        )
+        yield Linear(
+            name="web thickness",
+            start=(web.start, -radius),
+            end=(web.end, -radius),
+            at=(web.start, -reach - 0.8 * gap),
+        )
+
+
+def _notes(gear: GearPart) -> tuple[str, ...]:
+    notes = [f"Solid: {name}  sha256 {digest[:SHOWN]}" for name, digest in gear.files]
+    if not gear.files:
+        notes.append("Solid: none lies in this folder: make it with cadgen gears.")
+    blank = gear.part.blank
+    hub = blank.hub
+    if hub and hub.set_screw:
+        screw = hub.set_screw
+        place = "over the keyway" if blank.key else "in line with a tooth"
+        notes.append(
+            f"Radial hole {DIAMETER}{screw.diameter:g} through the hub's wall, to be tapped, {screw.height:g} mm from "
+            f"the gear's face, {place}."
+        )
+    if blank.key:
+        notes.append("A tooth of each gear stands on the axis of the keyway.")
+    if blank.web:
+        notes.append("The web is midway along the width; both recesses are alike.")
+    drilled = _drilled(gear.part)
+    if drilled and len(gear.part.gears) > 1:
+        size, circle = _hole_sizes(drilled)
+        notes.append(
+            f"The holes, {len(drilled)} × {DIAMETER}{shown(size)} on {DIAMETER}{shown(circle)}, are in the lower gear."
+        )
+    if blank.bore_diameter:
+        notes.append("Fit of the bore: not stated; choose it with the shaft.")
+    else:
+        notes.append("No bore: the design states none.")
+    return (*notes, *gear.notes)
+
+
+def _hole_sizes(holes: tuple[Loop, ...]) -> tuple[float, float]:
+    """Diameter of lightening holes and of the circle of their centres, mm."""
+    (arc, *_) = (curve for curve in holes[0].curves if isinstance(curve, Arc))
+    return 2 * arc.radius, 2 * abs(arc.centre)

@@ -1,0 +1,181 @@
+"""Room for texts among the lines of a view: of several places for a dimension or a label, the one crossed least."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import TypeVar
+
+import numpy as np
+import shapely
+from shapely.affinity import rotate, translate
+
+from cadgen.arrays import Array
+from cadgen.output.drawing.sheet import (
+    DIAMETER,
+    TEXT,
+    Closed,
+    Diameter,
+    Dimension,
+    Label,
+    Line,
+    Linear,
+    Stroke,
+    length_of,
+    shown,
+)
+
+_CHORD = 0.02  # mm, of curves
+_LETTER = 0.66  # mean width of a letter in heights
+_GAP = 0.6  # mm on paper between a dimension line and its text, as in the DXF
+_AIR = 0.5  # mm on paper around a text that is better left free
+# How much worse a mm of a line through a text is than a mm farther off: lines of the part, and all others.
+_HEAVY, _LIGHT, _FAR = 10.0, 3.0, 0.05
+_TURN = 0.08  # cost of a turned dimension line, a degree
+_OUT = 9.0  # mm on paper from a circle to the middle of its text, where there is room
+_STEP = 3.0  # mm on paper between places along a dimension line
+_TURNS = (0, 8, -8, 16, -16, 24, -24, 32, -32, 40, -40)  # degrees
+
+
+Placed = TypeVar("Placed", Diameter, Linear, Label)
+
+
+class Room:
+    """Lines and texts that stand in a view already, in mm on paper about the view's place."""
+
+    def __init__(self, curves: Sequence[Closed | Stroke], scale: float) -> None:
+        """Begin with the lines of a view.
+
+        Args:
+            curves: curves of the part, mm.
+            scale: mm on paper for a mm of the part.
+        """
+        self._scale = scale
+        heavy = [_line(curve, scale) for curve in curves if curve.line in (Line.VISIBLE, Line.THIN)]
+        light = [_line(curve, scale) for curve in curves if curve.line not in (Line.VISIBLE, Line.THIN)]
+        self._heavy, self._light = shapely.union_all(heavy), shapely.union_all(light)
+        self._texts: shapely.Geometry = shapely.Polygon()
+        points = np.concatenate([shapely.get_coordinates(line) for line in heavy])
+        self._reach = float(np.linalg.norm(points, axis=1).max())
+
+    def take(self, placed: Dimension | Label) -> None:
+        """Let a dimension or a label stand where it is."""
+        box, lines = self._drawn(placed)
+        self._texts = shapely.union(self._texts, box)
+        self._light = shapely.union_all([self._light, *lines])
+
+    def diameter(self, dimension: Diameter) -> Diameter:
+        """The dimension with its text where it is crossed least, a little turned or farther out if need be."""
+        near = self._scale * dimension.diameter / 2 + _OUT
+        centre = float(np.hypot(*dimension.centre)) * self._scale
+        far = max(self._reach + centre, near) + 12.0
+        ways = np.arange(near - 3.0, far, _STEP)
+        every = [
+            (
+                replace(dimension, angle=dimension.angle + turn, reach=float(way)),
+                _FAR * abs(way - near) + _TURN * abs(turn),
+            )
+            for turn in _TURNS
+            for way in ways
+        ]
+        return self._best(every)
+
+    def linear(self, candidates: Iterable[Linear]) -> Linear:
+        """One of several dimensions, the first if none is crossed."""
+        return self._best([(each, _FAR * number) for number, each in enumerate(candidates)])
+
+    def label(self, text: str, around: tuple[float, float], away: float, height: float) -> Label:
+        """A label where there is room about a point of the part.
+
+        Args:
+            text: text of the label.
+            around: the point, mm.
+            away: distance of the label from it on paper, mm.
+            height: height of the letters on paper, mm.
+        """
+        angles = np.radians([45, 135, -45, -135, 0, 90, 180, -90])
+        ways = away * np.stack([np.cos(angles), np.sin(angles)], axis=1) / self._scale
+        every = [
+            (Label(text=text, at=(around[0] + x, around[1] + y), height=height), _FAR * number)
+            for number, (x, y) in enumerate(ways.tolist())
+        ]
+        return self._best(every)
+
+    def _best(self, every: Sequence[tuple[Placed, float]]) -> Placed:
+        def cost(each: tuple[Placed, float]) -> float:
+            box, _ = self._drawn(each[0])
+            air = box.buffer(_AIR)
+            through = (_HEAVY * self._heavy.intersection(air).length, _LIGHT * self._light.intersection(air).length)
+            return float(each[1] + sum(through) + _HEAVY * self._texts.intersection(air).area)
+
+        best, _ = min(every, key=cost)
+        self.take(best)
+        return best
+
+    def _drawn(self, placed: Dimension | Label) -> tuple[shapely.Polygon, list[shapely.Geometry]]:
+        """Box of the text, and the lines that are drawn with it."""
+        scale = self._scale
+        if isinstance(placed, Label):
+            return _box(placed.text, scale * np.array(placed.at), 0.0, placed.height, above=False), []
+        text = f"{placed.prefix}{DIAMETER if isinstance(placed, Diameter) else ''}{shown(length_of(placed))}"
+        text += placed.suffix
+        if isinstance(placed, Diameter):
+            along = _unit(placed.angle)
+            centre = scale * np.array(placed.centre)
+            middle = centre + (placed.reach or scale * placed.diameter / 2 + _OUT) * along
+            line = shapely.LineString([centre, middle])
+            return _box(text, middle, placed.angle, TEXT, above=True), [line]
+        along = _unit(placed.angle)
+        base, start, end = (scale * np.array(point) for point in (placed.at, placed.start, placed.end))
+        first, last = (base + along * float((point - base) @ along) for point in (start, end))
+        lines = [shapely.LineString(pair) for pair in ((first, last), (start, first), (end, last))]
+        middle = (first + last) / 2 + (placed.beside or 0.0) * along
+        return _box(text, middle, placed.angle, TEXT, above=True), lines
+
+
+def placed(
+    dimensions: Sequence[Dimension], curves: Sequence[Closed | Stroke], labels: Sequence[Label], scale: float
+) -> tuple[Dimension, ...]:
+    """The dimensions of a view, its diameters and the numbers beside short lines written where there is room.
+
+    Args:
+        dimensions: dimensions; those whose number stands in the middle of a line stay as they are.
+        curves: curves of the part, mm.
+        labels: texts that stay where they are.
+        scale: mm on paper for a mm of the part.
+    """
+    room = Room(curves, scale)
+    lines = {each.name: each for each in dimensions if isinstance(each, Linear)}
+    for label in labels:
+        room.take(label)
+    for line in lines.values():
+        if not line.beside:
+            room.take(line)
+    moved = {name: room.linear(_beside(each, scale)) for name, each in lines.items() if each.beside}
+    return tuple(
+        room.diameter(each) if isinstance(each, Diameter) else moved.get(each.name, each) for each in dimensions
+    )
+
+
+def _beside(dimension: Linear, scale: float) -> Iterator[Linear]:
+    """A dimension with its number at either end of its line, and with the line farther off, mm on paper."""
+    aside = _unit(dimension.angle - 90.0) / scale
+    for off in (0.0, 2.5, 5.0, 7.5, 10.0, 12.5, 15.0):
+        x, y = np.array(dimension.at) + off * aside
+        for side in (1, -1):
+            yield replace(dimension, at=(float(x), float(y)), beside=side * dimension.beside)
+
+
+def _line(curve: Closed | Stroke, scale: float) -> shapely.Geometry:
+    if isinstance(curve, Stroke):
+        return shapely.LineString(scale * curve.points)
+    return shapely.LinearRing(scale * curve.contour.polygon(_CHORD))
+
+
+def _unit(angle: float) -> Array:
+    return np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+
+
+def _box(text: str, at: Array, angle: float, height: float, *, above: bool) -> shapely.Polygon:
+    """Box of a text that reads from left to right, its middle at a point on the paper or above it, mm."""
+    half, upright = _LETTER * height * len(text) / 2, 90.0 - (90.0 - angle) % 180.0
+    low = _GAP if above else -height / 2
+    return translate(rotate(shapely.box(-half, low, half, low + height), upright, origin=(0.0, 0.0)), *at.tolist())

@@ -1,0 +1,281 @@
+"""Files appear in the output folder all together and complete, or not at all.
+
+A run writes into a staging folder of its own inside the output folder. When all is written and read back it takes the
+folder's lock and moves its files into place, in an order in which the folder's manifest is true after every step:
+
+1. a record of what is to be moved, with a copy of the manifest as it was, appears in the staging folder;
+2. the manifest without the files that are about to be replaced takes the manifest's place;
+3. file by file, what was there is moved into the staging folder, and the new one into its place;
+4. the new manifest takes the manifest's place. From here on the run is done.
+
+A run that fails or is killed between 1 and 4 is undone: by itself, or by the next run into that folder. Undoing goes
+the same way back, and may be killed and begun again at any point too.
+"""
+
+import errno
+import json
+import os
+import re
+import secrets
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from cadgen.errors import FileError, brief
+from cadgen.output.files.lock import drop, held, hold, locked
+from cadgen.output.files.manifest import NAME as MANIFEST
+from cadgen.output.files.manifest import is_plain_name, manifest_text, sound_parts, unchanged
+
+_PREFIX = ".cadgen-"
+_STAGING = re.compile(rf"{re.escape(_PREFIX)}[0-9a-f]{{16}}")
+# Names of files begin with a letter or digit, so these can meet none.
+_ALIVE = ".alive"  # locked as long as the run lives
+_PREPARED = ".prepared"
+_REPLACED = ".replaced"
+_RECORD = ".record.json"
+_KEPT = ".kept.json"
+_MOST_TRIES = 10
+
+
+@dataclass
+class _Run:
+    """Folders that a run has made so far, to be cleared away if it fails.
+
+    Attributes:
+        staging: folder that its files are written to.
+        created: folders on the way to `out` that were not there, the innermost first.
+        alive: descriptor of the staging folder's lock.
+        settled: True once files are being moved into place: from then on the run must be let to finish.
+    """
+
+    staging: Path
+    created: tuple[Path, ...]
+    alive: int | None = None
+    settled: bool = False
+
+    def clear(self) -> None:
+        """Remove everything but what others have put there, and what is needed to undo a half-done move."""
+        if self.alive is not None:
+            os.close(self.alive)
+            self.alive = None
+        if not _is_half_moved(self.staging):
+            shutil.rmtree(self.staging, ignore_errors=True)
+        for folder in self.created:
+            with suppress(OSError):
+                folder.rmdir()
+
+
+# A signal's handler has no other way to learn of it.
+_run: _Run | None = None
+
+
+def abandon() -> bool:
+    """Clear away what an unfinished run has written; False if its files are already in place, or on their way."""
+    if _run is not None and _run.settled:
+        return False
+    drop()
+    if _run is not None:
+        _run.clear()
+    return True
+
+
+@contextmanager
+def publishing(out: Path) -> Iterator[Path]:
+    """Yield a staging folder inside `out`; when the block ends well, move its files to `out`.
+
+    The block writes the files and, by `write_manifest`, the entry that lists them. Files already there under the same
+    names are replaced, links and not what they point to. If the block, or the moving, fails or is abandoned, `out` is
+    left as it was. What killed runs have left in `out` is undone and cleared away.
+
+    Raises:
+        FileError: the folder cannot be made or written to, the disk is full, or another run does not let go of it.
+    """
+    global _run
+    try:
+        created = tuple(folder for folder in (out, *out.parents) if not folder.exists())
+    except OSError as error:
+        raise FileError(_why(error, out)) from error
+    # Known before anything is made, so that no moment is left in which it could not be cleared away.
+    _run = run = _Run(out / f"{_PREFIX}{secrets.token_hex(8)}", created)
+    try:
+        _begin(run, out)
+        yield run.staging
+        with locked(out) as sure:
+            undo_killed(out, sure=sure)
+            run.settled = True
+            _publish(run.staging, out)
+    except BaseException as error:
+        _run = None
+        run.clear()
+        if isinstance(error, OSError):
+            raise FileError(_why(error, out)) from error
+        raise
+    # Its record stays: the files are in place.
+    run.clear()
+
+
+def _begin(run: _Run, out: Path) -> None:
+    """Make both folders; another run that fails may remove the outer one as fast as it is made."""
+    for tries in range(_MOST_TRIES):
+        out.mkdir(parents=True, exist_ok=True)
+        try:
+            with locked(out) as sure:
+                undo_killed(out, sure=sure)
+                run.staging.mkdir()
+                run.alive = hold(run.staging / _ALIVE)
+            return
+        except FileNotFoundError:
+            if tries == _MOST_TRIES - 1:
+                raise
+
+
+def left_by_killed(out: Path) -> tuple[list[Path], list[Path]]:
+    """Staging folders in `out` whose run is not known to live: those of half-done moves, and all others.
+
+    Raises:
+        OSError: `out` cannot be read.
+    """
+    half: list[Path] = []
+    unmoved: list[Path] = []
+    for folder in sorted(out.iterdir()):
+        if not _STAGING.fullmatch(folder.name) or folder.is_symlink() or not folder.is_dir():
+            continue
+        with suppress(OSError):
+            if held(folder / _ALIVE):
+                continue
+        (half if _is_half_moved(folder) else unmoved).append(folder)
+    return half, unmoved
+
+
+def undo_killed(out: Path, *, sure: bool) -> list[str]:
+    """Undo the half-done moves of killed runs, and remove what they have left; call it with the folder locked.
+
+    Args:
+        out: output folder.
+        sure: whether no other run can be at work in it, so that every staging folder in it is of a killed run.
+
+    Returns:
+        Names of the files that were put back or removed by that.
+
+    Raises:
+        FileError: a half-done move is another user's, or may be still under way.
+        OSError: a file cannot be moved.
+    """
+    half, unmoved = left_by_killed(out)
+    back: list[str] = []
+    for folder in half:
+        if not sure or not _is_own(folder):
+            whose = "of another user" if sure else "that may still be at work, since this folder cannot be locked"
+            raise FileError(
+                f"{brief(str(out))} holds the half of what a run {whose} was to move there ({folder.name}): when no "
+                f"run is at work, let that user run cadgen verify --restore on it, or choose another folder"
+            )
+        back += _undo(folder, out)
+        shutil.rmtree(folder, ignore_errors=True)
+    for folder in unmoved:
+        if sure and _is_own(folder):
+            shutil.rmtree(folder, ignore_errors=True)
+    return back
+
+
+def _is_half_moved(staging: Path) -> bool:
+    return (staging / _REPLACED).is_dir() and (staging / MANIFEST).is_file()
+
+
+def _is_own(folder: Path) -> bool:
+    """Whether this user made it; others could have planted it."""
+    try:
+        return os.name != "posix" or folder.lstat().st_uid == os.geteuid()
+    except FileNotFoundError:  # its run has just cleared it away
+        return False
+
+
+def _publish(staging: Path, out: Path) -> None:
+    """Move what the staged manifest lists into place; on any failure put back what was there."""
+    new = sound_parts(staging / MANIFEST)
+    files = {name: facts["sha256"] for entry in new.values() for name, facts in entry["files"].items()}
+    if set(os.listdir(staging)) - {_ALIVE} != {*files, MANIFEST}:
+        raise ValueError("a run writes files that its manifest does not list")
+    for name in (*files, MANIFEST):
+        if (out / name).is_dir() and not (out / name).is_symlink():
+            raise FileError(f"{out / name} is a folder where a file must go: remove it or choose another folder")
+    kept = {}
+    for name, entry in sound_parts(out / MANIFEST).items():
+        # An earlier entry stays for those of its files that are not replaced.
+        staying = {file: facts for file, facts in entry["files"].items() if file not in files}
+        if name not in new and staying and all(unchanged(out / file, facts) for file, facts in staying.items()):
+            kept[name] = {**entry, "files": staying}
+    _prepare(staging, out, files, manifest_text(kept))
+    _write(staging / MANIFEST, manifest_text({**kept, **new}))
+    (staging / _PREPARED).rename(staging / _REPLACED)
+    try:
+        if (staging / _KEPT).exists():
+            os.replace(staging / _KEPT, out / MANIFEST)
+        for name in sorted(files):
+            if os.path.lexists(out / name):
+                os.replace(out / name, staging / _REPLACED / name)
+            os.replace(staging / name, out / name)
+        os.replace(staging / MANIFEST, out / MANIFEST)
+    except BaseException:
+        _undo(staging, out)
+        raise
+
+
+def _prepare(staging: Path, out: Path, files: Mapping[str, str], kept: str) -> None:
+    """Write down what is to be moved, and what is to stand in the manifest's place meanwhile."""
+    prepared = staging / _PREPARED
+    prepared.mkdir()
+    (prepared / _RECORD).write_text(json.dumps(files), encoding="utf-8")
+    if os.path.lexists(out / MANIFEST):
+        shutil.copyfile(out / MANIFEST, prepared / MANIFEST, follow_symlinks=False)
+        (staging / _KEPT).write_text(kept, encoding="utf-8")
+
+
+def _undo(staging: Path, out: Path) -> list[str]:
+    """Go back to what was there before a move, from wherever it, or its undoing, has stopped.
+
+    A new file goes back to the staging folder, if it is still that file; then the one before it, if its place is free,
+    to the output folder. What others have put there since stays.
+    """
+    replaced = staging / _REPLACED
+    files = json.loads((replaced / _RECORD).read_text(encoding="utf-8"))
+    back = []
+    for name, digest in files.items():
+        if not is_plain_name(name):
+            continue
+        target = out / name
+        if not os.path.lexists(staging / name) and unchanged(target, {"sha256": digest}):
+            os.replace(target, staging / name)
+            back.append(name)
+        if os.path.lexists(replaced / name) and not os.path.lexists(target):
+            os.replace(replaced / name, target)
+            back.append(name)
+    if os.path.lexists(replaced / MANIFEST):
+        os.replace(replaced / MANIFEST, out / MANIFEST)
+    (staging / MANIFEST).unlink()  # from here on nothing is left to be undone
+    return sorted(set(back))
+
+
+def _write(file: Path, text: str) -> None:
+    """Replace a file's content at once."""
+    beside = file.with_name(f".new-{file.name}")
+    beside.write_text(text, encoding="utf-8")
+    os.replace(beside, file)
+
+
+def _why(error: OSError, out: Path) -> str:
+    reasons = {
+        errno.ENOSPC: "the disk is full: free some space or choose another folder",
+        errno.EDQUOT: "your disk quota is used up: free some space or choose another folder",
+        errno.EFBIG: "a file would be larger than this system allows: choose another folder",
+        errno.EACCES: "there is no permission to write there: choose another folder",
+        errno.EPERM: "there is no permission to write there: choose another folder",
+        errno.EROFS: "that disk is read-only: choose another folder",
+        errno.EEXIST: "a file stands where the folder must go: choose another folder",
+        errno.ENOTDIR: "a file stands where a folder must go: choose another folder",
+        errno.ENAMETOOLONG: "the path is too long: choose a shorter one",
+    }
+    reason = reasons.get(error.errno or 0, f"{error.strerror or error}: choose another folder")
+    return f"nothing was written to {brief(str(out))}: {reason}"

@@ -1,0 +1,256 @@
+"""The milling program (G-code) of a profile: G2 and G3 arcs along the cutter's centre."""
+
+from collections.abc import Iterator, Sequence
+from math import ceil, degrees
+from pathlib import Path
+
+import numpy as np
+
+from cadgen.cam.cutter import CutterLimit
+from cadgen.car.motion.friction import DiscMaterial
+from cadgen.curves.biarc import arcs
+from cadgen.curves.closed import ClosedCurve, left_normal, polar_angle
+from cadgen.curves.contour import Contour
+from cadgen.curves.offset import parallel
+from cadgen.design.machining import Machining
+from cadgen.errors import CheckError
+from cadgen.output.files.gcode_tabs import Slot, slot_with_tabs, tabs_note
+from cadgen.output.files.gcode_words import DECIMALS, SETTINGS, Hub, comments, words
+
+# An arc that bulges less than the rounding is a line; so none is left whose rounded ends coincide, which a
+# controller would take for a full circle.
+_STRAIGHT = 10.0**-DECIMALS / 2
+# The search for the farthest point: samples of a piece, then of two spans, in rounds down to about 1e-5 mm.
+_COARSE, _FINE, _ROUNDS = 1025, 33, 4
+
+
+def cutter_path(curve: ClosedCurve, cutter_radius: float, limit: CutterLimit, tolerance: float) -> Contour:
+    """Return the path of a cutter's centre round a profile as arcs, run clockwise.
+
+    It begins at its point farthest from the camshaft. The whole path lies inside the circle through that
+    point, so an arc that leaves it outwards along the tangent cannot take the cutter into the disc.
+
+    Args:
+        curve: profile, counterclockwise, mm.
+        cutter_radius: radius of the cutter, mm.
+        limit: largest cutter for the profile, from `cadgen.cam.cutter.largest_cutter`.
+        tolerance: greatest distance of the arcs from the exact path, mm.
+
+    Raises:
+        CheckError: the cutter is too large for a hollow of the profile, or a corner of it is hollow.
+    """
+    if limit.point is not None and limit.radius and cutter_radius > limit.radius:
+        raise CheckError(
+            f"machining.cutter_diameter_mm is {2 * cutter_radius:g}, but no cutter of more than "
+            f"{2 * limit.radius:.3f} mm reaches the hollow at polar angle "
+            f"{degrees(float(polar_angle(limit.point))) % 360:.1f} degrees: choose a smaller cutter"
+        )
+    path = parallel(curve, cutter_radius)
+    return arcs(path.begun_at(*_farthest(path)), tolerance).reversed()
+
+
+def write_gcode(
+    path: Path,
+    centre: Contour,
+    machining: Machining,
+    thickness: float,
+    *,
+    name: str,
+    material: DiscMaterial | None = None,
+    hub: Hub | None = None,
+    drilled: Sequence[str] = (),
+    notes: Sequence[str] = (),
+) -> None:
+    """Write the program that mills a disc's outline from outside, in equal passes, by climb milling.
+
+    With a spindle that turns clockwise, the path runs clockwise round the part and so keeps it on its right:
+    the teeth enter at full chip and leave at the finished wall. With tabs the program stops once all else is cut; what
+    follows takes them off one after the other, each in passes along the same path from a lead before it to a lead after
+    it, so that nothing of them is left on the rim.
+
+    Args:
+        path: file to write.
+        centre: path of the cutter's centre, clockwise, from `cutter_path`, mm.
+        machining: cutter, speeds and heights, units in the names.
+        thickness: thickness of the disc, mm.
+        name: name of the design, for the first comment.
+        material: material of the disc, for the feed; None if none is given.
+        hub: hub on the disc's outer face; rapid moves pass above it.
+        drilled: names of the programs that drill its holes.
+        notes: further comments for the shop on this outline.
+
+    Raises:
+        DesignError: the tabs have no room.
+    """
+    levels = levels_of(machining, thickness)
+    passes = len(levels)
+    slot = slot_with_tabs(centre, machining)
+    height = machining.safe_height_mm + (hub.height if hub else 0.0)
+    program = _Rounds(slot, machining, machining.feed(material), height)
+    spindle = f"S{machining.spindle_rpm:g} M3"
+    tabs = machining.tabs
+    lines = [
+        *comments(_head(machining, thickness, height, passes, name, material, hub, drilled, notes)),
+        SETTINGS,
+        *([] if machining.tool_number is None else [f"T{machining.tool_number} M6"]),
+        spindle,
+        f"G0 {words(Z=height)}",
+    ]
+    top = 0.0 if tabs is None else tabs.height_mm - thickness
+    floor = 0.0
+    for number, level in enumerate(levels, 1):
+        lines += [f"(pass {number} of {passes})", *program.once(floor, level, top)]
+        floor = level
+    below = [level for level in levels if tabs and level < top]
+    if below:
+        lines += ["M5", "(clamp the part through its bore, then start again: the tabs are taken off)", "M0", spindle]
+    for tab, sides in enumerate(slot.tabs, 1):
+        for number, level in enumerate(below, 1):
+            lines += [f"(tab {tab} of {len(slot.tabs)}, pass {number} of {len(below)})", *program.off(sides, level)]
+    lines += ["M5", "M30"]
+    path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
+
+
+def levels_of(machining: Machining, thickness: float) -> list[float]:
+    """Z of each pass through a disc of some thickness, equal steps down, mm.
+
+    Args:
+        machining: keys of the mill.
+        thickness: thickness of the disc, mm.
+    """
+    depth = thickness + machining.break_through_mm
+    passes = ceil(depth / machining.step_down_mm - 1e-9)
+    return [-depth * number / passes for number in range(1, passes + 1)]
+
+
+def _head(
+    machining: Machining,
+    thickness: float,
+    height: float,
+    passes: int,
+    name: str,
+    material: DiscMaterial | None,
+    hub: Hub | None,
+    drilled: Sequence[str],
+    notes: Sequence[str],
+) -> list[str]:
+    """Sentences that the shop reads before it runs the program."""
+    tabs = machining.tabs
+    above = f", its hub stands {hub.height:g} mm above that face" if hub else ""
+    held = f"hold the part by its bore, the last pass of {passes} cuts it free"
+    if tabs:
+        held = f"clamp the plate outside the outline, {tabs_note(tabs)} hold the part until M0"
+    lines = [
+        f"{name}: outline of the cam, milled from outside",
+        *notes,
+        *(f"{word}: {text}" for word, text in (("stock", machining.stock), ("fixture", machining.fixture)) if text),
+        f"cutter diameter {machining.cutter_diameter_mm:g} mm, no radius compensation at the machine",
+        "climb milling: spindle clockwise, clockwise round the part",
+        "zero: centre of the bore, outer face of the disc; cam angle 0 along +X, outer face up",
+        f"disc {thickness:g} mm thick{above}; {held}",
+    ]
+    if tabs:
+        lines.append(f"at M0 clamp the part through its bore, with nothing above {height:g} mm; then the tabs are cut")
+        lines.append("the cutter goes down to a tab in the slot before it, and between tabs above the work")
+    if drilled:
+        lines.append(f"first, from the same zero: {', '.join(drilled)}; a keyway or flat is in none of the programs")
+    else:
+        lines.append("bore, keyway and holes are not in this program")
+    if machining.feed_mm_per_min is None and material is not None:
+        lines.append(
+            f"feed for {material}: {machining.feed_per_tooth(material):g} mm a tooth, "
+            f"{machining.cutter_teeth or 2} teeth, {machining.spindle_rpm:g} turns a minute"
+        )
+    return [
+        *lines,
+        f"the first move lifts the cutter where it stands, to {height:g} mm: be above every clamp at that height",
+        f"rapid moves go down to {machining.approach_mm:g} mm above the work: nothing beside the disc above its face",
+    ]
+
+
+class _Rounds:
+    """Lines of the program for rounds of the cutter, and for its passes over a tab."""
+
+    def __init__(self, slot: Slot, machining: Machining, feed: float, height: float) -> None:
+        self.machining, self.feed, self.height = machining, feed, height
+        self.corners, self.sides = _sides(slot.centre, machining.lead_radius_mm)
+        self.lifted = [False, *slot.lifted.tolist(), False]
+
+    def once(self, floor: float, level: float, top: float) -> Iterator[str]:
+        """A round at a level, over the tabs at their top if that is higher.
+
+        Args:
+            floor: depth of the round before, Z in mm; 0 before the first.
+            level: Z of the round, mm.
+            top: Z of the top of the tabs, mm.
+        """
+        plunge, approach = f"F{self.machining.plunge_feed_mm_per_min:g}", self.machining.approach_mm
+        yield self.corners[0]
+        yield f"G0 {words(Z=max(floor, level) + approach)}"
+        yield f"G1 {words(Z=level)} {plunge}"
+        at, feed = level, f" F{self.feed:g}"
+        for line, lifted in zip(self.sides, self.lifted, strict=True):
+            over = max(level, top) if lifted else level
+            if over != at:
+                yield f"G1 {words(Z=over)} {plunge}"
+                at, feed = over, f" F{self.feed:g}"
+            if line:
+                yield line + feed
+                feed = ""
+        yield f"G0 {words(Z=self.height)}"
+
+    def off(self, tab: range, level: float) -> Iterator[str]:
+        """A pass that takes a tab off at a level: down in the slot before it, and up in the slot after it.
+
+        Args:
+            tab: sides of the path along it.
+            level: Z of the pass, mm.
+        """
+        yield self.corners[tab.start + 1]  # the lead-in is the first side of a round
+        yield f"G0 {words(Z=self.machining.approach_mm)}"
+        # The slot is as wide as the cutter: no rapid move beside the finished flank.
+        yield f"G1 {words(Z=level)} F{self.machining.plunge_feed_mm_per_min:g}"
+        first, *others = (line for line in self.sides[tab.start + 1 : tab.stop + 1] if line)
+        yield f"{first} F{self.feed:g}"
+        yield from others
+        yield f"G0 {words(Z=self.height)}"
+
+
+def _sides(centre: Contour, lead: float) -> tuple[list[str], list[str]]:
+    """The rapid move to the begin of each side of a round, and its cut; empty if it is shorter than the rounding."""
+    start = centre.vertices[:1]
+    ahead = centre.curve().pieces[0].jet(np.zeros(1)).velocity
+    ahead = lead * ahead / np.linalg.norm(ahead)
+    out = lead * left_normal(ahead)
+    quarter = np.tan(np.pi / 8)
+    # The arcs' centres come from the rounded ends, so that both radii of an arc agree. The last side, from
+    # lead-out to lead-in, closes the chain and is not cut.
+    vertices = np.vstack([start + out - ahead, centre.vertices, start, start + out + ahead]).round(DECIMALS)
+    chain = Contour(vertices, np.concatenate([[quarter], centre.bulges, [quarter, 0.0]]))
+    length = np.linalg.norm(chain.chords, axis=1)
+    straight = np.abs(chain.bulges) * length / 2 < _STRAIGHT
+    to_centre = chain.centers - vertices
+    sides = []
+    for i in range(len(vertices) - 1):
+        end = words(X=vertices[i + 1, 0], Y=vertices[i + 1, 1])
+        if not straight[i]:
+            turn = "G3" if chain.bulges[i] > 0 else "G2"
+            sides.append(f"{turn} {end} {words(I=to_centre[i, 0], J=to_centre[i, 1])}")
+        else:
+            sides.append(f"G1 {end}" if length[i] > 0 else "")
+    return [f"G0 {words(X=x, Y=y)}" for x, y in vertices], sides
+
+
+def _farthest(curve: ClosedCurve) -> tuple[int, float]:
+    """Piece and parameter of the point farthest from the origin."""
+    reach = [
+        np.linalg.norm(piece.jet(np.linspace(piece.start, piece.stop, _COARSE)).point, axis=1).max()
+        for piece in curve.pieces
+    ]
+    number = int(np.argmax(reach))
+    piece = curve.pieces[number]
+    t = np.linspace(piece.start, piece.stop, _COARSE)
+    for _ in range(_ROUNDS):
+        top = int(np.argmax(np.linalg.norm(piece.jet(t).point, axis=1)))
+        t = np.linspace(t[max(top - 1, 0)], t[min(top + 1, len(t) - 1)], _FINE)
+    return number, float(t[_FINE // 2])

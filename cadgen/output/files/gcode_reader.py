@@ -1,0 +1,357 @@
+"""The outline and the tabs that a milling program leaves, from its moves alone."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import ceil, pi
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import TURN, Array
+from cadgen.car.motion.friction import DiscMaterial
+from cadgen.curves.closed import Outline
+from cadgen.design.machining import Machining
+from cadgen.errors import FileError
+from cadgen.output.files.gcode_machine import HALF_DIGIT_MM, Move, Program, RefusedError, Work, run_program
+
+_SCALLOP_MM = 3e-5  # ridge between the places of the cutter that stand for its path, which parabolas then take off
+_FINE_RAYS = 65  # within a gap between two of them that hides a corner
+_CORNER = 0.02  # rad; a hollow of 3 mm turns by as much between two rays on a cam of 70 mm
+_BLOCK = 512  # rays looked at together, so that the table of candidates stays in the processor's cache
+_TAB_MM = 2e-3  # of the width and height of a tab
+_STEP_MM = 0.1  # of the distance between tabs
+_LEAD_MM = 1e-2  # of the way to a tab and away from it: rounded ends
+_TAB_STEP = 0.05  # mm between the cutter's places beside a tab
+
+
+@dataclass(frozen=True, eq=False)
+class Tab:
+    """A bridge of material in the slot, as the program leaves it before it stops.
+
+    Attributes:
+        place: its middle, shape (2,), mm.
+        along: length of the round up to there, mm.
+        width: width where it is narrowest, mm.
+        height: height above the disc's lower face, mm.
+    """
+
+    place: Array
+    along: float
+    width: float
+    height: float
+
+
+@dataclass(frozen=True, eq=False)
+class Milled:
+    """Outline and tabs that a program leaves.
+
+    Attributes:
+        outline: outline of the part, one piece.
+        tabs: tabs that hold it until the stop; empty without any.
+    """
+
+    outline: Outline
+    tabs: tuple[Tab, ...]
+
+
+def read_gcode(
+    path: Path,
+    machining: Machining,
+    thickness: float,
+    step: float = 0.06,
+    *,
+    material: DiscMaterial | None = None,
+    hub_height: float = 0.0,
+) -> Milled:
+    """Run a milling program and return the outline of the part that it leaves, and its tabs.
+
+    At every polar angle the outline is where the ray from the origin first meets a place of the cutter, leads
+    and plunges included, so whatever cuts into the part shows.
+
+    Args:
+        path: program to read.
+        machining: cutter, with its greatest feeds and depth, and the tabs that there must be.
+        thickness: thickness of the disc, mm.
+        step: distance between the points of the outline, mm.
+        material: material of the disc, by which the feed goes; None if none is given.
+        hub_height: height of a hub on the outer face, mm.
+
+    Raises:
+        FileError: a word that is not understood, an arc whose ends disagree on its radius, a rapid move
+            through the stock, a pass too deep, rounds that differ, a part not cut through or not all round, tabs other
+            than those of the design, a pass through air where a tab is taken off.
+    """
+    program = run_program(path, Work(safe=machining.safe_height_mm + hub_height))
+    number_of_tool = machining.tool_number
+    if program.tool != ("" if number_of_tool is None else f"T{number_of_tool}"):
+        raise FileError(f"{path.name} takes the tool {program.tool or 'in the spindle'}: write it again")
+    try:
+        _refuse_feeds(program, machining, material)
+        rounds = _Rounds.of(program)
+        tabs = rounds.tabs(machining, thickness)
+        _refuse_tabs(tabs, machining, rounds.length)
+        outline = _left_over(rounds.cuts(machining, thickness), machining.cutter_diameter_mm / 2, step)
+    except RefusedError as refused:
+        raise FileError(f"{path.name} {refused}: do not run this program") from refused
+    return Milled(outline, tabs)
+
+
+def _refuse_feeds(program: Program, machining: Machining, material: DiscMaterial | None) -> None:
+    for move in program.moves:
+        allowed = machining.plunge_feed_mm_per_min if move.plunges else machining.feed(material)
+        if move.motion != "G0" and move.feed > allowed:
+            raise RefusedError(f"cuts at {move.feed:g} mm/min in line {move.line}; {allowed:g} is allowed there")
+
+
+@dataclass(frozen=True)
+class _Rounds:
+    """Cuts of a program from one rapid move to the next, plunges apart.
+
+    Attributes:
+        rounds: cuts sideways of every round.
+        plunges: every cut up or down, with the number of its round.
+        before_stop: how many rounds there are before the program stops; all of them if it does not.
+    """
+
+    rounds: tuple[tuple[Move, ...], ...]
+    plunges: tuple[tuple[int, Move], ...]
+    before_stop: int
+
+    @classmethod
+    def of(cls, program: Program) -> "_Rounds":
+        rounds: list[list[Move]] = []
+        plunges, before_stop, cutting = [], None, False
+        for number, move in enumerate(program.moves):
+            if before_stop is None and program.stops and number >= program.stops[0]:
+                before_stop = len(rounds)
+            if move.motion == "G0":
+                cutting = False
+                continue
+            if not cutting:
+                rounds.append([])
+                cutting = True
+            if move.plunges:
+                plunges.append((len(rounds) - 1, move))
+            else:
+                rounds[-1].append(move)
+        if len(program.stops) > 1:
+            raise RefusedError("stops more than once")
+        last = len(rounds) if before_stop is None else before_stop
+        return cls(tuple(map(tuple, rounds)), tuple(plunges), last)
+
+    def floors(self, machining: Machining) -> tuple[Array, Array]:
+        """Depth of every cut of a round when the program stops, and at its end, Z in mm, shape (n,) each.
+
+        Raises:
+            RefusedError: rounds that differ, one that cuts too deep, a pass after the stop that takes nothing off.
+        """
+        plans = [
+            np.array([[*move.start[:2], *move.end[:2], *move.centre, move.sweep] for move in cuts])
+            for cuts in self.rounds
+        ]
+        if not plans:
+            raise RefusedError("cuts nothing")
+        before = floor = np.zeros(len(plans[0]))
+        for number, (plan, cuts) in enumerate(zip(plans, self.rounds, strict=True)):
+            after = number >= self.before_stop
+            first = _begin_of(plan, plans[0]) if after else 0
+            run = slice(first, first + len(plan))
+            if not np.array_equal(plans[0][run], plan):
+                raise RefusedError("has passes that differ, so the disc's faces would too")
+            levels = np.array([move.end[2] for move in cuts])
+            deepest = float((floor[run] - levels).max())
+            if deepest > machining.step_down_mm + 2 * HALF_DIGIT_MM:
+                raise RefusedError(f"has a pass {deepest:.4f} mm deep; {machining.step_down_mm:g} mm is allowed")
+            if after:
+                _refuse_air(cuts, floor[run] <= levels, machining.lead_radius_mm)
+            floor = floor.copy()
+            floor[run] = np.minimum(floor[run], levels)
+            before = before if after else floor
+        return before, floor
+
+    def cuts(self, machining: Machining, thickness: float) -> list[Move]:
+        """The cuts of one round and every plunge, after checking that all rounds together reach through."""
+        _, floor = self.floors(machining)
+        if floor.max() > -thickness:
+            raise RefusedError(f"ends at Z {floor.max():g}, which does not cut through {thickness:g} mm")
+        return [*self.rounds[0], *(move for _, move in self.plunges)]
+
+    def tabs(self, machining: Machining, thickness: float) -> tuple[Tab, ...]:
+        """Tabs that are left when the program stops: runs of cuts that do not reach through by then."""
+        if self.before_stop == len(self.rounds):
+            return ()
+        floor, _ = self.floors(machining)
+        high = np.flatnonzero(floor > -thickness)
+        if not len(high):
+            return ()
+        runs = np.split(high, np.flatnonzero(np.diff(high) > 1) + 1)
+        cuts, radius = self.rounds[0], machining.cutter_diameter_mm / 2
+        # Everything that goes deeper than a tab by the stop: the other cuts of a round, and the plunges.
+        deep = [move.places(_TAB_STEP) for move, z in zip(cuts, floor, strict=True) if z <= -thickness]
+        deep += [move.end[None, :2] for number, move in self.plunges if number < self.before_stop]
+        places = np.concatenate(deep)
+        ends = np.append(0.0, np.cumsum([move.length for move in cuts]))
+        tabs = []
+        for run in runs:
+            place = (cuts[run[0]].start[:2] + cuts[run[-1]].end[:2]) / 2
+            width = 2 * (np.linalg.norm(places - place, axis=1).min() - radius)
+            along = (ends[run[0]] + ends[run[-1] + 1]) / 2
+            tabs.append(Tab(place, along, float(width), float(floor[run].max() + thickness)))
+        return tuple(tabs)
+
+    @property
+    def length(self) -> float:
+        """Length of a round between its leads, mm."""
+        return sum(move.length for move in self.rounds[0][1:-1])
+
+
+def _begin_of(plan: Array, whole: Array) -> int:
+    """Number of the cut of a round with which a pass begins; 0 if there is none."""
+    return int(np.argmax((whole == plan[0]).all(axis=1)))
+
+
+def _refuse_air(cuts: Sequence[Move], air: NDArray[np.bool_], lead: float) -> None:
+    """Refuse a pass after the stop that begins or ends in a tab, or goes farther through air than its leads, mm."""
+    if not (air[0] and air[-1]):
+        raise RefusedError("goes down or up in a tab, not in the slot beside it")
+    way = sum(move.length for move, empty in zip(cuts, air, strict=True) if empty)
+    if way > 2 * lead + _LEAD_MM:
+        raise RefusedError(f"cuts {way:.1f} mm of air to take a tab off; {2 * lead:g} mm lead to it and away")
+
+
+def _refuse_tabs(tabs: tuple[Tab, ...], machining: Machining, length: float) -> None:
+    """Refuse tabs other than those of the design: by their number, their steps along the slot (mm), and their sizes."""
+    asked = machining.tabs
+    if len(tabs) != (asked.count if asked else 0):
+        raise RefusedError(f"leaves {len(tabs)} tabs where the design has {asked.count if asked else 0}")
+    if asked is None:
+        return
+    steps = np.diff([tab.along for tab in tabs])
+    if np.abs(steps - length / asked.count).max() > _STEP_MM:
+        raise RefusedError(f"leaves tabs {steps.min():.2f} to {steps.max():.2f} mm apart, not in equal steps")
+    for tab in tabs:
+        for what, size, right in (("width", tab.width, asked.width_mm), ("height", tab.height, asked.height_mm)):
+            if abs(size - right) > _TAB_MM:
+                x, y = tab.place
+                raise RefusedError(
+                    f"leaves a tab at X {x:.1f} Y {y:.1f} with a {what} of {size:.3f} mm, not {right:g} mm"
+                )
+
+
+@dataclass(frozen=True)
+class _Swept:
+    """Places that stand for the cutter's path, by polar angle.
+
+    Attributes:
+        angle: polar angle of each place, in order, shape (m,), rad.
+        distance: distance from the origin, shape (m,), mm.
+        beside: numbers of the places before and after each place along its move, shape (2, m); its own number at the
+            ends of the move.
+        radius: radius of the cutter, mm.
+    """
+
+    angle: Array
+    distance: Array
+    beside: NDArray[np.intp]
+    radius: float
+
+    @classmethod
+    def of(cls, moves: list[Array], radius: float) -> "_Swept":
+        places = np.concatenate(moves)
+        distance = np.linalg.norm(places, axis=1)
+        if distance.min() <= radius:
+            raise RefusedError("cuts away the centre of the part")
+        angle = np.arctan2(places[:, 1], places[:, 0])
+        # The turn is whole but for what the leads overlap; plunges come back to the begin of a lead.
+        if not np.unwrap(angle).min() - angle[0] < -0.9 * TURN:
+            raise RefusedError("does not run clockwise round the part, as climb milling does")
+        order = np.argsort(angle)
+        number = np.empty(len(order), dtype=np.intp)
+        number[order] = np.arange(len(order))
+        ends = np.cumsum([len(move) for move in moves])
+        along = np.arange(len(order))
+        before, after = along - 1, along + 1
+        before[ends - [len(move) for move in moves]] += 1
+        after[ends - 1] -= 1
+        beside = np.stack([number[before], number[after]])[:, order]
+        return cls(angle[order], distance[order], beside, radius)
+
+    def depths(self, ray: Array) -> tuple[Array, Array]:
+        """Distance at which rays first meet the cutter, mm, and direction of the cutter's centre from there, rad.
+
+        Between the places the depth is that of a parabola through the three nearest of one move.
+
+        Args:
+            ray: polar angles, shape (n,), rad.
+        """
+        count = len(self.angle)
+        reach = np.arcsin(self.radius / self.distance.min())
+        angle = self._thrice
+        ray = (ray + pi) % TURN - pi
+        first, last = np.searchsorted(angle, ray - reach), np.searchsorted(angle, ray + reach)
+        if (first == last).any():
+            raise RefusedError("does not cut the part free all round")
+        depth, normal = np.empty(len(ray)), np.empty(len(ray))
+        for block in np.split(np.arange(len(ray)), range(_BLOCK, len(ray), _BLOCK)):
+            index = first[block, None] + np.arange((last - first)[block].max())
+            index = np.minimum(index, last[block, None] - 1) % count
+            near, aside = self._met(index, ray[block, None])
+            best = np.argmin(near, axis=1)
+            rows = np.arange(len(block))
+            place, nearest = index[rows, best], near[rows, best]
+            before, after = (self._met(neighbour, ray[block])[0] for neighbour in self.beside[:, place])
+            with np.errstate(invalid="ignore"):
+                bend = before - 2 * nearest + after
+                fits = np.isfinite(bend) & (bend > 0) & (self.beside[:, place] != place).all(axis=0)
+                lower = (after - before) ** 2 / (8 * np.where(fits, bend, 1.0))
+            depth[block] = nearest - np.where(fits, lower, 0.0)
+            normal[block] = ray[block] + np.arcsin(np.clip(aside[rows, best] / self.radius, -1.0, 1.0))
+        if np.isinf(depth).any():
+            raise RefusedError("does not cut the part free all round")
+        return depth, normal
+
+    def _met(self, place: NDArray[np.intp], ray: Array) -> tuple[Array, Array]:
+        """Distance along a ray to the cutter at a place, infinite if it is not met, and its distance aside, mm."""
+        # By products of a few sines: those of all angles between places and rays would take three times as long.
+        x, y = self._centres
+        c, s = np.cos(ray), np.sin(ray)
+        x, y = x[place], y[place]
+        along, aside = x * c + y * s, y * c - x * s
+        under = self.radius**2 - aside**2
+        near = along - np.sqrt(np.maximum(under, 0.0))
+        near[(under <= 0) | (along <= 0)] = np.inf
+        return near, aside
+
+    @cached_property
+    def _thrice(self) -> Array:
+        """Polar angles with those before the first and after the last place, which stand again a turn away."""
+        return np.concatenate([self.angle - TURN, self.angle, self.angle + TURN])
+
+    @cached_property
+    def _centres(self) -> Array:
+        """The places, mm, shape (2, n)."""
+        return np.asarray(self.distance * np.stack([np.cos(self.angle), np.sin(self.angle)]))
+
+
+def _left_over(cuts: list[Move], radius: float, step: float) -> Outline:
+    """Outline of the stock that is left inside the cutter's sweep, by rays from the origin."""
+    swept = _Swept.of([move.places(np.sqrt(8 * _SCALLOP_MM * radius)) for move in cuts], radius)
+    count = ceil(TURN * (swept.distance.max() - radius) / step)
+    spacing = TURN / count
+    ray: Array = spacing * np.arange(count, dtype=np.float64)
+    depth, normal = swept.depths(ray)
+    # Where the outline turns between two rays stands a corner that both miss: the gap is looked into.
+    turn = (np.roll(normal, -1) - normal + pi) % TURN - pi
+    gaps = np.flatnonzero(np.abs(turn) > _CORNER)
+    runs = []
+    closed = np.append(depth, depth[0])  # once: a gap's share is a view of it
+    for first, last in zip(np.append(0, gaps + 1), np.append(gaps, count), strict=True):
+        runs.append((spacing * np.arange(first, last + 1), closed[first : last + 1]))
+        if last < count:
+            fine = spacing * np.linspace(last, last + 1, _FINE_RAYS)
+            runs.append((fine, swept.depths(fine)[0]))
+    angles, depths = (np.concatenate(parts) for parts in zip(*runs, strict=True))
+    owner = np.repeat(np.arange(len(runs)), [len(run[0]) for run in runs])
+    return Outline(depths[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=1), owner)

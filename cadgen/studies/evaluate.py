@@ -1,0 +1,203 @@
+"""One design of a study -> one row: cheap figures and their limits first, then checks and exact figures.
+
+Nothing that goes wrong with a design leaves this module as an error: it becomes the row's sentence.
+"""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from math import isfinite
+from pathlib import Path
+from time import thread_time
+from typing import Any
+
+from cadgen.aside import alone
+from cadgen.design.load import design_of
+from cadgen.design.schema import Design
+from cadgen.errors import CadgenError, brief
+from cadgen.pace import compute_undisturbed
+from cadgen.studies.figures.evaluated import Evaluated
+from cadgen.studies.figures.figure import Figure
+from cadgen.studies.guard import TooLongError, limit_memory, within
+from cadgen.studies.plans import Values
+from cadgen.studies.study import ALL, LimitKeys, Study
+from cadgen.studies.variation import REPLAN, Variation
+
+
+class State(StrEnum):
+    """State of a design in a study.
+
+    Within all limits and checks; not; outside a limit on a cheap figure, so that no more was computed; the values make
+    no design; or a fault, or out of time or memory.
+    """
+
+    KEPT = "kept"
+    OUTSIDE = "outside"
+    SCREENED = "screened"
+    REFUSED = "refused"
+    CRASHED = "crashed"
+
+
+_LONGEST = 400  # letters of a sentence
+
+
+@dataclass(frozen=True)
+class Row:
+    """Result of one design.
+
+    Attributes:
+        number: number in the plan, counted from 0.
+        values: values of the varied keys.
+        state: how the design stands to limits and checks.
+        figures: figures of the study in order; None for one that was not computed.
+        failed: codes of the checks and figures that are outside their limits.
+        sentence: reason for a design that was refused or crashed; else empty.
+    """
+
+    number: int
+    values: Values
+    state: State
+    figures: tuple[float | None, ...]
+    failed: tuple[str, ...] = ()
+    sentence: str = ""
+
+    @property
+    def content(self) -> list[Any]:
+        """The row as it is written as JSON."""
+        return [self.number, self.values, self.state, self.figures, self.failed, self.sentence]
+
+    @classmethod
+    def of(cls, content: Sequence[Any]) -> "Row":
+        """The row of parsed JSON."""
+        number, values, state, figures, failed, sentence = content
+        return cls(number, tuple(values), State(state), tuple(figures), tuple(failed), sentence)
+
+
+@dataclass(frozen=True)
+class Task:
+    """One design to be computed.
+
+    Attributes:
+        number: number in the plan.
+        values: values of the varied keys.
+        text: text of the design with its planned path; None where the base's path is used.
+        fault: why there is no planned path; empty if there is one.
+    """
+
+    number: int
+    values: Values
+    text: str | None = None
+    fault: str = ""
+
+
+@dataclass(frozen=True)
+class Job:
+    """All that a process needs to compute designs of a study."""
+
+    text: str
+    source: str
+    overrides: tuple[str, ...]
+    variations: tuple[Variation, ...]
+    profile: str | None
+    figures: tuple[Figure, ...]
+    limits: tuple[LimitKeys, ...]
+    checks: tuple[str, ...]
+    cars: int
+    seed: int
+    seconds: float
+    memory_mb: float | None
+
+    @classmethod
+    def of(cls, study: Study) -> "Job":
+        """The job of a study."""
+        file = study.file
+        return cls(
+            text=study.text,
+            source=study.source,
+            overrides=file.overrides,
+            variations=study.variations,
+            profile=file.profile,
+            figures=study.figures,
+            limits=file.limits,
+            checks=file.checks,
+            cars=file.cars,
+            seed=file.seed,
+            seconds=file.each.seconds,
+            memory_mb=file.each.memory_mb,
+        )
+
+    def __call__(self, tasks: Sequence[Task]) -> list[tuple[Row, float]]:
+        """Rows of designs, each with its processor time, s."""
+        compute_undisturbed()
+        if self.memory_mb is not None:
+            limit_memory(self.memory_mb)
+        with alone():
+            return [self._timed(task) for task in tasks]
+
+    def _timed(self, task: Task) -> tuple[Row, float]:
+        begun = thread_time()
+        row = self.row(task)
+        return row, thread_time() - begun
+
+    def row(self, task: Task) -> Row:
+        """Row of one design."""
+        known: dict[str, float] = {}
+        failed: list[str] = []
+        try:
+            with within(self.seconds):
+                if task.fault:
+                    raise CadgenError(task.fault)
+                state = self._judge(task, known, failed)
+            sentence = ""
+        except CadgenError as error:
+            state, sentence = State.REFUSED, str(error)
+        except TooLongError as error:
+            state, sentence = State.CRASHED, str(error)
+        except MemoryError:
+            state, sentence = State.CRASHED, "it ran out of memory (each.memory_mb)"
+        except Exception as error:
+            state, sentence = State.CRASHED, f"a fault in cadgen ({type(error).__name__}: {error})"
+        figures = tuple(known.get(figure.code) for figure in self.figures)
+        return Row(task.number, task.values, state, figures, tuple(failed), brief(sentence, _LONGEST))
+
+    def design(self, task: Task) -> Design:
+        """The design of a task, read and checked."""
+        return design_of(self.text if task.text is None else task.text, Path(self.source), self.overrides_of(task))
+
+    def overrides_of(self, task: Task) -> tuple[str, ...]:
+        """Overrides of the text that a task is read from; those of the base are in a planned text already."""
+        planned = task.text is not None
+        pairs = zip(self.variations, task.values, strict=True)
+        changed = [change for variation, value in pairs for change in variation.changes(value)]
+        apart = (REPLAN, "path.") if planned else (REPLAN,)
+        varied = tuple(override_of(key, value) for key, value in changed if not key.startswith(apart))
+        return varied if planned else (*self.overrides, *varied)
+
+    def _judge(self, task: Task, known: dict[str, float], failed: list[str]) -> State:
+        values = {each.key: value for each, value in zip(self.variations, task.values, strict=True)}
+        evaluated = Evaluated(values, lambda: self.design(task), self.profile, self.cars, self.seed)
+        self._measure(evaluated, [figure for figure in self.figures if figure.cheap], known, failed)
+        if failed:
+            return State.SCREENED
+        if self.checks:
+            codes = [check.code.value for check in evaluated.plan.failed]
+            failed += dict.fromkeys(code for code in codes if ALL in self.checks or code in self.checks)
+        self._measure(evaluated, [figure for figure in self.figures if not figure.cheap], known, failed)
+        return State.OUTSIDE if failed else State.KEPT
+
+    def _measure(
+        self, evaluated: Evaluated, figures: Sequence[Figure], known: dict[str, float], failed: list[str]
+    ) -> None:
+        for figure in figures:
+            value = float(figure.of(evaluated))
+            if not isfinite(value):
+                raise CadgenError(f"{figure.code} is {value}, not a finite number")
+            known[figure.code] = value
+            if any(limit.excess(value) > 0 for limit in self.limits if limit.figure == figure.code):
+                failed.append(figure.code)
+
+
+def override_of(key: str, value: Any) -> str:
+    """A value as `--set` takes it; numbers, texts and lists are written alike in JSON and TOML."""
+    return f"{key}={json.dumps(value, ensure_ascii=False)}"

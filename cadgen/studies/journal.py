@@ -1,0 +1,284 @@
+"""The journal of a study: every result on disk as soon as it is there, a line each, never changed.
+
+A line is a checksum, a space and JSON. The first is the header, with study and base design, so that the journal alone
+is enough to go on or to merge. A run that was killed leaves at most a torn last line, which is cut off; a line that a
+disk has damaged is passed over, and its design computed again.
+"""
+
+import json
+import os
+from array import array
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, BinaryIO
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.errors import FileError, brief
+from cadgen.output.files.lock import lock_now, unlock
+from cadgen.studies.evaluate import Row
+from cadgen.studies.paths import PlannedText
+
+FORMAT = 1
+ENDING = ".journal"
+_ABSENT = -1
+_LONGEST_LINE = 8_000_000
+
+
+@dataclass(frozen=True)
+class Header:
+    """First line of a journal.
+
+    Attributes:
+        version: version of cadgen that computes the study.
+        fingerprint: of the study.
+        name: name of the study.
+        study: text of its file.
+        text: text of the base design.
+        source: name of the base design's file.
+        shard: number of the part of the study and number of parts; 1 and 1 for all of it.
+    """
+
+    version: str
+    fingerprint: str
+    name: str
+    study: str
+    text: str
+    source: str
+    shard: tuple[int, int] = (1, 1)
+
+    def line(self) -> bytes:
+        """The header as it is written."""
+        return _line({"format": FORMAT, **self.__dict__})
+
+
+@dataclass
+class Journal:
+    """A journal that is open.
+
+    Attributes:
+        file: its path.
+        header: its first line.
+        places: place in the file of the row of each design of the shard in turn, the first, the n-th after it and so
+            on for one of n shards; `_ABSENT` for one that is not there.
+        paths: place of each planned path, by its key.
+        seconds: processor time of all its designs, s.
+    """
+
+    file: Path
+    header: Header
+    stream: BinaryIO
+    places: "array[int]" = field(default_factory=lambda: array("q"))
+    paths: dict[str, int] = field(default_factory=dict)
+    seconds: float = 0.0
+    count: int = 0
+
+    @classmethod
+    def begun(cls, file: Path, header: Header) -> "Journal":
+        """Open a journal to go on with it, or begin it; it stays locked until it is closed.
+
+        Raises:
+            FileError: it cannot be written, another run holds it, or it is of another study or version.
+        """
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            stream = os.fdopen(os.open(file, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666), "r+b")
+        except OSError as error:
+            raise FileError(f"{brief(str(file))} cannot be written ({error.strerror}): choose another place") from error
+        try:
+            if not lock_now(stream.fileno()):
+                raise FileError(f"another run is at work on {brief(str(file))}: let it end, or choose another folder")
+            first = stream.readline(_LONGEST_LINE)
+            content = _content(first)
+            if content is None and header.line().startswith(first):  # empty, or killed at its first line
+                stream.seek(0)
+                stream.truncate()
+                journal = cls(file, header, stream)
+                journal._append(header.line())
+                return journal
+            journal = cls(file, _header(content, file), stream)
+            _refuse_other(journal.header, header, file)
+            journal._truncate(journal._read(len(first)))
+        except BaseException:
+            stream.close()
+            raise
+        return journal
+
+    @classmethod
+    def read(cls, file: Path) -> "Journal":
+        """Open a journal to read it.
+
+        Raises:
+            FileError: it cannot be read or is no journal.
+        """
+        try:
+            stream = file.open("rb")
+        except OSError as error:
+            raise FileError(f"{brief(str(file))} cannot be read ({error.strerror}): name another folder") from error
+        first = stream.readline(_LONGEST_LINE)
+        journal = cls(file, _header(_content(first), file), stream)
+        journal._read(len(first))
+        return journal
+
+    def close(self) -> None:
+        """Close the file, and free its lock."""
+        self.stream.close()
+
+    def free(self) -> None:
+        """Free the lock; what is there can still be read."""
+        with suppress(OSError):
+            unlock(self.stream.fileno())
+
+    def __contains__(self, number: int) -> bool:
+        turn = self._turn(number)
+        return turn is not None and turn < len(self.places) and self.places[turn] != _ABSENT
+
+    @property
+    def numbers(self) -> NDArray[np.int64]:
+        """Numbers of all designs that are there, in order."""
+        part, parts = self.header.shard
+        there = np.frombuffer(self.places, dtype=np.int64) != _ABSENT if len(self.places) else np.zeros(0, dtype=bool)
+        return np.flatnonzero(there) * parts + part - 1
+
+    def _turn(self, number: int) -> int | None:
+        """Which design of the shard a number is, counted from 0; None for one of another shard."""
+        part, parts = self.header.shard
+        turn, other = divmod(number - part + 1, parts)
+        return None if other else turn
+
+    def add_rows(self, results: Sequence[tuple[Row, float]]) -> None:
+        """Write rows of designs, with the processor time of each, s; one that is there already is left out.
+
+        Raises:
+            FileError: the disk is full or cannot be written.
+        """
+        new = [(row, seconds) for row, seconds in results if row.number not in self]
+        lines = [_line({"seconds": round(seconds, 6), "row": row.content}) for row, seconds in new]
+        place = self._append(b"".join(lines))
+        for (row, seconds), line in zip(new, lines, strict=True):
+            self._note(row.number, place, seconds)
+            place += len(line)
+
+    def add_path(self, planned: PlannedText) -> None:
+        """Write a planned path; errors as of `add_rows`."""
+        if planned.key not in self.paths:
+            self.paths[planned.key] = self._append(_line({"path": [planned.key, planned.text, planned.fault]}))
+
+    def path(self, key: str) -> PlannedText:
+        """A planned path that is there."""
+        return PlannedText(*self._at(self.paths[key])["path"])
+
+    def row(self, number: int) -> Row:
+        """Row of a design that is there."""
+        return Row.of(self._at(self.places[number // self.header.shard[1]])["row"])
+
+    def times(self) -> Iterator[float]:
+        """Processor time of each design, s, in the order of their numbers."""
+        for place in self.places:
+            if place != _ABSENT:
+                yield self._at(place)["seconds"]
+
+    def _at(self, place: int) -> Any:
+        self.stream.seek(place)
+        content = _content(self.stream.readline(_LONGEST_LINE))
+        if content is None:
+            raise FileError(f"{brief(str(self.file))} was changed while it was read: run the same command again")
+        return content
+
+    def _note(self, number: int, place: int, seconds: float) -> None:
+        turn = self._turn(number)
+        if turn is None:
+            return
+        if turn >= len(self.places):
+            self.places.extend([_ABSENT] * max(turn + 1 - len(self.places), len(self.places)))
+        if self.places[turn] == _ABSENT:
+            self.count += 1
+            self.seconds += seconds
+        self.places[turn] = place
+
+    def _read(self, place: int) -> int:
+        """Note all lines from a place on; where the last sound one ends."""
+        good = place
+        for line in iter(lambda: self.stream.readline(_LONGEST_LINE), b""):
+            content = _content(line)
+            if content is not None:
+                if "row" in content:
+                    self._note(content["row"][0], place, content["seconds"])
+                elif "path" in content:
+                    self.paths[content["path"][0]] = place
+                good = place + len(line)
+            place += len(line)
+        return good
+
+    def _truncate(self, place: int) -> None:
+        self.stream.truncate(place)
+
+    def _append(self, content: bytes) -> int:
+        """Write at the end, onto the disk; the place where it begins."""
+        try:
+            place = self.stream.seek(0, os.SEEK_END)
+            self.stream.write(content)
+            self.stream.flush()
+            os.fsync(self.stream.fileno())
+        except OSError as error:
+            with suppress(OSError):
+                self.stream.truncate(place)
+            raise FileError(
+                f"{brief(str(self.file))} cannot be written ({error.strerror}): free some space; run the same command "
+                "again, and the study goes on where it was"
+            ) from error
+        return place
+
+
+def journal_name(name: str, shard: tuple[int, int]) -> str:
+    """Name of the journal of a study, or of one of its shards."""
+    part, parts = shard
+    return f"{name}{ENDING}" if parts == 1 else f"{name}.{part}of{parts}{ENDING}"
+
+
+def _line(content: Any) -> bytes:
+    text = json.dumps(content, ensure_ascii=True, separators=(",", ":")).encode("ascii")
+    return b"%08x %s\n" % (crc32(text), text)
+
+
+def _content(line: bytes) -> Any:
+    """Content of a line; None if it is torn or damaged."""
+    if len(line) < 11 or line[8:9] != b" " or not line.endswith(b"\n"):
+        return None
+    text = line[9:-1]
+    return json.loads(text) if line[:8] == b"%08x" % crc32(text) else None
+
+
+def _header(content: Any, file: Path) -> Header:
+    try:
+        if content["format"] != FORMAT:
+            raise ValueError
+        known = {name: content[name] for name in Header.__dataclass_fields__}
+        part, parts = known["shard"]
+        if not 1 <= part <= parts:
+            raise ValueError
+        return Header(**{**known, "shard": (part, parts)})
+    except (KeyError, TypeError, ValueError):
+        raise FileError(f"{brief(str(file))} is no journal of cadgen explore: choose another folder") from None
+
+
+def _refuse_other(old: Header, new: Header, file: Path) -> None:
+    if old.version != new.version:
+        raise FileError(
+            f"{brief(str(file))} was begun by cadgen {old.version}, and this is {new.version}: end it with that "
+            "version, or choose another folder"
+        )
+    if old.fingerprint != new.fingerprint:
+        raise FileError(
+            f"{brief(str(file))} is of another study, or of another state of this one: choose another folder, or "
+            "remove it"
+        )
+    if old.shard != new.shard:
+        raise FileError(
+            f"{brief(str(file))} is of shard {old.shard[0]}/{old.shard[1]}: name it "
+            f"{journal_name(old.name, old.shard)} again"
+        )

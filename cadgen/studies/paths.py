@@ -1,0 +1,134 @@
+"""Planned paths of a study: each distinct one is planned once and then serves all designs that share it."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import thread_time
+from typing import Any
+
+from cadgen.aside import alone
+from cadgen.design import cam_model
+from cadgen.design.load import course_of
+from cadgen.errors import CadgenError, brief
+from cadgen.jobs.planning.plan import Wanted, plan_design
+from cadgen.jobs.planning.words import sentences
+from cadgen.pace import compute_undisturbed
+from cadgen.studies.evaluate import override_of
+from cadgen.studies.guard import TooLongError, limit_memory, within
+from cadgen.studies.plans import Values
+from cadgen.studies.study import ANY, Study
+from cadgen.studies.variation import REPLAN
+
+_WITH_A_PATH = ("path.", "course.", REPLAN)
+
+
+@dataclass(frozen=True)
+class PlannedText:
+    """A design with a planned path.
+
+    Attributes:
+        key: what the path was planned for: JSON of its settings.
+        text: text of the design; empty if there is no path.
+        fault: why there is none, a sentence.
+    """
+
+    key: str
+    text: str
+    fault: str = ""
+
+
+@dataclass(frozen=True)
+class Planner:
+    """Plans paths of a study, in any process.
+
+    Attributes:
+        text, source: base design.
+        overrides: of the base.
+        within_mm, reserve, seeds: where they do not vary.
+        seconds, memory_mb: limits for one path, those of one design.
+    """
+
+    text: str
+    source: str
+    overrides: tuple[str, ...]
+    within_mm: float | str
+    reserve: float
+    seeds: int
+    seconds: float
+    memory_mb: float | None
+
+    @classmethod
+    def of(cls, study: Study) -> "Planner | None":
+        """The planner of a study; None if its paths are those of its designs."""
+        replan = study.file.replan
+        if replan is None:
+            return None
+        each = study.file.each
+        return cls(
+            study.text,
+            study.source,
+            study.file.overrides,
+            replan.within_mm,
+            replan.reserve,
+            replan.seeds,
+            each.seconds,
+            each.memory_mb,
+        )
+
+    def __call__(self, keys: Sequence[str]) -> list[tuple[PlannedText, float]]:
+        """Planned paths by their keys, each with its processor time, s."""
+        compute_undisturbed()
+        if self.memory_mb is not None:
+            limit_memory(self.memory_mb)
+        results = []
+        with alone():
+            for key in keys:
+                begun = thread_time()
+                results.append((self.planned(key), thread_time() - begun))
+        return results
+
+    def planned(self, key: str) -> PlannedText:
+        """One planned path by its key."""
+        changed: dict[str, Any] = dict(json.loads(key))
+        most = changed.pop(f"{REPLAN}within_mm", self.within_mm)
+        reserve = float(changed.pop(f"{REPLAN}reserve", self.reserve))
+        seeds = int(changed.pop(f"{REPLAN}seeds", self.seeds))
+        overrides = (*self.overrides, *(override_of(name, value) for name, value in changed.items()))
+        try:
+            with within(self.seconds):
+                design, drawn = course_of(self.text, Path(self.source), overrides)
+                own = cam_model.track(design) if drawn else None
+                wanted = Wanted(seeds=seeds, reserve=reserve)
+                if most != ANY:
+                    wanted = replace(wanted, near=own, within=float(most), calm=own)
+                plan = plan_design(design, self.text, own, wanted)
+        except CadgenError as error:
+            return PlannedText(key, "", brief(str(error)))
+        except TooLongError as error:
+            return PlannedText(key, "", f"its path: {error}")
+        except MemoryError:
+            return PlannedText(key, "", "its path ran out of memory (each.memory_mb)")
+        except Exception as error:
+            return PlannedText(key, "", brief(f"a fault in cadgen while planning ({type(error).__name__}: {error})"))
+        return PlannedText(key, plan.text, "" if plan.text else brief(f"no path was planned: {sentences(plan)[0]}"))
+
+    def given_up(self, key: str) -> PlannedText:
+        """The result for a path whose process died again and again."""
+        return PlannedText(key, "", "the process that planned its path died each time")
+
+
+def path_key(study: Study, values: Values) -> str | None:
+    """Key of the planned path of a design; None where the path of the design itself is used."""
+    replan = study.file.replan
+    if replan is None:
+        return None
+    varied = dict(zip(study.keys, values, strict=True))
+    if varied.get(f"{REPLAN}within_mm", replan.within_mm) == 0:
+        return None
+    changed: dict[str, Any] = {}
+    for each in study.variations:
+        keys = (each.key, *(key for key, _ in each.along))
+        if any(key.startswith(_WITH_A_PATH) or key in replan.planned_for for key in keys):
+            changed.update(each.changes(varied[each.key]))
+    return json.dumps(changed)

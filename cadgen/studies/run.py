@@ -1,0 +1,152 @@
+"""A study computed: what its journal has already is kept, all else goes through the engine."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from time import monotonic
+
+import numpy as np
+
+from cadgen.progress import Progress, silent
+from cadgen.studies import plans
+from cadgen.studies.engines import Engine, Mapped
+from cadgen.studies.evaluate import Job, Row, State, Task
+from cadgen.studies.front import objectives_of
+from cadgen.studies.journal import Header, Journal, journal_name
+from cadgen.studies.paths import PlannedText, Planner, path_key
+from cadgen.studies.plans import Values
+from cadgen.studies.results import Results
+from cadgen.studies.search import Search
+from cadgen.studies.study import Study
+from cadgen.studies.work import work
+from cadgen.version import __version__
+
+# How far a design without figures is from its limits; one that is only outside them is nearer.
+_NO_DESIGN, _SCREENED = 1e6, 10.0
+_GIVEN_UP = "the process that computed it died each time, alone too: by a fault, or for lack of memory or time"
+
+
+def open_journal(study: Study, text: str, folder: Path, shard: tuple[int, int] = (1, 1)) -> Journal:
+    """Open the journal of a study, or of one of its shards, in a folder; errors as of `Journal.begun`.
+
+    Args:
+        study: the study.
+        text: text of its file.
+        folder: where its results go.
+        shard: number of the part, and number of parts.
+    """
+    header = Header(__version__, study.fingerprint, study.name, text, study.text, study.source, shard)
+    return Journal.begun(folder / journal_name(study.name, shard), header)
+
+
+@dataclass
+class Exploration:
+    """A study under way.
+
+    Attributes:
+        study: the study.
+        journal: its journal, open.
+        engine: where designs are computed.
+        progress: function that is called with the state of the study.
+    """
+
+    study: Study
+    journal: Journal
+    engine: Engine | Mapped
+    progress: Progress = silent
+    _begun: float = field(default_factory=monotonic)
+    _done: int = 0
+    _without: int = 0
+    _total: int = 0
+
+    def run(self) -> Results:
+        """Compute all designs of the journal's shard that it does not have yet.
+
+        Raises:
+            DesignError: the study searches, and pymoo is not installed.
+            FileError: the journal cannot be written, or the engine takes no more work.
+        """
+        count = self._search() if self.study.searches else self._fixed()
+        return Results(self.study, (self.journal,), count)
+
+    def _fixed(self) -> int:
+        study, (part, parts) = self.study, self.journal.header.shard
+        values = plans.plan(study.file.plan.kind, study.variations, study.count, study.file.seed)
+        self._total = len(range(part - 1, study.count, parts))
+        self._compute(range(part - 1, study.count, parts), values)
+        return study.count
+
+    def _search(self) -> int:
+        """Generation by generation; values that came before are not computed again."""
+        study, plan, journal = self.study, self.study.file.plan, self.journal
+        search = Search(len(study.keys), len(study.objectives), plan.population, study.generations, study.file.seed)
+        known: dict[str, int] = {}
+        count, self._total = 0, study.count
+        for _ in range(study.generations):
+            values = [plans.values_at(study.variations, place) for place in search.ask().tolist()]
+            numbers = range(count, count + len(values))
+            first = [known.setdefault(repr(each), number) for number, each in zip(numbers, values, strict=True)]
+            new = dict(zip(numbers, values, strict=True))
+            self._compute([number for number in numbers if number in first], new.__getitem__)
+            copies = [(number, source) for number, source in zip(numbers, first, strict=True) if number != source]
+            journal.add_rows([(replace(journal.row(source), number=number), 0.0) for number, source in copies])
+            rows = [journal.row(number) for number in numbers]
+            objectives = np.array([objectives_of(row, study.objectives) for row in rows])
+            search.answer(objectives, np.array([self._violation(row) for row in rows]))
+            count += len(values)
+        return count
+
+    def _violation(self, row: Row) -> float:
+        """How far a design is from keeping its limits: the sum of all excesses, and 1 for each check that fails."""
+        if row.state in (State.REFUSED, State.CRASHED):
+            return _NO_DESIGN
+        known = dict(zip((figure.code for figure in self.study.figures), row.figures, strict=True))
+        excesses = {code: 0.0 for code in row.failed if code in known}
+        for limit in self.study.file.limits:
+            value = known[limit.figure]
+            if limit.figure in excesses and value is not None:
+                excesses[limit.figure] += limit.excess(value)
+        checks = len(row.failed) - len(excesses)
+        return sum(excesses.values()) + checks + (_SCREENED if row.state == State.SCREENED else 0.0)
+
+    def _compute(self, numbers: Sequence[int], values: Callable[[int], Values]) -> None:
+        left = [number for number in numbers if number not in self.journal]
+        planner = Planner.of(self.study)
+        if planner is not None:
+            every = (path_key(self.study, values(number)) for number in left)
+            keys = [key for key in dict.fromkeys(every) if key is not None and key not in self.journal.paths]
+            self.progress(f"planning {len(keys)} paths")
+            work(self.engine, planner, keys, len(keys), self._take_paths, planner.given_up)
+        tasks: Iterator[Task] = (self._task(number, values(number)) for number in left)
+        self._say()
+        work(self.engine, Job.of(self.study), tasks, len(left), self._take_rows, self._given_up)
+
+    def _task(self, number: int, values: Values) -> Task:
+        key = path_key(self.study, values)
+        if key is None:
+            return Task(number, values)
+        planned = self.journal.path(key)
+        return Task(number, values, planned.text, planned.fault)
+
+    def _take_paths(self, results: Sequence[tuple[PlannedText, float]]) -> None:
+        for planned, _ in results:
+            self.journal.add_path(planned)
+        self.progress(f"{len(self.journal.paths)} paths planned")
+
+    def _take_rows(self, results: Sequence[tuple[Row, float]]) -> None:
+        self.journal.add_rows(results)
+        self._done += len(results)
+        self._without += sum(row.state in (State.REFUSED, State.CRASHED) for row, _ in results)
+        self._say()
+
+    def _given_up(self, task: Task) -> Row:
+        nothing = (None,) * len(self.study.figures)
+        return Row(task.number, task.values, State.CRASHED, nothing, sentence=_GIVEN_UP)
+
+    def _say(self) -> None:
+        words = f"{self.journal.count} of {self._total} designs"
+        if self._done:
+            rate = self._done / max(monotonic() - self._begun, 1e-9)
+            left = (self._total - self.journal.count) / rate
+            words += f", {rate:.3g} a second, " + (f"{left / 60:.0f} min left" if left > 90 else f"{left:.0f} s left")
+        self.progress(f"{words}, {self._without} refused or crashed")

@@ -1,0 +1,91 @@
+"""From a design's text to what the page shows, as the bytes that it gets."""
+
+import json
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+from cadgen.design.load import design_of
+from cadgen.design.schema import Design, TrainDesign
+from cadgen.errors import CadgenError
+from cadgen.gears.names import Order
+from cadgen.jobs.gears.plan import GearsPlan, plan_gears
+from cadgen.progress import Progress
+from cadgen.viewer.editor.job import Job, Result, Stage, State, refusal
+from cadgen.viewer.editor.points import points_of
+from cadgen.viewer.page.content.page import page_of
+from cadgen.viewer.page.content.plan import PagePlan, plan_edited, plan_preview
+from cadgen.viewer.page.content.scene import floor_of
+from cadgen.viewer.page.data import data_of
+from cadgen.viewer.page.html import pieces_of
+from cadgen.viewer.page.views import course_view
+
+# Of a preview: the tables and the figures at the top wait for the whole.
+_PREVIEWED = ("cam-box", "course-box", "legend", "charts")
+_LEVEL = 1  # of the compression: it goes no further than to this machine's own browser
+# Sections of a design that its gears do not depend on.
+_NOT_GEARS = {"path", "course", "field", "car", "cam", "follower", "machining", "checks", "drawing", "settings"}
+
+
+def compute(job: Job, progress: Progress) -> Result:
+    """Compute a version, and lay it out as HTML and data.
+
+    Args:
+        job: version and stage.
+        progress: function that is called before each step; an exception of its own ends the computation.
+    """
+    design: Design | None = None
+    try:
+        design = design_of(job.text, Path(job.file))
+        plan = plan_preview(design, progress) if job.stage == Stage.PREVIEW else plan_edited(design, gears_of, progress)
+        progress("laying the page out")
+        return Result(State.DONE, _laid_out(job, plan, progress))
+    except CadgenError as error:
+        # A design that cannot be driven is shown by its course alone, so that its points can be moved.
+        return refusal(State.REFUSED, str(error), floor=None if design is None else _floor(design))
+    except MemoryError:
+        return refusal(State.FAULT, "out of memory: close other programs, or take the last change back")
+
+
+def _floor(design: Design) -> str:
+    return course_view(floor_of(design), points=[(point.x, point.y) for point in points_of(design)])
+
+
+def _laid_out(job: Job, plan: PagePlan, progress: Progress) -> bytes:
+    page = page_of(plan)
+    progress("writing the page")
+    document, block = data_of(page, _LEVEL)
+    pieces = pieces_of(page)
+    if job.stage == Stage.PREVIEW:
+        pieces = {code: pieces[code] for code in _PREVIEWED}
+    head = json.dumps(
+        {"revision": job.revision, "stage": job.stage, "pieces": pieces, "block": block}, ensure_ascii=False
+    )
+    return f'{head[:-1]}, "document": {document}}}'.encode()
+
+
+def gears_of(design: TrainDesign, order: Order, progress: Progress) -> GearsPlan:
+    """The train of a design; that of the version before, if nothing of it has changed."""
+    values = {key: value for key, value in design.values().items() if key not in _NOT_GEARS}
+    return replace(_gears(_Known(json.dumps([values, order], sort_keys=True), design, order, progress)), design=design)
+
+
+@dataclass(frozen=True)
+class _Known:
+    """A train to plan, equal to another one of the same values."""
+
+    key: str
+    design: TrainDesign
+    order: Order
+    progress: Progress
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Known) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+
+@lru_cache(maxsize=8)
+def _gears(known: _Known) -> GearsPlan:
+    return plan_gears(known.design, known.order, known.progress)

@@ -1,0 +1,243 @@
+"""One design that is edited: its text, the changes made and undone, and its file."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from pathlib import Path
+from threading import Lock
+from typing import Any
+
+from cadgen.design.load import design_of
+from cadgen.design.parse import parse
+from cadgen.design.schema import Design
+from cadgen.errors import DesignError, brief
+from cadgen.viewer.editor.controls import groups_of
+from cadgen.viewer.editor.items import exchanged, inserted, removed
+from cadgen.viewer.editor.kinds import items_of, kinds_of, new_item, places_of
+from cadgen.viewer.editor.points import points_of
+from cadgen.viewer.editor.saving import Origin, refuse_name
+from cadgen.viewer.editor.text import Value, applied, changed
+
+MOST_STEPS = 200  # that can be undone
+
+
+@dataclass(frozen=True)
+class Version:
+    """The design between two changes.
+
+    Attributes:
+        text: TOML.
+        design: the same, checked.
+    """
+
+    text: str
+    design: Design
+
+    @cached_property
+    def keys(self) -> frozenset[str]:
+        """Keys that can be changed."""
+        controls = (control.key for group in groups_of(self.design, self.design) for control in group.controls)
+        return frozenset(controls) | frozenset(point.key for point in points_of(self.design))
+
+
+class Session:
+    """A design that is edited; each method is safe to call from several threads.
+
+    Attributes:
+        revision: number of the version now; each change, undo and redo makes another one.
+    """
+
+    def __init__(self, source: str | Path | None, overrides: Sequence[str] = ()) -> None:
+        """Open a design.
+
+        Args:
+            source: packaged design or file, as of `cadgen.design.load.load_design`.
+            overrides: `key=value` each, written into the text as a first change.
+
+        Raises:
+            DesignError: no such design, or it is none.
+        """
+        self._lock = Lock()
+        self._origin, text, self._file = Origin.of(source)
+        self._opened = self._saved = self._now = Version(text, design_of(text, self._file))
+        self._undo: list[Version] = []
+        self._redo: list[Version] = []
+        self._gesture: str | None = None
+        self._name: str | None = None  # under which the design was last saved as another one
+        self.revision = 1
+        if overrides:
+            self._step(Version(*applied(text, self._file, list(overrides))))
+
+    @property
+    def now(self) -> Version:
+        """The design as it is now."""
+        return self._now
+
+    @property
+    def name(self) -> str:
+        """Name of the design."""
+        return self._now.design.name
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether there are changes that are in no file."""
+        return self._now.text != self._saved.text
+
+    def job(self) -> tuple[int, str, str]:
+        """Revision, text and name of the file, of one moment."""
+        with self._lock:
+            return self.revision, self._now.text, self._file.name
+
+    def change(self, changes: Mapping[str, Value], gesture: str | None = None) -> None:
+        """Change some numbers.
+
+        Args:
+            changes: new value by key.
+            gesture: name of the move that the change is part of: all changes of one are undone together.
+
+        Raises:
+            DesignError: a key cannot be changed here, or the result is no design; nothing has changed then.
+        """
+        with self._lock:
+            for key in changes:
+                if key not in self._now.keys:
+                    raise DesignError(f"{brief(key, 60)} cannot be changed here: change it in a text editor")
+            version = Version(*changed(self._now.text, self._file, changes))
+            if version.text == self._now.text:
+                return
+            if gesture is not None and gesture == self._gesture and self._undo:
+                self._now = version
+                self.revision += 1
+            else:
+                self._step(version)
+            self._gesture = gesture
+
+    def insert(self, key: str, at: tuple[float, float]) -> None:
+        """Put a point into a list of points, or a post, gate or the like onto the course, as a step of its own.
+
+        Args:
+            key: dotted key of its place: that of the item that it is put before, or one more than the last item's.
+            at: x and y, mm; of what has several points, of its middle.
+
+        Raises:
+            DesignError: there is no such list here, or the result is no design; nothing has changed then.
+        """
+        with self._lock:
+            text, design = self._now.text, self._now.design
+            lists = [point.listed for point in points_of(design) if point.listed]
+            if key in {f"{name}.{number}" for name in set(lists) for number in range(1, lists.count(name) + 2)}:
+                self._step(Version(*inserted(text, self._file, key, list(at))))
+            elif key in places_of(design):
+                self._step(Version(*inserted(text, self._file, key, new_item(design, parse(text), key, at))))
+            else:
+                raise DesignError(f"{brief(key, 60)} is no place for a point, nor for anything else on the course")
+            self._gesture = None
+
+    def remove(self, key: str) -> None:
+        """Take a point out of a list of points, or a post, gate or the like off the course, as a step of its own.
+
+        Raises:
+            DesignError: there is no such thing here, or the result is no design; nothing has changed then.
+        """
+        with self._lock:
+            points = {point.key for point in points_of(self._now.design) if point.listed}
+            if key not in points | items_of(self._now.design):
+                raise DesignError(f"{brief(key, 60)} cannot be removed here: remove it in a text editor")
+            self._step(Version(*removed(self._now.text, self._file, key)))
+            self._gesture = None
+
+    def exchange(self, key: str) -> None:
+        """Exchange a gate with the next one, as a step of its own: gates count in their order.
+
+        Raises:
+            DesignError: there is no such gate, or none after it; nothing has changed then.
+        """
+        with self._lock:
+            gates = sum(item.startswith("course.gates.") for item in items_of(self._now.design))
+            if key not in {f"course.gates.{number}" for number in range(1, gates)}:
+                raise DesignError(f"{brief(key, 60)} cannot be exchanged with the next one: choose a gate but the last")
+            self._step(Version(*exchanged(self._now.text, self._file, key)))
+            self._gesture = None
+
+    def undo(self) -> None:
+        """Take the last change back; nothing without one."""
+        with self._lock:
+            self._back(self._undo, self._redo)
+
+    def redo(self) -> None:
+        """Make the change again that was taken back; nothing without one."""
+        with self._lock:
+            self._back(self._redo, self._undo)
+
+    def save(self, name: str | None = None) -> str:
+        """Write the design's file, and return its name.
+
+        Args:
+            name: name of a new design and, with .toml, of its file; the file that was opened if left out.
+
+        Raises:
+            DesignError: a copy of a packaged design needs a name, or no file can have it.
+            FileError: a new file is there already, the old one was changed meanwhile, or writing fails.
+        """
+        with self._lock:
+            if name is None:
+                self._origin = self._origin.save(self._now.text)
+            else:
+                refuse_name(name)
+                version = _renamed(self._now, name)
+                self._origin = self._origin.save_as(name, version.text)
+                self._file, self._name = self._origin.folder / f"{name}.toml", name
+                if version is not self._now:
+                    self._now = version
+                    self.revision += 1
+            self._saved = self._now
+            self._gesture = None
+            return self._file.name
+
+    def state(self) -> dict[str, Any]:
+        """Everything that the page shows beside the results, as plain values."""
+        with self._lock:
+            design = self._now.design
+            return {
+                "revision": self.revision,
+                "name": design.name,
+                "file": self._file.name,
+                "folder": str(self._origin.folder),
+                "copy": self._origin.file is None,
+                "unsaved": self.unsaved,
+                "undo": len(self._undo),
+                "redo": len(self._redo),
+                "groups": [asdict(group) for group in groups_of(design, self._opened.design)],
+                "points": [asdict(point) for point in points_of(design)],
+                "kinds": [asdict(kind) for kind in kinds_of(design)],
+            }
+
+    def _step(self, version: Version) -> None:
+        self._undo = [*self._undo[1 - MOST_STEPS :], self._now]
+        self._redo = []
+        self._now = version
+        self.revision += 1
+
+    def _back(self, source: list[Version], target: list[Version]) -> None:
+        if source:
+            # Saving under another name is no change that can be taken back.
+            version = source[-1] if self._name is None else _renamed(source[-1], self._name)
+            source.pop()
+            target.append(self._now)
+            self._now = version
+            self._gesture = None
+            self.revision += 1
+
+
+def _renamed(version: Version, name: str) -> Version:
+    """The same design under another name, whether its text has a name or leaves it to the file.
+
+    Raises:
+        DesignError: the name cannot be written into the text.
+    """
+    if version.design.name == name:
+        return version
+    file = Path(f"{name}.toml")
+    if "name" in parse(version.text):
+        return Version(*applied(version.text, file, [f'name="{name}"']))
+    return Version(version.text, design_of(version.text, file))

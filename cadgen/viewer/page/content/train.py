@@ -1,0 +1,167 @@
+"""The gear train beside its cam: shafts in the cam's frame, and how each turns with the motor and the play.
+
+The frame is that of the cam's files: the camshaft is the z axis, which points to the car's left; x points ahead, to the
+fork, and y down. Forwards the cam turns by -θ about z.
+
+Every driver pushes on the same flanks as long as the gears push the cam. If the cam runs ahead by a share u of the
+play, each stage's driven wheel goes through the same share of its play. With σ = ±1 the sense of a shaft and e its lead
+over the middle of the play, measured in that sense,
+    e(driven) = e(driver) / i + (u - 1/2) j,  j the play of the stage as cut.
+The drive stands ahead by as much as makes the lead of the output 0 at u = 0.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import pi, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.geometry.meshes.mesh import Mesh
+from cadgen.geometry.meshes.prisms import body_mesh
+from cadgen.parts.body import Body
+
+GAP = 2.0  # mm between the cam, or its hub, and the stack of gears
+
+
+class Stand(NamedTuple):
+    """A body at its height along its shaft.
+
+    Attributes:
+        body: body of a part.
+        height: height of its own zero, mm.
+        side: -1 if it is turned over, else 1.
+    """
+
+    body: Body
+    height: float
+    side: float
+
+    def mesh(self, chord: float) -> Mesh:
+        """Its mesh about its own axis at the height where it stands, mm.
+
+        Args:
+            chord: greatest distance of a chord from a curve, mm.
+        """
+        return _stood(self, chord)
+
+
+@lru_cache(maxsize=128)  # chord by chord until the triangles are few enough; and again while a design is edited
+def _stood(stand: Stand, chord: float) -> Mesh:
+    mesh = body_mesh(stand.body, chord)
+    return Mesh(mesh.vertices * [1.0, stand.side, stand.side] + [0.0, 0.0, stand.height], mesh.triangles)
+
+
+@dataclass(frozen=True)
+class TurningPart:
+    """A part of the train in the cam's frame.
+
+    Attributes:
+        part: part of the train.
+        axis: its axis x + iy, mm.
+        lift: height by which it is raised, mm.
+        angle: its angle at motor position 0, the cam pushed, rad.
+        rate: its turns by turn of the cam, with sign; negative for the sense of the cam.
+        lead: angle by which it turns, beyond that, when the cam runs through the whole play, rad.
+    """
+
+    part: TrainPart
+    axis: complex
+    lift: float
+    angle: float
+    rate: float
+    lead: float
+
+    def angle_at(self, motor: float, share: float) -> float:
+        """Its angle, rad.
+
+        Args:
+            motor: motor position in cam units, rad.
+            share: share of the play that the cam has run ahead, 0 to 1.
+        """
+        return self.angle + self.rate * motor + self.lead * share
+
+    @property
+    def stand(self) -> Stand:
+        """Its body where it stands along its shaft."""
+        return Stand(self.part.body, self.part.height + self.lift, -1.0 if self.part.flipped else 1.0)
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Heights between which it stands, mm."""
+        ends = (0.0, self.part.body.slabs[-1].end)
+        low, high = sorted(self.part.height + (-end if self.part.flipped else end) for end in ends)
+        return low + self.lift, high + self.lift
+
+
+@dataclass(frozen=True)
+class TurningTrain:
+    """A train beside its cam.
+
+    Attributes:
+        parts: parts from the drive to the output, whose axis is the camshaft.
+        directions: directions of the lines of centres, rad.
+        play: return error of the teeth as cut, rad.
+    """
+
+    parts: tuple[TurningPart, ...]
+    directions: tuple[float, ...]
+    play: float
+
+    @property
+    def reach(self) -> float:
+        """Distance of the drive's axis from the camshaft, mm."""
+        return abs(self.parts[0].axis)
+
+
+def turning_train(layout: TrainLayout, behind: float, plane: float, side: int) -> TurningTrain:
+    """Set a train beside its cam.
+
+    Args:
+        layout: train as laid out.
+        behind: distance of the rear axle behind the camshaft, mm; the drive's axis is set there, below the height of
+            the camshaft, or straight behind it as far as the train reaches.
+        plane: height at which the stack of gears ends towards the cam, mm.
+        side: 1 if the stack stands below that plane, -1 if above.
+    """
+    stages, parts = layout.train.stages, layout.parts
+    output = parts[-1].axis
+    reach = abs(parts[0].axis - output)
+    drop = sqrt(max(reach**2 - behind**2, 0.0))
+    target = complex(-behind, drop) if reach > behind else complex(-reach, 0.0)
+    turn = float(np.angle(target / (parts[0].axis - output))) if reach else 0.0
+    ratios = [float(stage.ratio) for stage in stages]
+    frees = [stage.free_angle() for stage in stages]
+    turns = [float(np.prod(ratios[number:])) for number in range(len(parts))]
+    senses = [-1.0 if (len(stages) - number) % 2 == 0 else 1.0 for number in range(len(parts))]
+    play = sum(free / turned for free, turned in zip(frees, turns[1:], strict=True))
+    # Middle of the play: the output's own x axis is the cam's, and what drives it stands as the meshes ask.
+    middles = [part.angle + turn for part in parts]
+    shift = -middles[-1]
+    angles = [0.0] * len(parts)
+    for number in range(len(parts) - 1, -1, -1):
+        angles[number] = middles[number] + shift
+        if number:
+            shift *= -ratios[number - 1]
+    ahead, lead = turns[0] * play / 2, 0.0
+    leads = [0.0]
+    for number, (ratio, free) in enumerate(zip(ratios, frees, strict=True)):
+        angles[number] += senses[number] * ahead
+        ahead, lead = ahead / ratio - free / 2, lead / ratio + free
+        leads.append(lead * senses[number + 1])
+    heights = [end for part in parts for end in _ends(part)]
+    raised = plane - (max(heights) if side > 0 else min(heights))
+    return TurningTrain(
+        tuple(
+            TurningPart(part, (part.axis - output) * np.exp(1j * turn), raised, angle % (2 * pi), sense * rate, lead)
+            for part, angle, sense, rate, lead in zip(parts, angles, senses, turns, leads, strict=True)
+        ),
+        tuple(direction + turn for direction in layout.directions),
+        play,
+    )
+
+
+def _ends(part: TrainPart) -> tuple[float, float]:
+    end = part.body.slabs[-1].end
+    return part.height, part.height + (-end if part.flipped else end)

@@ -1,0 +1,110 @@
+"""The page's data as one JSON document with a version, and the block of arrays that it points into."""
+
+import json
+from typing import Any
+
+import numpy as np
+
+from cadgen.viewer.page.binary import Block
+from cadgen.viewer.page.document import Chart, Going, Page, Scene, Text
+
+FORMAT, VERSION = "cadgen-report", 1
+
+
+def data_of(page: Page, level: int = 9) -> tuple[str, str]:
+    """JSON document and block, both as text that can stand in HTML.
+
+    Args:
+        page: content of the page.
+        level: of the compression, 1 to 9: how long it may look for repetitions.
+    """
+    block = Block()
+    document = {
+        "format": FORMAT,
+        "version": VERSION,
+        "name": page.name,
+        "passed": page.passed,
+        "scene": _scene(page.scene, block),
+        "charts": [_chart(chart, block) for chart in page.charts],
+        "marks": [{"kind": mark.kind, "angle": mark.angle} for mark in page.marks],
+    }
+    text = json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    # So that no text of a design can end the element.
+    return text.replace("<", "\\u003c"), block.text(level)
+
+
+def _words(text: Text) -> list[str]:
+    return [text, text] if isinstance(text, str) else [text.en, text.zh]
+
+
+def _scene(scene: Scene, block: Block) -> dict[str, Any]:
+    rod, car = scene.follower, scene.car
+    return {
+        "base": scene.base,
+        "rod": None
+        if rod is None
+        else {
+            "radius": rod.radius,
+            "length": rod.length,
+            "faces": list(rod.faces),
+            "height": rod.height,
+            "side": rod.side,
+        },
+        "lift": {"lift": block.add(scene.lift.lift), "tan": block.add(scene.lift.tan_beta)},
+        "stop": scene.stop,
+        "goings": [_going(going, block) for going in scene.goings],
+        "car": {"fork": list(car.fork), "middle": list(car.middle), "steering": car.steering},
+        "shafts": [
+            {
+                "label": _words(shaft.label),
+                "axis": list(map(float, shaft.axis)),
+                "diameter": shaft.diameter,
+                "low": shaft.low,
+                "high": shaft.high,
+                "angle": float(shaft.angle),
+                "rate": shaft.rate,
+                "lead": float(shaft.lead),
+            }
+            for shaft in scene.shafts
+        ],
+        "parts": [
+            {
+                "code": part.code,
+                "label": _words(part.label),
+                "shaft": part.shaft,
+                "colour": part.colour,
+                "mesh": block.mesh(part.shades[0]),
+                "coarse": block.mesh(part.shades[1]),
+            }
+            for part in scene.parts
+        ],
+        "wheel": None if scene.wheel is None else list(scene.wheel),
+    }
+
+
+def _going(going: Going, block: Block) -> dict[str, Any]:
+    """A run; angles and places in arrays of their own, the cam's angle as its lead over the motor."""
+    return {
+        "code": going.code,
+        "label": _words(going.label),
+        "motor": block.add(going.motor),
+        "lead": block.add(going.cam_angle - going.motor),
+        "x": block.add(going.x),
+        "y": block.add(going.y),
+        "heading": block.add(going.heading),
+        "play": float(going.play),
+    }
+
+
+def _chart(chart: Chart, block: Block) -> dict[str, Any]:
+    return {
+        "code": chart.code,
+        "title": _words(chart.title),
+        "unit": chart.unit,
+        "angle": block.add(np.degrees(chart.angle)),
+        "curves": [
+            {"label": _words(curve.label), "values": block.add(curve.values), "dashed": curve.dashed}
+            for curve in chart.curves
+        ],
+        "limits": [{"label": _words(limit.label), "value": limit.value} for limit in chart.limits],
+    }

@@ -1,0 +1,394 @@
+"""Content of a report page as frozen values: sections of tables, curves, meshes, motion, course.
+
+What a page shows is decided before it is written; `cadgen.viewer.page.html` and the page's script only lay it
+out. Lengths are mm and angles rad, but for cells and curves, which stand in the unit that they name.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import isfinite
+from typing import NamedTuple
+
+from cadgen.arrays import Array
+from cadgen.geometry.meshes.mesh import Mesh
+from cadgen.viewer.page.names import Colour, FigureKind, MarkKind, State
+from cadgen.viewer.page.shading import Shaded, shaded
+
+
+class Words(NamedTuple):
+    """A text in both languages of the page."""
+
+    en: str
+    zh: str
+
+
+Text = Words | str
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One cell of a table.
+
+    Attributes:
+        text: shown text; for a number, the number as it is rounded, without unit.
+        value: number of the cell in full, None for words.
+        unit: unit of the number.
+        state: emphasis.
+    """
+
+    text: Text
+    value: float | None = None
+    unit: str = ""
+    state: State = State.PLAIN
+
+
+def number(value: float | None, unit: str = "", state: State = State.PLAIN, digits: int | None = None) -> Cell:
+    """Cell of a number, rounded as the commands round it; of a dash for None.
+
+    Args:
+        value: number, in its unit.
+        unit: unit.
+        state: emphasis.
+        digits: decimals; by the size of the number if left out.
+    """
+    if value is None:
+        return Cell("–", None, "", state or State.MUTED)
+    return Cell(rounded(value, digits), float(value), unit, state)
+
+
+def rounded(value: float, digits: int | None = None) -> str:
+    """A number as text: to three decimals, a very small one to three digits.
+
+    Args:
+        value: number to show.
+        digits: digits after the point; chosen by its size if left out.
+    """
+    if not isfinite(value):
+        return "–"
+    if digits is not None:
+        return f"{value:.{digits}f}"
+    return f"{value:.3g}" if abs(value) < 1e-3 and value else f"{value:.3f}".rstrip("0").rstrip(".")
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table.
+
+    Attributes:
+        code: name of the table for programs.
+        caption: title.
+        heads: heads of the columns.
+        rows: cells by row.
+        words: number of columns from the left that hold words; the others hold numbers.
+        tail: number of columns from the right that hold words again.
+    """
+
+    code: str
+    caption: Text
+    heads: tuple[Text, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    words: int = 1
+    tail: int = 0
+
+    def numeric(self, place: int) -> bool:
+        """Whether a column holds numbers, by its place from the left, from 0."""
+        return self.words <= place < len(self.heads) - self.tail
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the page.
+
+    Attributes:
+        code: name of the section for programs, and its anchor.
+        title: heading.
+        lead: sentences under the heading.
+        tables: tables.
+        notes: sentences below the tables.
+    """
+
+    code: str
+    title: Text
+    lead: tuple[Text, ...] = ()
+    tables: tuple[Table, ...] = ()
+    notes: tuple[Text, ...] = ()
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A curve over the cam angle.
+
+    Attributes:
+        label: name of the curve.
+        values: values at the angles of the chart, shape (n,); NaN where there is none.
+        dashed: whether it is drawn with dashes.
+    """
+
+    label: Text
+    values: Array
+    dashed: bool = False
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A limit drawn across a chart, in the unit of the chart."""
+
+    label: Text
+    value: float
+
+
+@dataclass(frozen=True)
+class Chart:
+    """Curves of one quantity over the cam angle.
+
+    Attributes:
+        code: name of the chart for programs.
+        title: name of the quantity.
+        unit: unit of its values.
+        angle: cam angles, shape (n,), rad.
+        curves: curves.
+        limits: limits.
+    """
+
+    code: str
+    title: Text
+    unit: str
+    angle: Array
+    curves: tuple[Curve, ...]
+    limits: tuple[Limit, ...] = ()
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A place on the turn that charts and slider mark."""
+
+    kind: MarkKind
+    angle: float
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part in 3D.
+
+    Attributes:
+        code: name of the part for programs.
+        label: name for people.
+        mesh: its mesh in the frame of its shaft, mm; z is the height above the cam's face.
+        coarse: the same with few triangles, drawn while it moves on a slow machine.
+        shaft: index of the shaft that it turns with.
+        colour: what it is painted as.
+    """
+
+    code: str
+    label: Text
+    mesh: Mesh
+    coarse: Mesh
+    shaft: int
+    colour: Colour = Colour.GEAR
+
+    @cached_property
+    def shades(self) -> tuple[Shaded, Shaded]:
+        """Both meshes with normals and edges."""
+        return shaded(self.mesh), shaded(self.coarse)
+
+
+@dataclass(frozen=True)
+class Shaft:
+    """A shaft and the law of its turning: angle + rate φ + lead u.
+
+    φ is the motor's position in cam units and u, 0 to 1, the share of the play that the cam has run ahead.
+
+    Attributes:
+        label: name.
+        axis: place, mm: x ahead of the camshaft, y below it.
+        diameter: diameter, mm; 0 for a shaft that is not drawn.
+        low: height at which it begins, mm.
+        high: height at which it ends, mm.
+        angle: angle of its parts at φ = 0 with the driving flanks in contact, rad.
+        rate: turns by turn of the cam, with sign.
+        lead: angle that it is ahead when the cam has run through the play, rad.
+    """
+
+    label: Text
+    axis: tuple[float, float]
+    diameter: float
+    low: float
+    high: float
+    angle: float
+    rate: float
+    lead: float
+
+
+@dataclass(frozen=True)
+class RodShape:
+    """The leaning rod as it is drawn.
+
+    Attributes:
+        base: distance of the fork's axis from the camshaft, mm.
+        radius: radius of the rod, mm.
+        length: length from the fork's axis, mm.
+        faces: lateral distances of the disc's faces from the fork's axis, mm.
+        height: height of the fork's axis above z = 0, mm.
+        side: 1 if the rod points along z, -1 against it.
+    """
+
+    base: float
+    radius: float
+    length: float
+    faces: tuple[float, float]
+    height: float
+    side: int
+
+
+@dataclass(frozen=True)
+class Lift:
+    """Motion that a cam gives its follower, at even cam angles from 0 to a full turn; all arrays have shape (n,).
+
+    Attributes:
+        lift: lift of the follower, mm.
+        tan_beta: tangent of the steering angle.
+    """
+
+    lift: Array
+    tan_beta: Array
+
+
+@dataclass(frozen=True)
+class Going:
+    """A run of the car by motor position; all arrays have shape (n,).
+
+    Attributes:
+        code: name for programs.
+        label: name for people.
+        motor: motor positions in cam units, rad.
+        cam_angle: angle of the cam, rad.
+        x: place of the drive wheel, mm.
+        y: place of the drive wheel, mm.
+        heading: direction of travel, rad.
+        play: return error of the run, rad.
+    """
+
+    code: str
+    label: Text
+    motor: Array
+    cam_angle: Array
+    x: Array
+    y: Array
+    heading: Array
+    play: float = 0.0
+
+
+@dataclass(frozen=True)
+class Figure:
+    """Something on the floor, drawn from above.
+
+    Attributes:
+        kind: what it is.
+        points: its points, mm.
+        filled: whether they are the corners of an area.
+        reach: distance from the points that belongs to it, mm.
+    """
+
+    kind: FigureKind
+    points: tuple[tuple[float, float], ...]
+    filled: bool = False
+    reach: float = 0.0
+
+
+@dataclass(frozen=True)
+class CarShape:
+    """The car from above: x ahead, y to the left, the origin at the drive wheel, mm.
+
+    Attributes:
+        fork: place of the fork's axis.
+        idle: place of the other rear wheel.
+        middle: point of the car that the gates go by, drawn as its track.
+        corners: outline of the body; empty if the design has none.
+        wheel: radius of the drive wheel; None if it is not known.
+        steering: 1 or -1: a positive steering angle turns the front wheel to the right, or to the left.
+    """
+
+    fork: tuple[float, float]
+    idle: tuple[float, float]
+    middle: tuple[float, float]
+    corners: tuple[tuple[float, float], ...]
+    wheel: float | None
+    steering: int = 1
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Everything that moves with the slider.
+
+    Attributes:
+        outline: profile of the disc, shape (n, 2), mm.
+        openings: bore and holes of the disc, shape (m, 2) each, mm.
+        follower: leaning rod; None for another follower, which is drawn as a point.
+        base: base radius of the follower, mm.
+        lift: lift by cam angle.
+        stop: motor position at which runs are judged, rad.
+        goings: runs of the car.
+        floor: course on the floor.
+        car: the car.
+        shafts: shafts, the camshaft first.
+        parts: parts in 3D.
+        wheel: index of the shaft, place along it and radius of the drive wheel, mm; None if it is not known.
+    """
+
+    outline: Array
+    openings: tuple[Array, ...]
+    follower: RodShape | None
+    base: float
+    lift: Lift
+    stop: float
+    goings: tuple[Going, ...]
+    floor: tuple[Figure, ...]
+    car: CarShape
+    shafts: tuple[Shaft, ...]
+    parts: tuple[Part, ...]
+    wheel: tuple[int, float, float] | None = None
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A check that fails, or another reason not to make the part: what, and what to change."""
+
+    what: Text
+    advice: Text = ""
+
+
+@dataclass(frozen=True)
+class Page:
+    """A report page.
+
+    Attributes:
+        name: name of the design.
+        subtitle: kind and profile of the part.
+        passed: whether every check keeps its limit.
+        failures: what fails, the first things on the page.
+        summary: the figures at the top, by name.
+        scene: what moves.
+        charts: curves over the cam angle.
+        marks: marked places on the turn.
+        sections: tables.
+        notes: sentences about what the page leaves out or assumes.
+        origin: version, hash and file of the design, by name.
+    """
+
+    name: str
+    subtitle: Text
+    passed: bool
+    failures: tuple[Failure, ...]
+    summary: tuple[tuple[Text, Cell], ...]
+    scene: Scene
+    charts: tuple[Chart, ...]
+    marks: tuple[Mark, ...]
+    sections: tuple[Section, ...]
+    notes: tuple[Text, ...] = ()
+    origin: tuple[tuple[Text, str], ...] = field(default=())
+
+
+def plain(texts: Sequence[Text]) -> tuple[str, ...]:
+    """Texts in English."""
+    return tuple(text if isinstance(text, str) else text.en for text in texts)

@@ -1,0 +1,60 @@
+"""Variation among the cars of a design."""
+
+from math import radians
+
+import pytest
+
+from cadgen.car.motion.mechanics import MechanicsBand
+from cadgen.design import variation
+from cadgen.design.load import load_design
+from cadgen.inference.monte_carlo.derivatives import Expansion
+
+
+def halves(*overrides: str, forces: MechanicsBand | None = None) -> dict[str, float]:
+    return variation.half_widths(load_design("carbon_free_car", overrides), forces)
+
+
+def test_what_is_left_out_does_not_vary():
+    assert set(halves()) == {
+        *("base_radius", "inner_face", "outer_face", "rod_radius", "profile_offset", "steering_zero", "wheelbase"),
+        *("drive_wheel_offset", "wheel_radius", "cam_phase", "start_x", "start_y", "start_heading"),
+    }
+
+
+def test_the_fit_of_the_bore_adds_half_its_clearance_to_the_eccentricity():
+    assert halves("blank.bore_fit=H7/g6")["eccentricity"] == pytest.approx(0.0145)
+    both = halves("blank.bore_fit=H7/g6", "tolerances.eccentricity_mm=0.01")
+    assert both["eccentricity"] == pytest.approx(0.0245)
+
+
+def test_friction_and_drag_vary_within_their_bands(carbon_free_car):
+    forces = MechanicsBand(follower=carbon_free_car.follower, friction=(0.05, 0.3), drag=(2.0, 2.0))
+    found = halves("tolerances.wobble_deg=0.1", "tolerances.temperature_K=5", "blank.material=acrylic", forces=forces)
+    assert found["friction"] == pytest.approx(0.125)
+    assert "drag" not in found
+    assert found["wobble"] == pytest.approx(radians(0.1))
+    assert found["temperature"] == 5
+
+
+def test_heat_goes_by_the_materials():
+    plain, acrylic, whole = (
+        variation.expansion(load_design("carbon_free_car", changes))
+        for changes in (
+            (),
+            ("blank.material=acrylic",),
+            ("blank.material=steel", "tolerances.frame_material=steel"),
+        )
+    )
+    assert plain == Expansion()
+    assert acrylic.disc > 2 * acrylic.frame > 2 * acrylic.rod > 0
+    assert whole.disc == whole.frame
+
+
+def test_the_parts_of_the_play_have_zones_of_their_own():
+    keyed = "blank.joint=keyed", "blank.joint_clearance_least_um=5", "blank.joint_clearance_greatest_um=25"
+    zones = variation.play_zones(load_design("carbon_free_car", keyed))
+    assert zones["key of the cam"] == pytest.approx(0.02 / 4 / 2)
+    assert set(zones) == {"play of the teeth", "key of the cam"}
+    banded = load_design("carbon_free_car", ("play.least_deg=0.5", "play.greatest_deg=0.7"))
+    assert variation.play_zones(banded) == {"play": pytest.approx(radians(0.1))}
+    assert variation.play_zones(load_design("carbon_free_car", ("play.measured_deg=0.5",))) == {}

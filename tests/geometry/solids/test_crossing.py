@@ -1,0 +1,85 @@
+"""A set screw's edges: on both their surfaces, in the part and in its file, and the volume by quadrature."""
+
+from math import pi, sqrt
+
+import pytest
+from OCP.BRepGProp import BRepGProp
+from OCP.GProp import GProp_GProps
+from scipy.integrate import quad
+
+from cadgen.curves.contour import circle
+from cadgen.gears.blank import gear_body
+from cadgen.gears.tooth import GearForm
+from cadgen.geometry.solids.cam import cam_part
+from cadgen.geometry.solids.gear import body_solid
+from cadgen.geometry.solids.kernel import Part, edges_on_surfaces, is_valid, solids, volume
+from cadgen.geometry.solids.step import completed, read_document, step_bytes
+from cadgen.parts.blank import Blank
+from cadgen.parts.features import DFlat, Hub, Keyway, SetScrew
+
+CASES = {
+    "plain": ({}, 20.0, 10.0, "outer", 3.3, 0.7),
+    "on the seam": ({}, 30.0, 12.0, "inner", 6.0, 0.0),
+    "nearly as wide as the bore": ({}, 24.0, 10.0, "outer", 7.9, 2.0),
+    "through a keyway's corner": ({"key": Keyway(width=3.0, depth=1.4, angle=0.6)}, 30.0, 10.0, "outer", 5.0, 0.9),
+    "slantwise through a flat": ({"key": DFlat(depth=1.2, angle=0.6)}, 22.0, 8.0, "inner", 3.0, 0.9),
+}
+
+
+def drilled(outside: float, inside: float, drill: float) -> float:
+    """Volume of a round hole through a round wall."""
+
+    def wall(y: float) -> float:
+        return 2 * sqrt(drill**2 - y**2) * (sqrt(outside**2 - y**2) - sqrt(inside**2 - y**2))
+
+    return quad(wall, -drill, drill, epsabs=1e-12)[0]
+
+
+def read_again(part: Part, path):
+    path.write_bytes(step_bytes(part))
+    document, _ = read_document(path)
+    from OCP.collections import Sequence_TDF_Label
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool
+
+    labels = Sequence_TDF_Label()
+    shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    shapes.GetFreeShapes(labels)
+    return completed(shapes.GetShape_s(labels.First()))
+
+
+def by_gauss(shape) -> float:
+    """Volume by the kernel's plain rule, which other programs use."""
+    properties = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, properties)
+    return properties.Mass()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CASES)
+def test_the_screw_of_a_cams_hub(name, tmp_path):
+    key, diameter, length, side, hole, angle = CASES[name]
+    screw = SetScrew(diameter=hole, height=length / 2, angle=angle)
+    blank = Blank(bore_diameter=8.0, hub=Hub(diameter=diameter, length=length, side=side, set_screw=screw), **key)
+    part = cam_part(circle((0, 0), 40.0).curve(), blank, 3.0, name="cam", description="test")
+    again = read_again(part, tmp_path / "cam.step")
+    assert edges_on_surfaces(part.solid)
+    assert is_valid(again)
+    assert edges_on_surfaces(again)
+    exact = volume(part.solid)
+    if not key:
+        exact = pi * (40.0**2 - 16) * 3.0 + pi * (diameter**2 / 4 - 16) * length - drilled(diameter / 2, 4.0, hole / 2)
+    print(f"{name}: volume {volume(again) / exact - 1:+.1e}, by the plain rule {by_gauss(again) / exact - 1:+.1e}")
+    assert volume(again) == pytest.approx(exact, rel=2e-7)
+    assert by_gauss(again) == pytest.approx(exact, rel=1e-6)
+    assert len(solids(again)) == 1
+
+
+@pytest.mark.slow
+def test_the_screw_of_a_gears_hub(tmp_path):
+    blank = Blank(bore_diameter=8.0, hub=Hub(diameter=16.0, length=6.0, set_screw=SetScrew(diameter=3.0, height=3.0)))
+    body = gear_body(GearForm(teeth=30, normal_module=1.0, width=6.0), blank)
+    part = Part(solid=body_solid(body), name="gear", description="test", colour=(0.5, 0.5, 0.5))
+    again = read_again(part, tmp_path / "gear.step")
+    exact = body.prismatic_volume - drilled(8.0, 4.0, 1.5)
+    assert edges_on_surfaces(again)
+    assert volume(again) == pytest.approx(exact, rel=1e-7)

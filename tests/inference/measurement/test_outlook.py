@@ -1,0 +1,59 @@
+"""Expectation of the run on a new cam: which records speak for the car's run."""
+
+import numpy as np
+import pytest
+
+from cadgen.inference.expectation.outlook import outlook
+from cadgen.inference.measurement.calibrate import calibrate
+from tests.inference.measurement import synthetic as syn
+from tests.inference.measurement import synthetic_drive as drive
+
+PLAY = 0.95 * syn.DEG
+
+
+def end_of(nominal, **numbers):
+    """Distance of the end of a car's run from the planned one, mm, by the generator."""
+    stop = np.array([345.0]) * syn.DEG
+    off = drive.Wheels(**numbers).track(nominal, stop) - drive.Wheels().track(nominal, stop)
+    return float(np.abs(off[-1]))
+
+
+@pytest.mark.slow
+def test_the_play_of_a_dial_s_stand_is_not_the_train_s(synthetic_car, nominal):
+    """It was, and the old cam was expected to end 208 mm off, the new one 1187; 1102 and 13 were driven."""
+    rng = np.random.default_rng(3)
+    bench = syn.bench_with(np.zeros(1), {"play": 0.075 * syn.DEG})
+    told = calibrate(
+        [
+            drive.track_record(synthetic_car, drive.Wheels(play=PLAY), rng, noise_mm=3.0),
+            syn.lift_record(synthetic_car, bench, rng, noise_um=4.0),
+        ],
+        nominal,
+    )
+    expected = outlook(told, nominal, {("track", "backlash"): np.array([PLAY])}, frozenset())
+    assert expected.old == pytest.approx(end_of(synthetic_car.built, play=PLAY), rel=0.1)
+    assert expected.new < 30.0
+    assert expected.worse == 0.0
+    assert expected.sound
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_records_that_contradict_each_other(synthetic_car, nominal):
+    """A train with play, and a track of a car without: the track says how the car runs, also on a cam for both."""
+    rng = np.random.default_rng(30)
+    train = drive.transmission_record(synthetic_car, drive.Train(play=0.8 * syn.DEG), rng, noise_deg=0.03)
+    track = drive.track_record(synthetic_car, drive.Wheels(zero=0.2 * syn.DEG), rng, noise_mm=3.0)
+    told = calibrate([train, track], nominal)
+    assert all(diagnosis.contradicted for diagnosis in told)
+    zero = {("track", "steering zero"): np.array([0.2 * syn.DEG])}
+    of_track = outlook(told, nominal, zero, frozenset())
+    assert of_track.contradicted
+    assert of_track.sound
+    assert of_track.old == pytest.approx(end_of(synthetic_car.built, zero=0.2 * syn.DEG), rel=0.1)
+    assert of_track.new < 30.0
+    of_both = outlook(told, nominal, {**zero, ("transmission", "return error"): np.array([0.8 * syn.DEG])}, frozenset())
+    assert of_both.new > 300.0
+    assert of_both.new > of_track.new
+    without = outlook(told[:1], nominal, {("transmission", "return error"): np.array([0.8 * syn.DEG])}, frozenset())
+    assert not without.sound

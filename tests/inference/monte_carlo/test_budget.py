@@ -1,0 +1,167 @@
+"""The error budget: what each thing costs at the finish, before and after a trim."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+from cadgen.arrays import TURN
+from cadgen.cam.contact import roll
+from cadgen.car.motion.drive import drive
+from cadgen.car.motion.mechanics import Mechanics
+from cadgen.car.motion.sampled import sampled_lift
+from cadgen.errors import DesignError
+from cadgen.inference.monte_carlo.budget import by_process, error_budget
+from cadgen.inference.monte_carlo.fleet import make_fleet
+from cadgen.inference.monte_carlo.parameters import PARAMETERS, TOLERANCES, Directed, Parameter, tolerance
+from cadgen.inference.monte_carlo.processes import HALF_WIDTHS
+from cadgen.inference.monte_carlo.robust import Tolerances, sensitivities, tolerance_run
+
+GRID = np.linspace(0.0, TURN, 1800, endpoint=False)
+PLAY = np.radians(0.738)
+
+
+@pytest.fixture(scope="module")
+def contact(carbon_free_car):
+    return roll(carbon_free_car.actual.curve.outline(0.1), carbon_free_car.follower, GRID)
+
+
+@pytest.fixture(scope="module")
+def fleet(carbon_free_car, contact):
+    built = carbon_free_car
+    return make_fleet(
+        contact,
+        built.follower,
+        built.car,
+        built.track.length,
+        built.lift,
+        drive(built.lift, built.car, built.track.length, steps=360),
+        wheel_radius=63.7,
+        play=PLAY,
+        stations=(180, 360),
+        mechanics=Mechanics(follower=built.follower, friction=0.1),
+    )
+
+
+def end(built, tan_beta, play, turn=0.0) -> complex:
+    """End of a run that is driven, not reckoned, with the front wheel turned against the rod."""
+    lift = sampled_lift(GRID, np.tan(np.arctan(tan_beta) + turn), blend_start=built.lift.blend_start)
+    following = Mechanics(follower=built.follower, friction=0.1).leads(built.lift).follow(lift, play)
+    run = drive(lift, built.car, built.track.length, steps=90, stop=built.lift.blend_start, following=following)
+    return complex(*run.drive_wheel[-1])
+
+
+@pytest.mark.parametrize("name", ["inner_face", "rod_radius", "play"])
+def test_costs_are_those_of_cars_driven_and_trimmed_by_search(name, fleet, contact, carbon_free_car):
+    """A car rolled anew with the deviation, and the best turn of its wheel found by a search along it."""
+    built, half = carbon_free_car, {"inner_face": 0.1, "rod_radius": 0.02, "play": np.radians(0.2)}[name]
+    given = ({}, {"the gears": half}) if name == "play" else ({tolerance(name): half}, {})
+    (cost,) = error_budget(fleet, *given).costs
+    wanted = end(built, contact.tan_beta, PLAY)
+    before, after = [], []
+    for side in (-half, half):
+        rod, play = built.follower, PLAY
+        if name == "play":
+            play += side
+        else:
+            field = {"inner_face": "inner", "rod_radius": "radius"}[name]
+            rod = replace(rod, **{field: getattr(rod, field) + side})
+        T = roll(built.actual.curve.outline(0.1), rod, GRID).tan_beta
+        before.append(abs(end(built, T, play) - wanted))
+        search = minimize_scalar(lambda turn, T=T, play=play: abs(end(built, T, play, turn) - wanted), (-1e-3, 1e-3))
+        after.append(search.fun)
+    print(f"{name}: {cost.before:.1f} and {cost.after:.1f} mm; driven {max(before):.1f} and {max(after):.1f} mm")
+    assert cost.before == pytest.approx(max(before), rel=0.02)
+    assert cost.after == pytest.approx(max(after), rel=0.05, abs=0.6)
+    assert cost.repeats
+
+
+def test_a_trim_takes_out_what_repeats_and_nothing_else(fleet):
+    halves = {"steering_zero": 0.002, "start_heading": 0.003, "base_radius": 0.005, "edge_wear": 0.05}
+    halves = {tolerance(name): half for name, half in halves.items()}
+    found = {cost.name: cost for cost in error_budget(fleet, halves, {}).costs}
+    assert found["steering_zero"].after < 1e-3 < found["steering_zero"].before
+    for name in ("start_heading", "base_radius"):
+        assert found[name].after == found[name].before
+        assert not found[name].repeats
+    assert found["edge_wear"].after < 0.2 * found["edge_wear"].before
+
+
+def test_the_worst_direction_is_found_and_the_ranking_goes_by_what_a_trim_leaves(fleet):
+    budget = error_budget(
+        fleet, {Directed.ECCENTRICITY: 0.01, Directed.WOBBLE: 0.001, Parameter.PROFILE_OFFSET: 0.01}, {}
+    )
+    assert [cost.after for cost in budget.costs] == sorted((cost.after for cost in budget.costs), reverse=True)
+    assert budget.costs[0].name == "eccentricity"
+    (known,) = (one for one in sensitivities(fleet, Tolerances(half_widths={"eccentricity": 0.01})) if one.share)
+    assert budget.costs[0].before == pytest.approx(known.distance, rel=0.01)
+    assert budget.before**2 == pytest.approx(sum(cost.before**2 for cost in budget.costs))
+    assert budget.after < budget.before
+
+
+def test_processes_are_ranked_by_what_they_hold(fleet):
+    found = by_process(fleet)
+    assert found["wire-cut"].before < found["milled"].before < found["laser-cut"].before < found["printed"].before
+    assert all(set(halves) <= set(TOLERANCES) for halves in HALF_WIDTHS.values())
+    assert {cost.name for cost in found["printed"].costs if cost.rough} == {"profile_offset", "eccentricity"}
+    assert not any(cost.rough for cost in found["milled"].costs)
+
+
+def test_nothing_that_may_be_off_has_an_empty_budget(fleet):
+    assert error_budget(fleet, {}, {}).before == 0
+
+
+def test_directions_are_drawn_evenly_and_sizes_by_their_law(fleet):
+    halves = {"eccentricity": 0.02, "edge_wear": 0.1, "start_y": 1.0}
+    drawn = dict(
+        zip(
+            PARAMETERS,
+            Tolerances(half_widths=halves, law="uniform").draw(np.random.default_rng(1), 20000, 0.01).T,
+            strict=True,
+        )
+    )
+    along, across = drawn["eccentricity_0"], drawn["eccentricity_90"]
+    assert np.hypot(along, across).max() <= 0.02
+    assert along.std() == pytest.approx(0.02 / 6**0.5, rel=0.03)
+    assert abs(np.corrcoef(along, across)[0, 1]) < 0.02
+    assert drawn["edge_wear"].min() >= 0
+    assert drawn["edge_wear"].mean() == pytest.approx(0.05, rel=0.02)
+
+
+def test_other_tolerances_leave_the_numbers_of_a_seed_as_they_are():
+    plain, more = (
+        dict(
+            zip(
+                PARAMETERS,
+                Tolerances(half_widths=halves, play=(0.01, 0.02)).draw(np.random.default_rng(3), 50, 0.015).T,
+                strict=True,
+            )
+        )
+        for halves in ({"start_y": 1.0}, {"start_y": 1.0, "wobble": 0.001, "friction": 0.1})
+    )
+    for name in ("start_y", "play"):
+        np.testing.assert_array_equal(plain[name], more[name])
+    assert more["friction"].any()
+    assert not plain["friction"].any()
+
+
+@pytest.mark.parametrize(
+    ("name", "half", "words"),
+    [
+        ("eccentricity", 0.3, "eccentricity is 0.3 mm, which turns the front wheel"),
+        ("temperature", 90.0, "temperature is 90 K, which turns the front wheel"),
+        ("wheel_runout", 7.0, "more than a tenth of the 63.7 mm"),
+        ("edge_break", 0.5, "edge_break is 0.5 mm"),
+        ("steering_lost_motion", np.radians(0.5), "steering_lost_motion is 0.5 degrees"),
+    ],
+)
+def test_what_is_beyond_first_order_is_refused(fleet, contact, carbon_free_car, name, half, words):
+    from cadgen.inference.monte_carlo.derivatives import Expansion, steering_derivatives
+
+    hot = Expansion(disc=70e-6, frame=23e-6)
+    warm = replace(
+        fleet, expansion=hot, derivatives=steering_derivatives(contact, carbon_free_car.follower, expansion=hot)
+    )
+    with pytest.raises(DesignError, match=words):
+        tolerance_run(warm, Tolerances(half_widths={name: half}), 1, seed=1)

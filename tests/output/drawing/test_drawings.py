@@ -1,0 +1,384 @@
+"""Drawings: each dimension is that of the solid in the STEP file, measured by the CAD kernel on its faces."""
+
+import csv
+import json
+from math import hypot
+
+import numpy as np
+import pytest
+import trimesh
+
+from cadgen import Design, draw
+from cadgen.errors import CheckError, DesignError, FileError
+from cadgen.output.drawing.dxf import read_dimensions
+from cadgen.output.drawing.sheet import Drawing, Linear, Title, View
+
+CLOSE = 1e-4  # mm
+
+
+def measured(solid) -> dict[str, set[float]]:
+    """Diameters of the cylinders on the axis and beside it, of the circle of those beside, gaps of parallel planes."""
+    from build123d import GeomType
+
+    on_axis, beside, circle = set(), set(), set()
+    planes, screws = [], set()
+    for face in solid.faces():
+        if face.geom_type == GeomType.CYLINDER and abs(face.axis_of_rotation.direction.Z) < 1e-9:
+            screws.add(face.axis_of_rotation.position.Z)
+        elif face.geom_type == GeomType.CYLINDER:
+            place = face.axis_of_rotation.position
+            away = hypot(place.X, place.Y)
+            (on_axis if away < 1e-6 else beside).add(2 * face.radius)
+            if away > 1e-6:
+                circle.add(2 * away)
+        elif face.geom_type == GeomType.PLANE:
+            normal, point = face.normal_at(), face.center()
+            planes.append((np.array([*normal]), np.array([*point])))
+    gaps = {abs(float((b - a) @ n)) for n, a in planes for m, b in planes if abs(abs(float(n @ m)) - 1) < 1e-9}
+    corners = [hypot(vertex.X, vertex.Y) for vertex in solid.vertices()]
+    floors = {abs(float(n @ a)) for n, a in planes if abs(n[2]) < 1e-9}
+    return {
+        "on the axis": on_axis,
+        "beside": beside,
+        "circle": circle,
+        "gap": gaps,
+        "floor": {floor + bore / 2 for floor in floors for bore in on_axis},
+        "screw": {abs(screw - a[2]) for screw in screws for n, a in planes if abs(n[2]) > 0.5},
+        "corner": {2 * corner for corner in corners},
+    }
+
+
+WHERE = {
+    "bore": "on the axis",
+    "hub diameter": "on the axis",
+    "collar diameter": "on the axis",
+    "recess diameter": "on the axis",
+    "hole": "beside",
+    "mark": "beside",
+    "circle of holes": "circle",
+    "keyway width": "gap",
+    "thickness": "gap",
+    "hub length": "gap",
+    "length": "gap",
+    "web thickness": "gap",
+    "bore and keyway": "floor",
+    "across the flat": "floor",
+    "set screw height": "screw",
+}
+
+
+def agree(dimensions: dict[str, float], solid) -> None:
+    found = measured(solid)
+    assert dimensions
+    for name, length in dimensions.items():
+        kind = WHERE.get(name) or ("corner" if name.startswith("tip diameter") else "gap")
+        assert min(abs(length - other) for other in found[kind]) < CLOSE, (name, length, sorted(found[kind]))
+
+
+@pytest.fixture(scope="module")
+def design():
+    return Design.load("carbon_free_car")
+
+
+@pytest.fixture(scope="module")
+def cam(design):
+    return design.cam("actual")
+
+
+@pytest.fixture(scope="module")
+def train(design):
+    return design.gears()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, cam):
+    out = tmp_path_factory.mktemp("cam_drawings")
+    cam.write(out, ["dxf"])
+    draw(out, cam=cam)
+    return out
+
+
+@pytest.fixture(scope="module")
+def trains_folder(tmp_path_factory, train):
+    out = tmp_path_factory.mktemp("train_drawings")
+    draw(out, train=train)
+    return out
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {
+            "blank.hub": {
+                "diameter_mm": 24.0,
+                "length_mm": 10.0,
+                "side": "inner",
+                "set_screw": {"hole_diameter_mm": 4.2, "height_mm": 4.5, "angle_deg": 220.0},
+            },
+            "blank.keyway": None,
+            "blank.d_flat": {"across_mm": 7.2, "angle_deg": 40.0},
+            "blank.lightening.holes": 1,
+            "blank.mark": {"diameter_mm": 3.5, "radius_mm": 20.0, "angle_deg": 100.0},
+        },
+    ],
+)
+def test_the_dimensions_of_a_cam_are_those_of_its_step_file(changes, design, tmp_path):
+    from build123d import import_step
+
+    cam = design.with_(changes).cam("actual")
+    (step,) = cam.write(tmp_path, ["step"])
+    drawn = draw(tmp_path, cam=cam)
+    (page,) = [file for file in drawn if file.name.endswith("drawing.dxf")]
+    agree(read_dimensions(page.path), import_step(str(step.path)))
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_the_dimensions_of_gears_are_those_of_their_step_files(trains_folder, train, tmp_path):
+    from build123d import import_step
+
+    from cadgen.geometry.solids.step import step_bytes
+    from cadgen.geometry.solids.train import train_parts
+
+    plan = train.computed
+    for part in train_parts(plan.layout, plan.stem, plan.description)[1::2]:  # a cluster, and the keyed wheel
+        step = tmp_path / f"{part.name}.step"
+        step.write_bytes(step_bytes(part))
+        agree(read_dimensions(trains_folder / f"{part.name}_drawing.dxf"), import_step(str(step)))
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_dimensions_are_those_that_the_design_names(trains_folder, design, tmp_path):
+    """Also on a gear without a bore, which has a ring less in every section; and no number stands on its head."""
+    import ezdxf
+
+    expected = {"web thickness": 3.0, "hole": 10.0, "width, lower gear": 5.0, "collar diameter": 10.0}
+    plain = design.with_({"train.intermediate.bore_diameter_mm": 0.0}).gears()
+    draw(tmp_path, train=plain)
+    for place in (trains_folder, tmp_path):
+        lengths = read_dimensions(place / "carbon_free_car_as-given_2_cluster_drawing.dxf")
+        assert {name: lengths[name] for name in expected} == pytest.approx(expected, abs=1e-9)
+    wheel = read_dimensions(trains_folder / "carbon_free_car_as-given_4_wheel_drawing.dxf")
+    expected = {"bore": 8.0, "keyway width": 3.0, "bore and keyway": 9.4, "hub diameter": 16.0, "hub length": 6.0}
+    assert {name: wheel[name] for name in expected} == pytest.approx(expected, abs=1e-9)
+    for file in trains_folder.glob("*_drawing.dxf"):
+        for dimension in ezdxf.readfile(file).modelspace().query("DIMENSION"):
+            for text in dimension.virtual_entities():
+                if text.dxftype() in ("TEXT", "MTEXT"):
+                    turned = text.dxf.rotation % 360 if text.dxf.hasattr("rotation") else 0.0
+                    assert turned <= 90.5 or turned >= 270 - 1e-6, (file.name, turned)
+
+
+@pytest.mark.slow
+def test_texts_of_the_title_block_change_no_part(design):
+    assert design.with_({"drawing.quantity": 3, "drawing.finish": "Ra 1.6"}).sha256 == design.sha256
+    with pytest.raises(DesignError, match=r"drawing\.title has 🚗, which the fonts of drawings lack"):
+        design.with_({"drawing.title": "car 🚗"})
+    with pytest.raises(DesignError, match="1 to 36 letters"):
+        design.with_({"drawing.finish": "x" * 37})
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_the_plate_has_the_axes_of_the_train(trains_folder, train):
+    lengths = read_dimensions(trains_folder / f"{train.computed.stem}_plate_drawing.dxf")
+    apart = [stage["centre_distance_mm"] for stage in train.facts()["stages"]]
+    assert [lengths[f"axes {n} and {n + 1}"] for n in (1, 2, 3)] == pytest.approx(apart, abs=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_another_reader_sees_the_sheet_and_the_outlines(trains_folder):
+    """trimesh reads lines, arcs and circles by code of its own: the gear's outline is closed and has the tips' size."""
+    for file in trains_folder.glob("*_drawing.dxf"):
+        assert len(trimesh.load_path(file).entities) > 40
+    outline = trimesh.load_path(trains_folder / "carbon_free_car_as-given_1_pinion_outline.dxf")
+    reach = np.linalg.norm(np.concatenate([entity.discrete(outline.vertices) for entity in outline.entities]), axis=1)
+    assert reach.max() == pytest.approx(8.0, abs=1e-3)
+
+
+@pytest.mark.slow
+def test_what_the_sheets_leave_open_is_named_with_its_key(folder, cam, tmp_path):
+    entry = json.loads((folder / "manifest.json").read_text())["parts"]["carbon_free_car_cam_drawings"]
+    assert entry["not_stated"] == {
+        "material": "blank.material",
+        "fit of the bore": "blank.bore_fit",
+        "finish": "drawing.finish",
+    }
+    stated = {"blank.material": "aluminium", "blank.bore_fit": "H7/g6", "drawing.finish": "Ra 1.6"}
+    told = Design.load("carbon_free_car").with_(stated).cam("actual")
+    assert "not_stated" not in draw(tmp_path, cam=told).entry
+
+
+@pytest.mark.slow
+def test_the_sheet_names_the_files_by_their_hashes(folder, cam):
+    import ezdxf
+
+    parts = json.loads((folder / "manifest.json").read_text())["parts"]
+    listed = {name: facts["sha256"] for part in parts.values() for name, facts in part["files"].items()}
+    drawn = ezdxf.readfile(folder / "carbon_free_car_actual_drawing.dxf")
+    texts = " ".join(text.dxf.text for text in drawn.modelspace().query("TEXT"))
+    name = "carbon_free_car_actual_spline.dxf"
+    assert name in texts
+    assert listed[name][:12] in texts
+    assert "none lies in this folder" not in texts
+    assert cam.computed.design.content_hash[:12] in texts
+
+
+def sheet(views=(), title="t", finish=""):
+    """A sheet with hardly anything on it."""
+    block = Title(part="p", title=title, material="", finish=finish, quantity=1, date="", design="d", number="n")
+    return Drawing(size="A4", scale=1.0, title=block, views=views, tables=(), notes=(), notes_at=(0.0, 0.0))
+
+
+@pytest.mark.slow
+def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeypatch):
+    """The letters are outlines in the PDF and texts in the DXF; without such a font the page alone is left out."""
+    import ezdxf
+
+    from cadgen.jobs.drawing.files import write_sheet
+    from cadgen.output.drawing import fonts
+    from cadgen.output.drawing.pdf import pdf_bytes
+
+    chinese, omitted = sheet(title="无碳小车", finish="Ra 1.6，去毛刺"), {}
+    monkeypatch.setattr(fonts, "_far_eastern_files", lambda: ())
+    assert [name for name, _ in write_sheet(tmp_path, "n", chinese, omitted)] == ["n_drawing.dxf"]
+    assert "no font of this system has" in omitted["PDF"]
+    texts = {text.dxf.text: text.dxf.style for text in ezdxf.readfile(tmp_path / "n_drawing.dxf").query("TEXT")}
+    assert texts["无碳小车"] == texts["Ra 1.6，去毛刺"] == "CADGEN_CJK"
+    assert texts["d"] == "CADGEN"
+    monkeypatch.undo()
+    try:
+        page = pdf_bytes(chinese)
+    except fonts.NoFontError:
+        pytest.skip("this system has no font with Chinese letters")
+    assert page.startswith(b"%PDF")
+    assert fonts.know_far_eastern(frozenset("无碳小车")) in {file.name for file in fonts._far_eastern_files()}
+
+
+def test_two_dimensions_of_a_sheet_have_two_names():
+    one = Linear(name="width", start=(0.0, 0.0), end=(5.0, 0.0), at=(0.0, 1.0))
+    views = tuple(View(place=(0.0, 0.0), curves=(), dimensions=(one,)) for _ in range(2))
+    assert sheet(views[:1]).dimensions == {"width": 5.0}
+    with pytest.raises(ValueError, match="two dimensions of a sheet are named width"):
+        sheet(views)
+
+
+@pytest.mark.parametrize(("turn", "lines"), [(0.0, {"VISIBLE"}), (90.0, {"PHANTOM"}), (-60.0, {"VISIBLE"})])
+def test_the_hole_of_a_set_screw_is_in_both_views(turn, lines):
+    """In the section: cut, before the plane as a phantom, or seen in the bore, on the cylinder that it opens into."""
+    from cadgen.output.drawing.screw import ScrewHole
+    from cadgen.parts.body import RadialHole
+
+    angle = 0.7
+    screw = ScrewHole(RadialHole(4.0, 5.0, 13.0, angle + np.radians(turn)), 4.0, 12.0)
+    edges = [stroke for stroke in screw.section(angle) if stroke.line != "CENTRE"]
+    assert {edge.line for edge in edges} == lines
+    for edge, radius in zip(edges, [4.0, 12.0] if turn == 0 else [4.0 if turn < 0 else 12.0], strict=True):
+        # A point of the edge: z and r as seen, and the depth that makes it lie on the hole's cylinder.
+        z, r = edge.points.T
+        depth = np.sqrt(radius**2 - r**2)
+        aside = [abs(-np.sin(np.radians(turn)) * r + side * np.cos(np.radians(turn)) * depth) for side in (-1, 1)]
+        off = np.min([np.abs(np.hypot(away, z - 5.0) - 2.0) for away in aside], axis=0)
+        assert off.max() < 1e-9
+    hidden = [stroke for stroke in screw.face() if stroke.line == "HIDDEN"]
+    assert len(hidden) == 2
+    assert np.linalg.norm(hidden[0].points, axis=1) == pytest.approx([4.0, 12.0])
+
+
+@pytest.mark.slow
+def test_equal_designs_give_equal_bytes(folder, cam, tmp_path, monkeypatch):
+    """But for the day: that of the first folder's manifest, here stated."""
+    parts = json.loads((folder / "manifest.json").read_text())["parts"]
+    date = parts["carbon_free_car_cam_drawings"]["date"]
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", str(int(np.datetime64(date, "s").astype(int))))
+    cam.write(tmp_path, ["dxf"])
+    written = draw(tmp_path, cam=cam)
+    assert len(written) == 3
+    for file in written:
+        assert file.path.read_bytes() == (folder / file.name).read_bytes(), file.name
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_filled_form_is_read_by_calibrate_and_an_empty_one_is_refused(folder, cam, design, tmp_path):
+    form = folder / "carbon_free_car_actual_inspection.csv"
+    lines = form.read_text().splitlines()
+    remarks = [line for line in lines if line.startswith("#")]
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    noise = np.random.default_rng(5).normal(0.0, 0.004, len(rows))
+    for row, off in zip(rows, noise, strict=True):
+        row["lift_mm"] = f"{float(cam.lift(np.radians(float(row['cam_angle_deg'])))) + off:.4f}"
+    filled = tmp_path / "filled.csv"
+    filled.write_text("\n".join([*remarks, ",".join(rows[0]), *(",".join(row.values()) for row in rows)]) + "\n")
+    result = design.calibrate([filled], profile="actual")
+    assert not result.effects
+    with pytest.raises(FileError, match="lift_mm"):
+        design.calibrate([form], profile="actual")
+
+
+@pytest.mark.slow
+def test_what_cannot_be_drawn_is_said(design, cam, train, tmp_path):
+    with pytest.raises(DesignError, match="nothing to draw"):
+        draw(tmp_path)
+    with pytest.raises(DesignError, match="two designs"):
+        draw(tmp_path, cam=cam, train=design.with_({"train.width_mm": 6.0}).gears())
+    bad = design.with_({"checks.min_wall_mm": 50.0}).cam("actual")
+    with pytest.raises(CheckError, match="thinnest wall"):
+        draw(tmp_path, cam=bad)
+    assert not list(tmp_path.iterdir())
+    assert draw(tmp_path, cam=bad, force=True)
+
+
+def texts_of(sheet):
+    """Box and text of every text of a sheet, measured by ezdxf with the letters of the page; labels and dimensions."""
+    import ezdxf
+    import shapely
+    from ezdxf.tools.text_size import mtext_size, text_size
+    from shapely.affinity import rotate, translate
+
+    from cadgen.output.drawing.fonts import know_font
+
+    know_font()
+    document = ezdxf.readfile(sheet)
+    for entity in document.modelspace().query("DIMENSION TEXT"):
+        drawn = list(entity.virtual_entities()) if entity.dxftype() == "DIMENSION" else [entity]
+        for text in drawn:
+            if text.dxftype() == "MTEXT":
+                size = mtext_size(text)
+                box = shapely.box(
+                    -size.total_width / 2, -size.total_height / 2, size.total_width / 2, size.total_height / 2
+                )
+                yield (
+                    text.plain_text(),
+                    translate(rotate(box, text.get_rotation(), origin=(0, 0)), *text.dxf.insert.vec2),
+                )
+            elif text.dxftype() == "TEXT":
+                size, (_, place, _) = text_size(text), text.get_placement()
+                middle = text.get_align_enum().name == "MIDDLE_CENTER"
+                left, low = (place.x - size.width / 2, place.y - size.cap_height / 2) if middle else (place.x, place.y)
+                yield text.dxf.text, shapely.box(left, low, left + size.width, low + size.cap_height)
+
+
+@pytest.mark.slow
+def test_no_text_stands_in_another_or_on_an_edge_of_the_part(trains_folder, folder):
+    """The pinion's Ø5 stood in its teeth, 3 in 11 under its section, and the plate's 1 and 40 in circles."""
+    import ezdxf
+    import shapely
+    from ezdxf.path import make_path
+
+    for sheet in (*trains_folder.glob("*_drawing.dxf"), *folder.glob("*_drawing.dxf")):
+        texts = [(text, box.buffer(-0.1)) for text, box in texts_of(sheet)]
+        assert len(texts) > 20
+        for number, (text, box) in enumerate(texts):
+            for other, beside in texts[number + 1 :]:
+                assert not box.intersects(beside), (sheet.name, text, other)
+        edges = [
+            shapely.LineString([point.vec2 for point in make_path(curve).flattening(0.05)])
+            for curve in ezdxf.readfile(sheet).modelspace().query('LWPOLYLINE CIRCLE[layer=="VISIBLE"]')
+        ]
+        for text, box in texts:
+            assert not any(edge.intersects(box) for edge in edges), (sheet.name, text)

@@ -1,0 +1,61 @@
+"""Sections: areas of simple bodies in closed form, and edges seen beyond the cut."""
+
+import numpy as np
+import pytest
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import TextToPath
+
+from cadgen.curves.contour import circle, keyway_bore
+from cadgen.output.drawing.section import Layer, beyond, material
+from cadgen.output.drawing.sheet import TEXT, chosen_scale, chosen_sheet, scale_text, shown, wrapped
+
+
+def ring(diameter, centre=(0.0, 0.0)):
+    return circle(centre, diameter / 2).polygon(1e-4)
+
+
+def test_a_keyed_disc_with_a_hub():
+    bore = keyway_bore(8.0, 3.0, 1.4, 0.0).polygon(1e-4)
+    layers = [Layer(0.0, 3.0, (ring(60.0), bore)), Layer(3.0, 9.0, (ring(16.0), bore))]
+    areas = material(layers, 0.0)
+    # The section is of two pieces: towards the key the bore is 5.4 mm deep, away from it 4.
+    expected = [3 * (30 - 5.4) + 6 * (8 - 5.4), 3 * (30 - 4.0) + 6 * (8 - 4.0)]
+    assert sorted(area.area for area in areas) == pytest.approx(sorted(expected), abs=2e-3)
+
+
+def test_a_hole_in_the_plane_and_a_recess():
+    plain = material([Layer(0.0, 2.0, (ring(60.0), ring(10.0)), (ring(8.0, (20.0, 0.0)),))], 0.0)
+    assert sum(area.area for area in plain) == pytest.approx(2 * (50 - 8), abs=2e-3)
+    turned = material([Layer(0.0, 2.0, (ring(60.0), ring(10.0)), (ring(8.0, (20.0, 0.0)),))], np.pi / 2)
+    assert sum(area.area for area in turned) == pytest.approx(2 * 50, abs=2e-3)
+    recessed = material([Layer(0.0, 1.0, (ring(60.0), ring(50.0), ring(16.0), ring(10.0)))], 0.3)
+    assert sum(area.area for area in recessed) == pytest.approx(10 + 6, abs=2e-3)
+
+
+def test_edges_beyond_the_cut_bound_what_is_open():
+    layers = [Layer(0.0, 2.0, (ring(60.0), ring(10.0)), (ring(8.0, (20.0, 0.0)),))]
+    open_at = beyond(layers, material(layers, 0.0))
+    heights = sorted(float(np.ptp(stroke.points[:, 1])) for stroke in open_at)
+    assert heights == pytest.approx([8.0, 10.0], abs=2e-3)
+
+
+def test_sheets_and_numbers():
+    assert chosen_scale((100.0, 50.0), (120.0, 120.0)) == 1.0
+    assert chosen_scale((20.0, 10.0), (120.0, 120.0), greatest=2.0) == 2.0
+    assert chosen_scale((1e6, 1.0), (120.0, 120.0)) is None
+    assert chosen_sheet((90.0, 90.0), (100.0, 60.0), 1.0, 2.0) == ("A4", 1.0)
+    assert chosen_sheet((150.0, 150.0), (150.0, 60.0), 1.0, 2.0) == ("A3", 1.0)
+    assert [scale_text(scale) for scale in (5.0, 1.0, 0.5, 0.1)] == ["5:1", "1:1", "1:2", "1:10"]
+    assert [shown(number) for number in (8.0, 9.4, 39.69486, 0.0)] == ["8", "9.4", "39.695", "0"]
+    lines = wrapped(["a sentence that is far too long for the narrow column of a sheet"], 50.0)
+    assert len(lines) > 1
+    assert lines[1].startswith("   ")
+
+
+def test_notes_stay_in_their_column():
+    """By the widths of the font itself, whose capitals are 0.729 of its size, also of a line full of figures."""
+    letters = FontProperties(family="DejaVu Sans", size=TEXT / 0.729)
+    notes = ["Axes 1 and 2: 45 ± 0.0195 mm, bearings 80 mm apart, as the play is reckoned: 1000 ± 0.0495 mm, 2000 mm."]
+    for width in (50.0, 62.0, 80.0, 120.0):
+        for line in wrapped(notes, width):
+            assert TextToPath().get_text_width_height_descent(line, letters, False)[0] <= width

@@ -1,0 +1,370 @@
+"""Output folders: everything or nothing, whatever ends the run."""
+
+import hashlib
+import json
+import multiprocessing
+import os
+import re
+import signal
+import stat
+
+import pytest
+
+from cadgen.errors import FileError
+from cadgen.output.files import lock
+from cadgen.output.files.folder import abandon, left_by_killed, publishing
+from cadgen.output.files.lock import held, locked
+from cadgen.output.files.manifest import file_facts, write_manifest
+from cadgen.output.files.verify import verify
+from tests.forks import MAIN
+
+SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
+
+
+@pytest.fixture
+def cli(forks, tmp_path):
+    """Run the command as users do."""
+
+    def run(*arguments, code):
+        process = forks.run(MAIN, *arguments, cwd=tmp_path)
+        assert process.returncode == code, process.stdout + process.stderr
+        return process
+
+    return run
+
+
+def contents(folder):
+    return {str(file.relative_to(folder)) for file in folder.rglob("*")}
+
+
+def put(folder, part, **files):
+    """Publish files under a part's name, in this process."""
+    with publishing(folder) as staging:
+        for name, content in files.items():
+            (staging / name).write_text(content)
+        write_manifest(staging, part, {"files": {name: file_facts(staging / name) for name in files}})
+
+
+def states(folder):
+    return {file.name: file.state for file in verify(folder).files}
+
+
+def listed(folder):
+    """The manifest's files with their hashes, read without the program's own code."""
+    parts = json.loads((folder / "manifest.json").read_text())["parts"]
+    return {name: facts["sha256"] for part in parts.values() for name, facts in part["files"].items()}
+
+
+def is_true(folder):
+    return all(hashlib.sha256((folder / n).read_bytes()).hexdigest() == h for n, h in listed(folder).items())
+
+
+@pytest.fixture
+def publish(forks):
+    """Publish two files in another process, to which code in the block, or while it is moving, sends a signal."""
+
+    def run(folder, number, *, block="", moving=""):
+        script = _PUBLISHING.format(number=number.name, block=block or "pass", moving=moving or None)
+        environment = os.environ | {"TERM": "dumb"}
+        return forks.run(script, cwd=folder, env=environment)
+
+    return run
+
+
+_PUBLISHING = """
+import ctypes, os, signal
+from pathlib import Path
+signal.signal(signal.{number}, signal.SIG_DFL)
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from cadgen.cli import interrupt
+from cadgen.output.files import folder, manifest
+interrupt.install()
+
+def strike():
+    os.kill(os.getpid(), signal.{number})
+    sum(range(1000))
+
+struck_from_c = ctypes.CFUNCTYPE(None)(strike)
+move = folder._publish
+folder._publish = lambda staging, out: [{moving}, move(staging, out)]
+with folder.publishing(Path("made/out")) as staging:
+    (staging / "a").write_text("new")
+    {block}
+    (staging / "b").write_text("new")
+    files = {{name: manifest.file_facts(staging / name) for name in ("a", "b")}}
+    manifest.write_manifest(staging, "part", {{"files": files}})
+print("finished")
+"""
+
+
+@pytest.mark.parametrize("number", SIGNALS)
+@pytest.mark.parametrize("where", ["strike()", "struck_from_c()"])
+def test_a_signal_ends_the_run_and_leaves_nothing(tmp_path, publish, number, where):
+    """Also amid code of a library in C, which would swallow an exception."""
+    run = publish(tmp_path, number, block=where)
+    assert (run.returncode, run.stdout) == (130, "")
+    assert run.stderr == "cadgen: interrupted: nothing was written\n"
+    assert contents(tmp_path) == set()
+
+
+@pytest.mark.parametrize("number", SIGNALS)
+def test_a_signal_that_comes_too_late_lets_the_run_finish(tmp_path, publish, number):
+    run = publish(tmp_path, number, moving="strike()")
+    assert (run.returncode, run.stdout, run.stderr) == (0, "finished\n", "")
+    assert contents(tmp_path) == {"made", "made/out", "made/out/a", "made/out/b", "made/out/manifest.json"}
+
+
+def test_a_killed_run_is_cleared_away_by_the_next(tmp_path, publish):
+    run = publish(tmp_path, signal.SIGTERM, block="os.kill(os.getpid(), signal.SIGKILL)")
+    assert run.returncode == -signal.SIGKILL
+    out = tmp_path / "made" / "out"
+    (left,) = out.iterdir()
+    assert left_by_killed(out) == ([], [left])
+    with publishing(out) as other:  # a run that lives
+        for name in (".cadgen-notes", f"{left.name}-mine"):
+            (out / name).mkdir()
+        (out / ".cadgen-0123456789abcdef").symlink_to(tmp_path / "made", target_is_directory=True)
+        put(out, "part", mine="new")
+        assert contents(out) >= {other.name, ".cadgen-notes", f"{left.name}-mine", ".cadgen-0123456789abcdef"}
+        assert left.name not in contents(out)
+        assert left_by_killed(out) == ([], [])
+        write_manifest(other, "none", {"files": {}})
+
+
+@pytest.mark.parametrize("restore", [False, True])
+def test_what_a_run_killed_amid_moving_had_replaced_is_put_back(tmp_path, publish, cli, restore):
+    out = tmp_path / "made/out"
+    put(out, "part", a="old", b="old")
+    put(out, "other", c="old")
+    before = {file.name: file.read_bytes() for file in out.iterdir()}
+    kill = "lambda a, b, r=os.replace: os.kill(os.getpid(), signal.SIGKILL) if b.name == 'b' else r(a, b)"
+    run = publish(tmp_path, signal.SIGTERM, moving=f"setattr(os, 'replace', {kill})")
+    assert run.returncode == -signal.SIGKILL
+    # Half moved: said, and what the manifest lists is true all the same.
+    assert (out / "a").read_text() == "new"
+    assert is_true(out)
+    assert set(listed(out)) == {"c"}
+    result = cli("verify", str(out), code=1)
+    assert "A run was killed while it moved its files into this folder" in result.stdout
+    assert json.loads(cli("verify", str(out), "--json", code=1).stdout)["half_moved"]
+    if restore:
+        assert "Put back as before a run that was killed: a" in cli("verify", str(out), "--restore", code=0).stdout
+        assert {file.name: file.read_bytes() for file in out.iterdir()} == before
+    put(out, "third", d="new")
+    assert {name: (out / name).read_text() for name in "abcd"} == {"a": "old", "b": "old", "c": "old", "d": "new"}
+    assert set(states(out).values()) == {"as listed"}
+    assert contents(out) == {*"abcd", "manifest.json"}
+
+
+def test_what_others_have_put_in_place_of_a_half_moved_file_stays(tmp_path, publish):
+    out = tmp_path / "made/out"
+    put(out, "part", a="old", b="old")
+    kill = "lambda a, b, r=os.replace: os.kill(os.getpid(), signal.SIGKILL) if b.name == 'b' else r(a, b)"
+    publish(tmp_path, signal.SIGTERM, moving=f"setattr(os, 'replace', {kill})")
+    (out / "a").write_text("mine")
+    put(out, "third", d="new")
+    assert (out / "a").read_text() == "mine"
+    assert listed(out).keys() == {"d"}
+
+
+def test_a_move_that_fails_is_undone_and_says_why(tmp_path, monkeypatch):
+    put(tmp_path, "part", a="old", b="old")
+    before = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
+    replace = os.replace
+
+    def fail(source, target):
+        if target == tmp_path / "b" and source.parent.name.startswith(".cadgen"):
+            monkeypatch.setattr(os, "replace", replace)
+            raise PermissionError(13, "in use")
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", fail)
+    with pytest.raises(FileError, match="no permission to write there"):
+        put(tmp_path, "part", a="new", b="new")
+    assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == before
+
+
+def test_links_are_replaced_and_not_followed(tmp_path):
+    out, elsewhere = tmp_path / "out", tmp_path / "elsewhere"
+    out.mkdir()
+    elsewhere.write_text("theirs")
+    (out / "a").symlink_to(elsewhere)
+    (out / "b").symlink_to(tmp_path / "nowhere")
+    (out / "manifest.json").symlink_to(elsewhere)
+    put(out, "part", a="new", b="new")
+    assert elsewhere.read_text() == "theirs"
+    assert not (tmp_path / "nowhere").exists()
+    assert not any(file.is_symlink() for file in out.iterdir())
+    (out / "a").unlink()
+    (out / "a").symlink_to(tmp_path / "copy")
+    (tmp_path / "copy").write_text("new")  # the same bytes, but not the file that was read back
+    assert states(out) == {"a": "changed", "b": "as listed"}
+    put(out, "third", c="new")
+    assert set(listed(out)) == {"c"}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no such files there")
+@pytest.mark.parametrize("plant", [lambda file: file.symlink_to("x"), os.mkfifo, os.mkdir], ids=["link", "pipe", "dir"])
+def test_nothing_else_is_taken_for_the_lock(tmp_path, plant):
+    out = tmp_path / "out"
+    out.mkdir()
+    plant(out / lock.NAME)
+    with pytest.raises(FileError, match="the folder's lock must go there: remove it"):
+        put(out, "part", a="new")
+    assert contents(tmp_path) == {"out", f"out/{lock.NAME}"}
+
+
+def _held_by_another(folder, taken, done):
+    with locked(folder):
+        taken.set()
+        done.wait()
+
+
+@pytest.fixture
+def other_run(tmp_path):
+    """Another process that holds the folder's lock until it is told to let go."""
+    context = multiprocessing.get_context("fork")
+    taken, done = context.Event(), context.Event()
+    process = context.Process(target=_held_by_another, args=(tmp_path, taken, done), daemon=True)
+    process.start()
+    taken.wait()
+    yield process, done
+    process.kill()
+    process.join()
+
+
+def test_a_run_waits_for_another_with_a_sentence(tmp_path, other_run, caplog, monkeypatch):
+    _, done = other_run
+    wait = lock._wait
+    monkeypatch.setattr(lock, "_wait", lambda *rest: (done.set(), wait(*rest)))
+    put(tmp_path, "part", a="new")
+    assert re.match(r"another run is moving its files into .*: waiting for it, at most 60 s", caplog.messages[0])
+    assert contents(tmp_path) == {"a", "manifest.json"}
+
+
+def test_a_run_that_waits_too_long_refuses(tmp_path, other_run):
+    with pytest.raises(FileError, match="after the wait, so nothing was written"), locked(tmp_path, 0.01):
+        pass
+    process, _ = other_run
+    process.kill()  # and the lock is gone with it, though its file is still there
+    process.join()
+    assert contents(tmp_path) == {lock.NAME}
+    put(tmp_path, "part", a="new")
+    assert contents(tmp_path) == {"a", "manifest.json"}
+
+
+def test_a_folder_that_cannot_be_locked_is_said(tmp_path, caplog, monkeypatch):
+    def unknown(*rest, **more):
+        raise OSError(lock.errno.ENOLCK, "No locks available")
+
+    monkeypatch.setattr(lock, "_lock", unknown)
+    put(tmp_path, "part", a="new")
+    assert "cannot be locked (No locks available): let no other run write into it" in caplog.messages[0]
+    assert states(tmp_path) == {"a": "as listed"}
+    assert contents(tmp_path) == {"a", "manifest.json"}
+
+
+def test_only_what_the_manifest_lists_is_published(tmp_path):
+    def publish_more():
+        with publishing(tmp_path) as staging:
+            (staging / "a").write_text("new")
+            write_manifest(staging, "part", {"files": {}})
+
+    with pytest.raises(ValueError, match="does not list"):
+        publish_more()
+    assert contents(tmp_path) == set()
+
+
+def test_staged_files_have_the_usual_rights(tmp_path):
+    put(tmp_path, "part", a="new")
+    (tmp_path / "by_hand").write_text("x")
+    assert stat.S_IMODE((tmp_path / "a").stat().st_mode) == stat.S_IMODE((tmp_path / "by_hand").stat().st_mode)
+    assert not held(tmp_path / "no_such_file")
+
+
+def test_each_state_is_told(tmp_path, cli):
+    put(tmp_path, "part", a="1", b="2", c="3")
+    (tmp_path / "a").write_text("x")
+    (tmp_path / "b").unlink()
+    (tmp_path / "own\x1b[31m").write_text("mine")
+    assert states(tmp_path) == {"a": "changed", "b": "missing", "c": "as listed", "own\x1b[31m": "not listed"}
+    printed = cli("verify", str(tmp_path), code=1).stdout
+    assert "\x1b" not in printed
+    assert "2 of 3 listed files are not as listed" in printed
+    facts = json.loads(cli("verify", str(tmp_path), "--json", code=1).stdout)
+    assert facts["files"][0] == {"name": "a", "part": "part", "state": "changed"}
+    assert "no manifest.json" in cli("verify", str(tmp_path.parent), code=3).stderr
+    cli("verify", str(tmp_path / "none"), code=2)
+    (tmp_path / "manifest.json").write_text(
+        '{"format": 1, "parts": {"x": {"files": {"../../a": {}, "/dev/zero": {}}}}}'
+    )
+    assert states(tmp_path)["/dev/zero"] == "missing"
+    (tmp_path / "manifest.json").unlink()
+    os.mkfifo(tmp_path / "manifest.json")
+    assert "it is a pipe and no regular file" in cli("verify", str(tmp_path), code=3).stderr
+
+
+def test_a_failure_leaves_no_folder_on_the_way(tmp_path):
+    (tmp_path / "kept").mkdir()
+
+    def fail():
+        with publishing(tmp_path / "kept/made/out") as staging:
+            (staging / "a").write_text("half")
+            raise MemoryError
+
+    with pytest.raises(MemoryError):
+        fail()
+    assert contents(tmp_path) == {"kept"}
+    assert abandon()
+
+
+@pytest.mark.parametrize("name", ["x" * 300, "x/" * 3000])
+def test_a_name_that_no_folder_can_have(tmp_path, name):
+    with pytest.raises(FileError, match=r"choose (another folder|a shorter one)$"), publishing(tmp_path / name):
+        pass
+    assert contents(tmp_path) == set()
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_may_not_be_written_to(tmp_path):
+    os.chmod(tmp_path, 0o555)
+    try:
+        for out in (tmp_path, tmp_path / "below"):
+            with pytest.raises(FileError, match="no permission to write there"), publishing(out):
+                pass
+    finally:
+        os.chmod(tmp_path, 0o755)
+    assert contents(tmp_path) == set()
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        '{"files": {"b": 5}}',
+        '{"files": ["b"]}',
+        '{"files": {"b": {"sha256": NaN}}}',
+        '{"files": {}, "value": 1e999}',
+        '{"files": {"' + "n" * 300 + '": {}}}',
+        '{"files": {"\\ud800": {}}}',
+        "[]",
+        "[" * 5000,
+    ],
+)
+def test_a_damaged_entry_of_the_manifest_is_dropped(tmp_path, part):
+    (tmp_path / "b").write_text("kept")
+    (tmp_path / "manifest.json").write_text(f'{{"format": 1, "parts": {{"old": {part}}}}}')
+    put(tmp_path, "new")
+    assert json.loads((tmp_path / "manifest.json").read_text())["parts"] == {"new": {"files": {}}}
+
+
+def test_an_entry_keeps_the_files_that_a_later_run_leaves(tmp_path):
+    put(tmp_path, "cam", step="old", dxf="old", csv="old")
+    put(tmp_path, "cam_step", step="new")
+    parts = json.loads((tmp_path / "manifest.json").read_text())["parts"]
+    assert {name: set(part["files"]) for name, part in parts.items()} == {"cam": {"dxf", "csv"}, "cam_step": {"step"}}
+    assert is_true(tmp_path)
+    assert set(states(tmp_path).values()) == {"as listed"}
+    # What was changed by hand since is no longer listed, and neither is what its entry says.
+    (tmp_path / "dxf").write_text("touched")
+    put(tmp_path, "cam_csv", csv="new")
+    assert set(listed(tmp_path)) == {"step", "csv"}

@@ -1,0 +1,212 @@
+"""The editor in a browser: points are dragged, the cam follows, and the file is saved. Skipped without a Chromium."""
+
+import threading
+
+import pytest
+
+from tests.viewer.editor.conftest import TEXT
+from tests.viewer.page.chromium import ARGUMENTS, READY, chromium_path, serious_faults
+
+CURRENT = "html[data-whole]:not([data-stale])"
+
+
+@pytest.fixture
+def served(service, address):
+    """The small design on a port of its own, computed in this process."""
+    uvicorn = pytest.importorskip("uvicorn")
+    from cadgen.viewer.editor.guard import Address
+    from cadgen.viewer.editor.running import bound_socket
+    from cadgen.viewer.editor.server import application
+
+    listening = bound_socket(0)
+    own = Address(listening.getsockname()[1], address.token)
+    server = uvicorn.Server(uvicorn.Config(application(service, own), log_level="critical", lifespan="off"))
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
+    thread.start()
+    yield own.url
+    server.should_exit = True
+    thread.join()
+
+
+@pytest.fixture
+def shown(served):
+    path = chromium_path()
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=ARGUMENTS)
+        page = browser.new_page(viewport={"width": 1280, "height": 720}, locale="en-GB")
+        page.set_default_timeout(120_000)
+        page.said = []
+        page.on("console", lambda message: page.said.append(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: page.said.append(str(error)))
+        page.goto(served)
+        page.wait_for_selector(READY, state="attached")
+        page.wait_for_selector(CURRENT, state="attached")
+        yield page
+        browser.close()
+
+
+def current(page, session):
+    """Wait until the page shows the design as it is now."""
+    page.wait_for_selector(f'{CURRENT}[data-whole="{session.revision}"]', state="attached")
+
+
+def dragged(page, key, right, down):
+    """Drag a point by so many pixels."""
+    box = page.locator(f'.handle[data-key="{key}"]').bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + right / 2, y + down / 2)
+    page.mouse.move(x + right, y + down)
+    page.mouse.up()
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_a_waypoint_is_dragged_and_the_cam_follows(shown, session, file):
+    from playwright.sync_api import expect
+
+    disc, key = "document.querySelector('#cam-box .disc').getAttribute('d')", "path.waypoints_mm.3"
+    before, camera = shown.evaluate(disc), shown.locator("#scene canvas").count()
+    dragged(shown, key, 6, -4)
+    shown.wait_for_selector(f'{CURRENT}:not([data-whole="1"])', state="attached")
+    current(shown, session)
+    assert shown.evaluate(disc) != before
+    assert shown.locator("#scene canvas").count() == camera == 1
+    x, y = session.now.design.path.keys.waypoints_mm[2]
+    assert x > 2600.0
+    assert y > 1200.0
+    assert [float(field.input_value()) for field in shown.locator("#point-bar input").all()] == [x, y]
+    assert shown.title().startswith("• small")
+
+    # A turn that cannot be driven: the sentence stands below the course, and the last good cam stays.
+    good = shown.evaluate(disc)
+    shown.locator("#point-bar input").first.fill("1510")
+    shown.locator("#point-bar input").last.fill("210")
+    with shown.expect_response(lambda answer: "[1510,210]" in (answer.request.post_data or "")):
+        shown.keyboard.press("Tab")
+    shown.wait_for_selector("html[data-state=fault]", state="attached")
+    assert shown.locator("#course-figure .fault").inner_text()
+    assert shown.evaluate(disc) == good
+    while session.state()["undo"] > 1:
+        steps = session.state()["undo"]
+        with shown.expect_response("**/undo"):
+            shown.locator("#undo").click()
+        assert session.state()["undo"] == steps - 1
+    current(shown, session)
+    assert not shown.locator("#course-figure .fault").inner_text()
+
+    # A point is added by a double click halfway, is the chosen one, and is removed by its key.
+    first, second = (shown.locator(f'.handle[data-key="path.waypoints_mm.{n}"]').bounding_box() for n in (4, 5))
+    with shown.expect_response("**/insert"):
+        shown.mouse.dblclick(
+            (first["x"] + second["x"] + first["width"]) / 2, (first["y"] + second["y"] + first["height"]) / 2
+        )
+    shown.wait_for_selector('.handle.chosen[data-key="path.waypoints_mm.5"]')
+    points = session.now.design.path.keys.waypoints_mm
+    assert len(points) == 6
+    assert points[4] == pytest.approx((4750.0, 1250.0), abs=10)
+    shown.locator('.handle[data-key="path.waypoints_mm.5"]').focus()
+    with shown.expect_response("**/remove"):
+        shown.keyboard.press("Delete")
+    shown.wait_for_selector('.handle.chosen[data-key="path.waypoints_mm.5"]:focus')
+    assert len(session.now.design.path.keys.waypoints_mm) == 5
+    current(shown, session)
+
+    # Posts and gates come and go: by button, double click and keys; the order of gates changes.
+    def pressed(name, request):
+        with shown.expect_response(f"**/{request}"):
+            shown.get_by_role("button", name=name, exact=True).click()
+        current(shown, session)  # the answer is there before the page has taken it
+
+    steps = session.state()["undo"]
+    shown.get_by_role("button", name="Gates", exact=True).click()
+    for _ in range(2):
+        pressed("Add a gate", "insert")
+    first, second = (gate.at_mm for gate in session.now.design.course.gates)
+    shown.wait_for_selector('.handle.chosen[data-key="course.gates.2.at_mm"]:focus')
+    pressed("Earlier in the order of the gates", "exchange")
+    assert [gate.at_mm for gate in session.now.design.course.gates] == [second, first]
+    shown.wait_for_selector('.handle.chosen[data-key="course.gates.1.at_mm"][data-number="1"]')
+    shown.get_by_role("button", name="Posts, walls, zones, field", exact=True).click()
+    pressed("Add a wall", "insert")
+    shown.wait_for_selector('.handle.chosen[data-key="course.walls.1.line_mm.1"]:focus')
+    # A wall of two points goes as a whole; a post that is added before the answer comes is the chosen one after both.
+    box, held = shown.locator("#handles").bounding_box(), []
+    shown.route("**/remove", lambda request: held.append(request))
+    with shown.expect_request("**/remove"):
+        shown.keyboard.press("Delete")
+    shown.mouse.dblclick(box["x"] + box["width"] / 4, box["y"] + box["height"] / 4)
+    with shown.expect_response("**/insert"):
+        held[0].continue_()
+    shown.unroute("**/remove")
+    shown.wait_for_selector('.handle.chosen[data-key="course.posts.2.at_mm"]:focus')
+    assert not session.now.design.course.walls
+    assert session.now.design.course.posts[1].radius_mm == 20.0
+    current(shown, session)
+    assert serious_faults(shown, "header", "#edit", "#course-figure") == []
+    shown.set_viewport_size({"width": 360, "height": 740})
+    shown.emulate_media(color_scheme="dark")
+    assert serious_faults(shown, "header", "#edit", "#course-figure") == []
+    assert shown.evaluate("() => document.documentElement.scrollWidth") <= 360
+    shown.set_viewport_size({"width": 1280, "height": 720})
+    shown.emulate_media(color_scheme="light")
+    while session.state()["undo"] > steps:
+        with shown.expect_response("**/undo"):
+            shown.locator("#undo").click()
+    assert session.now.design.course.gates == session.now.design.course.walls == ()
+    current(shown, session)
+
+    # What is typed is saved, although the field has not been left, and Ctrl+Z takes it back.
+    wheelbase = shown.locator("#control-car-wheelbase_mm")
+    wheelbase.fill("168")
+    with shown.expect_response("**/save"):
+        wheelbase.press("Control+s")
+    assert "wheelbase_mm = 168   # L" in file.read_text()
+    with shown.expect_response("**/undo"):
+        wheelbase.press("Control+z")
+    assert session.now.design.car.wheelbase_mm == 167.0
+    expect(wheelbase).to_have_value("167")
+
+    # A number that the schema refuses is refused at its field.
+    number = shown.locator("#control-cam-thickness_mm")
+    number.fill("60")
+    number.press("Enter")
+    refused = shown.locator('.control[data-key="cam.thickness_mm"] .fault')
+    refused.wait_for(state="visible")
+    assert "faces" in refused.inner_text()
+    assert session.now.design.cam.thickness_mm == 3
+
+    # The sentence stays, whatever was being computed meanwhile, until a change is taken.
+    held = []
+    shown.route("**/result?stage=whole*", lambda request: held.append(request))
+    wheelbase.fill("169")
+    with shown.expect_request("**/result?stage=whole*"):  # it follows the preview, and has to be under way
+        wheelbase.press("Enter")
+    number.fill("61")
+    number.press("Enter")
+    refused.wait_for(state="visible")
+    assert held
+    for request in held:
+        request.continue_()
+    shown.unroute("**/result?stage=whole*")
+    current(shown, session)
+    assert "faces" in refused.inner_text()
+    with shown.expect_response("**/change"):
+        number.fill("3.5")
+        number.press("Enter")
+    refused.wait_for(state="hidden")
+    for value in (169.0, 167.0):
+        with shown.expect_response("**/undo"):
+            shown.locator("#undo").click()
+        assert session.now.design.car.wheelbase_mm == value
+    current(shown, session)
+
+    shown.keyboard.press("Control+s")
+    shown.wait_for_selector("#save:not(.due)")
+    assert shown.title().startswith("small")
+    assert file.read_text() == TEXT.replace("[2600.0, 1200.0]", f"[{x!r}, {y!r}]")
+    # Refusals and superseded results are statuses, which the browser reports; nothing else is.
+    assert all("422" in text or "409" in text for text in shown.said), shown.said

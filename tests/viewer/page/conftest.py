@@ -1,0 +1,39 @@
+"""One plan and one page of the paper's car for all tests of the page; Chromium where there is one."""
+
+import pytest
+
+from cadgen.design.load import load_design
+from cadgen.viewer.page.content.page import page_of
+from cadgen.viewer.page.content.plan import plan_page
+from cadgen.viewer.page.html import html_of
+from tests.viewer.page.chromium import chromium_path
+
+SAMPLES = 60
+
+
+@pytest.fixture(scope="session")
+def plan():
+    return plan_page(load_design("carbon_free_car"), samples=SAMPLES)
+
+
+@pytest.fixture(scope="session")
+def page(plan):
+    return page_of(plan)
+
+
+@pytest.fixture(scope="session")
+def html(page):
+    return html_of(page)
+
+
+@pytest.fixture
+def failing(minimal, written):
+    """Plan and page of a small design that fails a check."""
+    plan = plan_page(load_design(written(minimal), ["checks.min_convex_radius_mm=100"]))
+    return plan, html_of(page_of(plan))
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    """Path of a Chromium; the tests that need it are skipped where there is none."""
+    return chromium_path()

@@ -1,0 +1,197 @@
+"""The page in a browser: Chromium of the system, software drawing. Skipped with a sentence where there is none."""
+
+import pytest
+
+from tests.viewer.page.chromium import ARGUMENTS, READY, serious_faults
+
+
+@pytest.fixture(scope="module")
+def browser(chromium):
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=chromium, args=ARGUMENTS)
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="module")
+def address(html, tmp_path_factory):
+    file = tmp_path_factory.mktemp("page") / "page.html"
+    file.write_text(html, encoding="utf-8")
+    return file.as_uri()
+
+
+@pytest.fixture(scope="module")
+def opened(browser, address):
+    """The page, ready, with everything that it said and asked for; to start it takes longer than most of the tests."""
+    context = browser.new_context(viewport={"width": 1280, "height": 720}, locale="en-GB")
+    page = context.new_page()
+    page.said = []
+    page.on("console", lambda message: page.said.append(message.text) if message.type == "error" else None)
+    page.on("pageerror", lambda error: page.said.append(str(error)))
+    page.on("request", lambda request: page.said.append(request.url) if request.url != address else None)
+    page.goto(address)
+    page.wait_for_selector(READY, state="attached")
+    yield page
+    context.close()
+
+
+@pytest.fixture
+def shown(opened):
+    """The page at the start of the run, with play; no test may make it say or ask for anything."""
+    opened.set_checked("#with-play", True)
+    slide(opened, 0.0)
+    opened.evaluate("() => document.activeElement.blur()")
+    yield opened
+    assert opened.said == []
+
+
+def slide(page, degrees):
+    page.evaluate(
+        "d => { const s = document.getElementById('angle'); s.value = d; s.dispatchEvent(new Event('input')); }",
+        degrees,
+    )
+
+
+@pytest.mark.slow
+def test_it_comes_up_without_an_error_or_a_request(shown):
+    assert shown.locator("canvas").count() >= 5  # the scene and four charts
+    assert shown.locator("html").get_attribute("data-without") is None
+
+
+@pytest.mark.slow
+def test_the_slider_moves_cam_car_and_read_outs(shown):
+    def state():
+        return shown.evaluate(
+            "() => [document.getElementById('disc-layer').style.transform,"
+            " document.getElementById('car').style.transform,"
+            " document.getElementById('now').textContent, document.getElementById('angle-now').value]"
+        )
+
+    before = state()
+    slide(shown, 128.0)
+    after = state()
+    assert all(old != new for old, new in zip(before, after, strict=True))
+    assert after[3] == "128.0°"
+    shown.uncheck("#with-play")
+    free = state()
+    assert free[1] != after[1]
+    # Without play the cam stands where the motor does.
+    assert free[0] == "rotate(128deg)"
+
+
+@pytest.mark.slow
+def test_it_plays_and_stops_by_the_space_bar(shown):
+    shown.keyboard.press("Space")
+    shown.wait_for_selector("#go[aria-pressed=true]")
+    shown.wait_for_timeout(400)
+    shown.keyboard.press("Space")
+    shown.wait_for_selector("#go[aria-pressed=false]")
+    assert float(shown.input_value("#angle")) > 0
+
+
+@pytest.mark.slow
+def test_the_live_region_speaks_once_the_slider_rests(shown):
+    slide(shown, 90.0)
+    shown.wait_for_timeout(1000)
+    assert shown.inner_text("#live").startswith("cam angle 90.0°, lift ")
+
+
+@pytest.mark.slow
+def test_chinese_and_back(shown):
+    english = shown.inner_text("main")
+    shown.click("#language")
+    assert shown.locator("html").get_attribute("lang") == "zh-CN"
+    assert "检查项" in shown.inner_text("#checks")
+    assert "升程" in shown.inner_text("#chart-lift")
+    shown.click("#language")
+    assert shown.inner_text("main") == english
+
+
+@pytest.mark.slow
+def test_a_distance_is_measured_between_two_points(shown):
+    shown.get_by_role("button", name="Measure").click()
+    box = shown.locator("#scene canvas").bounding_box()
+    shown.get_by_role("button", name="Right").click()
+    hits = 0
+    for share in (0.35, 0.45, 0.55, 0.65):
+        shown.mouse.click(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"])
+        hits = shown.inner_text(".measured")
+        if "mm" in hits:
+            break
+    assert "mm (ahead" in hits
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.parametrize(
+    ("scheme", "width", "locale"),
+    [("light", 1280, "en-GB"), ("dark", 390, "en-GB"), ("dark", 1280, "zh-CN"), ("light", 390, "zh-CN")],
+)
+def test_axe_finds_nothing_serious(browser, address, scheme, width, locale):
+    context = browser.new_context(viewport={"width": width, "height": 800}, color_scheme=scheme, locale=locale)
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_selector(READY, state="attached")
+    serious = serious_faults(page)
+    context.close()
+    assert not serious, serious
+
+
+@pytest.mark.slow
+def test_a_phone_needs_no_sideways_scrolling(browser, address):
+    context = browser.new_context(viewport={"width": 390, "height": 844}, locale="en-GB")
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_selector(READY, state="attached")
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
+    page.set_viewport_size({"width": 844, "height": 390})  # turned, and back again
+    page.wait_for_function("document.querySelector('.plot canvas').clientWidth > 500")
+    page.set_viewport_size({"width": 360, "height": 740})
+    page.wait_for_function("document.querySelector('.plot canvas').clientWidth < 360")
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= 360
+    context.close()
+
+
+@pytest.mark.slow
+def test_it_prints_on_a4(shown, tmp_path):
+    content = shown.pdf(format="A4", prefer_css_page_size=True)
+    assert content.startswith(b"%PDF")
+    assert 3 <= content.count(b"/Type /Page\n") + content.count(b"/Type /Page ") <= 12
+
+
+@pytest.mark.slow
+def test_without_webgl_a_sentence_and_the_rest(browser, address):
+    page = browser.new_page(viewport={"width": 1280, "height": 720})
+    page.add_init_script(
+        "HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext,"
+        " { apply: (f, self, a) => (a[0].startsWith('webgl') ? null : Reflect.apply(f, self, a)) })"
+    )
+    page.goto(address)
+    page.wait_for_selector(READY, state="attached")
+    assert "no WebGL" in page.inner_text("#trouble")
+    slide(page, 200.0)
+    assert page.evaluate("() => document.getElementById('disc-layer').style.transform").startswith("rotate(")
+    page.close()
+
+
+@pytest.mark.slow
+def test_without_scripts_the_tables_read(browser, address):
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(address)
+    assert "pressure angle, rise" in page.inner_text("#checks")
+    assert page.locator("#disc-layer").is_visible()
+    context.close()
+
+
+@pytest.mark.slow
+def test_a_design_that_fails_says_so_first(browser, failing, tmp_path):
+    file = tmp_path / "page.html"
+    file.write_text(failing[1], encoding="utf-8")
+    page = browser.new_page(viewport={"width": 1280, "height": 720})
+    page.goto(file.as_uri())
+    page.wait_for_selector(READY, state="attached")
+    assert page.locator("#failures").bounding_box()["y"] < 200
+    page.close()

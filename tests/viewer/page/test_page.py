@@ -1,0 +1,284 @@
+"""The page without a browser: its numbers, its policy, and that what it draws touches where it must."""
+
+import base64
+import hashlib
+import re
+from html import escape
+
+import numpy as np
+import pytest
+
+from cadgen import Design, Report
+from cadgen.cam.contact import roll_curve
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.design.load import load_design
+from cadgen.geometry.meshes.mesh import Mesh
+from cadgen.geometry.meshes.teeth import measured_pair
+from cadgen.viewer.page.check_words import check_name, place_words
+from cadgen.viewer.page.content.files import page_facts
+from cadgen.viewer.page.content.page import page_of
+from cadgen.viewer.page.content.plan import plan_page
+from cadgen.viewer.page.content.train import turning_train
+from cadgen.viewer.page.document import Cell, Words, number
+from cadgen.viewer.page.html import html_of
+from cadgen.viewer.page.markup import cell, tag
+from cadgen.viewer.page.sentences import generated
+from cadgen.viewer.page.shading import shaded
+from tests.viewer.page.english import left_in_english
+from tests.viewer.page.reading import Tables, at, data, going
+
+POSITIONS = np.linspace(0.0, 2 * np.pi, 12, endpoint=False) + 0.05
+TOUCH = 2e-3  # mm
+
+
+def test_a_cube_is_shaded_face_by_face():
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    triangles = np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
+    cube = shaded(Mesh(corners, triangles))
+    assert len(cube.vertices) == 24
+    assert len(cube.edges) == 12
+    assert np.allclose(np.abs(cube.normals).max(axis=1), 1.0)
+
+
+def test_a_round_wall_is_smooth_and_its_rims_are_edges():
+    count = 48
+    ring = np.exp(2j * np.pi * np.arange(count) / count)
+    corners = np.concatenate([np.column_stack([ring.real, ring.imag, np.full(count, z)]) for z in (0.0, 1.0)])
+    low = np.arange(count)
+    following = np.roll(low, -1)
+    walls = [(a, b, b + count) for a, b in zip(low, following, strict=True)]
+    walls += [(a, b + count, a + count) for a, b in zip(low, following, strict=True)]
+    caps = [(0, b, a) for a, b in zip(low[1:-1], following[1:-1], strict=True)]
+    caps += [(count, a + count, b + count) for a, b in zip(low[1:-1], following[1:-1], strict=True)]
+    drum = shaded(Mesh(corners, np.array(walls + caps)))
+    assert len(drum.edges) == 2 * count
+    wall = np.abs(drum.normals[:, 2]) < 0.5
+    assert wall.sum() == 2 * count
+    assert np.einsum("ij,ij->i", drum.normals[wall][:, :2], drum.vertices[wall][:, :2]) == pytest.approx(1.0, abs=0.01)
+
+
+def test_text_of_a_design_is_no_markup():
+    assert tag("p", "x", title='a"<b') == '<p title="a&quot;&lt;b">x</p>'
+    assert "<script" not in cell(Cell("<script>", 1.5), numeric=True)
+    assert 'data-value="0.1"' in cell(number(0.1, "mm"), numeric=True)
+    assert number(float("inf")).text == "–"
+
+
+def test_every_check_has_a_chinese_name_and_places_are_translated():
+    for code in CheckCode:
+        words = check_name(Check(code, "its name", 0.0, "", 1.0, Bound.MAX))
+        assert words.en == "its name" != words.zh
+    assert place_words("cam angle 113.04° (4 in all)") == Words(
+        "cam angle 113.04° (4 in all)", "凸轮转角 113.04° （共 4 处）"
+    )
+
+
+@pytest.mark.slow
+def test_numbers_on_the_page_are_those_of_the_manifest(plan, html):
+    tables, facts = Tables(html), page_facts(plan)
+    checked = 0
+    for name, given in (("cam-checks", facts["cam"]["checks"]), ("gear-checks", facts["gears"]["checks"])):
+        wanted = [
+            [float(check["value"])] + ([] if check["limit"] is None else [float(check["limit"])]) for check in given
+        ]
+        assert tables.numbers(name) == wanted
+        checked += len(wanted)
+    methods = facts["cam"]["play"]["compared"]
+    for row, method in zip(tables.numbers("methods"), methods, strict=True):
+        heading, position, *_, worst, lift, without = row
+        assert heading == method["end_heading_deg"]
+        assert position == method["end_position_mm"]
+        assert worst == method["worst_end_position_mm"]
+        assert lift == method["lift_error_um"]
+        assert without == method["end_position_without_play_mm"]
+    simulated = facts["simulation"]
+    assert tables.numbers("runs") == [
+        [simulated[run][key] for key in ("end_heading_deg", "end_position_mm", "greatest_position_mm")]
+        for run in ("before", "after", "after_without_play")
+    ]
+    assert [row[2] for row in tables.numbers("events")] == [event["deflection_deg"] for event in simulated["events"]]
+    assert tables.numbers("ends")[0] == [*facts["tolerance"]["end_position_mm"].values()]
+    gears = [gear for part in facts["gears"]["parts"] for gear in part["gears"]]
+    assert [row[2:4] for row in tables.numbers("gear-sizes")] == [
+        [gear["span_min_mm"], gear["span_max_mm"]] for gear in gears
+    ]
+    print(f"{checked} checks, {len(methods)} methods, {len(gears)} gears")
+
+
+@pytest.mark.slow
+def test_limits_across_a_curve_are_those_of_the_checks(plan, page):
+    """In the unit of the curve, whose greatest values are those that the checks found."""
+    (chart,) = [chart for chart in page.charts if chart.code == "pressure"]
+    checks = {check.code: check for check in plan.cam.checks}
+    rise, fall = checks[CheckCode.PRESSURE_ANGLE_RISE], checks[CheckCode.PRESSURE_ANGLE_RETURN]
+    assert [limit.value for limit in chart.limits] == pytest.approx([rise.limit, -fall.limit], rel=1e-12)
+    assert chart.unit == rise.unit == "°"
+    assert max(abs(chart.curves[0].values)) == pytest.approx(max(rise.value, fall.value), abs=0.05)
+
+
+@pytest.mark.slow
+def test_the_page_allows_only_its_own_parts_and_asks_for_nothing(html):
+    assert len(html.encode()) <= 2_000_000
+    print(f"{len(html.encode()) / 1e6:.3f} MB")
+    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', html)[1].replace("&#x27;", "'")
+    assert policy.startswith("default-src 'none'")
+    assert "unsafe" not in policy
+    for pattern in (r"<style>(.*?)</style>", r"<script>(.*?)</script>"):
+        (inline,) = re.findall(pattern, html, re.DOTALL)
+        assert base64.b64encode(hashlib.sha256(inline.encode()).digest()).decode() in policy
+    markup = re.sub(r"<(script|style|pre)\b.*?</\1>", "", html, flags=re.DOTALL)
+    assert not re.search(r'(src|href|action|poster)="(?!#)', markup)
+    assert " style=" not in markup
+    assert not re.search(r"\son\w+=", markup)
+
+
+@pytest.mark.slow
+def test_headings_and_captions_stand_in_both_languages(html):
+    markup = re.sub(r"<(script|style)\b.*?</\1>", "", html, flags=re.DOTALL)
+    for name in ("h2", "caption", "dt", "figcaption"):
+        for attributes in re.findall(rf"<{name}\b([^>]*)>(?!<)", markup):
+            assert "data-zh" in attributes, (name, attributes)
+    for attributes, words in re.findall(r"<th\b([^>]*)>(.*?)</th>", markup):
+        assert "data-zh" in attributes or re.fullmatch(r"[\d.]+ %", words), words
+
+
+@pytest.mark.slow
+def test_the_follower_touches_the_exact_cam_wherever_the_slider_stands(plan, html):
+    document = data(html)
+    worst = 0.0
+    for code in ("free", "played"):
+        states = [at(document, going(document, code), motor) for motor in POSITIONS]
+        theta = np.array([state[0] for state in states]) % (2 * np.pi)
+        contact, _ = roll_curve(plan.cam.curve, plan.cam.follower, theta)
+        worst = max(worst, float(np.abs(contact.lift - [state[2] for state in states]).max()))
+    print(f"gap or overlap at the cam: {1e3 * worst:.3f} um")
+    assert worst <= TOUCH
+
+
+@pytest.mark.slow
+def test_teeth_touch_on_the_flanks_that_carry(plan, html):
+    document, layout = data(html), plan.gears.layout
+    shafts = document["scene"]["shafts"][1:][::-1]  # from the drive to the output
+    ratios = [float(stage.ratio) for stage in layout.train.stages]
+    assert [shaft["rate"] for shaft in shafts] == [45.0, -9.0, 3.0, -1.0]
+    worst, carried = 0.0, 0
+    for code in ("free", "played"):
+        for motor in POSITIONS:
+            *_, share = at(document, going(document, code), motor)
+            angles = [shaft["angle"] + shaft["rate"] * motor + shaft["lead"] * share for shaft in shafts]
+            for place, stage in enumerate(layout.train.stages):
+                pair, (x0, y0), (x1, y1) = measured_pair(stage), shafts[place]["axis"], shafts[place + 1]["axis"]
+                towards = np.arctan2(y1 - y0, x1 - x0)
+                assert np.hypot(x1 - x0, y1 - y0) == pytest.approx(stage.centre_distance, abs=1e-9)
+                driver, driven = angles[place] - towards, angles[place + 1] - towards
+                pitch = 2 * np.pi / pair.driven.teeth
+                middle = pair.middle(driver)
+                driven = middle + (driven - middle + pitch / 2) % pitch - pitch / 2
+                # The flank in the sense opposite to the driven wheel's carries as long as the gears push.
+                sense = -np.sign(shafts[place + 1]["rate"]) * (1 if share < 0.5 else -1)
+                gap = abs(pair.limit(driver, int(sense)) - driven) * pair.driven_pitch_radius
+                if share in (0.0, 1.0) or share < 1e-6 or share > 1 - 1e-4:
+                    worst, carried = max(worst, gap), carried + 1
+                else:
+                    assert pair.limit(driver, -1) <= driven <= pair.limit(driver, 1)
+    print(f"gap or overlap at the teeth: {1e3 * worst:.3f} um, {carried} contacts, ratios {ratios}")
+    assert carried > 40
+    assert worst <= TOUCH
+
+
+@pytest.mark.slow
+def test_the_mesh_shown_touches_the_rod_within_its_chord(page, html):
+    document = data(html)
+    part = next(part for part in document["scene"]["parts"] if part["code"] == "cam")
+    mesh, rod = part["mesh"], document["scene"]["rod"]
+    places = np.array(mesh["low"]) + np.array(mesh["step"]) * mesh["vertices"].reshape(-1, 3)
+    triangles = sum(len(part["mesh"]["triangles"]) for part in document["scene"]["parts"]) // 3
+    assert triangles <= 150_000
+    edges = mesh["edges"].reshape(-1, 2)
+    worst = 0.0
+    for motor in POSITIONS:
+        theta, tan_beta, _, _ = at(document, going(document, "played"), motor)
+        room = np.inf
+        for height, face in zip((0.0, rod["faces"][1] - rod["faces"][0]), rod["faces"], strict=True):
+            ends = places[edges]
+            ends = ends[(np.abs(ends[..., 2] - height) < 1e-3).all(axis=1)][..., :2] @ [1, 1j]
+            rim = ends[(np.abs(ends) > 50).all(axis=1)] * np.exp(-1j * theta)
+            rim = rim[(np.abs(rim.imag) < 8).all(axis=1) & (rim.real > 0).all(axis=1)]
+            points = (rim[:, :1] + (rim[:, 1:] - rim[:, :1]) * np.linspace(0, 1, 200)).ravel()
+            points = points[np.abs(points.imag) < rod["radius"]]
+            half = np.sqrt(rod["radius"] ** 2 - points.imag**2) * np.hypot(1, tan_beta)
+            room = min(room, float((document["scene"]["base"] + face * tan_beta - half - points.real).min()))
+        worst = max(worst, abs(room))
+    print(f"{triangles} triangles; gap or overlap of the mesh shown: {1e3 * worst:.1f} um")
+    assert worst <= 0.03
+
+
+@pytest.mark.slow
+def test_the_train_meshes_wherever_it_is_set(plan):
+    layout = plan.gears.layout
+    for behind in (20.0, 60.0, 200.0):
+        train = turning_train(layout, behind, -2.0, 1)
+        drive = train.parts[0].axis
+        assert abs(drive) == pytest.approx(abs(layout.parts[0].axis - layout.parts[-1].axis))
+        assert drive.real == pytest.approx(-min(behind, abs(drive)))
+        assert max(part.range[1] for part in train.parts) == pytest.approx(-2.0)
+        assert train.parts[-1].angle == pytest.approx(0.0)
+
+
+PACKAGED = ("workshop_car", "appendix_car", "figure_eight", "s_course", "posts_and_walls")
+
+
+@pytest.mark.slow
+def test_no_sentence_stays_english_in_the_chinese_view(html, failing):
+    assert left_in_english(html) == []
+    assert left_in_english(failing[1]) == ["mine"]  # the design's name
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.parametrize("name", PACKAGED)
+def test_the_page_of_a_packaged_design_is_small_and_whole_in_chinese(name):
+    page = page_of(plan_page(load_design(name), samples=20))
+    html = html_of(page)
+    assert left_in_english(html) == []
+    assert len(html.encode()) <= 2e6
+    assert all(0 <= mark.angle <= 2 * np.pi for mark in page.marks)  # a lap has no blend to mark
+
+
+def test_a_sentence_that_is_not_known_stays_english_whole():
+    known = "widen the turn there (path.waypoints_mm)"
+    assert generated(known).zh == "请加宽该处弯道（path.waypoints_mm）"
+    assert generated(f"{known}, or ask a friend") == f"{known}, or ask a friend"
+    assert left_in_english("<p>ask a friend</p><p data-zh='问朋友 please'>x</p>") == ["ask a friend"]
+
+
+@pytest.mark.slow
+def test_a_measurement_that_is_missing_is_said_and_the_rest_is_there(minimal, written, tmp_path):
+    design = Design.load(written(minimal))
+    report = Report.of(design, "actual", data=tmp_path / "nothing.csv", samples=5)
+    assert not report.passed
+    (reason,) = report.refused
+    assert "nothing.csv" in reason
+    text = html_of(page_of(report.computed))
+    assert text.count(escape(reason, quote=False)) >= 2  # on top, and where the calibration would stand
+    assert 'id="table-cam-checks"' in text
+
+
+@pytest.mark.slow
+def test_what_fails_comes_first(failing):
+    plan, text = failing
+    assert not plan.passed
+    assert text.index('id="failures"') < text.index('id="model"') < text.index('id="checks"')
+    assert "convex radius, profile" in text[text.index('id="failures"') : text.index('id="model"')]
+
+
+@pytest.mark.slow
+def test_a_design_without_gears_has_a_page(minimal, written):
+    plan = plan_page(load_design(written(minimal)))
+    text = html_of(page_of(plan))
+    assert plan.gears is None
+    assert plan.simulation is None
+    document = data(text)
+    assert [run["code"] for run in document["scene"]["goings"]] == ["free"]
+    assert [part["code"] for part in document["scene"]["parts"]] == ["cam"]
