@@ -5,8 +5,8 @@
 What is wrong with a car (zero of its steering, radius of its wheel, and but for every third car play in its gears) is
 drawn here and told to nobody. The car is driven by the generator of `tests.inference.measurement`: the rod let down on
 the points of the outline, the cam walking downhill in its play, the car going by short arcs. `cadgen calibrate` sees
-the camera's file alone, `cadgen cam` the design that it wrote, and the second run takes the new profile from the DXF file for the
-workshop.
+the camera's file alone, `cadgen cam` the design that it wrote, and the second run takes the new profile from the DXF
+file for the workshop.
 """
 
 import argparse

@@ -2,9 +2,9 @@
 
 Made records of four kinds (`tests.inference.measurement.study`): the rod let down on points of a distorted outline,
 the camshaft stepped through its gap, the car driven by arcs. Noise 2 to 20 um (profile, lift), 0.01 to 0.1 degrees
-(train), 1 to 10 mm (track), form error 2 um of random correlation, index error 0.01 degrees; half of the profiles measured all round
-and half to 345 degrees, half of them clamped anew for each run (0.2 degrees); sizes of effects as met in a workshop,
-drawn again if their rms is below 0.3 of the noise.
+(train), 1 to 10 mm (track), form error 2 um of random correlation, index error 0.01 degrees; half of the profiles
+measured all round and half to 345 degrees, half of them clamped anew for each run (0.2 degrees); sizes of effects as
+met in a workshop, drawn again if their rms is below 0.3 of the noise.
 
 Beside the rates stand those of a judge who knows noise and spectrum (`tests.inference.measurement.limit`).
 """
