@@ -3,11 +3,26 @@
 Every message is one sentence that says what is wrong, where, and what to change.
 """
 
+from cadgen.messages import Message
+
 
 class CadgenError(Exception):
-    """Base of every error that is meant for the user."""
+    """Base of every error that is meant for the user.
+
+    Args:
+        text: sentence, or its template with fields such as `{angle:.2f}`.
+        arguments: values of the fields.
+    """
 
     exit_code = 3
+
+    def __init__(self, text: str, /, **arguments: object) -> None:
+        super().__init__(Message(text, **arguments))
+
+    @property
+    def message(self) -> Message:
+        """Sentence, which can be translated."""
+        return Message(self.args[0])
 
 
 class CheckError(CadgenError):

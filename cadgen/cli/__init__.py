@@ -66,6 +66,7 @@ from cadgen.cli.simulate import simulate
 from cadgen.cli.tolerance import tolerance
 from cadgen.cli.verify import verify
 from cadgen.errors import CadgenError, DesignError, brief
+from cadgen.messages import LANGUAGES, choose, language_of, shown
 from cadgen.version import __version__
 
 USAGE, FILE = 2, 3
@@ -89,6 +90,20 @@ def cli(context: click.Context) -> None:
         context.exit(USAGE)
 
 
+def _choose(_context: click.Context, _option: click.Parameter, language: str | None) -> None:
+    if language is not None:
+        choose(language)
+
+
+language_option = click.Option(
+    ["--lang"],
+    type=click.Choice(LANGUAGES),
+    help="Language of texts.  [default: the environment's]",
+    expose_value=False,
+    is_eager=True,
+    callback=_choose,
+)
+cli.params.append(language_option)
 cli.add_command(new)
 cli.add_command(plan)
 cli.add_command(card)
@@ -106,11 +121,14 @@ cli.add_command(merge)
 cli.add_command(report)
 cli.add_command(edit)
 cli.add_command(verify)
+for command in cli.commands.values():
+    command.params.append(language_option)
 
 
 def main() -> NoReturn:
     """Run a command and turn every failure into one sentence and an exit code."""
     interrupt.install()
+    choose(language_of(os.environ))
     output.tell_warnings()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -124,7 +142,7 @@ def main() -> NoReturn:
     except click.ClickException as error:
         code = _fail(error.format_message(), error.exit_code)
     except CadgenError as error:
-        code = _fail(str(error), error.exit_code)
+        code = _fail(error.message, error.exit_code)
     except OSError as error:
         code = _unwritable(error, 0)
     except MemoryError:
@@ -151,11 +169,11 @@ def _require_epoch() -> None:
 
 
 def _fail(message: str, code: int) -> int:
-    message = output.sentence(message, sys.argv[1:])
-    if "--json" in sys.argv:
-        print(json.dumps({"error": message, "exit_code": code}))
+    arguments = sys.argv[1:]
+    if "--json" in arguments:  # the same in every language
+        print(json.dumps({"error": output.sentence(message, arguments), "exit_code": code}))
     else:
-        output.tell(message)
+        output.tell(output.sentence(shown(message), arguments))
     return code
 
 

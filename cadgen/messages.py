@@ -1,0 +1,147 @@
+"""Texts for people: an English template with named arguments, which can be said in other languages.
+
+A `Message` is the English text, and keeps its template and arguments. `translate` says it in another language by the
+catalogues in `cadgen/locale/LANGUAGE/*.po`, whose keys are the English templates. What has no entry stays English. Only
+what shows texts to people translates: values, JSON and manifests are English in every language.
+"""
+
+from collections.abc import Iterable, Mapping
+from contextvars import ContextVar
+from functools import cache
+from importlib.resources import files
+
+ENGLISH, CHINESE = "en", "zh"
+LANGUAGES = (ENGLISH, CHINESE)
+# Environment variables by which a system states its user's language, in the order in which gettext asks them.
+_VARIABLES = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
+_chosen: ContextVar[str] = ContextVar("language", default=ENGLISH)
+
+
+class Message(str):
+    """English text for people that remembers its template and arguments.
+
+    Args:
+        template: text with fields such as `{angle:.2f}`; without arguments it is taken as it stands.
+        arguments: values of the fields; a message among them is translated with the whole.
+
+    Example:
+        >>> Message("cam angle {angle:.2f}°", angle=12.3456)
+        'cam angle 12.35°'
+    """
+
+    template: str
+    arguments: Mapping[str, object]
+
+    def __new__(cls, template: str, /, **arguments: object) -> "Message":
+        """Format a template, and keep it with its arguments."""
+        if isinstance(template, Message) and not arguments:
+            return template
+        made = super().__new__(cls, template.format(**arguments) if arguments else template)
+        made.template, made.arguments = str(template), arguments
+        return made
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _message, (self.template, dict(self.arguments))
+
+    def translated(self, language: str) -> str:
+        """Text in a language.
+
+        Args:
+            language: code of the language, such as `zh`.
+        """
+        template = _catalogue(language).get(self.template, self.template)
+        if not self.arguments:
+            return template
+        return template.format(**{name: translate(value, language) for name, value in self.arguments.items()})
+
+
+class _Joined(Message):
+    """Messages in a row, each translated by itself."""
+
+    parts: tuple[str, ...]
+    separator: str
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return joined, (self.parts, self.separator)
+
+    def translated(self, language: str) -> str:
+        """Texts in a language, with the separator of that language between them."""
+        between = _catalogue(language).get(self.separator, self.separator)
+        return between.join(str(translate(part, language)) for part in self.parts)
+
+
+def joined(parts: Iterable[str], separator: str = ", ") -> Message:
+    """Put messages and plain texts in a row.
+
+    Args:
+        parts: texts; plain ones are names and numbers, the same in every language.
+        separator: text between them, which has a translation, too.
+    """
+    kept = tuple(parts)
+    made = str.__new__(_Joined, separator.join(kept))
+    made.template, made.arguments, made.parts, made.separator = str(made), {}, kept, separator
+    return made
+
+
+def translate(value: object, language: str | None = None) -> object:
+    """Say a message in a language; every other value is given back as it is.
+
+    Args:
+        value: message, or a value of another type, such as a name or a number.
+        language: code of the language; the one chosen by `choose` if left out.
+    """
+    language = language or _chosen.get()
+    return value.translated(language) if isinstance(value, Message) and language != ENGLISH else value
+
+
+def shown(text: str, language: str | None = None) -> str:
+    """Text for people in a language: a message translated, a plain label looked up in the catalogue.
+
+    Args:
+        text: message or label.
+        language: code of the language; the one chosen by `choose` if left out.
+    """
+    language = language or _chosen.get()
+    if language == ENGLISH:
+        return text
+    return text.translated(language) if isinstance(text, Message) else _catalogue(language).get(text, text)
+
+
+def choose(language: str) -> None:
+    """Show texts in a language from now on.
+
+    Args:
+        language: one of `LANGUAGES`.
+    """
+    _chosen.set(language)
+
+
+def language() -> str:
+    """Code of the language in which texts are shown."""
+    return _chosen.get()
+
+
+def language_of(environment: Mapping[str, str]) -> str:
+    """Language that a system's environment states; English if it states none that there is.
+
+    Args:
+        environment: variables, such as `os.environ`.
+    """
+    stated = next((environment[name] for name in _VARIABLES if environment.get(name)), "")
+    return next((code for code in LANGUAGES if stated.lower().startswith(code)), ENGLISH)
+
+
+def _message(template: str, arguments: Mapping[str, object]) -> Message:
+    return Message(template, **arguments)
+
+
+@cache
+def _catalogue(language: str) -> Mapping[str, str]:
+    """Translations by English template, from all catalogues of a language."""
+    from polib import pofile  # loaded for another language alone
+
+    folder = files("cadgen").joinpath("locale", language)
+    if not folder.is_dir():
+        return {}
+    texts = [file.read_text("utf-8") for file in sorted(folder.iterdir(), key=str) if file.name.endswith(".po")]
+    return {entry.msgid: entry.msgstr for text in texts for entry in pofile(text) if entry.msgstr}

@@ -1,0 +1,68 @@
+"""Messages in two languages: no template of the package is without a translation, and none loses an argument."""
+
+import pickle
+
+import pytest
+
+from cadgen.errors import DesignError
+from cadgen.messages import CHINESE, Message, joined, language_of, translate
+from tests.catalogue import entries, fields, used
+
+
+def test_a_message_is_its_english_text():
+    message = Message("a {thing} of {size:.1f} mm", thing="rod", size=2.5)
+    assert message == "a rod of 2.5 mm"
+    assert (message.template, message.arguments["thing"]) == ("a {thing} of {size:.1f} mm", "rod")
+    assert Message(message) is message
+    assert Message("{} stays") == "{} stays"
+
+
+def test_errors_take_a_template_and_its_arguments():
+    error = DesignError("{key} is {value:g}", key="cam.blend_deg", value=3.0)
+    assert str(error) == "cam.blend_deg is 3"
+    assert pickle.loads(pickle.dumps(error)).message.template == "{key} is {value:g}"
+    assert str(DesignError("left {as it is")) == "left {as it is"
+
+
+def test_a_message_in_chinese(monkeypatch):
+    known = {"{part} and {angle:.1f}°": "{angle:.1f}°，{part}", "bore": "轴孔", ", ": "，"}
+    monkeypatch.setattr("cadgen.messages._catalogue", lambda language: known)
+    message = Message("{part} and {angle:.1f}°", part=Message("bore"), angle=3.14)
+    assert translate(message, CHINESE) == "3.1°，轴孔"
+    assert translate(message, "en") == "bore and 3.1°"
+    both = joined([message, Message("bore"), "m6"])
+    assert both == "bore and 3.1°, bore, m6"
+    assert translate(both, CHINESE) == "3.1°，轴孔，轴孔，m6"
+    assert translate(pickle.loads(pickle.dumps(both)), CHINESE) == "3.1°，轴孔，轴孔，m6"
+    assert translate(7, CHINESE) == 7
+
+
+@pytest.mark.parametrize(
+    ("environment", "code"),
+    [
+        ({}, "en"),
+        ({"LANG": "zh_CN.UTF-8"}, "zh"),
+        ({"LANG": "zh_CN.UTF-8", "LC_ALL": "C"}, "en"),
+        ({"LANGUAGE": "zh_TW:en", "LANG": "de_DE"}, "zh"),
+        ({"LANG": "fr_FR"}, "en"),
+    ],
+)
+def test_the_environment_states_the_language(environment, code):
+    assert language_of(environment) == code
+
+
+def test_every_text_has_its_chinese():
+    known = {entry.msgid for entry in entries(CHINESE) if entry.msgstr}
+    missing = {template: file for template, file in used().items() if template not in known}
+    assert not missing, f"run: python -m tests.catalogue {CHINESE}\n{missing}"
+
+
+def test_translations_keep_the_arguments_of_their_texts():
+    wrong = [entry.msgid for entry in entries(CHINESE) if fields(entry.msgid) != fields(entry.msgstr)]
+    assert not wrong
+
+
+def test_no_text_is_translated_in_two_ways():
+    seen: dict[str, str] = {}
+    twice = [e.msgid for e in entries(CHINESE) if seen.setdefault(e.msgid, e.msgstr) != e.msgstr]
+    assert not twice
