@@ -64,7 +64,7 @@ class Editor:
         return Design.from_toml(self.session.now.text, self.session.name)
 
     def serve(self, port: int = 0, *, browser: bool = True, show: Callable[[str], object] = print) -> None:
-        """Serve the page on 127.0.0.1 until Ctrl-C; it needs the extra `cadgen[edit]`.
+        """Serve the page on 127.0.0.1 until Ctrl-C; it needs the extra `edit`.
 
         The processes that compute begin anew, so that a script calls this under `if __name__ == "__main__":`.
 
@@ -84,6 +84,7 @@ class Editor:
             if (error.name or "").partition(".")[0] not in _EXTRA:
                 raise
             raise DesignError(
-                f'the editor needs {error.name}, which is not installed: pip install "cadgen[edit]" installs it'
+                f"the editor needs {error.name}, which is not installed: "
+                "pip install '.[edit]' in cadgen's folder installs it"
             ) from None
         serve(self.session, number, show, browser=browser)

@@ -23,7 +23,7 @@ def edit(design: str | None, overrides: tuple[str, ...], port: int, no_browser: 
     part stays. Saving writes the design's file, where comments stay. Of a packaged design a copy is edited, which is
     saved under a name of its own in the current folder.
 
-    Ctrl-C ends it. It needs the extra cadgen[edit].
+    Ctrl-C ends it. It needs an extra: pip install '.[edit]' in cadgen's folder.
     """
     from cadgen.api.editor import Editor
 

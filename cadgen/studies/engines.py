@@ -110,7 +110,9 @@ class Cluster(Given):
         try:
             from dask.distributed import Client
         except ImportError:
-            raise DesignError("a scheduler needs dask.distributed: pip install 'cadgen[cluster]'") from None
+            raise DesignError(
+                "a scheduler needs dask.distributed: pip install '.[cluster]' in cadgen's folder"
+            ) from None
         named = {"scheduler_file": address} if address.endswith(".json") else {"address": address}
         try:
             self._client = Client(**named, timeout=self._PATIENCE_S, set_as_default=False)

@@ -19,7 +19,7 @@ from cadgen.version import __version__
 
 _MOST_SHOWN, _MOST_OF_FRONT = 3000, 500  # designs in pictures
 _MOST_JUDGED = 20_000  # designs for the effects of keys
-_NO_PYARROW = "pyarrow is not installed: pip install 'cadgen[explore]'"
+_NO_PYARROW = "pyarrow is not installed: pip install '.[explore]' in cadgen's folder"
 
 
 @dataclass(frozen=True)

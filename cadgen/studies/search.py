@@ -35,7 +35,7 @@ class Search:
             from pymoo.core.problem import Problem
         except ImportError:
             raise DesignError(
-                "a search by nsga2 needs pymoo: pip install 'cadgen[explore]', or take the plan sobol"
+                "a search by nsga2 needs pymoo: pip install '.[explore]' in cadgen's folder, or take the plan sobol"
             ) from None
         self._problem = Problem(n_var=dimensions, n_obj=objectives, n_ieq_constr=1, xl=0.0, xu=1.0)
         self._search: Any = NSGA2(pop_size=population)

@@ -117,9 +117,18 @@ def link_names(app: Sphinx, tree: nodes.document) -> None:
             link += literal
 
 
+_STUDY = re.compile(r"\[([^\]]+)\]\((?:\.\./)+(studies/\w+\.md)\)")
+
+
+def name_studies(app: Sphinx, page: str, source: list[str]) -> None:
+    """Name a study by its file in the repository, where a page links it: studies are no pages of the site."""
+    source[0] = _STUDY.sub(r"\1 (`\2`)", source[0])
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Have the pages written before the sources are read, and docstrings turned when they are."""
     app.connect("builder-inited", write_pages)
+    app.connect("source-read", name_studies)
     app.connect("autodoc-process-docstring", as_rst, priority=900)
     app.connect("autodoc-process-signature", shorten)
     app.connect("doctree-read", link_names)

@@ -14,6 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
+STUDIES = ROOT / "studies"
 # The README's first block installs the program; `.ci/run` runs it.
 INSTALL = "python3 -m venv"
 
@@ -40,8 +41,8 @@ class Block:
 
 
 def pages() -> list[Path]:
-    """List README and every page in the repository, the tutorial first, for others use its files."""
-    found = [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]
+    """List README, pages and studies, the tutorial first, for others use its files."""
+    found = [ROOT / "README.md", *sorted(DOCS.rglob("*.md")), *sorted(STUDIES.glob("*.md"))]
     return sorted(found, key=lambda page: page.name != "tutorial.md")
 
 

@@ -15,7 +15,7 @@ import cadgen
 from cadgen.cli import cli
 from cadgen.design.load import load_design, load_train
 from cadgen.studies.read import read_study
-from tests.docs.blocks import DOCS, INSTALL, ROOT, Block, Workshop, blocks, pages, same
+from tests.docs.blocks import DOCS, INSTALL, ROOT, STUDIES, Block, Workshop, blocks, pages, same
 from tests.forks import MAIN
 
 PAGES = {str(page.relative_to(ROOT)): page for page in pages()}
@@ -184,6 +184,39 @@ def test_the_version_to_cite_is_that_of_the_package() -> None:
     assert f"\nversion: {cadgen.__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
 
 
+def test_the_distribution_is_not_the_strangers_of_the_same_name() -> None:
+    """The public index has another project called cadgen, with the same import."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["name"] == "cadgen-cams"
+    assert list(project["scripts"]) == ["cadgen"]
+    groups = [project["dependencies"], *project["optional-dependencies"].values()]
+    ours = {
+        re.split(r"[\[<>=~! ]", requirement)[0]
+        for group in groups
+        for requirement in group
+        if requirement.startswith("cadgen")
+    }
+    assert ours == {"cadgen-cams"}
+    assert "`cadgen-cams`" in (ROOT / "README.md").read_text(encoding="utf-8")
+    assert "`cadgen-cams`" in (ROOT / "README.zh-CN.md").read_text(encoding="utf-8")
+
+
+def test_nothing_asks_to_install_the_stranger() -> None:
+    """`pip install ".[edit]"` in the clone, never by a name that the index gives to others."""
+    kinds = {".py", ".md", ".mjs", ".js", ".ts", ".json", ".toml", ".po", ".html", ".css"}
+    folders = ("cadgen", "designs", "docs", "page", "studies", "tests", "benchmarks")
+    files = [file for folder in folders for file in (ROOT / folder).rglob("*") if file.suffix in kinds]
+    files += [file for file in ROOT.iterdir() if file.suffix in kinds]
+    stranger = re.compile(r"(?:pip|pipx|uv|uvx)\s+(?:\w+\s+)?['\"]?cadgen(?!-cams)\b|\bcadgen\[[a-z]+\]")
+    found = [
+        f"{file.relative_to(ROOT)}: {match[0]}"
+        for file in files
+        if "node_modules" not in file.parts
+        for match in stranger.finditer(file.read_text(encoding="utf-8", errors="replace"))
+    ]
+    assert not found
+
+
 def test_terms_are_in_the_glossary() -> None:
     glossary = (DOCS / "glossary.md").read_text(encoding="utf-8")
     rows = re.findall(r"^### (.*)\n(.*)", glossary, re.M)
@@ -258,7 +291,7 @@ def test_the_contributors_page_has_every_room() -> None:
 def test_files_named_in_the_pages_exist() -> None:
     for name, page in PAGES.items():
         text = page.read_text(encoding="utf-8")
-        for path in re.findall(r"`((?:docs|tests|cadgen|designs|benchmarks)/[\w./-]+\.\w+)`", text):
+        for path in re.findall(r"`((?:docs|studies|tests|cadgen|designs|benchmarks)/[\w./-]+\.\w+)`", text):
             assert (ROOT / path).exists(), f"{name}: {path}"
         for module in set(re.findall(r"python -m ((?:tests|docs|cadgen)\.[\w.]+)", text)) - {"tests.studies.NAME"}:
             assert (ROOT / (module.replace(".", "/") + ".py")).exists(), f"{name}: {module}"
@@ -325,3 +358,22 @@ def test_ci_builds_the_site_and_stops_at_warnings() -> None:
     script = (ROOT / ".ci/run").read_text(encoding="utf-8")
     assert "set -euo pipefail" in script
     assert re.search(r'^if ! "\$bin/sphinx-build" -W --keep-going .* docs .*\n.*\n    exit 1\n', script, re.M)
+
+
+def test_links_to_studies_lead_to_their_pages() -> None:
+    """The site's build does not see them: studies are no pages of it, but each is listed in their index."""
+    found = {
+        (page.parent / target).resolve()
+        for page in PAGES.values()
+        for target in re.findall(r"\]\(((?:\.\./)*studies/\w+\.md)\)", page.read_text(encoding="utf-8"))
+    }
+    assert (STUDIES / "README.md") in found
+    assert not [page for page in found if not page.is_file()]
+    listed = set(re.findall(r"\]\((\w+\.md)\)", (STUDIES / "README.md").read_text(encoding="utf-8")))
+    assert listed == {page.name for page in STUDIES.glob("*.md")} - {"README.md"}
+
+
+def test_slices_of_studies_stay_apart_from_the_suite() -> None:
+    """They are run by `pytest -m study`, and by `.ci/run` among the long tests."""
+    assert '("study", "long", "slow")' in (ROOT / "tests/studies/conftest.py").read_text(encoding="utf-8")
+    assert '"$bin/pytest" -m long' in (ROOT / ".ci/run").read_text(encoding="utf-8")

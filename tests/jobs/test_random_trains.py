@@ -1,4 +1,4 @@
-"""A slice of the study of random trains and searches; the whole is recorded in docs/studies/trains.md."""
+"""A slice of the study of random trains and searches; the whole is recorded in studies/trains.md."""
 
 import pytest
 

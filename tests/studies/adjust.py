@@ -25,7 +25,7 @@ from cadgen.design.load import load_design
 from cadgen.inference.adjustment.trial import Settings, Trial
 from cadgen.jobs.adjustment.plan import Bench, Wanted
 from cadgen.jobs.cam.plan import comparison_of, plan_cam
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 from tests.studies.friction_truth import CELLS, DEG, TURN, FrictionCar, World
 from tests.studies.journal import outcomes, share, stamp
 
@@ -235,7 +235,7 @@ def main() -> None:
         *head,
         *rows,
     ]
-    tell("\n".join(text), DOCS / "adjust.md" if chosen.record else None)
+    tell("\n".join(text), PAGES / "adjust.md" if chosen.record else None)
 
 
 if __name__ == "__main__":

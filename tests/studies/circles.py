@@ -246,14 +246,14 @@ def page(outcomes: Sequence[Outcome], command: str) -> str:
 
 def main() -> None:
     """Run the study."""
-    from tests.studies.command import DOCS, options, tell
+    from tests.studies.command import PAGES, options, tell
     from tests.studies.journal import outcomes
 
     chosen = options(__doc__, cases=40)
     keys = [(chosen.seed, number) for number in range(chosen.cases)]
     found = [Outcome(**one) for one in outcomes(kept, keys, chosen.log, chosen.processes)]
     command = f"python -m tests.studies.circles --cases {chosen.cases} --seed {chosen.seed} --record"
-    tell(page(found, command), DOCS / "circles.md" if chosen.record else None)
+    tell(page(found, command), PAGES / "circles.md" if chosen.record else None)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-DOCS = Path(__file__).parents[2] / "docs" / "studies"
+PAGES = Path(__file__).parents[2] / "studies"
 
 
 def options(description: str | None, *, cases: int, seed: int = 1) -> argparse.Namespace:
@@ -13,7 +13,7 @@ def options(description: str | None, *, cases: int, seed: int = 1) -> argparse.N
     parser.add_argument("--seed", type=int, default=seed)
     parser.add_argument("--log", type=Path, help="keep each case here as it comes, and skip what it holds already")
     parser.add_argument("--processes", type=int, default=1, help="cases at once")
-    parser.add_argument("--record", action="store_true", help=f"write the page in {DOCS.parent.name}/{DOCS.name}")
+    parser.add_argument("--record", action="store_true", help=f"write the page in {PAGES.name}/")
     return parser.parse_args()
 
 

@@ -25,7 +25,7 @@ from cadgen import __version__
 from cadgen.api.exploration import explore
 from cadgen.studies import files
 from tests.exploration import cheap
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 
 DESIGNS = 3000
 RECORD = ("cheap_millisecond_mm", "cheap_crash_mm")
@@ -153,7 +153,7 @@ disturbed, and by the journal, which must have each design once.
 
 - Cases that failed: {len(failed)}.
 {chr(10).join(lines)}"""
-    tell(page.rstrip() + "\n", DOCS / "explore_kills.md" if chosen.record else None)
+    tell(page.rstrip() + "\n", PAGES / "explore_kills.md" if chosen.record else None)
     sys.exit(bool(failed))
 
 

@@ -19,7 +19,7 @@ from time import process_time
 from cadgen import __version__
 from cadgen.api.exploration import explore
 from tests.exploration import cheap
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 
 MOST_MB, MOST_OVERHEAD_MS = 500.0, 2.0
 ROOT = Path(__file__).parents[2]
@@ -85,7 +85,7 @@ table as CSV and Parquet, pictures and the best designs.
   and {write_us:.0f} µs for its place in the files.
 - With tasks of one millisecond an evaluation costs {overhead:.2f} ms more than its task (bar: {MOST_OVERHEAD_MS:g} ms).
 """
-    tell(page, DOCS / "explore_load.md" if chosen.record else None)
+    tell(page, PAGES / "explore_load.md" if chosen.record else None)
     sys.exit(load.peak_mb > MOST_MB or overhead > MOST_OVERHEAD_MS)
 
 

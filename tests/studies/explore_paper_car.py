@@ -16,7 +16,7 @@ from cadgen.studies.front import front, ranked
 from cadgen.studies.journal import Journal
 from cadgen.studies.read import study_of
 from cadgen.studies.study import Study
-from tests.studies.command import DOCS, tell
+from tests.studies.command import PAGES, tell
 
 HAND_MADE_MM = 306.1  # worst end of the packaged car with its optimized cam, `cadgen optimize`
 LEAST_GAIN = 0.4
@@ -34,7 +34,7 @@ def main() -> None:
     study = study_of(header.study, header.text, header.source, header.name)
     rows = [journal.row(number) for number in journal.numbers.tolist()]
     text = page(study, rows, journal.seconds, len(journal.paths))
-    tell(text, DOCS / "explore_paper_car.md" if chosen.record else None)
+    tell(text, PAGES / "explore_paper_car.md" if chosen.record else None)
 
 
 def page(study: Study, rows: Sequence[Row], seconds: float, paths: int) -> str:

@@ -25,7 +25,7 @@ from cadgen.studies import work
 from cadgen.studies.journal import Journal
 from cadgen.studies.work import Sizes
 from tests.exploration import cheap
-from tests.studies.command import DOCS, tell
+from tests.studies.command import PAGES, tell
 
 BAR = 0.9
 MESSAGE_S = 1e-3
@@ -169,7 +169,7 @@ from the start, and none dies. No such cluster was used.
 
 The bar is {100 * BAR:g} %; the least is {100 * worst:.1f} %.
 """
-    tell(page, DOCS / "explore_workers.md" if chosen.record else None)
+    tell(page, PAGES / "explore_workers.md" if chosen.record else None)
     sys.exit(worst < BAR)
 
 

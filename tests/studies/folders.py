@@ -29,7 +29,7 @@ from pathlib import Path
 
 from cadgen import __version__
 
-DOCS = Path(__file__).parents[2] / "docs" / "studies"
+PAGES = Path(__file__).parents[2] / "studies"
 OPERATIONS = ("os.rename", "os.mkdir", "os.rmdir", "os.remove", "fcntl.flock", "shutil.copyfile")
 LETTERS = "abcdef"
 
@@ -298,7 +298,7 @@ def main() -> None:
     parser.add_argument("--cases", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--commands", action="store_true", help="run cadgen tolerance, not only what publishes")
-    parser.add_argument("--record", action="store_true", help="write docs/studies/folders.md")
+    parser.add_argument("--record", action="store_true", help="write studies/folders.md")
     parser.add_argument("--show", type=int, help="only this case")
     options = parser.parse_args()
     _load(commands=options.commands)
@@ -317,9 +317,9 @@ def main() -> None:
     lines = report(options.cases, options.seed, options.commands, states, failed)
     print(lines)
     if options.record:
-        DOCS.mkdir(parents=True, exist_ok=True)
+        PAGES.mkdir(parents=True, exist_ok=True)
         name = "folders_commands.md" if options.commands else "folders.md"
-        (DOCS / name).write_text(lines, encoding="utf-8")
+        (PAGES / name).write_text(lines, encoding="utf-8")
 
 
 def _load(*, commands: bool) -> None:

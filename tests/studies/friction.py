@@ -34,7 +34,7 @@ ENDS = tuple(np.radians([0.512, 0.962]))
 PLAYS = np.radians([0.512, 0.737, 0.962])
 FRICTIONS = (0.0, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6)
 BUMPS = 12
-DOCS = Path("docs")
+PICTURES = Path("docs/pictures")
 
 
 def car() -> Task:
@@ -137,7 +137,7 @@ def draw(found: dict[str, list[float]], ball: float, file: Path) -> None:
 def main() -> None:
     """Run the study and print, or record, its table and picture."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--record", action="store_true", help="write docs/studies/friction.md and its picture")
+    parser.add_argument("--record", action="store_true", help="write studies/friction.md and its picture")
     args = parser.parse_args()
     task = car()
     found, ball = curves(task), bearing(task)
@@ -161,15 +161,14 @@ def main() -> None:
             f"The best dilation for frictions of 0.05 to 0.30 has its worst end {start:.0f} mm off. A search from",
             f"there, over {BUMPS} smooth bumps of the lift round the turn (Powell's method), reached {reached:.0f} mm.",
             "",
-            "![worst end of the run against friction](../pictures/friction.svg)",
+            "![worst end of the run against friction](../docs/pictures/friction.svg)",
             "",
         ]
     )
     print(text)
     if args.record:
-        (DOCS / "pictures").mkdir(exist_ok=True)
-        draw(found, ball, DOCS / "pictures" / "friction.svg")
-        (DOCS / "studies" / "friction.md").write_text(text)
+        draw(found, ball, PICTURES / "friction.svg")
+        Path("studies/friction.md").write_text(text)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 from tests.studies.friction_truth import DEG, STEP_DEG, FrictionCar, World
 from tests.studies.journal import outcomes, stamp
 
@@ -242,7 +242,7 @@ def main() -> None:
     """Run, print and record."""
     chosen = options(__doc__, cases=60)
     found = run(chosen.seed, chosen.cases, chosen.log, chosen.processes)
-    tell(page(chosen.seed, chosen.cases, found), DOCS / "friction_cars.md" if chosen.record else None)
+    tell(page(chosen.seed, chosen.cases, found), PAGES / "friction_cars.md" if chosen.record else None)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
 
 Every case runs in a fork of a process that has the program's modules loaded, through `cadgen.cli.main`, and is judged
 by what a user sees: exit code, sentences, processor time, memory. With `--log` each outcome is kept in a file as it
-comes; the same command again does what is missing, and `--record` writes what the log holds to `docs/studies`. A fault
+comes; the same command again does what is missing, and `--record` writes what the log holds to `studies`. A fault
 is reproduced by `--show NUMBER`, which leaves the case's files in the folder `fuzz_case` and prints its command.
 """
 
@@ -52,7 +52,7 @@ ADDRESS_SPACE = 6 * 2**30  # beyond which a run is ended; libraries reserve more
 LONGEST_LINE, MOST_LINES = 900, 7
 PROFILES = codes()
 KERNEL_COMMANDS = ("cam", "gears")
-DOCS = Path(__file__).parents[2] / "docs" / "studies"
+PAGES = Path(__file__).parents[2] / "studies"
 
 
 @dataclass(frozen=True)
@@ -224,7 +224,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--log", type=Path, help="keep each outcome here, and skip what it holds already")
-    parser.add_argument("--record", action="store_true", help="write docs/studies/fuzz_COMMAND.md")
+    parser.add_argument("--record", action="store_true", help="write studies/fuzz_COMMAND.md")
     parser.add_argument("--show", type=int, metavar="NUMBER", help="only write this case and print its command")
     given = parser.parse_args()
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
@@ -252,8 +252,8 @@ def main() -> None:
     print(table(every))
     print(f"{time.monotonic() - begun:.0f} s", file=sys.stderr)
     if given.record:
-        DOCS.mkdir(parents=True, exist_ok=True)
-        (DOCS / f"fuzz_{given.command}.md").write_text(report(given.command, given.seed, every))
+        PAGES.mkdir(parents=True, exist_ok=True)
+        (PAGES / f"fuzz_{given.command}.md").write_text(report(given.command, given.seed, every))
     sys.exit(1 if any(one.faults for one in every) else 0)
 
 

@@ -11,9 +11,9 @@ import argparse
 from math import degrees
 
 from cadgen import Design, __version__
-from tests.studies.command import DOCS, tell
+from tests.studies.command import PAGES, tell
 
-REPORT = DOCS / "laps.md"
+REPORT = PAGES / "laps.md"
 MOST_MM, MOST_DEG, LEAST_OFF = 0.01, 0.001, 0.95
 
 

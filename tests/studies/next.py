@@ -189,14 +189,14 @@ def _mm(size: float) -> str:
 
 def main() -> None:
     """Run the study."""
-    from tests.studies.command import DOCS, options, tell
+    from tests.studies.command import PAGES, options, tell
     from tests.studies.journal import outcomes
 
     chosen = options(__doc__, cases=100)
     keys = [(chosen.seed, number) for number in range(chosen.cases)]
     found = [Outcome(**one) for one in outcomes(kept, keys, chosen.log, chosen.processes)]
     command = f"python -m tests.studies.next --cases {chosen.cases} --seed {chosen.seed} --record"
-    tell(page(found, command), DOCS / "next.md" if chosen.record else None)
+    tell(page(found, command), PAGES / "next.md" if chosen.record else None)
 
 
 if __name__ == "__main__":

@@ -28,14 +28,14 @@ from cadgen.errors import CadgenError
 from cadgen.jobs.cam.files import write_cam
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
 from cadgen.output.files.points import read_xyz, write_xyz
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 from tests.studies.paths_truth import TURN, Truth
 
 KINDS = ("dense", "straight", "dwelling", "rippling", "blend")
 PRESSURE_LIMIT = radians(35)
 LOST_LIMIT_UM = 1.0
 CUTTER = 2.0
-RECORD = DOCS / "paths.md"
+RECORD = PAGES / "paths.md"
 
 
 @dataclass(frozen=True)

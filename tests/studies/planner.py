@@ -21,9 +21,9 @@ import numpy as np
 from cadgen import Design, __version__
 from cadgen.api.planning import Plan
 from cadgen.design import cam_model
-from tests.studies.command import DOCS
+from tests.studies.command import PAGES
 
-REPORT = DOCS / "planner.md"
+REPORT = PAGES / "planner.md"
 # Gates' radius or distance from the given path (mm): what a first direct collocation reached, as given and reordered.
 GATES = {0.001: (214, 161), 25.0: (190, 143), 50.0: (173, 130), 100.0: (146, None)}
 NEAR = {10.0: 237, 25.0: 205, 50.0: 183}

@@ -28,7 +28,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import follow
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.curves.hermite import quintic_hermite
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 
 STEPS = 36000  # of the grid: a hundredth of a degree
 ROD = LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5)
@@ -37,7 +37,7 @@ MOTION_LIMIT = 5e-5
 # Of tan(beta) summed along the run, rad; what play does to a lift is some 3e-3 for each fall. The plateaus fall by 5 um
 # and the valleys are rounded.
 CLOSING_LIMIT = 5e-5
-REPORT = DOCS / "play.md"
+REPORT = PAGES / "play.md"
 
 
 @dataclass(frozen=True)

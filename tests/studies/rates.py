@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 from tests.studies.journal import Key, outcomes, share, stamp
 
 KINDS = ("lift", "profile", "transmission", "track")
@@ -183,7 +183,7 @@ def main() -> None:
         "|---|---|---|---|---|---|---|---|---|",
         *wanting(found),
     ]
-    tell("\n".join(text), DOCS / "rates.md" if chosen.record else None)
+    tell("\n".join(text), PAGES / "rates.md" if chosen.record else None)
 
 
 if __name__ == "__main__":

@@ -17,10 +17,10 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from math import ceil, isclose
 
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 from tests.studies.trains_truth import Pair, Wheel, best_train, errors, fits_as_given, given_pairs, height_of, in_mesh
 
-RECORD = DOCS / "trains.md"
+RECORD = PAGES / "trains.md"
 
 # ---------------------------------------------------------------- cases
 

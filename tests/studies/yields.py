@@ -14,10 +14,10 @@ from cadgen import Design, __version__
 from cadgen.design import variation
 from cadgen.inference.monte_carlo.robust import watched_run
 from cadgen.jobs.runs.tolerance import ToleranceRun, comparison_of, watched_fleet
-from tests.studies.command import DOCS, options, tell
+from tests.studies.command import PAGES, options, tell
 from tests.studies.planner import gates
 
-REPORT = DOCS / "yields.md"
+REPORT = PAGES / "yields.md"
 GATE, WITHIN = 50.0, (10.0, 25.0, 50.0)  # mm: of the packaged design's gates, and from its path
 MODES = (("by play alone", 0.0), ("by yield", None))
 FEW = 1000  # cars that are held against each gate alone

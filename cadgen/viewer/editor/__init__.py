@@ -20,5 +20,5 @@
 | `running`   | the server from its first line to Ctrl-C                                  |
 
 The page's second script has its sources in `page/src/edit`. `guard`, `server` and `running` alone import the libraries
-of the extra `cadgen[edit]`.
+of the extra `edit`.
 """

@@ -22,7 +22,7 @@ def field():
 @pytest.mark.slow
 @pytest.mark.long
 def test_cars_end_near_after_two_trial_runs(field):
-    """Six of the study's cars, which docs/studies/adjust.md has by the hundred."""
+    """Six of the study's cars, which studies/adjust.md has by the hundred."""
     results = [case(field, 7, number) for number in range(CARS)]
     errors = np.array([errors for errors, _, _ in results])
     print("\n".join(f"{a:.0f} -> {b:.0f} -> {c:.0f} mm, promised {p:.0f} to 95 %" for (a, b, c), _, p in results))

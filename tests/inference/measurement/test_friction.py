@@ -41,7 +41,7 @@ def forces(carbon_free_car):
 
 @pytest.mark.slow
 def test_a_track_tells_apart_play_and_friction():
-    # A slice of the study that docs/studies/friction_cars.md records.
+    # A slice of the study that studies/friction_cars.md records.
     made, told = case(1, 10, 60).car, judged(1, 10, 60)
     assert made.friction > 0.05
     assert told.told_apart

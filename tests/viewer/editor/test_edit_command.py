@@ -23,7 +23,7 @@ def no_server(monkeypatch):
 
 
 def test_without_the_extra_a_sentence_says_what_to_install(no_server, file):
-    with pytest.raises(DesignError, match=r'needs uvicorn, which is not installed: pip install "cadgen\[edit\]"'):
+    with pytest.raises(DesignError, match=r"needs uvicorn, which is not installed: pip install '\.\[edit\]'"):
         Editor.open(file).serve()
 
 

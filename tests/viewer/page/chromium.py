@@ -23,7 +23,7 @@ def chromium_path() -> str:
     path = os.environ.get("CADGEN_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
     if path is None:
         pytest.skip("no Chromium: install your system's, or name one in CADGEN_CHROMIUM")
-    pytest.importorskip("playwright.sync_api", reason="no playwright: install cadgen[test]")
+    pytest.importorskip("playwright.sync_api", reason="no playwright: pip install '.[test]' in the clone")
     return path
 
 
@@ -34,7 +34,7 @@ def serious_faults(page, *parts):
         page: page in the browser.
         parts: selector of each part.
     """
-    sync = pytest.importorskip("axe_playwright_python.sync_playwright", reason="no axe: install cadgen[test]")
+    sync = pytest.importorskip("axe_playwright_python.sync_playwright", reason="no axe: pip install '.[test]'")
     return [
         (violation["id"], [node["target"] for node in violation["nodes"]][:4])
         for violation in sync.Axe().run(page, context=[[part] for part in parts] or None).response["violations"]
