@@ -23,7 +23,7 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve, lift_curve
 from cadgen.car.path.spline import plan_path
 from cadgen.car.path.track import Track, offset_track
-from cadgen.car.steering.car import Car, steering_jets
+from cadgen.car.steering import Car, steering_jets
 from tests.forks import Forks
 
 # A submission is judged on the same random examples every time; at the desk each run tries others. No test has a

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from cadgen.car.path.kinds.table import codes, kind_of
+from cadgen.car.path.path_kinds import codes, kind_of
 from cadgen.design.keys import tables
 from cadgen.design.kinds import Kinds
 

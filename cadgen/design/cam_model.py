@@ -17,8 +17,7 @@ from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.car.course.names import Side
 from cadgen.car.path.spline import PlannedPath
 from cadgen.car.path.track import Track, offset_track
-from cadgen.car.steering.car import Car, steering_jets
-from cadgen.car.steering.slip import by_rim, rim_travel
+from cadgen.car.steering import Car, by_rim, rim_travel, steering_jets
 from cadgen.design import blank as keys
 from cadgen.design import gear_model
 from cadgen.design.schema import Design

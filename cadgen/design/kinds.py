@@ -4,8 +4,7 @@ from dataclasses import dataclass
 
 from cadgen.cam.followers.kind import FollowerKind
 from cadgen.cam.followers.rod_kind import ROD
-from cadgen.car.path.kinds.kind import PathKind
-from cadgen.car.path.kinds.quintic import QUINTIC
+from cadgen.car.path.path_kinds import QUINTIC, PathKind
 from cadgen.design.follower import FOLLOWER
 from cadgen.design.path import PATH
 from cadgen.design.stage import stage_kinds

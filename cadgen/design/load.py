@@ -8,7 +8,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from cadgen.car.path.kinds.b_spline import B_SPLINE
+from cadgen.car.path.path_kinds import B_SPLINE
 from cadgen.design.explain import explain
 from cadgen.design.kinds import NamedKinds, Place
 from cadgen.design.names import usable_name

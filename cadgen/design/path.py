@@ -5,9 +5,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
-from cadgen.car.path.kinds.kind import PathKind
-from cadgen.car.path.kinds.quintic import QUINTIC
-from cadgen.car.path.kinds.table import codes, kind_of
+from cadgen.car.path.path_kinds import QUINTIC, PathKind, codes, kind_of
 from cadgen.design.section import ByKind, OneOf, Section, keys_in, listed, section_with
 
 MOST_LAPS = 100

@@ -3,8 +3,7 @@
 from math import degrees
 
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
-from cadgen.car.path.kinds.kind import PathKind
-from cadgen.car.path.kinds.table import codes, kind_of
+from cadgen.car.path.path_kinds import PathKind, codes, kind_of
 from cadgen.design.keys import Key, Table, last, shown, tables
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import DEFAULT_DESIGN, packaged_designs

@@ -10,7 +10,7 @@ from annotated_types import Ge, Le
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, Strict, create_model, model_validator
 from pydantic_core import CoreSchema, core_schema
 
-from cadgen.car.path import names
+from cadgen.car.path import path_kinds
 
 FARTHEST_MM = 1e6  # one kilometre; a coordinate beyond it is a slip of unit
 
@@ -134,7 +134,7 @@ def _as_read(hint: Any) -> Any:
     arguments = get_args(hint)
     if is_word(arguments[0]):
         return Annotated[(*arguments, WORD)]
-    return Annotated[(Points, *arguments[1:])] if arguments[0] == names.Points else hint
+    return Annotated[(Points, *arguments[1:])] if arguments[0] == path_kinds.Points else hint
 
 
 def keys_in(section: Section, keys: type[Any]) -> Any:

@@ -14,7 +14,7 @@ from cadgen.arrays import Array
 from cadgen.cam.contact import roll
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.rolled import Contact
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.curves.moved import moved
 from cadgen.deviations import quantities

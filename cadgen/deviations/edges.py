@@ -11,7 +11,7 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import drive, turns_of
 from cadgen.car.motion.sampled import rolled_lift
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.as_built import AsBuilt

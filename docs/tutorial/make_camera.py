@@ -16,7 +16,7 @@ import numpy as np
 from cadgen.cam.lift import lift_curve
 from cadgen.car.path.spline import plan_path
 from cadgen.car.path.track import offset_track
-from cadgen.car.steering.car import Car, steering_jets
+from cadgen.car.steering import Car, steering_jets
 from tests.inference.measurement.synthetic_drive import Wheels, track_record
 
 HERE = Path(__file__).parent

@@ -16,7 +16,7 @@ from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.car.optimize.smoothing import smoothed_lift
-from cadgen.car.steering.car import steering_jets
+from cadgen.car.steering import steering_jets
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub
 

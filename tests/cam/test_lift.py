@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cadgen.cam.lift import lift_curve
-from cadgen.car.steering.car import steering_jets
+from cadgen.car.steering import steering_jets
 from cadgen.curves.hermite import quintic_hermite
 from cadgen.errors import DesignError
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from annotated_types import Gt, Le
 
-from cadgen.car.path.kinds import table
-from cadgen.car.path.kinds.kind import PathKind
+from cadgen.car.path import path_kinds
+from cadgen.car.path.path_kinds import PathKind
 from cadgen.car.path.spline import control_path
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
@@ -56,11 +56,11 @@ def spiral(keys: SpiralKeys):
 
 def test_a_kind_of_path_is_one_file_and_one_line():
     kind = PathKind(code="spiral", meaning="a spiral", keys=SpiralKeys, build=spiral)
-    table.register(kind)
+    path_kinds.register(kind)
     try:
         design = load_design(None, ["path=", "path.spline=spiral", "path.growth_mm=300"])
         assert cam_model.track(design).length > 4 * 300 * 2
         with pytest.raises(DesignError, match=r"path.growth_mm is -1; it must be greater than 0"):
             load_design(None, ["path=", "path.spline=spiral", "path.growth_mm=-1"])
     finally:
-        table.remove(kind)
+        path_kinds.remove(kind)

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from cadgen.car.path.kinds.table import codes, kind_of
+from cadgen.car.path.path_kinds import codes, kind_of
 from cadgen.design.keys import keys, last, tables
 from cadgen.design.kinds import Kinds
 from cadgen.design.load import load_design

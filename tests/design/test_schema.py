@@ -11,8 +11,7 @@ from pydantic import ValidationError
 
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS
-from cadgen.car.path.kinds.b_spline import B_SPLINE
-from cadgen.car.path.kinds.table import codes
+from cadgen.car.path.path_kinds import B_SPLINE, codes
 from cadgen.car.path.spline import DEGREE, MIN_WAYPOINTS, SplineKind
 from cadgen.design.blank import Blank, Lightening
 from cadgen.design.follower import section_of

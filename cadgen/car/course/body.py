@@ -7,7 +7,7 @@ from math import hypot
 
 from cadgen.car.course.course import Point
 from cadgen.car.course.names import CarPoint
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 
 
 class PartName(StrEnum):

@@ -10,7 +10,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.car.course.body import place_of
 from cadgen.car.course.course import Gate
 from cadgen.car.course.poses import Complex, Poses
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 
 
 @dataclass(frozen=True, kw_only=True)

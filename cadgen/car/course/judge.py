@@ -12,7 +12,7 @@ from cadgen.car.course.gates import Passage, passages, turned_by
 from cadgen.car.course.names import CarPoint, Side
 from cadgen.car.course.poses import Poses
 from cadgen.car.course.sweep import Approach, approach, approach_to_edge
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 
 
 @dataclass(frozen=True, kw_only=True)

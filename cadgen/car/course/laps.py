@@ -10,7 +10,7 @@ from cadgen.car.course.judge import Driven, judge
 from cadgen.car.course.names import Side
 from cadgen.car.course.poses import Poses
 from cadgen.car.course.sweep import Approach
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 
 # Share of a lap before its start and behind its end in which its gates may be passed: with play a car is early or late.
 _BESIDE = 0.05

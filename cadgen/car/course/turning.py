@@ -7,7 +7,7 @@ import numpy as np
 from cadgen.car.course.body import Body
 from cadgen.car.course.course import Shape
 from cadgen.car.course.shapes import geometry
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 
 _NEARLY = 0.5  # mm
 

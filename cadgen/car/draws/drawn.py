@@ -8,7 +8,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.draws.knobs import Setting
-from cadgen.car.steering.car import Car, wheel_tangent
+from cadgen.car.steering import Car, wheel_tangent
 from cadgen.check import Bound, Check, CheckCode, failing
 
 _ROOM = (

@@ -10,7 +10,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.car.draws.knobs import COUNT, DISC, HEAD, HEADING, TRAVEL, Knobs, X, Y
 from cadgen.car.draws.steering import Steering
 from cadgen.car.motion.drive import MIDPOINT, Pose, driven
-from cadgen.car.steering.car import Car, wheel_tangent
+from cadgen.car.steering import Car, wheel_tangent
 
 Complex = NDArray[np.complex128]
 _ROUNDING = 1e-9  # rad

@@ -23,7 +23,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import LEAST_SWING, Following, follow
 from cadgen.car.path.track import Track
-from cadgen.car.steering.car import Car, wheel_curvature, wheel_pace, wheel_tangent
+from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_travel_ratio
 from cadgen.errors import DesignError
 
 STEPS = 3600  # of a turn: the position errs by less than 1e-5 mm on the paper's path
@@ -152,7 +152,7 @@ def driven(
     """
     widths = np.diff(nodes)[:, None]
     tangent = wheel(nodes[:-1, None] + widths * rule.nodes)
-    going = length / TURN * wheel_pace(tangent, car)
+    going = length / TURN * wheel_travel_ratio(tangent, car)
     turning = going * wheel_curvature(tangent, car) * widths
     heading = _summed(start.heading, turning)
     inside = heading[:-1, None] + turning @ rule.matrix.T

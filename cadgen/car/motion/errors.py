@@ -16,7 +16,7 @@ from cadgen.cam.follower import Follower
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import Run
 from cadgen.car.motion.play import LEAST_SWING, follow
-from cadgen.car.steering.car import Car, pace, track_curvature
+from cadgen.car.steering import Car, track_curvature, travel_ratio
 from cadgen.errors import DesignError
 
 GAUSS_POINTS = 8  # on every piece of the lift: exact to rounding, for pieces are half a degree wide
@@ -64,7 +64,7 @@ def turning(lift: LiftCurve, car: Car, length: float, start: float, stop: float)
     half = np.diff(edges) / 2
     theta = (edges[:-1] + half)[:, None] + half[:, None] * nodes
     tan_beta = lift.tan_beta(theta)
-    rate = track_curvature(tan_beta, car) * pace(tan_beta, car)
+    rate = track_curvature(tan_beta, car) * travel_ratio(tan_beta, car)
     return float(length / TURN * np.sum((rate @ weights) * half))
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from cadgen.car.course.poses import Poses
 from cadgen.car.motion.drive import Run
-from cadgen.car.steering.car import Car, wheel_tangent
+from cadgen.car.steering import Car, wheel_tangent
 
 
 def poses_of(run: Run, car: Car) -> Poses:

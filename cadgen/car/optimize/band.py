@@ -21,7 +21,7 @@ from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.play import LEAST_SWING, falls, follow
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.car.optimize.dilation import lost_dips
-from cadgen.car.steering.car import Car, pace, track_curvature
+from cadgen.car.steering import Car, track_curvature, travel_ratio
 from cadgen.errors import DesignError
 
 BAND_PLAYS = 5  # of the band at which errors are reported; the worst lies at an end unless the band is very wide
@@ -268,7 +268,7 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
         start, end = max(peak, 0.0), min(valley, stop)
         if start < end:
             tan_beta = lift.tan_beta(np.array([start, end]))
-            ends = rate * track_curvature(tan_beta, car) * pace(tan_beta, car)
+            ends = rate * track_curvature(tan_beta, car) * travel_ratio(tan_beta, car)
             rises.append(float(ends[1] - ends[0]))
             places.append(run.drive_wheel[(run.motor >= start) & (run.motor <= end)])
     angle = np.linspace(0.0, TURN, _DIRECTIONS, endpoint=False)

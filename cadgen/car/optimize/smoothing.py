@@ -23,7 +23,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.errors import deflection_sum, deflections
 from cadgen.car.motion.play import falls
 from cadgen.car.optimize.nodes import closed_lift, nodes_between
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 from cadgen.errors import DesignError
 
 PAPER_AIM = 0.2715  # share of the sum of deflection errors that the paper's smoothing takes off

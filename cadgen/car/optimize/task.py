@@ -13,7 +13,7 @@ from cadgen.car.motion.mechanics import Mechanics, MechanicsBand
 from cadgen.car.motion.play import LEAST_SWING, Following, follow
 from cadgen.car.optimize.band import Bound, PlayBand, best_for_band, fixed_profile_bound
 from cadgen.car.optimize.smoothing import smooth_to
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.gears.names import StageOrder
 

@@ -1,13 +1,13 @@
 """The planned path: a parametric spline through waypoints, or by control points."""
 
 from dataclasses import dataclass
+from enum import StrEnum
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import BSpline, make_interp_spline
 
 from cadgen.arrays import Array
-from cadgen.car.path.names import SplineKind
 from cadgen.errors import DesignError
 
 MIN_WAYPOINTS = 4  # the cubic's end slope is that of the cubic through the first four
@@ -16,6 +16,13 @@ MIN_CHORD_MM = 1e-6  # below this two waypoints are one, and the centripetal par
 _WAYPOINTS = "path.waypoints_mm", "waypoint"
 _CONTROL_POINTS = "path.control_points_mm", "point"
 DEGREE = 5  # of a path by control points: its rate of curvature is smooth, as that of the sixth-order spline
+
+
+class SplineKind(StrEnum):
+    """Spline through waypoints: of degree 5, with a continuous rate of curvature, or of 3, whose rate has kinks."""
+
+    QUINTIC = "quintic"
+    CUBIC = "cubic"
 
 
 @dataclass(frozen=True)
@@ -45,7 +52,7 @@ class PlannedPath:
         return np.stack([self.spline(u, nu=order) for order in range(5)])
 
 
-def plan_path(waypoints: Array, kind: SplineKind) -> PlannedPath:
+def plan_path(waypoints: ArrayLike, kind: SplineKind) -> PlannedPath:
     """Interpolate the waypoints.
 
     `quintic` is the sixth-order spline of the paper's section 2.3: degree 5, natural (third and fourth
@@ -60,23 +67,23 @@ def plan_path(waypoints: Array, kind: SplineKind) -> PlannedPath:
     Raises:
         DesignError: too few waypoints, a value that is not finite, or two equal neighbours.
     """
-    waypoints = _checked(waypoints, _WAYPOINTS, MIN_WAYPOINTS)
-    chords = np.linalg.norm(np.diff(waypoints, axis=0), axis=1)
+    points = _checked(waypoints, _WAYPOINTS, MIN_WAYPOINTS)
+    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
     # The stubs of scipy know only scalar end conditions; its documentation has lists of (order, value).
     zero = np.zeros(2)
     if kind == SplineKind.QUINTIC:
         knots = np.concatenate([[0.0], np.cumsum(np.sqrt(chords))])
         natural = [(3, zero), (4, zero)]
-        spline = make_interp_spline(knots, waypoints, k=5, bc_type=(natural, natural))  # type: ignore[arg-type]
+        spline = make_interp_spline(knots, points, k=5, bc_type=(natural, natural))  # type: ignore[arg-type]
     else:
-        knots = np.arange(len(waypoints), dtype=float)
+        knots = np.arange(len(points), dtype=float)
         # Derivative at 0 of the cubic through u = 0, 1, 2, 3.
-        slope = np.array([-11.0, 18.0, -9.0, 2.0]) @ waypoints[:4] / 6.0
-        spline = make_interp_spline(knots, waypoints, k=3, bc_type=([(1, slope)], [(2, zero)]))  # type: ignore[arg-type]
+        slope = np.array([-11.0, 18.0, -9.0, 2.0]) @ points[:4] / 6.0
+        spline = make_interp_spline(knots, points, k=3, bc_type=([(1, slope)], [(2, zero)]))  # type: ignore[arg-type]
     return PlannedPath(knots=knots, spline=spline, smooth=kind == SplineKind.QUINTIC)
 
 
-def plan_lap(waypoints: Array) -> PlannedPath:
+def plan_lap(waypoints: ArrayLike) -> PlannedPath:
     """Interpolate the waypoints of a closed path by the periodic spline of degree 5 with the centripetal parameter.
 
     It goes on past the last waypoint to the first, where its fourth derivative is continuous as at the others.
@@ -87,8 +94,8 @@ def plan_lap(waypoints: Array) -> PlannedPath:
     Raises:
         DesignError: too few waypoints, a value that is not finite, or two equal neighbours.
     """
-    waypoints = _once(_checked(waypoints, _WAYPOINTS, MIN_LAP_WAYPOINTS), _WAYPOINTS, MIN_LAP_WAYPOINTS)
-    points = np.vstack([waypoints, waypoints[:1]])
+    distinct = _once(_checked(waypoints, _WAYPOINTS, MIN_LAP_WAYPOINTS), _WAYPOINTS, MIN_LAP_WAYPOINTS)
+    points = np.vstack([distinct, distinct[:1]])
     chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
     knots = np.concatenate([[0.0], np.cumsum(np.sqrt(chords))])
     spline = make_interp_spline(knots, points, k=DEGREE, bc_type="periodic")
@@ -101,7 +108,7 @@ def path_knots(count: int) -> Array:
     return np.concatenate([np.zeros(DEGREE), np.arange(spans + 1.0), np.full(DEGREE, float(spans))])
 
 
-def control_path(points: Array) -> PlannedPath:
+def control_path(points: ArrayLike) -> PlannedPath:
     """Return the B-spline of degree 5 by its control points, over the knots of `path_knots`.
 
     It starts on the first point towards the second and ends on the last, coming from the one before. Its third
@@ -114,14 +121,14 @@ def control_path(points: Array) -> PlannedPath:
     Raises:
         DesignError: too few points, a value that is not finite, or two equal neighbours.
     """
-    points = _checked(points, _CONTROL_POINTS, DEGREE + 1)
-    knots = path_knots(len(points))
-    spline = BSpline(knots, points, DEGREE)
+    control = _checked(points, _CONTROL_POINTS, DEGREE + 1)
+    knots = path_knots(len(control))
+    spline = BSpline(knots, control, DEGREE)
     knots = knots[DEGREE:-DEGREE]
     return PlannedPath(knots=knots, spline=spline, smooth=True, knot_name="knot", points_key=_CONTROL_POINTS[0])
 
 
-def closed_control_path(points: Array) -> PlannedPath:
+def closed_control_path(points: ArrayLike) -> PlannedPath:
     """Return the closed B-spline of degree 5 by its control points, over the knots 0, 1, 2, ..., n.
 
     Its fourth derivative is continuous everywhere. It starts at the mean of the first point (weight 66 of 120), of its
@@ -133,9 +140,9 @@ def closed_control_path(points: Array) -> PlannedPath:
     Raises:
         DesignError: too few points, a value that is not finite, or two equal neighbours.
     """
-    points = _once(_checked(points, _CONTROL_POINTS, DEGREE + 1), _CONTROL_POINTS, DEGREE + 1)
-    count = len(points)
-    spline = BSpline(lap_knots(count), points[lap_columns(np.arange(count + DEGREE), count)], DEGREE)
+    control = _once(_checked(points, _CONTROL_POINTS, DEGREE + 1), _CONTROL_POINTS, DEGREE + 1)
+    count = len(control)
+    spline = BSpline(lap_knots(count), control[lap_columns(np.arange(count + DEGREE), count)], DEGREE)
     knots = np.arange(count + 1.0)
     return PlannedPath(knots=knots, spline=spline, smooth=True, knot_name="knot", points_key=_CONTROL_POINTS[0])
 
@@ -150,10 +157,10 @@ def lap_columns(number: NDArray[np.intp], count: int) -> NDArray[np.intp]:
     return np.asarray((number - DEGREE // 2) % count)
 
 
-def _checked(points: Array, name: tuple[str, str], least: int) -> Array:
+def _checked(given: ArrayLike, name: tuple[str, str], least: int) -> Array:
     """Refuse points that make no path, by the key and the word of `name`."""
     key, word = name
-    points = np.asarray(points, dtype=float)
+    points = np.asarray(given, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2:
         raise DesignError(f"{key} must be a list of [x, y] pairs")
     if len(points) < least:

@@ -10,7 +10,7 @@ from cadgen.car.planner.motion import Motion
 from cadgen.car.planner.rows import Limit, LimitKind, Rows
 from cadgen.car.planner.sensitivity import Line
 from cadgen.car.planner.task import Limits, Vehicle
-from cadgen.car.steering.car import tan_steering
+from cadgen.car.steering import tan_steering
 
 # Cost of each place that is beyond a limit by its whole size, mm of the end of the run; the search raises it.
 _WEIGHT = 3.0

@@ -8,7 +8,7 @@ from cadgen.arrays import Array
 from cadgen.car.course.body import Body
 from cadgen.car.course.course import Course
 from cadgen.car.course.scaled import Draw
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 
 
 @dataclass(frozen=True, kw_only=True)

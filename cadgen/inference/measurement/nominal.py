@@ -8,7 +8,7 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.path.track import Track
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.disc import Disc, nominal_disc
 from cadgen.errors import DesignError

@@ -20,7 +20,7 @@ from cadgen.cam.rolled import Contact
 from cadgen.car.motion.drive import Run
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.play import LEAST_SWING, falls
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.derivatives import Expansion, OtherEdge, steering_derivatives
 from cadgen.inference.monte_carlo.parameters import Parameter

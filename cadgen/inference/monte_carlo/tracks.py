@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.car.steering.car import Car, wheel_pace, wheel_tangent
+from cadgen.car.steering import Car, wheel_tangent, wheel_travel_ratio
 from cadgen.inference.monte_carlo.derivatives import STEERING, OtherEdge
 from cadgen.inference.monte_carlo.parameters import Directed, Parameter
 
@@ -262,7 +262,7 @@ def _turning(
     turning = -rate * wheel / (wheelbase + offset * wheel)
     if car.slip == 0:
         return turning, np.ones_like(wheel)
-    pace = wheel_pace(wheel, car)
+    pace = wheel_travel_ratio(wheel, car)
     return turning * pace, pace
 
 

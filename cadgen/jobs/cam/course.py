@@ -22,7 +22,7 @@ from cadgen.car.motion.drive import STEPS, Run, drive, start_pose
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.poses import poses_of
 from cadgen.car.path.track import Track
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model, course_model
 from cadgen.design.schema import Design

@@ -6,7 +6,7 @@ from math import ceil, floor, log10
 
 from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.cure import undercut_cures
-from cadgen.car.path.kinds.cubic import CUBIC
+from cadgen.car.path.path_kinds import CUBIC
 from cadgen.check import Check, failing
 from cadgen.design.load import with_overrides
 from cadgen.design.section import listed

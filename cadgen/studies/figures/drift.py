@@ -14,7 +14,7 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.car.motion.drive import drive, turns_of
-from cadgen.car.steering.car import pace, track_curvature
+from cadgen.car.steering import track_curvature, travel_ratio
 from cadgen.design import cam_model
 from cadgen.studies.figures.evaluated import Evaluated
 from cadgen.studies.figures.figure import Figure
@@ -26,7 +26,7 @@ def _drift(evaluated: Evaluated) -> float:
     design, lift = evaluated.design, evaluated.lift
     car, length = cam_model.car(design), cam_model.travel(design, evaluated.track)
     run = drive(lift, car, length, steps=_STEPS * turns_of(lift.blend_start))
-    turning = length / TURN * track_curvature(run.tan_beta, car) * pace(run.tan_beta, car)
+    turning = length / TURN * track_curvature(run.tan_beta, car) * travel_ratio(run.tan_beta, car)
     place = run.drive_wheel @ np.array([1.0, 1j])
     lever = place[-1] - (place[1:] + place[:-1]) / 2
     falling = np.diff(run.tan_beta) < 0

@@ -10,7 +10,7 @@ from cadgen.car.course.course import Course, Gate, Obstacle, Shape
 from cadgen.car.course.gates import passages
 from cadgen.car.course.judge import judge
 from cadgen.car.course.poses import Poses
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 
 CAR = Car(wheelbase=100.0, drive_wheel_offset=40.0, idle_wheel_offset=60.0, max_steering_angle=0.6)
 S = np.linspace(0.0, 1000.0, 41)

@@ -8,7 +8,7 @@ import pytest
 from cadgen.car.course.body import Body, Wheel
 from cadgen.car.course.course import Shape
 from cadgen.car.course.turning import largest_circle, least_steering, turning_circle
-from cadgen.car.steering.car import Car
+from cadgen.car.steering import Car
 
 CAR = Car(wheelbase=150.0, drive_wheel_offset=30.0, idle_wheel_offset=90.0, max_steering_angle=radians(35))
 BODY = Body(

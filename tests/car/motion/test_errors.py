@@ -9,7 +9,7 @@ from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import drive
 from cadgen.car.motion.errors import Event, deflected, deflection_sum, deflections, run_error, turning
 from cadgen.car.motion.play import falls
-from cadgen.car.steering.car import track_curvature
+from cadgen.car.steering import track_curvature
 from cadgen.errors import DesignError
 
 DEFLECTION_BAR_DEG = 0.002

@@ -7,7 +7,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.car.path.track import Track
-from cadgen.car.steering.car import Car, wheel_tangent
+from cadgen.car.steering import Car, wheel_tangent
 from cadgen.deviations.catalogue import TRACK
 from cadgen.deviations.effect import Active, Effect, through
 from cadgen.deviations.rows import Rows

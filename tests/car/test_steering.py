@@ -5,7 +5,7 @@ import pytest
 
 from cadgen.car.path.spline import plan_path
 from cadgen.car.path.track import offset_track
-from cadgen.car.steering.car import Car, steering_jets, tan_steering, track_curvature
+from cadgen.car.steering import Car, steering_jets, tan_steering, track_curvature
 from cadgen.curves.hermite import quintic_hermite
 from cadgen.errors import DesignError
 

@@ -9,8 +9,7 @@ from cadgen.arrays import TURN
 from cadgen.cam.lift import lift_curve
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.motion.errors import turning
-from cadgen.car.steering.car import steering_jets, tan_steering, track_curvature
-from cadgen.car.steering.slip import by_rim, rim_travel
+from cadgen.car.steering import by_rim, rim_travel, steering_jets, tan_steering, track_curvature
 from cadgen.curves.hermite import quintic_hermite
 from cadgen.errors import DesignError
 

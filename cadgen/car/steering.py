@@ -3,7 +3,9 @@
 The steering angle of this and all later rooms is beta, the angle of the rod, which the cam sets. On a car as designed
 the front wheel has the same angle; on a car as built its angle beta_w may differ,
     tan(beta_w) = tan(atan(g tan(beta)) + beta_0),
-and the drive wheel may go less far than its rim turns where the car turns, by the share slip |tan(beta_w)|.
+and where the car turns its drive wheel may slip: with r the travel of the rim and s that of the wheel,
+    ds/dr = p = 1 - slip |tan(beta_w)|    (`travel_ratio`).
+The cam turns in proportion to r, so steering known by s is converted to steering by r (`rim_travel`, `by_rim`).
 """
 
 from dataclasses import dataclass
@@ -11,8 +13,9 @@ from math import degrees, tan
 
 import numpy as np
 
-from cadgen.arrays import Array
+from cadgen.arrays import Array, gauss_nodes
 from cadgen.car.path.track import Track
+from cadgen.curves.hermite import quintic_hermite
 from cadgen.errors import DesignError
 
 
@@ -53,18 +56,18 @@ def wheel_tangent(tan_beta: Array, car: Car) -> Array:
     return (geared + zero) / (1.0 - geared * zero)
 
 
-def pace(tan_beta: Array, car: Car) -> Array:
-    """Travel of the drive wheel for each mm of its rim, 1 - slip |tan(beta_w)|, from the rod's tan(beta).
+def travel_ratio(tan_beta: Array, car: Car) -> Array:
+    """Travel of the drive wheel for each mm that its rim turns, 1 - slip |tan(beta_w)|, from the rod's tan(beta).
 
     Args:
         tan_beta: tangents of the rod's steering angle, shape (n,).
         car: dimensions of the car.
     """
-    return wheel_pace(wheel_tangent(tan_beta, car), car)
+    return wheel_travel_ratio(wheel_tangent(tan_beta, car), car)
 
 
-def wheel_pace(wheel: Array, car: Car) -> Array:
-    """Travel of the drive wheel for each mm of its rim, from the front wheel's tan(beta_w).
+def wheel_travel_ratio(wheel: Array, car: Car) -> Array:
+    """Travel of the drive wheel for each mm that its rim turns, from the front wheel's tan(beta_w).
 
     Args:
         wheel: tangents of the front wheel's angle.
@@ -82,7 +85,9 @@ def tan_steering(curvature: Array, car: Car) -> Array:
         curvature: signed curvatures of the drive wheel's track, mm^-1.
         car: dimensions of the car.
     """
-    return _rod_tangent(-car.wheelbase * curvature / (1.0 + car.drive_wheel_offset * curvature), car)
+    wheel = -car.wheelbase * curvature / (1.0 + car.drive_wheel_offset * curvature)
+    zero = tan(car.steering_zero)
+    return (wheel - zero) / (1.0 + wheel * zero) / car.steering_gain
 
 
 def track_curvature(tan_beta: Array, car: Car) -> Array:
@@ -105,13 +110,8 @@ def wheel_curvature(wheel: Array, car: Car) -> Array:
     return -wheel / (car.wheelbase + car.drive_wheel_offset * wheel)
 
 
-def _rod_tangent(wheel: Array, car: Car) -> Array:
-    zero = tan(car.steering_zero)
-    return (wheel - zero) / (1.0 + wheel * zero) / car.steering_gain
-
-
 def steering_jets(track: Track, car: Car) -> Array:
-    """The rod's tan(beta) with two derivatives by the track's arc length at the track's nodes, shape (n, 3).
+    """Jets of the rod's tan(beta) and two derivatives by the track's arc length at the track's nodes, shape (n, 3).
 
     Raises:
         DesignError: the path turns tighter than the steering can hold, with the place.
@@ -137,9 +137,52 @@ def steering_jets(track: Track, car: Car) -> Array:
     slope = -car.wheelbase / divisor**2
     bend = 2 * car.wheelbase * car.drive_wheel_offset / divisor**3
     wheel1, wheel2 = slope * k1, slope * k2 + bend * k1**2
-    # From the wheel to the rod: first and second derivative of `_rod_tangent`.
+    # From the wheel to the rod: first and second derivative of `tan_steering`'s last line.
     zero = tan(car.steering_zero)
     away = 1.0 + zero * -car.wheelbase * k / divisor
     rod1 = (1.0 + zero**2) / away**2 / car.steering_gain
     rod2 = -2 * zero * rod1 / away
     return np.stack([tan_steering(k, car), rod1 * wheel1, rod1 * wheel2 + rod2 * wheel1**2], axis=1)
+
+
+GAUSS_POINTS = 8  # between two nodes of the track, some 12 mm: exact to rounding but where the steering changes sign
+
+
+def rim_travel(arc: Array, jets: Array, car: Car) -> Array:
+    """Travel of the rim at the nodes of a track, shape (n,), mm.
+
+    Args:
+        arc: arc length of the track at the nodes, not decreasing, shape (n,), mm.
+        jets: tan(beta) of the rod with two derivatives by arc, shape (n, 3).
+        car: dimensions, lever and slip of the car.
+
+    Raises:
+        DesignError: somewhere the wheel slips so much that it does not get ahead.
+    """
+    if car.slip == 0:
+        return arc
+    nodes, weights = gauss_nodes(GAUSS_POINTS)
+    half = np.diff(arc)[:, None] / 2
+    left = travel_ratio(quintic_hermite(arc, jets)(arc[:-1, None] + half * (nodes + 1)), car)
+    if not left.min() > 0:
+        raise DesignError(
+            f"with a slip of {100 * car.slip:g} % for each unit of tan(beta) the drive wheel would not get ahead in "
+            f"the tightest turn: lower slip_percent in [as_built], or widen the turn"
+        )
+    return np.append(0.0, np.cumsum((1 / left @ weights)[:, None] * half))
+
+
+def by_rim(jets: Array, car: Car) -> Array:
+    """Jets of the rod's tan(beta) by the travel of the rim, from those by the travel of the wheel, shape (n, 3).
+
+    Args:
+        jets: tan(beta) with its first two derivatives by the travel of the wheel, in mm, shape (n, 3).
+        car: dimensions of the car.
+    """
+    T, T1, T2 = jets.T
+    p = travel_ratio(T, car)
+    wheel, zero = wheel_tangent(T, car), np.tan(car.steering_zero)
+    # d tan(beta_w) / dT of the addition theorem.
+    turned = car.steering_gain * (1 + zero**2) / (1 - car.steering_gain * T * zero) ** 2
+    p1 = -car.slip * np.sign(wheel) * turned * T1
+    return np.stack([T, T1 * p, T2 * p**2 + T1 * p * p1], axis=1)

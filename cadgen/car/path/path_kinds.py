@@ -1,0 +1,152 @@
+"""Kinds of path: the keys of the design file and the curve that each kind makes of them.
+
+A new kind is a dataclass of keys and an entry of the registry below, or is registered from outside. The module is light
+to import: numerics are imported when a curve is built.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any
+
+from annotated_types import MaxLen, MinLen
+
+from cadgen.registry import Registry
+
+if TYPE_CHECKING:
+    from cadgen.car.path.spline import PlannedPath
+
+# What a cam takes in time and memory: of 10 000 waypoints some half a minute and 0.3 GB, of 1000 kinks half a minute
+# and 0.8 GB.
+_MOST_WAYPOINTS = 10_000
+_MOST_KINKS = 1000
+
+# [x, y] of points, as in a design file.
+Points = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PathKind:
+    """Kind of path.
+
+    Attributes:
+        code: value of `path.spline` in the design file.
+        meaning: phrase for the reference, the curve in a few words.
+        keys: frozen dataclass of its keys, named as in the file, each `Annotated` with its limits and with a phrase
+            for the reference; its `__post_init__` may refuse what contradicts itself by a `ValueError`, one sentence
+            for the user.
+        build: function of the keys that returns the curve, mm; it raises `DesignError` where there is none.
+        build_closed: function for a closed path, whose curve ends as it starts and is as smooth there as elsewhere;
+            None for a kind that has none.
+    """
+
+    code: str
+    meaning: str
+    keys: type[Any]
+    build: Callable[[Any], PlannedPath]
+    build_closed: Callable[[Any], PlannedPath] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class QuinticKeys:
+    """Keys of a path through waypoints, as in its file."""
+
+    waypoints_mm: Annotated[
+        Points,
+        MinLen(4),
+        "[x, y] of each waypoint, in the order driven; 10 000 at most, of a cubic 1000, and so smooth that the rod's "
+        "contact turns back at 1000 places at most",
+    ]
+
+    def __post_init__(self) -> None:
+        count = len(self.waypoints_mm)
+        if count > _MOST_WAYPOINTS:
+            raise ValueError(
+                f"path.waypoints_mm has {count} waypoints, of which the lift is made piece by piece; at most "
+                f"{_MOST_WAYPOINTS} can be followed: keep one in {-(-count // _MOST_WAYPOINTS)}"
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class CubicKeys(QuinticKeys):
+    """Keys of a cubic path through waypoints, as in its file."""
+
+    def __post_init__(self) -> None:
+        count = len(self.waypoints_mm)
+        if count > _MOST_KINKS:
+            raise ValueError(
+                f"path.waypoints_mm has {count} waypoints, and at each a cubic spline has a kink, where the profile is "
+                f"joined anew; at most {_MOST_KINKS} can be followed: keep one in {-(-count // _MOST_KINKS)}, or "
+                'set path.spline = "quintic"'
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class BSplineKeys:
+    """Keys of a path by control points, as in its file."""
+
+    control_points_mm: Annotated[
+        Points,
+        MinLen(6),
+        MaxLen(10_000),
+        "[x, y] of each control point, in the order driven, 10 000 at most. The path is the B-spline of degree 5 with "
+        "these n points over the knots 0, 1, 2, ..., n - 5, the first and the last sixfold: it starts on the first "
+        "point towards the second, and ends on the last, coming from the one before. Closed, the points follow "
+        "each other round and round over the knots 0, 1, 2, ..., n, and the path starts beside the first",
+    ]
+
+
+def _quintic(keys: QuinticKeys) -> PlannedPath:
+    from cadgen.car.path.spline import SplineKind, plan_path
+
+    return plan_path(keys.waypoints_mm, SplineKind.QUINTIC)
+
+
+def _quintic_lap(keys: QuinticKeys) -> PlannedPath:
+    from cadgen.car.path.spline import plan_lap
+
+    return plan_lap(keys.waypoints_mm)
+
+
+def _cubic(keys: CubicKeys) -> PlannedPath:
+    from cadgen.car.path.spline import SplineKind, plan_path
+
+    return plan_path(keys.waypoints_mm, SplineKind.CUBIC)
+
+
+def _b_spline(keys: BSplineKeys) -> PlannedPath:
+    from cadgen.car.path.spline import control_path
+
+    return control_path(keys.control_points_mm)
+
+
+def _b_spline_lap(keys: BSplineKeys) -> PlannedPath:
+    from cadgen.car.path.spline import closed_control_path
+
+    return closed_control_path(keys.control_points_mm)
+
+
+QUINTIC = PathKind(
+    code="quintic",
+    meaning="the sixth-order natural spline of the paper's text through waypoints",
+    keys=QuinticKeys,
+    build=_quintic,
+    build_closed=_quintic_lap,
+)
+CUBIC = PathKind(
+    code="cubic",
+    meaning="the cubic of its appendix, whose curvature has kinks",
+    keys=CubicKeys,
+    build=_cubic,
+)
+B_SPLINE = PathKind(
+    code="b_spline",
+    meaning="a B-spline of degree 5 by control points, which `cadgen plan` writes",
+    keys=BSplineKeys,
+    build=_b_spline,
+    build_closed=_b_spline_lap,
+)
+
+_KINDS = Registry("path", (QUINTIC, CUBIC, B_SPLINE))
+register, remove, codes, kind_of = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of
