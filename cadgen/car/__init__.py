@@ -3,7 +3,7 @@
 | room       | what it holds                                                              |
 |------------|----------------------------------------------------------------------------|
 | `path`     | waypoints -> spline -> the drive wheel's track by arc length               |
-| `steering` | curvature of the track <-> steering angle                                  |
+| `steering` | curvature of the track <-> steering angle, also with slip                  |
 | `course`   | field, posts, gates; the car's outline swept along its run                 |
 | `planner`  | course and car -> the path on which play moves the car least               |
 | `motion`   | how the car runs when the gears have play                                  |

@@ -14,7 +14,7 @@ from cadgen.cam.followers.rod import LeaningRod, rod_of
 from cadgen.cam.followers.rod_kind import RodKeys
 from cadgen.cam.lift import LiftCurve, lap_lift_curve, lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
-from cadgen.car.course.names import Side
+from cadgen.car.course.layout import Side
 from cadgen.car.path.spline import PlannedPath
 from cadgen.car.path.track import Track, offset_track
 from cadgen.car.steering import Car, by_rim, rim_travel, steering_jets

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field, Strict, model_validator
 
-from cadgen.car.course.names import CarPoint, Judged, Scaled, Side
+from cadgen.car.course.layout import CarPoint, Judged, Scaled, Side
 from cadgen.design.polygon import crossing
 from cadgen.design.section import HERE, WORD, Point, Points, Section, Size, listed
 

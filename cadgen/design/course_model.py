@@ -2,10 +2,8 @@
 
 from math import floor, inf, radians
 
-from cadgen.car.course.body import Body, PartName, Wheel
-from cadgen.car.course.course import Course, Gate, Obstacle, Point, Shape
-from cadgen.car.course.names import ObstacleKind
-from cadgen.car.course.scaled import Draw
+from cadgen.car.course.body import CarBody, CarWheel, PartName
+from cadgen.car.course.layout import Course, Draw, Gate, Obstacle, ObstacleKind, Point, Shape
 from cadgen.design import cam_model
 from cadgen.design import course as keys
 from cadgen.design.outline import Outline
@@ -47,7 +45,7 @@ def draw(design: Design) -> Draw | None:
     )
 
 
-def body(design: Design) -> Body:
+def body(design: Design) -> CarBody:
     """Outline and wheels of the car; without [car.outline] the points where its wheels touch the floor."""
     car, given = cam_model.car(design), design.car.outline
     rear_radius, rear_width, front_radius, front_width, clearance = 0.0, 0.0, 0.0, 0.0, 0.0
@@ -56,13 +54,15 @@ def body(design: Design) -> Body:
         front_radius, front_width = (given.front_wheel_diameter_mm or 0.0) / 2, given.front_wheel_width_mm
         clearance = given.ground_clearance_mm
     drive, idle = (-car.wheelbase, car.drive_wheel_offset), (-car.wheelbase, -car.idle_wheel_offset)
-    return Body(
+    return CarBody(
         corners=_corners(given, (drive[1] + idle[1]) / 2) if given else (),
         clearance=clearance,
         wheels=(
-            Wheel(name=PartName.FRONT_WHEEL, centre=(0.0, 0.0), radius=front_radius, width=front_width, steered=True),
-            Wheel(name=PartName.DRIVE_WHEEL, centre=drive, radius=rear_radius, width=rear_width),
-            Wheel(name=PartName.IDLE_WHEEL, centre=idle, radius=rear_radius, width=rear_width),
+            CarWheel(
+                name=PartName.FRONT_WHEEL, centre=(0.0, 0.0), radius=front_radius, width=front_width, steered=True
+            ),
+            CarWheel(name=PartName.DRIVE_WHEEL, centre=drive, radius=rear_radius, width=rear_width),
+            CarWheel(name=PartName.IDLE_WHEEL, centre=idle, radius=rear_radius, width=rear_width),
         ),
     )
 

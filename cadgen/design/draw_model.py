@@ -8,7 +8,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.rolled import Contact
-from cadgen.car.course.scaled import Draw
+from cadgen.car.course.layout import Draw
 from cadgen.car.draws.error import Complex, Target
 from cadgen.car.draws.knobs import Knob, Knobs, Wheels
 from cadgen.car.draws.steering import Steering

@@ -13,7 +13,7 @@ from pydantic import Field, SerializeAsAny, ValidatorFunctionWrapHandler, field_
 
 from cadgen.cam.followers.kind import Seat
 from cadgen.cam.limits import PressureAngleLimitName
-from cadgen.car.course.names import Side
+from cadgen.car.course.layout import Side
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.blank import Blank
 from cadgen.design.course import Course

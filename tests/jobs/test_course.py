@@ -6,7 +6,7 @@ from math import degrees
 import numpy as np
 import pytest
 
-from cadgen.car.course.gates import passages
+from cadgen.car.course.judge import passages
 from cadgen.car.motion.drive import STEPS
 from cadgen.check import CheckCode
 from cadgen.design import cam_model

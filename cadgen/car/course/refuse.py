@@ -1,14 +1,17 @@
-"""Courses that no car can drive: what stands on the start, gates that nothing can reach, a field that is too small."""
+"""Courses that no car can drive, and the room that it takes to turn round."""
 
-from cadgen.car.course.body import Body
-from cadgen.car.course.course import Course, Gate, Obstacle
-from cadgen.car.course.poses import Poses
-from cadgen.car.course.shapes import geometry
-from cadgen.car.course.sweep import approach, approach_to_edge
+from math import hypot, tan
+
+import numpy as np
+
+from cadgen.car.course.approach import approach, approach_to_edge, geometry
+from cadgen.car.course.body import CarBody, Poses
+from cadgen.car.course.layout import Course, Gate, Shape
+from cadgen.car.steering import Car
 from cadgen.errors import DesignError
 
 
-def refuse_course(course: Course, body: Body, start: Poses) -> None:
+def refuse_course(course: Course, body: CarBody, start: Poses) -> None:
     """Refuse a course on which the car cannot even stand at its start, or with a gate that no car can pass.
 
     Args:
@@ -47,7 +50,7 @@ def _refuse_gate(gate: Gate, course: Course) -> None:
 
     place = geometry(gate.place).buffer(gate.place.reach) if gate.place.reach else geometry(gate.place)
     for obstacle in course.obstacles:
-        if not _keeps_off(obstacle):
+        if obstacle.shape.reach == 0 and not obstacle.shape.filled:  # a wall without thickness leaves room beside it
             continue
         if shapely.distance(geometry(obstacle.shape), geometry(gate.place)) > obstacle.shape.reach:
             continue
@@ -65,6 +68,38 @@ def _name(gate: Gate) -> str:
     return "gate" if gate.key.startswith("course.gates") else gate.key.rpartition(".")[2]
 
 
-def _keeps_off(obstacle: Obstacle) -> bool:
-    """Whether it keeps even a wheel away."""
-    return obstacle.shape.reach > 0 or obstacle.shape.filled
+_NEARLY = 0.5  # mm
+
+
+def turning_circle(body: CarBody, car: Car, steering: float) -> float:
+    """Least radius of a circle in which a car can turn round, mm: to the side on which that is less.
+
+    Args:
+        body: outline and wheels of the car.
+        car: its dimensions.
+        steering: greatest angle of the front wheel, rad.
+    """
+    offset = car.wheelbase / tan(steering)  # of the centre of the turn from the fork axis, on the line of the rear axle
+    points = [*body.corners, *(wheel.centre for wheel in body.wheels)]
+    return min(max(hypot(x + car.wheelbase, y - side * offset) for x, y in points) for side in (1.0, -1.0))
+
+
+def largest_circle(field: Shape) -> float:
+    """Radius of the largest circle within a field, mm."""
+    from shapely.ops import polylabel
+
+    area = geometry(field)
+    return float(polylabel(area, tolerance=_NEARLY).distance(area.boundary))
+
+
+def least_steering(body: CarBody, car: Car, radius: float, greatest: float) -> float | None:
+    """Least angle of the front wheel with which a car can turn round in a circle; None if no angle will do.
+
+    Args:
+        body: outline and wheels of the car.
+        car: its dimensions.
+        radius: radius of the circle, mm.
+        greatest: greatest angle that is tried, rad.
+    """
+    angles = np.linspace(car.max_steering_angle, greatest, 200)
+    return next((angle for angle in angles.tolist() if turning_circle(body, car, angle) <= radius), None)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cadgen.car.course.poses import Poses
+from cadgen.car.course.body import Poses
 from cadgen.car.motion.drive import Run
 from cadgen.car.steering import Car, wheel_tangent
 

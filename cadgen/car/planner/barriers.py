@@ -15,10 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.car.course.body import Body
-from cadgen.car.course.course import Course, Shape
-from cadgen.car.course.names import Side
-from cadgen.car.course.scaled import Draw
+from cadgen.car.course.body import CarBody
+from cadgen.car.course.layout import Course, Draw, Shape, Side
 from cadgen.car.planner.basis import Basis
 from cadgen.car.planner.motion import Motion
 from cadgen.car.planner.rows import Limit, LimitKind, Rows
@@ -59,7 +57,7 @@ class Barrier:
     grown: float = 1.0
 
 
-def barriers_of(course: Course, body: Body, draw: Draw | None = None) -> tuple[Barrier, ...]:
+def barriers_of(course: Course, body: CarBody, draw: Draw | None = None) -> tuple[Barrier, ...]:
     """Barriers of a course for a car, at the ends of its spacings as well if they are drawn."""
     if draw is None:
         return _barriers(course, body, 1.0)
@@ -72,7 +70,7 @@ def barriers_of(course: Course, body: Body, draw: Draw | None = None) -> tuple[B
     )
 
 
-def _barriers(course: Course, body: Body, grown: float) -> tuple[Barrier, ...]:
+def _barriers(course: Course, body: CarBody, grown: float) -> tuple[Barrier, ...]:
     barriers = [
         Barrier(
             obstacle.key,

@@ -12,7 +12,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.car.course.body import place_of
-from cadgen.car.course.course import Gate
+from cadgen.car.course.layout import Gate
 from cadgen.car.planner.basis import Basis
 from cadgen.car.planner.motion import Motion
 from cadgen.car.planner.rows import Limit, LimitKind, Rows

@@ -12,7 +12,7 @@ from math import prod
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.course.course import Course, Gate
+from cadgen.car.course.layout import Course, Gate
 
 _TURN = 400.0  # mm of way that a radian of turning is worth
 _ROUNDS = 20

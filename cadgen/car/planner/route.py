@@ -15,8 +15,7 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 from cadgen.arrays import Array
-from cadgen.car.course.course import Course, Gate
-from cadgen.car.course.names import Side
+from cadgen.car.course.layout import Course, Gate, Side
 from cadgen.car.planner.barriers import Barrier, barriers_of, parts_of, polygon_holds
 from cadgen.car.planner.gates import is_exact, planned_place
 from cadgen.car.planner.start import End

@@ -5,9 +5,8 @@ from dataclasses import dataclass, field
 from math import inf
 
 from cadgen.arrays import Array
-from cadgen.car.course.body import Body
-from cadgen.car.course.course import Course
-from cadgen.car.course.scaled import Draw
+from cadgen.car.course.body import CarBody
+from cadgen.car.course.layout import Course, Draw
 from cadgen.car.steering import Car
 
 
@@ -30,7 +29,7 @@ class Vehicle:
     """
 
     car: Car
-    body: Body
+    body: CarBody
     path_offset: float
     base_radius: float
     faces: tuple[float, float]

@@ -9,15 +9,11 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.lift import LiftCurve
-from cadgen.car.course.body import Body
-from cadgen.car.course.course import Course
-from cadgen.car.course.gates import Passage, passages
-from cadgen.car.course.judge import Driven, Stand, judge
-from cadgen.car.course.laps import judge_laps
-from cadgen.car.course.names import Judged, ObstacleKind
-from cadgen.car.course.poses import Poses
+from cadgen.car.course.approach import Approach
+from cadgen.car.course.body import CarBody, Poses
+from cadgen.car.course.judge import CourseVerdict, EndDeviation, Passage, judge, judge_laps, passages
+from cadgen.car.course.layout import Course, Judged, ObstacleKind
 from cadgen.car.course.refuse import refuse_course
-from cadgen.car.course.sweep import Approach
 from cadgen.car.motion.drive import STEPS, Run, drive, start_pose
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.poses import poses_of
@@ -66,7 +62,7 @@ class OnCourse:
         return cam_model.car(self.design)
 
     @cached_property
-    def body(self) -> Body:
+    def body(self) -> CarBody:
         """Outline and wheels of the car."""
         return course_model.body(self.design)
 
@@ -176,8 +172,8 @@ class CourseRun:
     on: OnCourse
     run: Run
     poses: Poses
-    driven: Driven
-    blend: Driven | None = None
+    driven: CourseVerdict
+    blend: CourseVerdict | None = None
     play: float | None = None
 
     def figures(self) -> dict[str, tuple[str, float]]:
@@ -286,7 +282,7 @@ class CourseRun:
                 continue
             yield from self._stand(name, stand, code, turned)
 
-    def _stand(self, name: str, stand: Stand, code: CheckCode, turned: CheckCode) -> Iterator[Check]:
+    def _stand(self, name: str, stand: EndDeviation, code: CheckCode, turned: CheckCode) -> Iterator[Check]:
         wanted = stand.wanted
         what = f"{wanted.point.replace('_', ' ')} of the car"
         yield self._check(

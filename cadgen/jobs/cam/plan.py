@@ -9,7 +9,7 @@ from cadgen.cam.envelope import Trim
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
-from cadgen.car.course.names import Side
+from cadgen.car.course.layout import Side
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.optimize.evaluate import evaluate
 from cadgen.car.optimize.laps import Laps

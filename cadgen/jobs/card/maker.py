@@ -11,9 +11,7 @@ from cadgen.cam.checks import riding_checks
 from cadgen.cam.followers.rod import LeaningRod, rod_of
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.rolled import Contact
-from cadgen.car.course.course import Course
-from cadgen.car.course.names import Judged
-from cadgen.car.course.scaled import Draw
+from cadgen.car.course.layout import Course, Draw, Judged
 from cadgen.car.draws.drawn import Drawn, steering_check
 from cadgen.car.draws.error import Target, planned_point
 from cadgen.car.draws.knobs import Setting

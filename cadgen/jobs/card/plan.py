@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from cadgen.car.course.scaled import Draw
+from cadgen.car.course.layout import Draw
 from cadgen.car.draws.drawn import Drawn
 from cadgen.design import cam_model, draw_model
 from cadgen.design.schema import Design

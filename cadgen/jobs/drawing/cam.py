@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.car.course.names import Side
+from cadgen.car.course.layout import Side
 from cadgen.curves.biarc import arcs
 from cadgen.inference.measurement.record import Direction
 from cadgen.jobs.cam.plan import CamPlan

@@ -11,9 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.course.body import place_of
-from cadgen.car.course.names import Judged
-from cadgen.car.course.poses import Poses
+from cadgen.car.course.body import Poses, place_of
+from cadgen.car.course.layout import Judged
 from cadgen.car.course.refuse import refuse_course
 from cadgen.car.draws.drawn import Drawn
 from cadgen.car.path.track import Track

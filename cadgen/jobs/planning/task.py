@@ -7,8 +7,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import rod_of
-from cadgen.car.course.course import Course, Gate, Shape
-from cadgen.car.course.names import CarPoint
+from cadgen.car.course.layout import CarPoint, Course, Gate, Shape
 from cadgen.car.path.track import Track
 from cadgen.car.planner.limits import curvature_limits
 from cadgen.car.planner.order import in_order

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.course.course import Shape
+from cadgen.car.course.layout import Shape
 from cadgen.car.motion.errors import EventKind, RunError, deflected, run_error
 from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.design import course_model

@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from cadgen.car.course.approach import nearest_point
 from cadgen.car.course.body import place_of
-from cadgen.car.course.gates import Passage, turned_by
-from cadgen.car.course.sweep import nearest_point
+from cadgen.car.course.judge import Passage, turned_by
 from cadgen.inference.monte_carlo.fleet import Fleet, Poses
 from cadgen.inference.monte_carlo.watch import ClearanceWatch, Complex, GateWatch
 from cadgen.jobs.cam.course import CourseRun

@@ -2,7 +2,7 @@
 
 from math import atan, degrees, radians, tan
 
-from cadgen.car.course.turning import largest_circle, least_steering, turning_circle
+from cadgen.car.course.refuse import largest_circle, least_steering, turning_circle
 from cadgen.car.planner.reasons import Reason
 from cadgen.car.planner.rows import LimitKind
 from cadgen.car.planner.task import Task

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.car.course.course import Shape
+from cadgen.car.course.layout import Shape
 from cadgen.car.motion.drive import Run
 from cadgen.car.motion.errors import RunError
 from cadgen.output.report.style import AFTER, BEFORE, BLUE, GREEN, GREY, ORANGE, SKY, WANTED, figure, save, zero_line

@@ -5,11 +5,9 @@ from math import inf, pi, radians
 import numpy as np
 import pytest
 
-from cadgen.car.course.body import Body, Wheel
-from cadgen.car.course.course import Course, Gate, Obstacle, Shape
-from cadgen.car.course.gates import passages
-from cadgen.car.course.judge import judge
-from cadgen.car.course.poses import Poses
+from cadgen.car.course.body import CarBody, CarWheel, Poses
+from cadgen.car.course.judge import judge, passages
+from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
 from cadgen.car.steering import Car
 
 CAR = Car(wheelbase=100.0, drive_wheel_offset=40.0, idle_wheel_offset=60.0, max_steering_angle=0.6)
@@ -60,8 +58,8 @@ def test_a_segment_is_crossed_between_its_ends(ends, margin):
 
 
 def test_sides_start_and_finish_are_judged():
-    wheel = Wheel(name="front wheel", centre=(0.0, 0.0), radius=0.0, width=0.0, steered=True)
-    body = Body(corners=((20, 80), (-120, 80), (-120, -80), (20, -80)), clearance=0.0, wheels=(wheel,))
+    wheel = CarWheel(name="front wheel", centre=(0.0, 0.0), radius=0.0, width=0.0, steered=True)
+    body = CarBody(corners=((20, 80), (-120, 80), (-120, -80), (20, -80)), clearance=0.0, wheels=(wheel,))
     post = Obstacle(kind="post", key="p", shape=Shape.disc((500.0, 200.0), 10.0), side="left")
     finish = Gate(key="f", place=Shape.disc((1003.0, 4.0), 1.0), heading=radians(-2.0), heading_tolerance=0.01)
     driven = judge(RUN, CAR, body, Course(obstacles=(post,), finish=finish))

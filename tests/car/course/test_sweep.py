@@ -3,19 +3,18 @@
 import numpy as np
 import pytest
 
-from cadgen.car.course.body import Body, Wheel
-from cadgen.car.course.course import Obstacle, Shape
-from cadgen.car.course.poses import Poses
-from cadgen.car.course.sweep import approach, approach_to_edge
+from cadgen.car.course.approach import approach, approach_to_edge
+from cadgen.car.course.body import CarBody, CarWheel, Poses
+from cadgen.car.course.layout import Obstacle, Shape
 from tests.car.course.sweep_truth import between, corners_on_floor
 
 CORNERS = ((60.0, 140.0), (-220.0, 130.0), (-230.0, -150.0), (-90.0, -60.0), (60.0, -140.0))
 WHEELS = (
-    Wheel(name="front wheel", centre=(0.0, 0.0), radius=90.0, width=12.0, steered=True),
-    Wheel(name="drive wheel", centre=(-170.0, 160.0), radius=64.0, width=8.0),
-    Wheel(name="idle wheel", centre=(-170.0, -170.0), radius=64.0, width=8.0),
+    CarWheel(name="front wheel", centre=(0.0, 0.0), radius=90.0, width=12.0, steered=True),
+    CarWheel(name="drive wheel", centre=(-170.0, 160.0), radius=64.0, width=8.0),
+    CarWheel(name="idle wheel", centre=(-170.0, -170.0), radius=64.0, width=8.0),
 )
-BODY = Body(corners=CORNERS, clearance=0.0, wheels=WHEELS)
+BODY = CarBody(corners=CORNERS, clearance=0.0, wheels=WHEELS)
 
 
 def run(seed: int, count: int = 400) -> Poses:
@@ -87,7 +86,7 @@ def test_clearances_are_those_of_a_brute_force_sweep(kind):
 def test_a_low_post_passes_under_the_body_but_not_under_a_wheel():
     s = np.linspace(0, 1000, 50)
     poses = Poses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
-    body = Body(corners=((0, 100), (-200, 100), (-200, -100), (0, -100)), clearance=30.0, wheels=WHEELS[1:])
+    body = CarBody(corners=((0, 100), (-200, 100), (-200, -100), (0, -100)), clearance=30.0, wheels=WHEELS[1:])
     low = Obstacle(kind="post", key="x", shape=Shape.disc((500.0, 0.0), 10.0), height=29.0)
     high = Obstacle(kind="post", key="x", shape=Shape.disc((500.0, 0.0), 10.0), height=30.0)
     assert approach(poses, body, high).clearance == pytest.approx(-110.0, abs=2.2)
@@ -100,7 +99,7 @@ def test_a_low_post_passes_under_the_body_but_not_under_a_wheel():
 def test_the_edge_is_measured_from_inside_and_beyond(way, clearance):
     """A square car of 200 mm that drives towards the right side of a field of 600 by 400 mm."""
     s = np.linspace(0, way or 1.0, 30)
-    body = Body(corners=((100, 100), (-100, 100), (-100, -100), (100, -100)), clearance=0.0, wheels=())
+    body = CarBody(corners=((100, 100), (-100, 100), (-100, -100), (100, -100)), clearance=0.0, wheels=())
     poses = Poses(fork=s - 100 + 0j, heading=0 * s, steering=0 * s, travel=s)
     edge = Shape(((-300.0, -200.0), (200.0, -200.0), (200.0, 200.0), (-300.0, 200.0)), filled=True)
     assert approach_to_edge(poses, body, edge).clearance == pytest.approx(clearance, abs=5e-3 if clearance > 0 else 2.0)
@@ -129,6 +128,6 @@ def test_a_wall_across_the_way_is_met_by_half_the_car():
     """A car 140 long and 160 wide: where a line crosses its middle, that is 70 mm from its front and rear."""
     s = np.linspace(0, 1000, 50)
     poses = Poses(fork=s + 0j, heading=0 * s, steering=0 * s, travel=s)
-    body = Body(corners=((20, 80), (-120, 80), (-120, -80), (20, -80)), clearance=0.0, wheels=WHEELS[:1])
+    body = CarBody(corners=((20, 80), (-120, 80), (-120, -80), (20, -80)), clearance=0.0, wheels=WHEELS[:1])
     wall = Obstacle(kind="wall", key="x", shape=Shape(((500.0, -300.0), (500.0, 300.0))))
     assert approach(poses, body, wall).clearance == pytest.approx(-70.0, abs=2.0)

@@ -5,16 +5,16 @@ from math import radians, tan
 import numpy as np
 import pytest
 
-from cadgen.car.course.body import Body, Wheel
-from cadgen.car.course.course import Shape
-from cadgen.car.course.turning import largest_circle, least_steering, turning_circle
+from cadgen.car.course.body import CarBody, CarWheel
+from cadgen.car.course.layout import Shape
+from cadgen.car.course.refuse import largest_circle, least_steering, turning_circle
 from cadgen.car.steering import Car
 
 CAR = Car(wheelbase=150.0, drive_wheel_offset=30.0, idle_wheel_offset=90.0, max_steering_angle=radians(35))
-BODY = Body(
+BODY = CarBody(
     corners=((40.0, 50.0), (-170.0, 50.0), (-170.0, -110.0), (40.0, -110.0)),
     clearance=0.0,
-    wheels=(Wheel(name="front wheel", centre=(0.0, 0.0), radius=0.0, width=0.0, steered=True),),
+    wheels=(CarWheel(name="front wheel", centre=(0.0, 0.0), radius=0.0, width=0.0, steered=True),),
 )
 
 

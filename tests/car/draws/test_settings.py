@@ -7,8 +7,7 @@ import pytest
 from scipy.optimize import linprog
 
 from cadgen import Design
-from cadgen.car.course.course import Course, Obstacle, Shape
-from cadgen.car.course.scaled import Draw
+from cadgen.car.course.layout import Course, Draw, Obstacle, Shape
 from cadgen.car.draws.knobs import Knob, Wheels
 from cadgen.car.draws.minimax import Minimax
 from cadgen.design import draw_model

@@ -3,7 +3,7 @@ from math import radians
 import numpy as np
 import pytest
 
-from cadgen.car.course.body import Body
+from cadgen.car.course.body import CarBody
 from cadgen.car.planner.basis import Basis
 from cadgen.car.planner.limits import curvature_limits
 from cadgen.car.planner.start import fitted_to
@@ -17,7 +17,7 @@ def vehicle() -> Vehicle:
     """The paper's car, with an outline, half the band of its train off."""
     design = load_design()
     wheels = course_model.body(design).wheels
-    body = Body(corners=((45, 55), (-215, 55), (-215, -215), (45, -215)), clearance=0.0, wheels=wheels)
+    body = CarBody(corners=((45, 55), (-215, 55), (-215, -215), (45, -215)), clearance=0.0, wheels=wheels)
     return Vehicle(
         car=cam_model.car(design),
         body=body,

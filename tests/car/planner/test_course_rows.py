@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
-from cadgen.car.course.course import Course, Gate, Obstacle, Shape
+from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
 from cadgen.car.planner.barriers import Clearances, barriers_of, parts_of
 from cadgen.car.planner.basis import Basis
 from cadgen.car.planner.gates import Passing, passing_places, planned_place

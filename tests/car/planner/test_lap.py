@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cadgen.arrays import TURN
-from cadgen.car.course.course import Course, Gate, Shape
+from cadgen.car.course.layout import Course, Gate, Shape
 from cadgen.car.path.spline import closed_control_path
 from cadgen.car.planner.basis import Basis
 from cadgen.car.planner.motion import Motion

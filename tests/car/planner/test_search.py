@@ -6,7 +6,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from cadgen.car.course.course import Course, Gate, Obstacle, Shape
+from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
 from cadgen.car.planner.gates import planned_place
 from cadgen.car.planner.plan import plan
 from cadgen.car.planner.reasons import reasons

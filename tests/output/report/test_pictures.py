@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cadgen.car.course.course import Shape
+from cadgen.car.course.layout import Shape
 from cadgen.car.motion.errors import deflections
 from cadgen.design.load import load_design
 from cadgen.jobs.runs.files import lift_picture

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import hypot
 
-from cadgen.car.course.names import Side
+from cadgen.car.course.layout import Side
 from cadgen.design import cam_model
 from cadgen.errors import CadgenError
 from cadgen.geometry.meshes.disc import cam_mesh

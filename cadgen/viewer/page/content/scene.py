@@ -8,8 +8,7 @@ from cadgen.arrays import TURN
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.course.body import place_of
-from cadgen.car.course.course import Course, Gate, Shape
-from cadgen.car.course.names import CarPoint
+from cadgen.car.course.layout import CarPoint, Course, Gate, Shape
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.motion.play import Following, follow
 from cadgen.design import cam_model, course_model
