@@ -14,8 +14,8 @@ from cadgen.cam.checks import cam_angles
 from cadgen.cam.contact import roll
 from cadgen.design.load import load_design
 from cadgen.geometry.meshes.content import inspect
-from cadgen.geometry.meshes.disc import cam_mesh
-from cadgen.geometry.solids.cam import cam_part
+from cadgen.geometry.meshes.mesh import cam_mesh
+from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.step import read_step, step_bytes
 from cadgen.jobs.cam.plan import CamPlan, plan_cam
 from cadgen.output.files.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes

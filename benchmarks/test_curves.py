@@ -14,7 +14,7 @@ from cadgen.cam.contact import roll
 from cadgen.cam.cutter import largest_cutter
 from cadgen.curves.biarc import arcs
 from cadgen.curves.contour import circle, keyway_bore
-from cadgen.curves.offset import parallel
+from cadgen.curves.derived import parallel
 from cadgen.curves.polygon import polygon
 from cadgen.curves.spline import splines
 from cadgen.design.schema import Machining

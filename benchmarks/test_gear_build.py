@@ -9,10 +9,10 @@ from time import perf_counter
 
 import pytest
 
-from cadgen.gears.blank import gear_body
 from cadgen.gears.tooth import GearForm
-from cadgen.geometry.meshes.prisms import body_mesh
-from cadgen.geometry.solids.gear import body_solid
+from cadgen.gears.wheel_body import gear_body
+from cadgen.geometry.meshes.mesh import body_mesh
+from cadgen.geometry.solids.gear_solids import body_solid
 
 ROUNDS = 7
 CHORD_TOLERANCE = 1e-3

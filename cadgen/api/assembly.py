@@ -16,7 +16,7 @@ from cadgen.jobs.gears.plan import GearsPlan
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:
-    from cadgen.geometry.solids.train import Compound
+    from cadgen.geometry.solids.gear_solids import Compound
     from cadgen.jobs.gears.numbers import TrainPlan
 
 
@@ -81,7 +81,7 @@ class Assembly(ABC):
         Raises:
             FileError: the CAD kernel cannot drill a set screw.
         """
-        from cadgen.geometry.solids.train import train_compound, train_parts
+        from cadgen.geometry.solids.gear_solids import train_compound, train_parts
 
         plan = self.computed
         return train_compound(train_parts(plan.layout, plan.stem, plan.description), plan.layout, f"{plan.stem}_train")

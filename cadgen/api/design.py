@@ -9,7 +9,7 @@ from cadgen.api.loaded import LoadedDesign
 from cadgen.api.measured import Data, sources_of
 from cadgen.api.values import instance, optional, whole, word
 from cadgen.design import load
-from cadgen.gears.names import Order
+from cadgen.gears.choices import Order
 from cadgen.progress import Progress, silent
 
 if TYPE_CHECKING:

@@ -18,18 +18,18 @@ from cadgen.api.values import optional, real, several, word
 from cadgen.design.train import MOST_STAGES
 from cadgen.errors import DesignError, brief
 from cadgen.gears import pair as numbers
+from cadgen.gears import spur
 from cadgen.gears import train as numeric
+from cadgen.gears.backlash import with_deviation, with_deviations
+from cadgen.gears.choices import Thinning
 from cadgen.gears.contact import contact_ratio
-from cadgen.gears.kinds import spur
-from cadgen.gears.names import Thinning
-from cadgen.gears.thinning import with_deviation, with_deviations
 from cadgen.gears.tooth import tooth_of
 from cadgen.jobs.gears.plan import GearsPlan as GearsPlan
 from cadgen.jobs.gears.plan import NotMadeError as NotMadeError
 from cadgen.parts.blank import Blank
 
 if TYPE_CHECKING:
-    from cadgen.geometry.solids.train import Compound
+    from cadgen.geometry.solids.gear_solids import Compound
     from cadgen.jobs.gears.numbers import TrainPlan
 
 # mm; of shafts whose bearings nobody has placed. Where the backlash is given no figure depends on it.
@@ -181,7 +181,7 @@ class GearPair(Assembly):
         Raises:
             FileError: the CAD kernel cannot drill the set screw.
         """
-        from cadgen.geometry.solids.train import mesh_compound
+        from cadgen.geometry.solids.gear_solids import mesh_compound
         from cadgen.jobs.gears.numbers import part_of, solid_of
 
         driver, driven = self.cut.wheels

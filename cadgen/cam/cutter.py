@@ -8,7 +8,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, left_normal
-from cadgen.curves.offset import SLIGHT_TURN, parallel
+from cadgen.curves.derived import SLIGHT_TURN, parallel
 from cadgen.curves.spacing import turning
 
 _CLEARANCE = 1e-3  # mm; a cutter smaller than this is none

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
-from cadgen.curves.hermite import quintic_hermite
-from cadgen.curves.zeros import zeros
+from cadgen.curves.piecewise import quintic_hermite, zeros
 from cadgen.errors import DesignError
 
 # rad; a shorter piece before the blend is a share of the open curve's own polynomial: from values and derivatives at

@@ -15,7 +15,7 @@ import numpy as np
 
 from cadgen.arrays import Array, gauss_nodes
 from cadgen.car.path.track import Track
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 
 

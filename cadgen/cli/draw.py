@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from cadgen.cli.options import design_options, out_option, profile_option
-from cadgen.gears.names import Order
+from cadgen.gears.choices import Order
 
 
 @click.command()

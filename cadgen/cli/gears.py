@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING
 import click
 
 from cadgen.cli.options import design_options, formats_option, out_option
-from cadgen.gears.names import Order
+from cadgen.gears.choices import Order
 
 if TYPE_CHECKING:
     from cadgen.api.files import Written
     from cadgen.api.gear_train import GearsPlan
-    from cadgen.gears.joints import WholePlay
-    from cadgen.gears.train import TrainPlay
+    from cadgen.gears.train import TrainPlay, WholePlay
 
 RANKED_SHOWN = 8
 REASONS_SHOWN = 3

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.curves.chamfer import Apex, Strip
 from cadgen.curves.closed import ClosedCurve, Outline, Piece, left_normal
-from cadgen.curves.inset import Apex, Strip
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 _SAMPLES = 8  # of a chord; the middle one meets the peak of an even bend

@@ -9,8 +9,8 @@ import numpy as np
 from scipy.interpolate import BSpline, CubicSpline, PPoly, make_interp_spline
 
 from cadgen.arrays import Array
+from cadgen.curves.chamfer import Apex, Strip
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal
-from cadgen.curves.inset import Apex, Strip
 from cadgen.curves.spacing import even_nodes, inside_spans, turning
 
 Degree = Literal[3, 5]

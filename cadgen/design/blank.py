@@ -12,8 +12,8 @@ from cadgen.car.motion.friction import DiscMaterial
 from cadgen.design.joint import Held
 from cadgen.design.section import WORD, Feature, Section, ZeroOrFeature
 from cadgen.errors import DesignError
-from cadgen.gears.fit_table import zones_of
-from cadgen.parts.names import Face
+from cadgen.gears.fits import zones_of
+from cadgen.parts.face import Face
 
 _WIDEST_SCREW = 0.998  # of the bore
 

@@ -13,15 +13,14 @@ from cadgen.design.train import Blank, GearHub
 from cadgen.design.train import Train as TrainKeys
 from cadgen.errors import DesignError
 from cadgen.gears.fits import clearance, flat_play, key_play
-from cadgen.gears.joints import Loose, bearings
-from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.layout import Blanks
-from cadgen.gears.limits import SearchLimits
 from cadgen.gears.pair import Gear
+from cadgen.gears.spur import GearPair
 from cadgen.gears.stage import Stage, Wheel
+from cadgen.gears.synthesis import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
-from cadgen.gears.train import Train
+from cadgen.gears.train import Loose, Train, bearings
 from cadgen.parts.blank import Blank as PartBlank
 from cadgen.parts.features import Hub, Keyway, Lightening, SetScrew, Web
 

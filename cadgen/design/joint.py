@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 
 from cadgen.design.section import HERE, WORD, Section
 from cadgen.errors import DesignError
-from cadgen.gears.fit_table import zones_of
+from cadgen.gears.fits import zones_of
 
 
 class Joint(StrEnum):

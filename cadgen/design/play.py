@@ -7,7 +7,7 @@ from pydantic import Field, Strict, model_validator
 
 from cadgen.car.motion.friction import DiscMaterial
 from cadgen.design.section import WORD, Section
-from cadgen.gears.names import Law, StageOrder
+from cadgen.gears.choices import Law, StageOrder
 
 GATE_WIDTH_MM = 400.0
 

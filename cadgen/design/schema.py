@@ -28,7 +28,7 @@ from cadgen.design.play import Optimize, Play, Tolerances
 from cadgen.design.section import WORD, Point, Points, Section, Size, listed
 from cadgen.design.settings import Settings
 from cadgen.design.train import Train, train_by_stages
-from cadgen.parts.names import Face
+from cadgen.parts.face import Face
 
 THINNEST_DISC_MM = 0.1
 LEAST_LAND_MM = 0.1  # between two broken edges; less is worn to a ridge by the rod, and no shop can hold it

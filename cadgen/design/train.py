@@ -12,7 +12,7 @@ from pydantic import Field, Strict, create_model
 from cadgen.design.joint import Held
 from cadgen.design.section import WORD, Feature, FeatureOrNone, Section, listed
 from cadgen.design.stage import StageItem, stage_kinds
-from cadgen.gears.names import Thinning
+from cadgen.gears.choices import Thinning
 
 # All orders of so many stages, 5040, are compared within a second; ten would take an hour.
 MOST_STAGES = 7

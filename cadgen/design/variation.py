@@ -23,11 +23,11 @@ from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
 from cadgen.errors import DesignError
+from cadgen.gears.choices import Order, StageOrder
 from cadgen.gears.distribution import ZoneSum
 from cadgen.gears.fits import clearance as fit_clearance
-from cadgen.gears.joints import WholePlay
-from cadgen.gears.names import Order, StageOrder
-from cadgen.gears.search import arrange
+from cadgen.gears.synthesis import arrange
+from cadgen.gears.train import WholePlay
 from cadgen.inference.monte_carlo.derivatives import Expansion
 from cadgen.inference.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance
 from cadgen.inference.monte_carlo.processes import EXPANSION

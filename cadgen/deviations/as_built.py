@@ -16,7 +16,7 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.rolled import Contact
 from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
-from cadgen.curves.moved import moved
+from cadgen.curves.derived import moved
 from cadgen.deviations import quantities
 from cadgen.deviations.disc import (
     AXIS_REVERSAL,

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from scipy.special import erf, ndtr, ndtri, wofz
 
 from cadgen.arrays import Array
-from cadgen.gears.names import Law
+from cadgen.gears.choices import Law
 
 # Half a zone in standard deviations of the unclipped normal law.
 SIGMAS = 3.0

@@ -14,7 +14,7 @@ from math import acos, ceil, cos, hypot, pi, sin, tan
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
-from cadgen.gears.thinning import with_deviation
+from cadgen.gears.backlash import with_deviation
 from cadgen.gears.tooth import GearForm, Tooth, involute, tooth_of
 
 LEAST_TEETH_SPANNED = 2

@@ -23,9 +23,9 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
-from cadgen.gears.blank import cluster_body, gear_body, with_collar
 from cadgen.gears.stage import Stage, Wheel
 from cadgen.gears.train import Train
+from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body
 from cadgen.parts.features import Keyway

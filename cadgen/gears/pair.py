@@ -10,7 +10,7 @@ from typing import Self
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
-from cadgen.gears.names import Thinning
+from cadgen.gears.choices import Thinning
 from cadgen.gears.tolerances import GRADES, ToleranceOverrides
 from cadgen.gears.tooth import GearForm, involute
 

@@ -146,7 +146,7 @@ class Blank:
     def disc_volume(self, profile_area: float, thickness: float) -> float:
         """Volume of the disc without its hub, mm^3: profile_area (mm^2) less the contours, times the thickness (mm).
 
-        The chamfers of broken edges are not taken off: see `cadgen.curves.inset.chamfered_off`.
+        The chamfers of broken edges are not taken off: see `cadgen.curves.chamfer.chamfered_off`.
 
         Args:
             profile_area: area inside the profile, mm².

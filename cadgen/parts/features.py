@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.errors import DesignError
-from cadgen.parts.names import Face
+from cadgen.parts.face import Face
 
 # DIN 6885-1 (ISO 773): bore above and up to, in mm; width b and depth t2 of the keyway in the hub, in mm.
 STANDARD_KEYWAYS = (

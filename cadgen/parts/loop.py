@@ -2,12 +2,15 @@
 
 Points are complex numbers x + iy in mm, so that turning by an angle is a product with exp(i·angle).
 Every curve runs over a parameter t in [0, 1] and gives its points, its unit tangent and its share of the
-enclosed area exactly; `chord_parameters` spaces points on any of them for a chord tolerance.
+enclosed area exactly. `chord_parameters` spaces points on any of them for a chord tolerance; `bezier_poles` gives
+the Bézier curve within a tolerance, which is what a CAD kernel and a STEP file can hold.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from math import comb
 from typing import Self
 
 import numpy as np
@@ -16,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from cadgen.arrays import gauss_nodes
 from cadgen.curves.contour import Contour
 from cadgen.curves.spacing import even_nodes, inside_spans
+from cadgen.errors import DesignError
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
@@ -351,3 +355,53 @@ def _side(contour: Contour, number: int) -> Line | Arc:
     centre = complex(*np.round(contour.centers[number], ARC_DECIMALS))
     radius = round(float(contour.radii[number]), ARC_DECIMALS)
     return Arc(radius, float(np.angle(start - centre)), float(contour.sweeps[number]), centre)
+
+
+# Degree 5 carries a whole flank and degree 8 a whole root of usual size; beyond 20 the pole matrix loses digits.
+LOWEST_DEGREE = 3
+HIGHEST_DEGREE = 20
+# The deviation is read at this many parameters: several between neighbouring zeros of the error.
+DEVIATION_SAMPLES = 101
+
+
+def bernstein(degree: int, t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bernstein polynomials as a matrix of shape (n, degree + 1).
+
+    Args:
+        degree: degree of the polynomials.
+        t: parameters, 0 to 1, shape (n,).
+    """
+    i, column = np.arange(degree + 1), t[:, None]
+    binomials = np.array([comb(degree, k) for k in range(degree + 1)], dtype=np.float64)
+    return np.asarray(binomials * column**i * (1 - column) ** (degree - i))
+
+
+@lru_cache(maxsize=HIGHEST_DEGREE)
+def _bezier_basis(degree: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    nodes = (1 - np.cos(np.pi * np.arange(degree + 1) / degree)) / 2
+    samples = np.linspace(0.0, 1.0, DEVIATION_SAMPLES)
+    return nodes, np.asarray(np.linalg.inv(bernstein(degree, nodes))), bernstein(degree, samples)
+
+
+def bezier_poles(curve: Curve, tolerance: float) -> Points:
+    """Poles, shape (degree + 1,), of the Bézier curve of least degree within `tolerance` (mm) of `curve`.
+
+    The Bézier curve meets `curve` at the Chebyshev-Lobatto points of its parameter, so both ends are exact;
+    the deviation is measured across the curve. Raises `DesignError` if `HIGHEST_DEGREE` is not enough.
+
+    Args:
+        curve: curve to approximate, mm.
+        tolerance: greatest distance from the curve, mm.
+    """
+    samples = np.linspace(0.0, 1.0, DEVIATION_SAMPLES)
+    exact, tangent = curve.point(samples), curve.tangent(samples)
+    for degree in range(LOWEST_DEGREE, HIGHEST_DEGREE + 1):
+        nodes, to_poles, at_samples = _bezier_basis(degree)
+        poles = to_poles @ curve.point(nodes)
+        deviation = float(np.max(np.abs(((at_samples @ poles - exact) * np.conj(tangent)).imag)))
+        if deviation <= tolerance:
+            return np.asarray(poles)
+    raise DesignError(
+        f"a tooth curve cannot be drawn within {tolerance * 1e3:g} µm (degree {HIGHEST_DEGREE} leaves"
+        f" {deviation * 1e3:g} µm); choose a smaller module"
+    )

@@ -10,7 +10,7 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.path import track
 from cadgen.curves.contour import circle
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design.cam_model import lift
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError

@@ -18,7 +18,7 @@ TURN = 2 * np.pi
 
 def harmonic_lift(amplitude: float, order: int, mean: float = 0.0, pieces: int = 720) -> LiftCurve:
     """tan(beta) = mean + amplitude cos(order theta), as quintic pieces."""
-    from cadgen.curves.hermite import quintic_hermite
+    from cadgen.curves.piecewise import quintic_hermite
 
     theta = np.linspace(0, TURN, pieces + 1)
     phase = order * theta
@@ -75,7 +75,7 @@ def test_eccentric_circle():
     d = eccentricity * c + root
     d1 = -eccentricity * s - eccentricity**2 * s * c / root
     d2 = -eccentricity * c - eccentricity**2 * (c**2 - s**2) / root - eccentricity**4 * s**2 * c**2 / root**3
-    from cadgen.curves.hermite import quintic_hermite
+    from cadgen.curves.piecewise import quintic_hermite
 
     jets = np.stack([d - 60.0, d1, d2], axis=1) / far
     lift = LiftCurve(quintic_hermite(theta, jets, periodic=True), np.array([]), 6.0)

@@ -5,7 +5,7 @@ import pytest
 
 from cadgen.cam.lift import lift_curve
 from cadgen.car.steering import steering_jets
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 
 TURN = 2 * np.pi

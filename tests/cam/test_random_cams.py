@@ -10,7 +10,7 @@ from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.loss import lost_lift
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 
 TURN = 2 * np.pi
 

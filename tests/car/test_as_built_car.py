@@ -10,7 +10,7 @@ from cadgen.cam.lift import lift_curve
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.motion.errors import turning
 from cadgen.car.steering import by_rim, rim_travel, steering_jets, tan_steering, track_curvature
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 
 ZERO, GAIN, SLIP = np.radians(0.55), 1.04, 0.08

@@ -6,7 +6,7 @@ import pytest
 from cadgen.car.path.spline import plan_path
 from cadgen.car.path.track import offset_track
 from cadgen.car.steering import Car, steering_jets, tan_steering, track_curvature
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 
 CAR = Car(wheelbase=167.0, drive_wheel_offset=37.0, idle_wheel_offset=201.0, max_steering_angle=np.radians(35))

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
+from cadgen.curves.chamfer import Apex, chamfer_strips, chamfered_off, inner_curve
 from cadgen.curves.contour import Contour, circle
-from cadgen.curves.inset import Apex, chamfer_strips, chamfered_off, inner_curve
 from cadgen.curves.polygon import strip_polygons
 from cadgen.curves.spline import ruled_splines
 from cadgen.errors import CheckError

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cadgen.curves.contour import circle, keyway_bore
-from cadgen.curves.offset import parallel
+from cadgen.curves.derived import parallel
 from cadgen.errors import CheckError
 from tests.curves.shapes import ellipse, lens, limacon, off_ellipse
 

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline, PPoly
 
-from cadgen.curves.zeros import zeros
+from cadgen.curves.piecewise import zeros
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
 

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears.backlash import StagePlay, stage_play
-from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.pair import Gear
+from cadgen.gears.spur import GearPair
 from cadgen.gears.stage import Departure
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from cadgen.gears.contact import contact_ratio, found_contact_ratio
-from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.pair import Gear
+from cadgen.gears.spur import GearPair
 from cadgen.gears.tooth import GearForm, tooth_of
 from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, measured_pair
 

@@ -14,10 +14,10 @@ import pytest
 from cadgen.design import gear_model, variation
 from cadgen.design.load import load_design, load_train, train_of
 from cadgen.errors import DesignError
-from cadgen.gears.engaged import PLAY_LIMIT_UM
-from cadgen.gears.kinds import table
-from cadgen.gears.kinds.spur import GearPair
-from cadgen.geometry.solids.gear_text import read_gear
+from cadgen.gears import kinds
+from cadgen.gears.spur import GearPair
+from cadgen.gears.stage import PLAY_LIMIT_UM
+from cadgen.geometry.solids.step_text import read_gear
 from cadgen.jobs.calibration import plan as calibration
 from cadgen.jobs.gears.facts import plan_facts
 from cadgen.jobs.gears.files import write_gears
@@ -27,7 +27,7 @@ from tests.forks import MAIN
 
 (SHOWN,) = [block.text for block in blocks(DOCS / "how-to/gear-kinds.md") if block.language == "python"]
 KIND = SHOWN.partition("# The line that registers it")[0]
-SCRIPT = f"{KIND}\ntable.register(FRICTION)\n{MAIN}"
+SCRIPT = f"{KIND}\nkinds.register(FRICTION)\n{MAIN}"
 MADE_UP: dict = {}
 exec(KIND, MADE_UP)
 FRICTION, FrictionDiscs = MADE_UP["FRICTION"], MADE_UP["FrictionDiscs"]
@@ -95,9 +95,9 @@ def train_of_teeth(design):
 
 @pytest.fixture(scope="module", autouse=True)
 def registered():
-    table.register(FRICTION)
+    kinds.register(FRICTION)
     yield FRICTION
-    table.remove(FRICTION)
+    kinds.remove(FRICTION)
 
 
 @pytest.fixture
@@ -286,15 +286,15 @@ def test_its_values_make_the_same_design_again(discs):
 
 
 def test_a_kind_that_is_not_registered_is_refused(discs, registered):
-    table.remove(registered)
+    kinds.remove(registered)
     try:
         with pytest.raises(DesignError, match=r'train.stages.1.kind is "friction_discs"; it must be "spur"'):
             load_train(discs)
     finally:
-        table.register(registered)
+        kinds.register(registered)
 
 
 @pytest.mark.parametrize("code", ["spur", "friction_discs", "Two words", ""])
 def test_a_code_is_unique_and_plain(code):
     with pytest.raises(DesignError, match="kind of stage"):
-        table.register(replace(FRICTION, code=code))
+        kinds.register(replace(FRICTION, code=code))

@@ -9,12 +9,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.layout import Blanks, TrainLayout, lay_out
 from cadgen.gears.pair import Gear
+from cadgen.gears.spur import GearPair
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
-from cadgen.geometry.meshes.prisms import body_mesh
+from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, SetScrew
 

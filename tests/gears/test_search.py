@@ -12,18 +12,15 @@ from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
 from cadgen.gears import chains
-from cadgen.gears.backlash import stage_play
-from cadgen.gears.contact import contact_ratio
-from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.backlash import stage_play, with_deviations
+from cadgen.gears.contact import contact_ratio, missing_shift
 from cadgen.gears.layout import Blanks, lay_out
-from cadgen.gears.limits import SearchLimits
 from cadgen.gears.pair import Gear
-from cadgen.gears.search import TrainSearch, all_orders, arrange, search_trains
-from cadgen.gears.thinning import with_deviations
+from cadgen.gears.spur import GearPair
+from cadgen.gears.synthesis import SearchLimits, TrainSearch, all_orders, arrange, search_trains
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
-from cadgen.gears.undercut import missing_shift
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub
 

@@ -6,8 +6,8 @@ from math import pi
 import pytest
 
 from cadgen.errors import DesignError
-from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.pair import Gear
+from cadgen.gears.spur import GearPair
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned, train_play

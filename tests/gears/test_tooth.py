@@ -9,9 +9,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.bezier import bernstein, bezier_poles
 from cadgen.gears.tooth import GearForm, tooth_of
-from cadgen.parts.loop import chord_parameters
+from cadgen.parts.loop import bernstein, bezier_poles, chord_parameters
 
 # Rounding of the rolled rack's distance on a gear of 100 mm, with a margin.
 ROLLED_ZERO_MM = 1e-9

@@ -9,8 +9,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from cadgen.errors import DesignError
-from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.pair import Gear
+from cadgen.gears.spur import GearPair
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train

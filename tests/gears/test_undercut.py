@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 
 from cadgen.errors import DesignError
-from cadgen.gears.contact import contact_ratio
-from cadgen.gears.kinds.spur import GearPair
+from cadgen.gears.backlash import with_deviations
+from cadgen.gears.contact import contact_ratio, contact_ratios, missing_shift
 from cadgen.gears.pair import Gear
-from cadgen.gears.thinning import with_deviations
+from cadgen.gears.spur import GearPair
 from cadgen.gears.tooth import GearForm, tooth_of
-from cadgen.gears.undercut import contact_ratios, missing_shift
 
 
 def pair(z1: int, z2: int, module: float, **form: float) -> GearPair:

@@ -12,11 +12,11 @@ from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import gear_model
 from cadgen.design.load import load_design, load_train
 from cadgen.errors import DesignError
-from cadgen.gears.search import search_trains
+from cadgen.gears.synthesis import search_trains
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import teeth_of
-from cadgen.geometry.meshes import train_made
-from cadgen.geometry.meshes.train_checks import PLAY_LIMIT_UM
+from cadgen.geometry.meshes import made_train
+from cadgen.geometry.meshes.made_train import PLAY_LIMIT_UM
 from cadgen.jobs.gears import files
 from cadgen.jobs.gears import plan as workflow
 from cadgen.jobs.gears.facts import plan_facts
@@ -194,7 +194,7 @@ def test_a_train_that_fails_a_check_gives_way_to_the_next_but_not_if_all_fail(mo
         wrong = layout.train.stages[0].driver.form.teeth in failing
         return (Check(CheckCode.TEETH_JAM, "tried", float(wrong), "", 0.0, Bound.MAX),)
 
-    monkeypatch.setattr("cadgen.geometry.meshes.train_made.gear_checks", judge)
+    monkeypatch.setattr("cadgen.geometry.meshes.made_train.gear_checks", judge)
     design = load_design()
     best = plan_gears(design, "reordered")
     assert (best.play, best.skipped, best.passed) == (best.ranked[0], (), True)
@@ -376,7 +376,7 @@ def test_a_search_goes_on_past_more_failing_trains_than_it_ranks(monkeypatch):
     def failing(layout):
         return [n for n, pair in enumerate(layout.train.stages) if pair.driven.form.teeth > 140]
 
-    monkeypatch.setattr(train_made, "gear_checks", judge)
+    monkeypatch.setattr(made_train, "gear_checks", judge)
     monkeypatch.setattr(workflow, "failing_stages", failing)
     plan = plan_gears(load_design(None, ["train.search.keep=3"]), "search")
     assert plan.passed
@@ -407,7 +407,7 @@ def test_meshes_of_too_many_corners_are_refused_by_their_key():
         plan_gears(load_design(None, [*settings, "export.mesh_chord_um=0.1"]))
     raised = float(str(refusal.value).rsplit(" ", 1)[1])
     layout = SimpleNamespace(parts=[SimpleNamespace(gears=[GearForm(teeth=1000, normal_module=0.5, width=5.0)] * 14)])
-    train_made._require_meshable(layout, [raised / 1e3])
+    made_train._require_meshable(layout, [raised / 1e3])
 
 
 def test_more_teeth_than_step_takes_are_refused_before_a_file_is_made(paper, tmp_path, monkeypatch):

@@ -12,10 +12,10 @@ import pytest
 from cadgen.design.gear_model import mesh_chord
 from cadgen.design.load import load_design
 from cadgen.errors import FileError
-from cadgen.gears.blank import gear_body
-from cadgen.gears.thinning import with_deviation
+from cadgen.gears.backlash import with_deviation
 from cadgen.gears.tooth import GearForm
-from cadgen.geometry.meshes.prisms import body_mesh
+from cadgen.gears.wheel_body import gear_body
+from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.geometry.meshes.teeth import Section, section_of
 from cadgen.jobs.gears.files import _stl_facts, _tables, table_of
 from cadgen.jobs.gears.plan import plan_gears

@@ -8,9 +8,9 @@ import pytest
 
 from cadgen.curves.contour import circle
 from cadgen.errors import DesignError
-from cadgen.gears.blank import gear_body
 from cadgen.gears.tooth import GearForm
-from cadgen.geometry.meshes.prisms import body_mesh
+from cadgen.gears.wheel_body import gear_body
+from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, Mark, SetScrew, Web
 from cadgen.parts.loop import Arc, loop_of

@@ -15,8 +15,8 @@ from cadgen.cam.contact import roll
 from cadgen.cam.cutter import largest_cutter
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import LeaningRod
+from cadgen.curves.chamfer import chamfer_strips, inner_curve
 from cadgen.curves.closed import ClosedCurve, left_normal
-from cadgen.curves.inset import chamfer_strips, inner_curve
 from tests.conftest import Built, build
 
 STEP = 0.03  # mm between points of an outline

@@ -25,7 +25,7 @@ from cadgen.car.optimize.band import best_for_band, over_band
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.car.optimize.remedies import holding, trims
 from cadgen.car.optimize.task import Task
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.jobs.cam.comparison import task_of

@@ -27,7 +27,7 @@ from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import follow
 from cadgen.car.optimize.compensation import compensated_lift
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from tests.studies.command import PAGES, options, tell
 
 STEPS = 36000  # of the grid: a hundredth of a degree

@@ -11,7 +11,7 @@ from cadgen.cam.followers.rod_geometry import RodGeometry, rod_half_width
 from cadgen.cam.lift import LiftCurve
 from cadgen.cam.lowest import SAME
 from cadgen.curves.closed import ClosedCurve, Jet, Piece
-from cadgen.curves.zeros import zeros
+from cadgen.curves.piecewise import zeros
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import falls
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 
 _LEAST_HALF_WIDTH = radians(0.1)  # of the mean; what it takes off a peak is far below a micrometre
 _GREATEST_HALF_WIDTH = radians(0.5)

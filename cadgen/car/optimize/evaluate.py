@@ -22,7 +22,7 @@ from cadgen.car.optimize.dilation import LostDip, lost_dips
 from cadgen.car.optimize.profiles.profile import CutLift, Profile
 from cadgen.car.optimize.task import Task, TrainTask
 from cadgen.curves.closed import ClosedCurve
-from cadgen.gears.names import StageOrder
+from cadgen.gears.choices import StageOrder
 
 STATIONS = 3600  # at which the rod is rolled; the run then errs by 0.02 mm
 _OUTLINE_STEP = 0.03  # mm; the run then ends within 0.01 mm of where finer steps take it (0.06: 0.06, 0.12: 0.6)

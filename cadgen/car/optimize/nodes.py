@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.lift import LiftCurve
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 
 KINK = 1e-6  # a jump of d tan(beta)/d theta below this turns the outline by less than 1e-6 rad: no kink
 SIDE = 1e-12  # rad; how far beside a node its one-sided jets are taken

@@ -15,7 +15,7 @@ from cadgen.car.optimize.band import Bound, PlayBand, best_for_band, fixed_profi
 from cadgen.car.optimize.smoothing import smooth_to
 from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve, Outline
-from cadgen.gears.names import StageOrder
+from cadgen.gears.choices import StageOrder
 
 
 class FinishedDisc(Protocol):

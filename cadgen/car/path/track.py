@@ -7,7 +7,7 @@ from scipy.interpolate import PPoly
 
 from cadgen.arrays import Array, gauss_nodes
 from cadgen.car.path.spline import PlannedPath
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 
 # 64 intervals a span keep the sixth-order interpolation error under 1e-9 of the curvature on the paper's path, and the

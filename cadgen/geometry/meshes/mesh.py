@@ -1,14 +1,29 @@
-"""A closed mesh of triangles, and its conversion to a solid of manifold3d and back."""
+"""Closed meshes of triangles: the disc of a cam by manifold3d, and a body of prisms, such as a gear's, directly.
 
+No CAD kernel makes them. A body's walls are strips between equal polygons on the exact outlines and its caps share
+their corners, so the mesh is closed by construction.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
 from typing import NamedTuple
 
+import manifold3d
 import numpy as np
-from manifold3d import CrossSection, Error, Manifold, Mesh64
+from manifold3d import CrossSection, Error, FillRule, Manifold, Mesh64, triangulate
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
+from cadgen.curves.chamfer import chamfer_strips
+from cadgen.curves.closed import ClosedCurve
+from cadgen.curves.contour import Contour, circle
+from cadgen.curves.polygon import polygon, strip_polygons
 from cadgen.errors import FileError
-from cadgen.parts.body import RadialHole
+from cadgen.parts.blank import OVERSHOOT, PROFILE_STEP, Blank, Boss
+from cadgen.parts.body import Body, Cap, RadialHole, caps_of, walls_of
+from cadgen.parts.loop import Loop, Points
+from cadgen.parts.loop import circle as circle_loop
 
 Triangles = NDArray[np.int64]
 
@@ -53,3 +68,165 @@ def drill(hole: RadialHole, section: Array) -> Manifold:
     # Lays the prism's axis, which is z, along the ray of the hole.
     laid = np.array([[0.0, -s, c, 0.0], [0.0, c, s, 0.0], [-1.0, 0.0, 0.0, hole.height]])
     return Manifold.extrude(CrossSection([section]), hole.reach).transform(laid)
+
+
+Corners = dict[tuple[Loop, float], int]
+
+
+def body_mesh(body: Body, chord_tolerance: float) -> Mesh:
+    """Mesh of `body` whose chords stay within `chord_tolerance` (mm) of the exact outlines.
+
+    Args:
+        body: body of prisms.
+        chord_tolerance: greatest distance of a chord from an outline, mm.
+    """
+    polygons: dict[Loop, Points] = {}
+    corners: Corners = {}
+    vertices: list[NDArray[np.float64]] = []
+    triangles: list[NDArray[np.int64]] = []
+    count = 0
+
+    def row(outline: Loop, height: float) -> int:
+        """Index of the first corner of `outline` at `height`."""
+        nonlocal count
+        if (outline, height) not in corners:
+            points = polygons.setdefault(outline, outline.polygon(chord_tolerance))
+            vertices.append(np.column_stack([points.real, points.imag, np.full(len(points), height)]))
+            corners[outline, height] = count
+            count += len(points)
+        return corners[outline, height]
+
+    for wall in walls_of(body):
+        low, high = row(wall.outline, wall.start), row(wall.outline, wall.end)
+        strip = _strip(low, high, len(polygons[wall.outline]))
+        triangles.append(strip if wall.outward else strip[:, ::-1])
+    for cap in caps_of(body.slabs):
+        flat = _cap_triangles(cap, polygons, corners)
+        triangles.append(flat if cap.up else flat[:, ::-1])
+    mesh = Mesh(np.concatenate(vertices), np.concatenate(triangles))
+    if body.radial_hole:
+        return _drilled(mesh, body.radial_hole, chord_tolerance)
+    return mesh
+
+
+def _strip(low: int, high: int, count: int) -> NDArray[np.int64]:
+    """Triangles of the wall between two equal counter-clockwise rings of corners, seen from outside them."""
+    corner = np.arange(count)
+    following = np.roll(corner, -1)
+    return np.concatenate(
+        [
+            np.column_stack([low + corner, low + following, high + following]),
+            np.column_stack([low + corner, high + following, high + corner]),
+        ]
+    )
+
+
+def _cap_triangles(cap: Cap, polygons: dict[Loop, Points], corners: Corners) -> NDArray[np.int64]:
+    """Triangles of a cap, counter-clockwise from above.
+
+    Triangulating thousands of corners at once is slow. One pitch of the outer outline is cut off by the chord
+    between its ends and triangulated; its copies only need other indices. What remains has one corner per
+    pitch.
+    """
+    first, outer = corners[cap.outer, cap.height], polygons[cap.outer]
+    index = first + np.arange(len(outer))
+    parts = []
+    step = len(outer) // cap.outer.repeats
+    if cap.outer.repeats > 1:
+        pitch = _triangulate([outer[: step + 1]])
+        offsets = step * np.arange(cap.outer.repeats)[:, None, None]
+        parts.append(first + (pitch + offsets).reshape(-1, 3) % len(outer))
+        index, outer = index[::step], outer[::step]
+    rings, indices = [outer], [index]
+    for hole in cap.inner:
+        rings.append(polygons[hole][::-1])
+        indices.append((corners[hole, cap.height] + np.arange(len(polygons[hole])))[::-1])
+    parts.append(np.concatenate(indices)[_triangulate(rings)])
+    return np.concatenate(parts)
+
+
+def _triangulate(rings: list[Points]) -> NDArray[np.int64]:
+    flat = [np.column_stack([ring.real, ring.imag]) for ring in rings]
+    return np.asarray(manifold3d.triangulate(flat), dtype=np.int64)
+
+
+def _drilled(mesh: Mesh, hole: RadialHole, chord_tolerance: float) -> Mesh:
+    """The mesh less the radial hole, as a prism between axis and reach."""
+    section = circle_loop(hole.diameter).polygon(chord_tolerance)
+    # Made before the solid: the order in which both are made is that of their triangles in the result.
+    tool = drill(hole, np.column_stack([section.real, section.imag]))
+    return mesh_of(mesh.solid() - tool)
+
+
+def cam_mesh(
+    profile: ClosedCurve, blank: Blank, thickness: float, chord_tolerance: float, rim_share: float = 0.5
+) -> Mesh:
+    """Return the disc with its bore, holes and hub; z = 0 is the inner face, z = thickness the outer one.
+
+    Args:
+        profile: profile of the rim, mm.
+        blank: features of the disc besides its profile.
+        thickness: thickness of the disc, mm.
+        chord_tolerance: greatest distance of bore, holes and hub from the true shape, mm.
+        rim_share: share of chord_tolerance allowed to the rim along its normal; the error of the lift is that over the
+            cosine of the pressure angle.
+
+    Raises:
+        DesignError: a hole cuts into another one, into the hub or through the profile.
+        CheckError: the chamfers of broken edges meet, or run out at a ridge.
+    """
+    blank.require_walls(profile.outline(PROFILE_STEP))
+    holes = [contour.polygon(chord_tolerance) for contour in blank.holes()]
+    bore, rim_chord = blank.bore(), rim_share * chord_tolerance
+    boss = blank.boss(thickness)
+    if boss is None:
+        solid = _disc(profile, [bore.polygon(chord_tolerance), *holes], thickness, blank.edge_break, rim_chord)
+    else:
+        disc = _disc(profile, holes, thickness, blank.edge_break, rim_chord)
+        solid = _with_hub(disc, boss, bore, thickness, chord_tolerance)
+    return mesh_of(solid)
+
+
+def _prism(polygons: list[Array], bottom: float, height: float) -> Manifold:
+    section = CrossSection(polygons, FillRule.EvenOdd)
+    return Manifold.extrude(section, height).translate((0.0, 0.0, bottom))
+
+
+def _disc(profile: ClosedCurve, holes: list[Array], thickness: float, edge_break: float, chord: float) -> Manifold:
+    """The disc with holes, the edges of its rim broken."""
+    if edge_break == 0:
+        return _prism([polygon(profile, chord), *holes], 0.0, thickness)
+    outer, inner = strip_polygons(chamfer_strips(profile, edge_break), chord)
+    rings, vertices = [], np.empty((0, 3))
+    heights = 0.0, edge_break, thickness - edge_break, thickness
+    for points, z in zip((inner, outer, outer, inner), heights, strict=True):
+        # Where a side of the chamfer is a point it stands there once.
+        new = np.any(points != np.roll(points, 1, axis=0), axis=1)
+        rings.append(len(vertices) + (np.cumsum(new) - 1) % new.sum())
+        vertices = np.vstack([vertices, np.column_stack([points[new], np.full(new.sum(), z)])])
+    triangles = [
+        np.concatenate([np.stack(corners, axis=1) for corners in ((a, a1, b1), (a, b1, b))])
+        for a, b in pairwise(rings)
+        for a1, b1 in [(np.roll(a, -1), np.roll(b, -1))]
+    ]
+    cap = triangulate([vertices[np.unique(rings[0]), :2]])
+    triangles += [cap[:, ::-1] + rings[0].min(), cap + rings[-1].min()]
+    faces = np.concatenate(triangles)
+    whole = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
+    solid = Manifold(Mesh64(vertices, faces[whole].astype(np.uint64)))
+    if solid.status() != Error.NoError:
+        raise FileError("the mesh of the disc with broken edges does not close: report this design")
+    if holes:
+        solid -= _prism(holes, -OVERSHOOT, thickness + 2 * OVERSHOOT)
+    return solid
+
+
+def _with_hub(disc: Manifold, boss: Boss, bore: Contour, thickness: float, chord_tolerance: float) -> Manifold:
+    """Set the hub on a disc without bore, then cut bore and set screw through both."""
+    # From the disc's middle on, so that the two bodies do not merely touch.
+    low, high = min(boss.low, thickness / 2), max(boss.high, thickness / 2)
+    hub = _prism([circle((0.0, 0.0), boss.diameter / 2).polygon(chord_tolerance)], low, high - low)
+    solid = disc + hub - _prism([bore.polygon(chord_tolerance)], boss.bottom, boss.top - boss.bottom)
+    if boss.drill is None:
+        return solid
+    return solid - drill(boss.drill, circle((0.0, 0.0), boss.drill.diameter / 2).polygon(chord_tolerance))

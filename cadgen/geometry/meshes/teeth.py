@@ -22,8 +22,7 @@ import manifold3d
 import numpy as np
 
 from cadgen.errors import CheckError
-from cadgen.gears.engaged import LEAST_OVERLAP
-from cadgen.gears.stage import Stage, Wheel
+from cadgen.gears.stage import LEAST_OVERLAP, Stage, Wheel
 from cadgen.parts.loop import Points
 
 # Greatest distance of a section's chords from the tooth curves, in mm.

@@ -1,18 +1,30 @@
-"""The rim of a STEP file, from the file's own text: a second reader that shares nothing with the CAD kernel.
+"""STEP files read from their own text: a second reader that shares nothing with the CAD kernel.
 
-Of ISO 10303-21 and -42 it reads only the entities of a cam's rim: at one height a closed chain of edges that are all
+**Of a cam** it reads the rim (ISO 10303-21 and -42): at one height a closed chain of edges that are all
 B_SPLINE_CURVE_WITH_KNOTS, evaluated here by scipy. A rim with broken edges has such a chain on either side of its land.
+
+**Of a gear** it reads the tooth curves, and the solid for comparison. Flanks and roots are Bézier curves, which STEP
+writes as B-splines of one span. Each is set against the exact curve of its tooth, point by point at equal parameters,
+and the section that they enclose is measured in mesh.
 """
 
+from __future__ import annotations
+
 import re
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
 from cadgen.arrays import Array
 from cadgen.curves.closed import Outline, cross
 from cadgen.errors import FileError
+from cadgen.gears.stage import Wheel
+from cadgen.geometry.meshes.teeth import CHORD_TOLERANCE, Section
+from cadgen.parts.loop import Arc, Curve, Involute, Loop, Trochoid, bernstein, chord_parameters
 
 # An instance ends at the first semicolon outside a string; a quote inside a string is doubled.
 _INSTANCE = re.compile(r"#(\d+)\s*=\s*([A-Z0-9_]+)\s*\(((?:[^';]|'[^']*')*)\)\s*;")
@@ -104,3 +116,165 @@ def _references(arguments: str) -> list[int]:
 
 def _numbers(arguments: str) -> Array:
     return np.array([float(field) for field in arguments.split(",") if re.fullmatch(r"\s*[-+.\dE]+\s*", field)])
+
+
+_SOLID = re.compile(r"#(\d+)=MANIFOLD_SOLID_BREP\(.*?(?=#\d+=(?:STYLED_ITEM|\(GEOMETRIC_REPRESENTATION_CONTEXT))")
+_POINT = re.compile(r"#(\d+)=CARTESIAN_POINT\('',\(([^)]*)\)\)")
+_BEZIER = re.compile(
+    r"=B_SPLINE_CURVE_WITH_KNOTS\('',\d+,\(([^)]*)\),\.UNSPECIFIED\.,\.F\.,\.F\.,\((\d+),\2\),\(0\.,1\.\)"
+)
+_CIRCLE = re.compile(r"=CIRCLE\('',#(\d+),([^)]*)\)")
+_AXES = re.compile(r"#(\d+)=AXIS2_PLACEMENT_3D\('',#(\d+),")
+_SAMPLES = np.linspace(0.0, 1.0, 33)
+# Ends of curves that belong together are no further apart, in mm: the rounding of the poles and no more.
+_SAME_END = 1e-6
+# Every tooth curve stands at both ends of its wall, and once more as what the wall's surface is swept from.
+_TIMES_WRITTEN = 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class GearContent:
+    """Content of a part's STEP file.
+
+    Attributes:
+        solid: text of the solid, as by `solids_in`.
+        sections: section of every gear, from below.
+        flank_error: greatest distance of a flank from the exact flank, mm; None without teeth.
+        root_error: greatest distance of a root curve from the exact root curve, mm; None without teeth.
+        rim_error: greatest distance of an arc of a rim without teeth from the exact one, mm; None if all have teeth.
+    """
+
+    solid: bytes
+    sections: tuple[Section, ...]
+    flank_error: float | None
+    root_error: float | None
+    rim_error: float | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Curves:
+    """Bézier curves of one degree: poles, shape (n, degree + 1), and heights, shape (n,), in mm."""
+
+    poles: NDArray[np.complex128]
+    height: NDArray[np.float64]
+
+
+def solids_in(text: str) -> list[bytes]:
+    """Texts of the solids in a STEP file, numbers counted from the first, so that equal solids have equal texts."""
+    solids = []
+    for solid in _SOLID.finditer("".join(text.split())):
+        words = re.split(r"#(\d+)", solid[0])
+        numbers = np.array(words[1::2], dtype=np.int64) - int(solid[1])
+        solids.append("#".join(words[::2]).encode() + numbers.tobytes())
+    return solids
+
+
+def read_gear(path: Path, gears: Sequence[Wheel], starts: Sequence[float]) -> GearContent:
+    """Read a part with `gears` that begin at the heights `starts` (mm).
+
+    Raises `FileError` if the file cannot be read, is not of one solid, or has other tooth curves than the gears.
+    """
+    try:
+        bare = "".join(path.read_text(encoding="ascii").split())
+    except (OSError, UnicodeError) as error:
+        raise FileError(f"cannot read {path.name}: {error}") from error
+    solids = solids_in(bare)
+    if not bare.endswith("END-ISO-10303-21;") or len(solids) != 1 or "SI_UNIT(.MILLI.,.METRE.)" not in bare:
+        raise FileError(f"{path.name} is not a whole STEP file of one solid in mm: export it again")
+    curves = _curves(bare, path)
+    sections: list[Section] = []
+    errors: dict[type[Curve], float] = {}
+    for wheel, start in zip(gears, starts, strict=True):
+        outline, heights = wheel.outline, (start, start + wheel.width)
+        tooth_curves = [exact for exact in outline.curves if isinstance(exact, Involute | Trochoid)]
+        if not tooth_curves:
+            errors[Arc] = max(errors.get(Arc, 0.0), _rim_error(outline, bare, heights, path))
+            sections.append(Section(outline.polygon(CHORD_TOLERANCE).reshape(outline.repeats, -1)))
+            continue
+        rows: list[NDArray[np.complex128]] = []
+        for exact in tooth_curves:
+            poles = _matched(exact, outline.repeats, curves, heights, path)
+            errors[type(exact)] = max(errors.get(type(exact), 0.0), _deviation(exact, poles))
+            rows.append(poles @ bernstein(poles.shape[1] - 1, chord_parameters(exact, CHORD_TOLERANCE)).T)
+        sections.append(Section(np.concatenate(rows, axis=1)))
+    return GearContent(
+        solid=solids[0],
+        sections=tuple(sections),
+        flank_error=errors.get(Involute),
+        root_error=errors.get(Trochoid),
+        rim_error=errors.get(Arc),
+    )
+
+
+def _rim_error(outline: Loop, bare: str, heights: tuple[float, float], path: Path) -> float:
+    """Greatest distance of the arcs of a rim without teeth from the file's circles, at both of its ends, mm."""
+    points, axes = dict(_POINT.findall(bare)), dict(_AXES.findall(bare))
+    try:
+        circles = np.array(
+            [
+                [*map(float, points[axes[place]].split(",")), float(radius)]
+                for place, radius in _CIRCLE.findall(bare)
+                if place in axes  # and not in the plane of a surface's parameters
+            ]
+        ).reshape(-1, 4)
+    except (KeyError, ValueError) as error:
+        raise FileError(f"{path.name} is damaged: export it again") from error
+    worst = 0.0
+    for arc in (curve for curve in outline.curves if isinstance(curve, Arc)):
+        for centre in arc.centre * outline.turns:
+            for height in heights:
+                wanted = np.array([centre.real, centre.imag, height, arc.radius])
+                off = np.abs(circles - wanted).sum(axis=1).min(initial=np.inf)
+                worst = max(worst, float(off))
+    return worst
+
+
+def _curves(bare: str, path: Path) -> list[_Curves]:
+    points = dict(_POINT.findall(bare))
+    by_count: dict[str, list[str]] = {}
+    for poles, count in _BEZIER.findall(bare):
+        by_count.setdefault(count, []).append(poles)
+    groups = []
+    try:
+        for count, texts in by_count.items():
+            places = ",".join(points[name[1:]] for name in ",".join(texts).split(","))
+            x, y, z = np.array(places.split(","), dtype=np.float64).reshape(-1, int(count), 3).transpose(2, 0, 1)
+            flat = np.all(z == z[:, :1], axis=1)  # where a set screw meets a hub, curves rise
+            groups.append(_Curves((x + 1j * y)[flat], z[flat, 0]))
+    except (KeyError, ValueError) as error:
+        raise FileError(f"{path.name} is damaged: export it again") from error
+    return groups
+
+
+def _matched(
+    exact: Curve, teeth: int, curves: list[_Curves], heights: tuple[float, float], path: Path
+) -> NDArray[np.complex128]:
+    """Poles of the file's copies of a tooth curve by tooth, shape (teeth, degree + 1)."""
+    turns = np.exp(2j * np.pi / teeth * np.arange(teeth))
+    ends = np.outer(turns, exact.point([0.0, 1.0]))
+    for group in curves:
+        at_height = (group.height >= heights[0] - _SAME_END) & (group.height <= heights[1] + _SAME_END)
+        poles = group.poles[at_height]
+        if not len(poles):
+            continue
+        poles_at_ends = poles[:, [0, -1]]
+        turned = np.angle(poles_at_ends[:, 0] / ends[0, 0])
+        tooth = np.rint(turned * teeth / (2 * np.pi)).astype(int) % teeth
+        near = np.abs(poles_at_ends - ends[tooth]).max(axis=1) <= _SAME_END
+        counts = np.bincount(tooth[near], minlength=teeth)
+        if np.all(counts == _TIMES_WRITTEN):
+            by_tooth = np.empty((teeth, poles.shape[1]), dtype=np.complex128)
+            by_tooth[tooth[near]] = poles[near]
+            copies = poles[near] / turns[tooth[near], None]
+            spread = float(np.abs(copies - copies[0]).max())
+            if spread > _SAME_END:
+                raise FileError(f"{path.name} has teeth that differ by {spread:.2g} mm: export it again")
+            return by_tooth
+    raise FileError(f"{path.name} does not have all the flanks and roots of {teeth} teeth: export it again")
+
+
+def _deviation(exact: Curve, poles: NDArray[np.complex128]) -> float:
+    """Greatest distance across the exact curve, over all teeth."""
+    turns = np.exp(-2j * np.pi / len(poles) * np.arange(len(poles)))
+    points = (poles @ bernstein(poles.shape[1] - 1, _SAMPLES).T) * turns[:, None]
+    return float(np.abs(((points - exact.point(_SAMPLES)) * np.conj(exact.tangent(_SAMPLES))).imag).max())

@@ -9,8 +9,8 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.errors import DesignError
+from cadgen.gears.choices import Law
 from cadgen.gears.distribution import ZoneSum
-from cadgen.gears.names import Law
 from cadgen.inference.monte_carlo.derivatives import STEERING
 from cadgen.inference.monte_carlo.fleet import Fleet, Poses, run_fleet
 from cadgen.inference.monte_carlo.parameters import TOLERANCES, Directed, Parameter, Tolerance, parts_of, tolerance

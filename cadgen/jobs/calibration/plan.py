@@ -18,9 +18,9 @@ from cadgen.design.schema import Design
 from cadgen.deviations import quantities
 from cadgen.deviations.names import Place
 from cadgen.errors import FileError, brief
-from cadgen.gears.kinds.spur import spur_pairs
-from cadgen.gears.names import Order
-from cadgen.gears.search import arrange
+from cadgen.gears.choices import Order
+from cadgen.gears.spur import spur_pairs
+from cadgen.gears.synthesis import arrange
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.calibrate import calibrate as judge
 from cadgen.inference.measurement.calibrate import calibrate_tricycle

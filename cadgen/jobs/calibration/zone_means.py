@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.design import variation
 from cadgen.design.schema import Design
-from cadgen.gears.names import StageOrder
+from cadgen.gears.choices import StageOrder
 from cadgen.inference.measurement.findings import Finding
 from cadgen.inference.measurement.record import Kind, Record
 from cadgen.inference.measurement.remarks import said

@@ -18,7 +18,7 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
-from cadgen.gears.names import StageOrder
+from cadgen.gears.choices import StageOrder
 
 PAPER_PERCENT = 45.31  # reduction of the sum of deflection errors by the paper's two methods together
 # An error before that is no greater than this is within the error of rolling: no share of it can be taken off; mm, rad.

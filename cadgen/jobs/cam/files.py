@@ -164,8 +164,7 @@ def _step(job: Job) -> Iterator[Result]:
 
 def _meshes(job: Job) -> Iterator[Result]:
     from cadgen.geometry.meshes.content import inspect
-    from cadgen.geometry.meshes.disc import cam_mesh
-    from cadgen.geometry.meshes.mesh import Mesh
+    from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
     from cadgen.output.files.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
 
     chord = job.plan.design.export.cam_chord_um * 1e-3

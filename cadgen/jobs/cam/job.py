@@ -14,8 +14,8 @@ from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.difference import Exact, dense_stations
 from cadgen.cam.rolled import Contact
 from cadgen.car.motion.sampled import rolled_lift
+from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.closed import Outline
-from cadgen.curves.inset import chamfered_off
 from cadgen.jobs.cam.plan import CamPlan
 from cadgen.output.files.formats import Format
 
@@ -99,7 +99,7 @@ class Job:
     @cached_property
     def part(self) -> "Part":
         """The solid, for STEP, and for its volume."""
-        from cadgen.geometry.solids.cam import cam_part
+        from cadgen.geometry.solids.disc_solid import cam_part
 
         plan = self.plan
         return cam_part(plan.curve, plan.made_blank, self.thickness, name=self.stem, description=self.description)

@@ -21,7 +21,7 @@ from cadgen.car.optimize.task import TrainTask
 from cadgen.car.path.track import Track
 from cadgen.check import Check, failing
 from cadgen.curves.closed import ClosedCurve
-from cadgen.curves.turned import turned
+from cadgen.curves.derived import turned
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.design.section import listed
@@ -36,7 +36,7 @@ from cadgen.jobs.cam.mechanics import mechanics_checks
 from cadgen.jobs.cam.play import against_play
 from cadgen.jobs.cam.wheel import DriveWheel, drive_wheel
 from cadgen.parts.blank import Blank
-from cadgen.parts.names import Face
+from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 
 

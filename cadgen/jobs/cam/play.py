@@ -17,7 +17,7 @@ from cadgen.check import failing
 from cadgen.design.play import Hardware
 from cadgen.design.schema import Design
 from cadgen.errors import CheckError, DesignError
-from cadgen.gears.names import StageOrder
+from cadgen.gears.choices import StageOrder
 from cadgen.jobs.cam.checking import ProfileChecks
 from cadgen.jobs.cam.choosing import best_of
 from cadgen.jobs.cam.comparison import MeasuredCam, PlayComparison, known_trains

@@ -20,7 +20,7 @@ from cadgen.design import cam_model, variation
 from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
-from cadgen.gears.names import StageOrder
+from cadgen.gears.choices import StageOrder
 from cadgen.jobs.cam.comparison import PlayComparison, known_trains
 from cadgen.progress import Progress, silent
 

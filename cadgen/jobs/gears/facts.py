@@ -7,9 +7,8 @@ from typing import Any
 
 from cadgen.check import Check
 from cadgen.gears.distribution import quantiles
-from cadgen.gears.joints import WholePlay
 from cadgen.gears.layout import TrainLayout
-from cadgen.gears.train import TrainPlay, teeth_of
+from cadgen.gears.train import TrainPlay, WholePlay, teeth_of
 from cadgen.jobs.gears.plan import GearsPlan
 
 

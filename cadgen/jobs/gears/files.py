@@ -16,8 +16,7 @@ from cadgen.errors import DesignError
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.stage import Wheel
 from cadgen.gears.train import TrainPlay
-from cadgen.geometry.meshes.mesh import Mesh
-from cadgen.geometry.meshes.prisms import body_mesh
+from cadgen.geometry.meshes.mesh import Mesh, body_mesh
 from cadgen.geometry.solids.beside import kernel_process
 from cadgen.jobs.gears.facts import parts_facts, plan_facts
 from cadgen.jobs.gears.plan import GearsPlan

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 from cadgen.check import Check
 from cadgen.design.gear_model import usual_chord
 from cadgen.errors import FileError
-from cadgen.gears.blank import gear_body
 from cadgen.gears.inspection import inspection_of
-from cadgen.gears.kinds.spur_facts import form_facts
 from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.spur import form_facts
 from cadgen.gears.stage import Wheel
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, TrainPlay, train_play
-from cadgen.geometry.meshes.train_made import MadeTrain, make_train
+from cadgen.gears.wheel_body import gear_body
+from cadgen.geometry.meshes.made_train import MadeTrain, make_train
 from cadgen.jobs.gears.facts import checks_facts, parts_facts, return_error, stages_facts
 from cadgen.jobs.gears.files import Maker, publish, write_stl
 from cadgen.jobs.gears.step_files import VOLUME_LIMIT, Result, tooth_errors
@@ -141,9 +141,8 @@ def part_of(form: GearForm, blank: Blank) -> TrainPart:
 
 def solid_of(form: GearForm, part: TrainPart, name: str, shaft: int = 1) -> Part:
     """A gear's part as a solid; `shaft` decides its colour."""
-    from cadgen.geometry.solids.gear import body_solid
+    from cadgen.geometry.solids.gear_solids import body_solid, colour_of_shaft
     from cadgen.geometry.solids.kernel import Part
-    from cadgen.geometry.solids.train import colour_of_shaft
 
     description = f"spur gear of {form.teeth} teeth, module {form.normal_module:g} mm"
     return Part(solid=body_solid(part.body), name=name, description=description, colour=colour_of_shaft(shaft))
@@ -198,8 +197,8 @@ def gear_facts(form: GearForm, part: TrainPart, name: str) -> dict[str, Any]:
 
 def _step_file(form: GearForm, part: TrainPart, name: str, staging: Path) -> list[Result]:
     """Write a STEP file; require one valid solid with name and exact volume by the kernel, tooth curves by its text."""
-    from cadgen.geometry.solids.gear_text import read_gear
     from cadgen.geometry.solids.step import read_part, step_bytes
+    from cadgen.geometry.solids.step_text import read_gear
 
     file = staging / f"{name}.step"
     solid = solid_of(form, part, name)

@@ -9,16 +9,13 @@ from cadgen.check import Check
 from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
-from cadgen.gears.joints import WholePlay
-from cadgen.gears.kinds.spur import GearPair, spur_pairs
+from cadgen.gears.choices import Order, Thinning
 from cadgen.gears.layout import TrainLayout
-from cadgen.gears.limits import SearchLimits
-from cadgen.gears.names import Order, Thinning
-from cadgen.gears.search import TrainSearch, arrange
+from cadgen.gears.spur import GearPair, spur_pairs
 from cadgen.gears.stage import Departure, Stage, Wheel
-from cadgen.gears.train import Train, TrainPlay, teeth_of, train_play
-from cadgen.geometry.meshes.train_checks import failing_stages
-from cadgen.geometry.meshes.train_made import MadeTrain, make_train
+from cadgen.gears.synthesis import SearchLimits, TrainSearch, arrange
+from cadgen.gears.train import Train, TrainPlay, WholePlay, teeth_of, train_play
+from cadgen.geometry.meshes.made_train import MadeTrain, failing_stages, make_train
 from cadgen.progress import Progress, silent
 
 # If none of the trains that a search reports can be made, so many of those whose gears fit their blanks are tried.

@@ -11,15 +11,15 @@ import numpy as np
 
 from cadgen.aside import Aside
 from cadgen.errors import FileError
-from cadgen.gears.engaged import LEAST_OVERLAP, PLAY_LIMIT_UM, cycle
 from cadgen.gears.layout import TrainLayout
+from cadgen.gears.stage import LEAST_OVERLAP, PLAY_LIMIT_UM, cycle
+from cadgen.geometry.meshes.made_train import meshes, play_error_um, return_error_um
 from cadgen.geometry.meshes.teeth import MeasuredPair, Section
-from cadgen.geometry.meshes.train_checks import meshes, play_error_um, return_error_um
 
 if TYPE_CHECKING:
-    from cadgen.geometry.solids.gear_text import GearContent
+    from cadgen.geometry.solids.gear_solids import AssembledPart
     from cadgen.geometry.solids.kernel import Part
-    from cadgen.geometry.solids.train import AssembledPart
+    from cadgen.geometry.solids.step_text import GearContent
 
 # Greatest distance of flanks and roots in a file from the exact curves, µm.
 FLANK_LIMIT_UM = 0.001
@@ -48,7 +48,7 @@ def step_files(layout: TrainLayout, stem: str, description: str, passed: bool, s
     Raises:
         FileError: a file cannot be written, or holds something else when it is read back.
     """
-    from cadgen.geometry.solids.train import assembly_bytes, read_assembly, train_parts
+    from cadgen.geometry.solids.gear_solids import assembly_bytes, read_assembly, train_parts
 
     assembly = staging / f"{stem}_train.step"
     parts = train_parts(layout, stem, description)
@@ -74,7 +74,7 @@ def _write_parts(parts: Sequence[Part], files: Sequence[Path]) -> None:
 
 def _facts_of_texts(layout: TrainLayout, passed: bool, assembly: Path, files: Sequence[Path]) -> list[dict[str, Any]]:
     """Facts of the assembly and of each part by the texts of their files, whose solids must be the same."""
-    from cadgen.geometry.solids.gear_text import read_gear, solids_in
+    from cadgen.geometry.solids.step_text import read_gear, solids_in
 
     contents = [read_gear(file, part.gears, part.starts) for file, part in zip(files, layout.parts, strict=True)]
     in_assembly = solids_in(assembly.read_text(encoding="ascii"))

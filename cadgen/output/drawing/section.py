@@ -1,13 +1,17 @@
-"""Section of a body through its axis, as material to either side: from outlines alone."""
+"""Section of a body through its axis, from outlines alone, and the hole of a set screw in the views of a part."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import cos, sin
 
 import numpy as np
 import shapely
 
 from cadgen.arrays import Array
-from cadgen.output.drawing.sheet import Hatch, Stroke
+from cadgen.output.drawing.sheet import Closed, Hatch, Line, Linear, Stroke
+from cadgen.parts.blank import Blank
+from cadgen.parts.body import RadialHole
+from cadgen.parts.features import Keyway
 
 _FARTHEST = 1e4  # mm, beyond every part
 _GRID = 1e-6  # mm, within which corners of neighbouring layers are one
@@ -79,3 +83,102 @@ def drawn(areas: Sequence[shapely.Polygon]) -> tuple[list[Stroke], list[Hatch]]:
         strokes += [Stroke(points) for points in (outside, *holes)]
         hatches.append(Hatch(outside[:-1], tuple(hole[:-1] for hole in holes)))
     return strokes, hatches
+
+
+_POINTS = 33  # of half an edge where the hole meets a cylinder
+_BESIDE = 1e-6  # of a sine, within which the hole lies in the plane of the section
+
+
+@dataclass(frozen=True, slots=True)
+class ScrewHole:
+    """The radial hole through a hub's wall.
+
+    Attributes:
+        hole: hole with its height and direction.
+        inner: distance from the axis at which it begins, at the bore or the floor of its keyway, mm.
+        outer: radius of the hub, mm.
+    """
+
+    hole: RadialHole
+    inner: float
+    outer: float
+
+    @classmethod
+    def of(cls, blank: Blank, hole: RadialHole | None) -> "ScrewHole | None":
+        """The hole in a part with this blank; None for a part without one."""
+        if hole is None or blank.hub is None:
+            return None
+        inner = blank.bore_diameter / 2
+        if isinstance(blank.key, Keyway) and cos(hole.angle - blank.key.angle) > 1 - _BESIDE:
+            inner += blank.key.depth
+        return cls(hole, inner, blank.hub.diameter / 2)
+
+    def face(self) -> Iterator[Stroke]:
+        """Its edges in the view along the axis, hidden in the hub's wall, and its centre line."""
+        along, half = np.array([cos(self.hole.angle), sin(self.hole.angle)]), self.hole.diameter / 2
+        across = np.array([-along[1], along[0]])
+        for side in (-half, half):
+            inner, outer = (np.sqrt(max(radius**2 - half**2, 0.0)) for radius in (self.inner, self.outer))
+            yield Stroke(np.array([inner * along + side * across, outer * along + side * across]), Line.HIDDEN)
+        yield Stroke(np.array([self.inner * along, (self.outer + half) * along]), Line.CENTRE)
+
+    def cut(self, areas: Sequence[shapely.Polygon], angle: float) -> list[shapely.Polygon]:
+        """Areas of the section in the plane through the axis at `angle` (rad), less the hole if it lies there.
+
+        Args:
+            areas: areas of the section, mm.
+            angle: polar angle of the plane, rad.
+        """
+        if not self._in_plane(angle):
+            return list(areas)
+        half, up = self.hole.diameter / 2, cos(self.hole.angle - angle)
+        ends = sorted((0.0, up * (self.outer + half)))
+        box = shapely.box(self.hole.height - half, ends[0], self.hole.height + half, ends[1])
+        pieces = shapely.get_parts(shapely.difference(np.array(areas), box))
+        return [piece for piece in pieces if isinstance(piece, shapely.Polygon) and not piece.is_empty]
+
+    def section(self, angle: float) -> Iterator[Closed | Stroke]:
+        """Its edges in the section at `angle`, rad: those beyond the plane, or before it as a phantom.
+
+        Args:
+            angle: polar angle of the plane, rad.
+        """
+        half, height = self.hole.diameter / 2, self.hole.height
+        up = cos(self.hole.angle - angle)
+        if self._in_plane(angle):
+            for radius in (self.inner, self.outer):
+                yield Stroke(self._edge(radius, 0.0) * [1.0, np.sign(up)])
+            ends = up * np.array([self.inner - half, self.outer + half])
+            yield Stroke(np.array([[height, ends[0]], [height, ends[1]]]), Line.CENTRE)
+            return
+        # The section is looked at from the side at a quarter turn; a hole on the other side opens into the bore.
+        beyond = sin(self.hole.angle - angle) < 0
+        edge = self._edge(self.inner if beyond else self.outer, self.hole.angle - angle)
+        yield Stroke(edge, Line.VISIBLE if beyond else Line.PHANTOM)
+        middle = (self.inner if beyond else self.outer) * up
+        yield Stroke(np.array([[height, middle - 1.5 * half], [height, middle + 1.5 * half]]), Line.CENTRE)
+        yield Stroke(np.array([[height - 1.5 * half, middle], [height + 1.5 * half, middle]]), Line.CENTRE)
+
+    def height(self, face: float, at: tuple[float, float]) -> Linear:
+        """Dimension of its height above the face at z = `face` (mm), the dimension line through `at`.
+
+        Args:
+            face: height of the face, mm.
+            at: point of the dimension line, mm.
+        """
+        return Linear(name="set screw height", start=(face, -self.outer), end=(self.hole.height, -self.outer), at=at)
+
+    def _in_plane(self, angle: float) -> bool:
+        return abs(sin(self.hole.angle - angle)) < _BESIDE
+
+    def _edge(self, radius: float, turn: float) -> Array:
+        """Edge where the hole meets a cylinder, `turn` rad from the section's upper side, in (z, r), shape (n, 2), mm.
+
+        In the plane of the section it is half of the edge, beyond the plane.
+        """
+        half = self.hole.diameter / 2
+        whole = abs(sin(turn)) > _BESIDE
+        round_about = np.linspace(0.0, 2 * np.pi if whole else np.pi, _POINTS * (2 if whole else 1))
+        aside = half * np.sin(round_about)
+        r = np.sqrt(np.maximum(radius**2 - aside**2, 0.0)) * np.cos(turn) - aside * np.sin(turn)
+        return np.stack([self.hole.height - half * np.cos(round_about), r], axis=1)

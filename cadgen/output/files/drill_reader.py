@@ -11,8 +11,8 @@ from cadgen.curves.contour import Contour
 from cadgen.design.machining import Drilling, Machining
 from cadgen.errors import FileError
 from cadgen.output.files.gcode_machine import HALF_DIGIT_MM, Move, RefusedError, Work, run_program
+from cadgen.parts.face import Face
 from cadgen.parts.features import Hub
-from cadgen.parts.names import Face
 
 _FIT_MM = 1e-9  # of a drill's diameter and a hole's
 _LAST_PECK = 1.01  # of a peck, at most, is the last one

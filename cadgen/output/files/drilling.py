@@ -9,8 +9,8 @@ from cadgen.car.motion.friction import DiscMaterial
 from cadgen.design.machining import Drilling, Machining
 from cadgen.output.files.gcode_words import SETTINGS, comments, words
 from cadgen.parts.blank import Blank
+from cadgen.parts.face import Face
 from cadgen.parts.features import DFlat
-from cadgen.parts.names import Face
 
 # Cutting speeds of drills of high-speed steel, not cooled, m/min. The manual of the drill press J-2221VS (JET, p. 12)
 # has 24-34 in mild steel and 61-91 in aluminium and brass, cooled; plastics are drilled slowly, since their chips melt.

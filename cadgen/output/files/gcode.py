@@ -11,7 +11,7 @@ from cadgen.car.motion.friction import DiscMaterial
 from cadgen.curves.biarc import arcs
 from cadgen.curves.closed import ClosedCurve, left_normal, polar_angle
 from cadgen.curves.contour import Contour
-from cadgen.curves.offset import parallel
+from cadgen.curves.derived import parallel
 from cadgen.design.machining import Machining
 from cadgen.errors import CheckError
 from cadgen.output.files.gcode_tabs import Slot, slot_with_tabs, tabs_note

@@ -9,9 +9,8 @@ from cadgen.arrays import Array
 from cadgen.curves.contour import Contour
 from cadgen.curves.spline import SplineArc
 from cadgen.errors import FileError
-from cadgen.gears.bezier import bezier_poles
 from cadgen.output.files.dxf import read_dxf, write_dxf
-from cadgen.parts.loop import Loop
+from cadgen.parts.loop import Loop, bezier_poles
 
 # Greatest distance of the splines from the exact teeth, mm, and of what is read back.
 OUTLINE_TOLERANCE, OUTLINE_LIMIT = 1e-5, 2e-5

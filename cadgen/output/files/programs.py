@@ -15,7 +15,7 @@ from cadgen.output.files.gcode import cutter_path, write_gcode
 from cadgen.output.files.gcode_reader import read_gcode
 from cadgen.output.files.gcode_words import Hub
 from cadgen.parts.blank import Blank
-from cadgen.parts.names import Face
+from cadgen.parts.face import Face
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -8,7 +8,7 @@ from pathlib import Path
 from cadgen.design.load import design_of
 from cadgen.design.schema import Design, TrainDesign
 from cadgen.errors import CadgenError
-from cadgen.gears.names import Order
+from cadgen.gears.choices import Order
 from cadgen.jobs.gears.plan import GearsPlan, plan_gears
 from cadgen.progress import Progress
 from cadgen.viewer.editor.job import Job, Result, Stage, State, refusal

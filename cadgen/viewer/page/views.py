@@ -6,7 +6,7 @@ from math import atan, cos
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.parts.names import Face
+from cadgen.parts.face import Face
 from cadgen.viewer.page.document import CarShape, Figure, Going, Scene, Words
 from cadgen.viewer.page.markup import labels, tag, text
 from cadgen.viewer.page.names import FigureKind

@@ -16,7 +16,7 @@ from cadgen.car.motion.sampled import sampled_lift
 from cadgen.car.optimize.compensation import PLATEAU_FALL, VALLEY_SHARE, compensated_lift
 from cadgen.car.optimize.dilation import lost_dips
 from cadgen.curves.closed import ClosedCurve
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 
 
 def jets(f, x):

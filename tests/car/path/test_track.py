@@ -6,7 +6,7 @@ from scipy.interpolate import BSpline
 
 from cadgen.car.path.spline import PlannedPath, plan_path
 from cadgen.car.path.track import offset_track
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
 
 FOCUS = 400.0

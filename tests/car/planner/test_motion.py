@@ -13,7 +13,7 @@ from cadgen.car.planner.limits import curvature_limits, driving_rows
 from cadgen.car.planner.motion import Motion
 from cadgen.car.planner.rows import Limit, LimitKind
 from cadgen.car.planner.sensitivity import Line, Sensitivity
-from cadgen.curves.hermite import quintic_hermite
+from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
 

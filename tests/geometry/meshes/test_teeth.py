@@ -9,10 +9,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from cadgen.errors import CheckError, DesignError
+from cadgen.gears.backlash import with_deviations
 from cadgen.gears.contact import contact_ratio
-from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.pair import Gear
-from cadgen.gears.thinning import with_deviations
+from cadgen.gears.spur import GearPair
 from cadgen.gears.tolerances import ToleranceOverrides
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned, train_play

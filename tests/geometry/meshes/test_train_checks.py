@@ -7,10 +7,10 @@ import pytest
 
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design.load import load_design
-from cadgen.gears.engaged import PLAY_LIMIT_UM, cycle
-from cadgen.gears.thinning import with_deviations
+from cadgen.gears.backlash import with_deviations
+from cadgen.gears.stage import PLAY_LIMIT_UM, cycle
+from cadgen.geometry.meshes.made_train import _bodies, _worst, meshes, play_error_um, return_error_um
 from cadgen.geometry.meshes.teeth import LEAST_OVERLAP, MeasuredPair, Section, section_of
-from cadgen.geometry.meshes.train_checks import _bodies, _worst, meshes, play_error_um, return_error_um
 from cadgen.jobs.gears.plan import plan_gears
 
 

@@ -20,7 +20,7 @@ from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.contour import Contour, circle
 from cadgen.curves.spline import splines
 from cadgen.errors import DesignError, FileError
-from cadgen.geometry.solids.cam import SPLINE_TOLERANCE, cam_part
+from cadgen.geometry.solids.disc_solid import SPLINE_TOLERANCE, cam_part
 from cadgen.geometry.solids.kernel import Part, closed_wire, contour_edges, is_valid, volume
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew

@@ -6,10 +6,10 @@ from math import pi
 import numpy as np
 import pytest
 
+from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.contour import Contour, circle
-from cadgen.curves.inset import chamfered_off
 from cadgen.errors import CheckError, FileError
-from cadgen.geometry.solids.cam import cam_part
+from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.kernel import is_valid, solids, volume
 from cadgen.geometry.solids.step import read_step, step_bytes
 from cadgen.geometry.solids.step_text import read_rim

@@ -8,10 +8,10 @@ from OCP.GProp import GProp_GProps
 from scipy.integrate import quad
 
 from cadgen.curves.contour import circle
-from cadgen.gears.blank import gear_body
 from cadgen.gears.tooth import GearForm
-from cadgen.geometry.solids.cam import cam_part
-from cadgen.geometry.solids.gear import body_solid
+from cadgen.gears.wheel_body import gear_body
+from cadgen.geometry.solids.disc_solid import cam_part
+from cadgen.geometry.solids.gear_solids import body_solid
 from cadgen.geometry.solids.kernel import Part, edges_on_surfaces, is_valid, solids, volume
 from cadgen.geometry.solids.step import completed, read_document, step_bytes
 from cadgen.parts.blank import Blank

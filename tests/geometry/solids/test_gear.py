@@ -16,11 +16,10 @@ from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Shape, TopoDS_Solid
 
 from cadgen.errors import DesignError
-from cadgen.gears.blank import cluster_body, gear_body
 from cadgen.gears.tooth import GearForm, tooth_of
-from cadgen.geometry.meshes.mesh import Mesh
-from cadgen.geometry.meshes.prisms import body_mesh
-from cadgen.geometry.solids.gear import body_solid
+from cadgen.gears.wheel_body import cluster_body, gear_body
+from cadgen.geometry.meshes.mesh import Mesh, body_mesh
+from cadgen.geometry.solids.gear_solids import body_solid
 from cadgen.geometry.solids.kernel import Part, is_valid, volume
 from cadgen.geometry.solids.step import step_bytes
 from cadgen.parts.blank import Blank

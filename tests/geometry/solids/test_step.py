@@ -13,7 +13,7 @@ from OCP.Interface import Interface_Static
 from cadgen.cam.contact import roll
 from cadgen.curves.contour import circle
 from cadgen.errors import FileError
-from cadgen.geometry.solids.cam import SPLINE_TOLERANCE, cam_part
+from cadgen.geometry.solids.disc_solid import SPLINE_TOLERANCE, cam_part
 from cadgen.geometry.solids.kernel import Part, contour_edges, prism, solids
 from cadgen.geometry.solids.step import read_part, read_step, step_bytes
 from cadgen.geometry.solids.step_text import read_rim

@@ -7,15 +7,15 @@ import pytest
 from build123d import import_step
 
 from cadgen.errors import FileError
-from cadgen.gears.kinds.spur import GearPair
 from cadgen.gears.layout import Blanks, lay_out
 from cadgen.gears.pair import Gear
+from cadgen.gears.spur import GearPair
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
 from cadgen.geometry.meshes.teeth import MeasuredPair, measured_pair
-from cadgen.geometry.solids.gear_text import read_gear, solids_in
+from cadgen.geometry.solids.gear_solids import assembly_bytes, colour_of_shaft, read_assembly, train_parts
 from cadgen.geometry.solids.step import step_bytes
-from cadgen.geometry.solids.train import assembly_bytes, colour_of_shaft, read_assembly, train_parts
+from cadgen.geometry.solids.step_text import read_gear, solids_in
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub, Keyway, SetScrew
 

@@ -10,8 +10,8 @@ import trimesh
 
 from cadgen import Design, draw
 from cadgen.errors import CheckError, DesignError, FileError
-from cadgen.output.drawing.dxf import read_dimensions
 from cadgen.output.drawing.sheet import Drawing, Linear, Title, View
+from cadgen.output.drawing.sheet_files import read_dimensions
 
 CLOSE = 1e-4  # mm
 
@@ -139,8 +139,8 @@ def test_the_dimensions_of_a_cam_are_those_of_its_step_file(changes, design, tmp
 def test_the_dimensions_of_gears_are_those_of_their_step_files(trains_folder, train, tmp_path):
     from build123d import import_step
 
+    from cadgen.geometry.solids.gear_solids import train_parts
     from cadgen.geometry.solids.step import step_bytes
-    from cadgen.geometry.solids.train import train_parts
 
     plan = train.computed
     for part in train_parts(plan.layout, plan.stem, plan.description)[1::2]:  # a cluster, and the keyed wheel
@@ -239,12 +239,12 @@ def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeyp
     """The letters are outlines in the PDF and texts in the DXF; without such a font the page alone is left out."""
     import ezdxf
 
-    from cadgen.jobs.drawing.files import write_sheet
-    from cadgen.output.drawing import fonts
-    from cadgen.output.drawing.pdf import pdf_bytes
+    from cadgen.jobs.drawing import write_sheet
+    from cadgen.output.drawing import sheet_files
+    from cadgen.output.drawing.sheet_files import pdf_bytes
 
     chinese, omitted = sheet(title="无碳小车", finish="Ra 1.6，去毛刺"), {}
-    monkeypatch.setattr(fonts, "_far_eastern_files", lambda: ())
+    monkeypatch.setattr(sheet_files, "_far_eastern_files", lambda: ())
     assert [name for name, _ in write_sheet(tmp_path, "n", chinese, omitted)] == ["n_drawing.dxf"]
     assert "no font of this system has" in omitted["PDF"]
     texts = {text.dxf.text: text.dxf.style for text in ezdxf.readfile(tmp_path / "n_drawing.dxf").query("TEXT")}
@@ -253,10 +253,12 @@ def test_a_title_in_chinese_is_drawn_with_a_font_of_the_system(tmp_path, monkeyp
     monkeypatch.undo()
     try:
         page = pdf_bytes(chinese)
-    except fonts.NoFontError:
+    except sheet_files.NoFontError:
         pytest.skip("this system has no font with Chinese letters")
     assert page.startswith(b"%PDF")
-    assert fonts.know_far_eastern(frozenset("无碳小车")) in {file.name for file in fonts._far_eastern_files()}
+    assert sheet_files.know_far_eastern(frozenset("无碳小车")) in {
+        file.name for file in sheet_files._far_eastern_files()
+    }
 
 
 def test_two_dimensions_of_a_sheet_have_two_names():
@@ -270,7 +272,7 @@ def test_two_dimensions_of_a_sheet_have_two_names():
 @pytest.mark.parametrize(("turn", "lines"), [(0.0, {"VISIBLE"}), (90.0, {"PHANTOM"}), (-60.0, {"VISIBLE"})])
 def test_the_hole_of_a_set_screw_is_in_both_views(turn, lines):
     """In the section: cut, before the plane as a phantom, or seen in the bore, on the cylinder that it opens into."""
-    from cadgen.output.drawing.screw import ScrewHole
+    from cadgen.output.drawing.section import ScrewHole
     from cadgen.parts.body import RadialHole
 
     angle = 0.7
@@ -340,7 +342,7 @@ def texts_of(sheet):
     from ezdxf.tools.text_size import mtext_size, text_size
     from shapely.affinity import rotate, translate
 
-    from cadgen.output.drawing.fonts import know_font
+    from cadgen.output.drawing.sheet_files import know_font
 
     know_font()
     document = ezdxf.readfile(sheet)

@@ -15,13 +15,12 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from cadgen.cam.contact import roll
+from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.closed import ClosedCurve, cross
 from cadgen.curves.contour import Contour, circle
-from cadgen.curves.inset import chamfered_off
 from cadgen.errors import DesignError, FileError
 from cadgen.geometry.meshes.content import MeshContent, inspect
-from cadgen.geometry.meshes.disc import cam_mesh
-from cadgen.geometry.meshes.mesh import Mesh
+from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
 from cadgen.output.files.mesh import read_3mf, read_stl, stl_bytes, threemf_bytes
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Hub, Keyway, Lightening, SetScrew
@@ -190,7 +189,7 @@ import sys
 from cadgen.parts.blank import Blank
 from cadgen.curves.contour import circle
 from cadgen.output.files.mesh import stl_bytes, threemf_bytes
-from cadgen.geometry.meshes.disc import cam_mesh
+from cadgen.geometry.meshes.mesh import cam_mesh
 mesh = cam_mesh(circle((2.0, 0.0), 30.0).curve(), Blank(bore_diameter=8.0), 3.0, 0.005)
 sys.stdout.buffer.write(stl_bytes(mesh, "disc") + threemf_bytes(mesh, "disc", "test"))
 """
@@ -252,8 +251,8 @@ from cadgen.curves.contour import circle
 from cadgen.errors import FileError
 from cadgen.output.files.folder import publishing
 from cadgen.output.files.mesh import stl_bytes, threemf_bytes
-from cadgen.geometry.meshes.disc import cam_mesh
-from cadgen.geometry.solids.cam import cam_part
+from cadgen.geometry.meshes.mesh import cam_mesh
+from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.step import step_bytes
 profile, blank = circle((2.0, 0.0), 30.0).curve(), Blank(bore_diameter=8.0)
 mesh, part = cam_mesh(profile, blank, 3.0, 1e-5), cam_part(profile, blank, 3.0, name="disc", description="test")

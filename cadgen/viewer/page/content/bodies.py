@@ -7,11 +7,10 @@ from math import hypot
 from cadgen.car.course.layout import Side
 from cadgen.design import cam_model
 from cadgen.errors import CadgenError
-from cadgen.geometry.meshes.disc import cam_mesh
-from cadgen.geometry.meshes.mesh import Mesh
+from cadgen.geometry.meshes.mesh import Mesh, cam_mesh
 from cadgen.jobs.cam.plan import CamPlan
 from cadgen.jobs.gears.plan import GearsPlan
-from cadgen.parts.names import Face
+from cadgen.parts.face import Face
 from cadgen.viewer.page.content.train import GAP, Stand, TurningPart, TurningTrain, turning_train
 from cadgen.viewer.page.document import Part, Shaft, Text, Words
 from cadgen.viewer.page.names import Colour

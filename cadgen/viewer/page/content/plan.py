@@ -11,7 +11,7 @@ from cadgen.check import Check
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design, TrainDesign
 from cadgen.errors import CheckError, DesignError, FileError
-from cadgen.gears.names import Order
+from cadgen.gears.choices import Order
 from cadgen.jobs.cam.cures import Cures, find_cures
 from cadgen.jobs.cam.plan import CamPlan, default_profile, plan_cam
 from cadgen.jobs.cam.remedies import Remedy, remedies

@@ -18,8 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cadgen.gears.layout import TrainLayout, TrainPart
-from cadgen.geometry.meshes.mesh import Mesh
-from cadgen.geometry.meshes.prisms import body_mesh
+from cadgen.geometry.meshes.mesh import Mesh, body_mesh
 from cadgen.parts.body import Body
 
 GAP = 2.0  # mm between the cam, or its hub, and the stack of gears

@@ -9,9 +9,9 @@ from cadgen.errors import DesignError
 from cadgen.gears.stage import Wheel
 from cadgen.parts.blank import Blank
 from cadgen.parts.body import Body, RadialHole, Slab
+from cadgen.parts.face import Face
 from cadgen.parts.features import DFlat, Hub, Keyway
 from cadgen.parts.loop import Loop, circle, loop_of
-from cadgen.parts.names import Face
 
 # Least wall elsewhere in mm: thinner ones bend under the cutter.
 LEAST_WALL = 0.4

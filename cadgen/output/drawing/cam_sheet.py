@@ -8,9 +8,8 @@ import shapely
 
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
-from cadgen.output.drawing.room import placed
-from cadgen.output.drawing.screw import ScrewHole
-from cadgen.output.drawing.section import Layer, beyond, drawn, material
+from cadgen.output.drawing.placement import placed
+from cadgen.output.drawing.section import Layer, ScrewHole, beyond, drawn, material
 from cadgen.output.drawing.sheet import (
     BEYOND,
     DIAMETER,
@@ -39,8 +38,8 @@ from cadgen.output.drawing.sheet import (
     wrapped,
 )
 from cadgen.parts.blank import Blank
+from cadgen.parts.face import Face
 from cadgen.parts.features import DFlat, Keyway
-from cadgen.parts.names import Face
 
 EVERY = 10  # degrees between the rows of the table of radii
 _CHORD = 0.01  # mm, of outlines in a section

@@ -1,4 +1,4 @@
-"""Names that files of designs and the gears share: light to import."""
+"""Choices that a design file offers for gears: laws, thinnings, orders of stages. The module is light to import."""
 
 from enum import StrEnum
 

@@ -1,16 +1,34 @@
-"""A sheet as DXF (R2010, mm on paper), with true dimensions that count mm of the part; and these read again."""
+"""A sheet as DXF (R2010, mm on paper) and as a page of PDF, which is its DXF, drawn; and the dimensions read again.
+
+The true dimensions of the DXF count mm of the part. The pages have one font for Latin, Greek and Cyrillic, which comes
+with matplotlib, and one of the system's for Chinese, Japanese and Korean.
+"""
 
 import io
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import ezdxf
+import matplotlib
 import numpy as np
 import shapely
+from ezdxf.addons.drawing import Frontend, RenderContext
+from ezdxf.addons.drawing.config import BackgroundPolicy, ColorPolicy, Configuration, LineweightPolicy
+from ezdxf.addons.drawing.matplotlib import MatplotlibBackend
+from ezdxf.addons.drawing.properties import BackendProperties
 from ezdxf.document import Drawing as Document
 from ezdxf.enums import TextEntityAlignment
+from ezdxf.fonts import fonts
 from ezdxf.layouts import Modelspace
 from ezdxf.math import Vec2
+from ezdxf.npshapes import NumpyPath2d as BkPath2d
+from ezdxf.npshapes import to_matplotlib_path
+from fontTools.ttLib import TTCollection, TTFont, TTLibError
+from matplotlib.figure import Figure
+from matplotlib.font_manager import findSystemFonts
+from matplotlib.patches import PathPatch
 
 from cadgen.errors import FileError
 from cadgen.output.drawing.sheet import (
@@ -315,3 +333,125 @@ def read_dimensions(path: Path) -> dict[str, float]:
     except (OSError, ezdxf.DXFError, StopIteration) as error:
         raise FileError(f"{path.name} is no whole DXF of a drawing ({error}): write it again") from error
     return lengths
+
+
+# Beginnings of the names of their files in Windows, macOS and Linux, the plain ones first.
+_FAR_EASTERN = (
+    "msyh.",
+    "simhei",
+    "notosanssc",
+    "notosanscjk-regular",
+    "notosanscjksc-regular",
+    "sourcehansans",
+    "pingfang",
+    "hiragino sans gb",
+    "stheiti",
+    "wqy",
+    "droidsansfallback",
+    "simsun",
+    "notoserifcjk-regular",
+    "arialuni",
+    "arial unicode",
+    "malgun.",
+    "msgothic",
+)
+
+
+class NoFontError(FileError):
+    """No font of the system has the letters of a page."""
+
+
+def know_font() -> None:
+    """Let ezdxf find the font that comes with matplotlib, also where the system has none."""
+    if not fonts.font_manager.has_font(FONT):
+        fonts.font_manager.build([str(Path(matplotlib.get_data_path()) / "fonts" / "ttf")])
+
+
+def know_far_eastern(letters: frozenset[str]) -> str:
+    """Let ezdxf find a font of the system that has these letters, and return its name.
+
+    Raises:
+        NoFontError: there is none.
+    """
+    for file in _far_eastern_files():
+        number = _face_with(file, letters)
+        if number is not None:
+            if not fonts.font_manager.has_font(file.name):
+                fonts.font_manager.build([str(file.parent)], support_dirs=False)
+            fonts.font_manager.get_ttf_font(file.name, font_number=number)
+            return file.name
+    lacking = " ".join(sorted(letters, reverse=True)[:3])
+    raise NoFontError(
+        f"no font of this system has {lacking}: install one with Chinese letters, such as Noto Sans CJK, or write "
+        "drawing.title and drawing.finish in Latin letters"
+    )
+
+
+@cache
+def _far_eastern_files() -> tuple[Path, ...]:
+    """Fonts of the system that may have Chinese letters, the plain ones first."""
+    files = sorted(map(Path, findSystemFonts()))
+    return tuple(file for begin in _FAR_EASTERN for file in files if file.name.lower().startswith(begin))
+
+
+def _face_with(file: Path, letters: frozenset[str]) -> int | None:
+    """Number of a face of a file that has all letters, the simplified Chinese one if there is one; None without."""
+    try:
+        faces = TTCollection(file, lazy=True).fonts if file.suffix.lower() == ".ttc" else [TTFont(file, lazy=True)]
+        plain = [number for number, face in enumerate(faces) if _family(face).endswith((" SC", " CN"))]
+        order: dict[int, None] = dict.fromkeys([*plain, *range(len(faces))])
+        for number in order:
+            known = faces[number].getBestCmap() or ()
+            if all(ord(letter) in known for letter in letters):
+                return number
+    except (OSError, TTLibError):
+        pass
+    return None
+
+
+def _family(face: TTFont) -> str:
+    return str(face["name"].getBestFamilyName())
+
+
+_INCH = 25.4
+_POINT = 72 / _INCH  # points in a mm
+_THINNEST = 0.13  # mm
+
+
+def pdf_bytes(drawing: Drawing) -> bytes:
+    """The page of a sheet, in its true size: the same bytes for the same sheet, fonts and libraries.
+
+    Raises:
+        NoFontError: the system has no font for letters of the title block.
+    """
+    know_font()
+    width, height = SIZES[drawing.size]
+    figure = Figure(figsize=(width / _INCH, height / _INCH))
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    document = document_of(drawing)
+    if letters := far_eastern(drawing):
+        document.styles.get(FAR_EASTERN_STYLE).dxf.font = know_far_eastern(letters)
+    backend = _Backend(axes, adjust_figure=False)
+    look = Configuration(
+        background_policy=BackgroundPolicy.WHITE,
+        color_policy=ColorPolicy.BLACK,
+        lineweight_policy=LineweightPolicy.ABSOLUTE,
+        lineweight_scaling=_POINT,  # matplotlib counts points where the drawing counts mm
+        min_lineweight=_THINNEST * _POINT,
+    )
+    Frontend(RenderContext(document), backend, config=look).draw_layout(document.modelspace(), finalize=True)
+    axes.set_aspect("equal", adjustable="box")
+    axes.axis((0.0, width, 0.0, height))
+    page = io.BytesIO()
+    figure.savefig(page, format="pdf", metadata={"CreationDate": None, "Title": drawing.title.number})
+    return page.getvalue()
+
+
+class _Backend(MatplotlibBackend):  # type: ignore[misc]
+    """Letters filled by the winding of their outlines; by nested boxes, as ezdxf has it, a turned Ø is filled half."""
+
+    def draw_filled_paths(self, paths: Iterable[BkPath2d], properties: BackendProperties) -> None:
+        """Draw filled outlines."""
+        path = to_matplotlib_path(paths, detect_holes=False)
+        # As an artist, and not as a patch, whose limits would be reckoned, which takes three quarters of the time.
+        self.ax.add_artist(PathPatch(path, color=properties.color, linewidth=0, fill=True, zorder=self._get_z()))

@@ -1,10 +1,17 @@
-"""A kind of stage: its code, its keys of the design file, and the stage that they make."""
+"""Kinds of stages: what one is, and the table of all of them by their codes.
+
+A new kind is one file beside `spur`, such as `helical.py`, and one line of the table, or it is registered from outside.
+Spur gears have no entry: theirs are the keys of a stage that names no kind, and what a gear leaves out [train] says.
+The module is light to import.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from cadgen.registry import Registry
 
 if TYPE_CHECKING:
     from cadgen.gears.stage import Stage
@@ -28,3 +35,8 @@ class StageKind:
     meaning: str
     keys: type[Any]
     build: Callable[[Any, float], Stage]
+
+
+SPUR = "spur"
+_KINDS: Registry[StageKind] = Registry("kind of stage", (), reserved=(SPUR,))
+register, remove, codes, kind_of = _KINDS.register, _KINDS.remove, _KINDS.codes, _KINDS.kind_of

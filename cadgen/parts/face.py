@@ -1,4 +1,4 @@
-"""Names that design files and the parts share: light to import."""
+"""Faces of a part, as design files name them. The module is light to import."""
 
 from enum import StrEnum
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from cadgen.arrays import Array, gauss_nodes
 from cadgen.curves.closed import ClosedCurve, Jet, Piece, Span, left_normal, polar_angle
-from cadgen.curves.offset import OffsetPiece
+from cadgen.curves.derived import OffsetPiece
 from cadgen.errors import CheckError
 
 _SNAP = 1e-5  # mm; moved pieces whose ends are no further apart than this are joined as they are

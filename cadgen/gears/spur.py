@@ -1,0 +1,400 @@
+"""Spur gears: a pair of them as a stage of a train, with its checks in mesh and its plain values.
+
+The checks look at the teeth as cut and at the limits of the tolerances. The values, for the manifest and the table of
+parts, are µm, mm and degrees.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, replace
+from enum import StrEnum
+from functools import cache, lru_cache
+from math import degrees, pi, tan
+from typing import Any, NamedTuple, Self
+
+from cadgen.check import Bound, Check, CheckCode
+from cadgen.errors import DesignError
+from cadgen.gears.backlash import GearPlay, StagePlay, cut_to_middle, pair_departures, stage_play, with_deviations
+from cadgen.gears.contact import (
+    LEAST_CONTACT_RATIO,
+    LEAST_ROOT_CLEARANCE,
+    contact_ratio,
+    found_contact_ratio,
+    missing_shift,
+)
+from cadgen.gears.distribution import quantiles
+from cadgen.gears.inspection import Inspection, Limits, inspection_of
+from cadgen.gears.pair import Gear, Pair
+from cadgen.gears.stage import CONTRADICTION, LEAST_OVERLAP, PLAY_LIMIT_UM, Departure, Engage, Stage, cycle
+from cadgen.gears.tolerances import (
+    span_pitch_deviation,
+    tooth_radial_composite_deviation,
+    total_pitch_deviation,
+    total_profile_deviation,
+)
+from cadgen.gears.tooth import GearForm
+from cadgen.gears.train import Train
+
+# What the contact ratio found on the curves may differ from that of the formula.
+CONTACT_RATIO_ERROR = 0.01
+
+
+class PlayState(StrEnum):
+    """Play at which a pair is looked at: as it is cut, or the greatest or the least within the tolerances."""
+
+    AS_CUT = "as cut"
+    GREATEST = "greatest"
+    LEAST = "least"
+
+
+_PLAY_CHECKS = {
+    PlayState.AS_CUT: CheckCode.PLAY_AS_CUT,
+    PlayState.GREATEST: CheckCode.PLAY_GREATEST,
+    PlayState.LEAST: CheckCode.PLAY_LEAST,
+}
+
+
+class PairState(NamedTuple):
+    """A pair as cut, and the distance of its axes in mm."""
+
+    pair: Pair
+    apart: float
+
+    def play(self) -> float:
+        """Free angle of the driven gear in rad by the exact geometry of involutes."""
+        return self.pair.exact_play(self.apart)
+
+
+def limit_states(pair: Pair) -> tuple[PairState, PairState]:
+    """States of a pair with the greatest and with the least play.
+
+    Greatest: teeth at E_sni, axes opened by f_a and by both composite errors F_i''. Least: teeth at E_sns, axes
+    closer by f_a. This is what eq. 1-11 add up.
+    """
+    play = stage_play(pair)
+    opened = play.f_a + play.driver.tolerances.F_i_radial + play.driven.tolerances.F_i_radial
+    return (
+        PairState(with_deviations(pair, play.driver.E_sni, play.driven.E_sni), pair.centre_distance + opened),
+        PairState(with_deviations(pair, play.driver.E_sns, play.driven.E_sns), pair.centre_distance - play.f_a),
+    )
+
+
+def teeth_mesh(pair: Pair, engage: Engage) -> bool:
+    """Whether the teeth, as cut, have one play: they neither jam nor pass each other, and one pair is always in mesh.
+
+    With a contact ratio below 1 there are places where no tooth is in mesh.
+    """
+    return _engages(PairState(pair, pair.centre_distance), engage) and contact_ratio(pair) >= 1
+
+
+def _engages(state: PairState, engage: Engage) -> bool:
+    built = engage(*state)
+    return built.overlap_midway(0.0) <= LEAST_OVERLAP < built.overlap_tooth_on_tooth(0.0)
+
+
+@cache  # equal stages of a train have equal figures
+def pair_checks(pair: Pair, engage: Engage) -> tuple[Check, ...]:
+    """The teeth of one stage in mesh: as cut over a whole pitch, and at the limits of the tolerances."""
+    built = engage(pair, pair.centre_distance)
+    module = pair.driver.form.normal_module
+    ratio = found_contact_ratio(pair)
+    wider = "lower addendum_factor or the profile shifts"
+    greatest, least = limit_states(pair)
+    states = {
+        PlayState.AS_CUT: PairState(pair, pair.centre_distance),
+        PlayState.GREATEST: greatest,
+        PlayState.LEAST: least,
+    }
+    jam, jammed = max((engage(*state).overlap_midway(0.0), name) for name, state in states.items())
+    hold, loose = min((engage(*state).overlap_tooth_on_tooth(0.0), name) for name, state in states.items())
+    closest = least.play() * pair.driven_pitch_radius * 1e3
+    checks = [
+        Check(
+            CheckCode.ROOT_CLEARANCE,
+            "root clearance",
+            min(built.clearances()) / module,
+            "modules",
+            LEAST_ROOT_CLEARANCE,
+            Bound.MIN,
+            advice=wider,
+        ),
+        Check(
+            CheckCode.CONTACT_RATIO,
+            "contact ratio",
+            ratio,
+            "",
+            LEAST_CONTACT_RATIO,
+            Bound.MIN,
+            advice="give more teeth",
+        ),
+        Check(
+            CheckCode.CONTACT_RATIO_FORMULA,
+            "contact ratio - formula",
+            abs(ratio - contact_ratio(pair)),
+            "",
+            CONTACT_RATIO_ERROR,
+            Bound.MAX,
+        ),
+        Check(CheckCode.TEETH_JAM, "teeth jam", jam, "mm2", LEAST_OVERLAP, Bound.MAX, jammed, _thinner(closest)),
+        Check(
+            CheckCode.TEETH_HOLD, "teeth hold each other", hold, "mm2", LEAST_OVERLAP, Bound.MIN, loose, _closer(loose)
+        ),
+    ]
+    if _engages(states[PlayState.AS_CUT], engage):
+        over, past = cycle(built, pair.exact_play(), pair.driver.form.teeth, pair.driven_pitch_radius)
+        checks.append(
+            Check(
+                CheckCode.OVERLAP_WITHIN_PLAY,
+                "overlap within the play",
+                over,
+                "mm2",
+                LEAST_OVERLAP,
+                Bound.MAX,
+                advice="tips meet roots: " + wider,
+            )
+        )
+        if ratio >= 1:
+            code = CheckCode.OVERLAP_PAST_PLAY
+            checks.append(Check(code, "overlap past the play", past, "mm2", LEAST_OVERLAP, Bound.MIN))
+    for name, state in states.items():
+        # With a contact ratio below 1 there are places where no tooth is in mesh, and the play is greater.
+        if _engages(state, engage) and contact_ratio(state.pair, state.apart) >= 1:
+            off = (engage(*state).play(0.0) - state.play()) * pair.driven_pitch_radius * 1e3
+            checks.append(
+                Check(_PLAY_CHECKS[name], f"play - computed, {name}", abs(off), "µm", PLAY_LIMIT_UM, Bound.MAX)
+            )
+    return tuple(check if check.advice else replace(check, advice=CONTRADICTION) for check in checks)
+
+
+def _thinner(least_play: float) -> str:
+    at = f" (the least play by the tolerances is {least_play:.1f} µm)" if least_play <= 0 else ""
+    return f"thin the teeth, or set the axes apart{at}"
+
+
+def _closer(state: PlayState) -> str:
+    if state == PlayState.GREATEST:
+        return "they pass each other freely where the tolerances open the axes most; lower F_i_radial, f_a or b_r"
+    return "they pass each other freely; set the axes closer, or thin the teeth less"
+
+
+# F_pk is for two pitches up to an eighth of the teeth, by the standard's advice.
+SPAN_OF_TEETH = 8
+_NO_LENGTHS = ("driver", "driven", "B_max", "B_min")
+
+
+def pair_facts(pair: Pair) -> dict[str, Any]:
+    """Every value of eq. 1-13, the exact plays beside them, and how the play is distributed."""
+    play = stage_play(pair)
+    loose, tight = limit_states(pair)
+    arc = pair.driven_pitch_radius * 1e3
+    spread = play.distribution()
+    return {
+        "teeth": f"{pair.driver.form.teeth}/{pair.driven.form.teeth}",
+        "centre_distance_mm": pair.centre_distance,
+        "bearing_span_mm": pair.bearing_span,
+        "ratio": str(pair.ratio),
+        "contact_ratio": contact_ratio(pair),
+        **_in_um({name: value for name, value in asdict(play).items() if name not in _NO_LENGTHS}),
+        "play_um": {"mean": spread.mean * 1e3, "std": spread.std * 1e3, **quantiles(spread, 1e3)},
+        "play_as_cut_um": pair.exact_play() * arc,
+        "exact_greatest_um": loose.play() * arc,
+        "exact_least_um": tight.play() * arc,
+        "return_error_greatest_deg": degrees(play.B_max),
+        "return_error_least_deg": degrees(play.B_min),
+        "driver": _tolerance_facts(pair.driver, play.driver),
+        "driven": _tolerance_facts(pair.driven, play.driven),
+    }
+
+
+def _tolerance_facts(gear: Gear, play: GearPlay[float]) -> dict[str, Any]:
+    """One gear's tolerances, as used, with those of the standard that only its inspection needs, and its limits."""
+    form = gear.form
+    diameter, module = form.reference_diameter, form.normal_module
+    pitches = max(form.teeth // SPAN_OF_TEETH, 2)
+    shown: dict[str, float | None] = {**asdict(play.tolerances)}
+    rules: dict[str, Callable[[], Any]] = {
+        "F_p": lambda: total_pitch_deviation(diameter, module, gear.grade),
+        "F_pk": lambda: span_pitch_deviation(diameter, module, pitches, gear.grade),
+        "F_alpha": lambda: total_profile_deviation(diameter, module, gear.grade),
+        "f_i_radial": lambda: tooth_radial_composite_deviation(diameter, module, gear.grade),
+    }
+    for symbol, rule in rules.items():
+        try:
+            shown[symbol] = float(rule())
+        except DesignError:
+            shown[symbol] = None
+    limits = {name: value for name, value in asdict(play).items() if name != "tolerances"}
+    return {
+        "teeth": form.teeth,
+        "undercut_modules": missing_shift(form),
+        "grade": gear.grade,
+        **_in_um(shown),
+        "F_pk_pitches": pitches,
+        **_in_um(limits),
+    }
+
+
+def form_facts(form: GearForm) -> dict[str, Any]:
+    """Numbers of a gear's teeth: mm and degrees."""
+    return {
+        "teeth": form.teeth,
+        "module_mm": form.normal_module,
+        "pressure_angle_deg": degrees(form.normal_pressure_angle),
+        "profile_shift": form.profile_shift,
+        "width_mm": form.width,
+        "tip_diameter_mm": form.tip_diameter,
+        "root_diameter_mm": form.root_diameter,
+    }
+
+
+def gear_facts(form: GearForm, play: GearPlay[float], sizes: Inspection) -> dict[str, Any]:
+    """Dimensions of one gear for the workshop."""
+    return {
+        **form_facts(form),
+        "E_sn_um": form.tooth_thickness_deviation * 1e3,
+        "E_sns_um": play.E_sns * 1e3,
+        "E_sni_um": play.E_sni * 1e3,
+        "teeth_spanned": sizes.span.teeth_spanned if sizes.span else None,
+        **_limits("span", sizes.span.span if sizes.span else None),
+        "pin_diameter_mm": sizes.pins.pin_diameter if sizes.pins else None,
+        **_limits("over_pins", sizes.pins.over_pins if sizes.pins else None),
+    }
+
+
+def _in_um(values: Mapping[str, float | None]) -> dict[str, float | None]:
+    return {f"{name}_um": None if value is None else float(value) * 1e3 for name, value in values.items()}
+
+
+def _limits(name: str, limits: Limits | None) -> dict[str, float | None]:
+    values = (None, None, None) if limits is None else (limits.nominal, limits.upper, limits.lower)
+    return {f"{name}_{which}_mm": value for which, value in zip(("nominal", "max", "min"), values, strict=True)}
+
+
+TEETH = "leave the kind out and give the stage gears with teeth"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GearPair(Pair, Stage):
+    """One stage of spur gears; numbers and errors are those of `Pair`."""
+
+    noun = "spur gears"
+
+    @property
+    def wheels(self) -> tuple[GearForm, GearForm]:
+        """Both gears' forms."""
+        return self.driver.form, self.driven.form
+
+    @property
+    def label(self) -> str:
+        """Teeth of both gears, such as 20/60."""
+        return f"{self.driver.form.teeth}/{self.driven.form.teeth}"
+
+    @property
+    def module(self) -> float:
+        """m_n, mm."""
+        return self.driver.form.normal_module
+
+    @property
+    def toothed(self) -> bool:
+        """Play is the room between flanks."""
+        return True
+
+    def play(self) -> StagePlay[float]:
+        """Play and return error by eq. 1-13; a `DesignError` for a size that the standards do not cover."""
+        return stage_play(self)
+
+    def free_angle(self) -> float:
+        """Play of the driven gear as cut, by the exact geometry of involutes, rad."""
+        return self.exact_play()
+
+    def opened(self, clearance: float) -> float:
+        """By eq. 1, axes further apart by `clearance`, mm, open 2 C tan(alpha_w) on the pitch circle; in rad.
+
+        Args:
+            clearance: growth of the distance of the axes, mm.
+        """
+        return 2 * clearance * tan(self.working_pressure_angle) / self.driven_pitch_radius
+
+    def as_cut(self) -> Self:
+        """The pair with its teeth thinned; a `DesignError` for a tooth that cannot be cut so, or at its limits."""
+        return cut_to_middle(self, self.play())
+
+    def departures(self, number: int) -> tuple[Departure, ...]:
+        """Its overrides; `number` is that of the stage."""
+        return pair_departures(self, number)
+
+    def driven_angle(self, driver_angle: float, direction: float) -> float:
+        """Angle of the driven gear whose teeth stand midway between those of the driver at `driver_angle`, in rad.
+
+        Both angles are those of a tooth's middle, and `direction` that from the driver's axis to the driven gear's.
+        The phases of both in pitches, counted from the line of centres, add up to half a pitch.
+
+        Args:
+            driver_angle: angle of the driver, rad.
+            direction: direction from the driver's axis to the driven gear's, rad.
+        """
+        driver_teeth, driven_teeth = self.driver.form.teeth, self.driven.form.teeth
+        phase = driver_teeth * (driver_angle - direction)
+        return (direction + pi + (pi - phase) / driven_teeth) % (2 * pi)
+
+    def meshes(self, engage: Engage) -> bool:
+        """Whether the teeth, as cut, have one play all the time."""
+        return teeth_mesh(self, engage)
+
+    def checks(self, engage: Engage) -> tuple[Check, ...]:
+        """The teeth in mesh, as cut over a whole pitch, and at the limits of the tolerances."""
+        return pair_checks(self, engage)
+
+    def notes(self, number: int) -> tuple[str, ...]:
+        """Which gears are undercut as they are cut, and how far."""
+        return tuple(
+            f"the {role} of stage {number}, of {gear.form.teeth} teeth, is undercut: as cut it has the profile"
+            f" shift {gear.form.generating_profile_shift:.2f}, {missing:.2f} modules less than would leave its"
+            " flanks whole"
+            for role, gear in (("driver", self.driver), ("driven gear", self.driven))
+            if (missing := missing_shift(gear.form)) > 0
+        )
+
+    def facts(self) -> dict[str, Any]:
+        """Every value of eq. 1-13, the exact plays beside them, and how the play is distributed."""
+        return pair_facts(self)
+
+    def wheel_facts(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Form, thickness limits, span and size over pins of both gears; a `DesignError` for pins that do not rest."""
+        play, inspections = self.play(), _inspections(self)
+        driver, driven = self.wheels
+        return (
+            gear_facts(driver, play.driver, inspections[0]),
+            gear_facts(driven, play.driven, inspections[1]),
+        )
+
+
+@lru_cache(maxsize=64)  # of the stages of a train, which is inspected and then written
+def _inspections(pair: GearPair) -> tuple[Inspection, Inspection]:
+    """Of both gears, as cut, between E_sns and E_sni."""
+    play = pair.play()
+    driver, driven = (
+        inspection_of(gear.form, limits.E_sns, limits.E_sni, gear.pin_diameter)
+        for gear, limits in ((pair.driver, play.driver), (pair.driven, play.driven))
+    )
+    return driver, driven
+
+
+def spur_pairs(train: Train, what: str, cure: str = TEETH) -> tuple[GearPair, ...]:
+    """The stages of a train as spur gears.
+
+    Args:
+        train: of any kinds.
+        what: what is worked out for spur gears alone, with its verb: `the search is`.
+        cure: what to do about another kind.
+
+    Raises:
+        DesignError: a stage is of another kind.
+    """
+    for number, stage in enumerate(train.stages, 1):
+        if not isinstance(stage, GearPair):
+            raise DesignError(
+                f"train.stages.{number}.kind names {stage.noun}, and {what} worked out for spur gears alone: {cure}"
+            )
+    return tuple(stage for stage in train.stages if isinstance(stage, GearPair))

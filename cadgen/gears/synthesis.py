@@ -1,0 +1,482 @@
+"""Synthesis of a train: which order of stages, and which tooth numbers, leave the output the least return error.
+
+In eq. 25 a stage's return error reaches the output divided by the ratios behind it, so the last stage counts
+most, and is best with a large wheel and a high ratio. `all_orders` ranks every order of given stages, `search_trains`
+every choice of teeth, module and face width within `SearchLimits`; both by the greatest return error, least first. A
+search lays out the stages it may choose from as arrays (`Pairs`), finds where they fit in their blanks and beside each
+other, and leaves the choice to `chains`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import permutations
+from math import ceil, cos, degrees, floor, inf, tan
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cadgen.arrays import Array
+from cadgen.errors import DesignError
+from cadgen.gears.backlash import StagePlay, play_equations
+from cadgen.gears.chains import LONGEST_CHAIN, BoolArray, Fit, best_chains
+from cadgen.gears.choices import Order
+from cadgen.gears.contact import (
+    LEAST_CONTACT_RATIO,
+    LEAST_ROOT_CLEARANCE,
+    contact_ratio,
+    contact_ratios,
+    missing_shift,
+    missing_shifts,
+)
+from cadgen.gears.layout import Blanks, collar_length
+from cadgen.gears.pair import CENTRE_DISTANCE_ROUNDING, Gear
+from cadgen.gears.spur import GearPair, spur_pairs
+from cadgen.gears.stage import Stage
+from cadgen.gears.tolerances import COVERED_DIAMETERS, ToleranceOverrides, centre_distance_deviation, gear_tolerances
+from cadgen.gears.tooth import MINIMUM_TEETH, GearForm, involute
+from cadgen.gears.train import Train, TrainPlay, train_play
+from cadgen.gears.wheel_body import fits
+
+# Limits of a search that is asked for nothing else. A stage that speeds up only wastes what another gains; more than
+# ten to one is hardly ever built with spur gears.
+STAGE_RATIOS = (1.0, 10.0)
+# Least contact ratio in design, with some reserve over what is checked (Norton, Machine Design: 1.2 at least).
+CONTACT_RATIO = 1.2
+# Profile shift in modules that a gear may lack, as cut: unshifted gears of 12 teeth, the least that makers list, lack
+# 0.30 by their numbers and, thinned, 0.4 to 0.5.
+UNDERCUT = 0.5
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SearchLimits:
+    """Limits of a search for trains, lengths in mm.
+
+    The total `ratio` is met exactly, or within the relative `ratio_tolerance`. Every stage has `teeth`, a
+    `centre_distance` and a `stage_ratio` between the least and the greatest given, one of `modules`, one of
+    `widths`, and no profile shift. As cut it has at least the `contact_ratio`, and its gears lack no more profile
+    shift than `undercut`, in modules, to be free of undercut. All gears share the grade, pressure angle, tooth
+    factors and thinning of `pattern`. `keep` trains are returned. Raises `DesignError` for limits that are empty or
+    out of range.
+    """
+
+    ratio: Fraction
+    stages: int
+    teeth: tuple[int, int]
+    modules: tuple[float, ...]
+    widths: tuple[float, ...]
+    centre_distance: tuple[float, float]
+    bearing_span: float
+    pattern: Gear
+    stage_ratio: tuple[float, float] = STAGE_RATIOS
+    contact_ratio: float = CONTACT_RATIO
+    undercut: float = UNDERCUT
+    ratio_tolerance: float = 0.0
+    keep: int = 10
+
+    def __post_init__(self) -> None:
+        for name, low, high in (
+            ("teeth", *self.teeth),
+            ("centre_distance", *self.centre_distance),
+            ("stage_ratio", *self.stage_ratio),
+        ):
+            if not low <= high:
+                raise DesignError(f"the search limits {name} run from {low:g} to {high:g}; give the lesser first")
+        if self.teeth[0] < MINIMUM_TEETH:
+            raise DesignError(f"the search allows {self.teeth[0]} teeth; give at least {MINIMUM_TEETH}")
+        if not 1 <= self.stages <= LONGEST_CHAIN:
+            raise DesignError(f"the search has {self.stages} stages; give 1 to {LONGEST_CHAIN}")
+        for name, value in (("ratio", self.ratio), ("bearing_span", self.bearing_span), ("keep", self.keep)):
+            if not value > 0:
+                raise DesignError(f"the search has {name} = {float(value):g}; give a value above 0")
+        for name, value in (("contact_ratio", self.contact_ratio), ("undercut", self.undercut)):
+            if not value >= 0:
+                raise DesignError(f"the search has {name} = {float(value):g}; give 0 or more")
+        if not 0 <= self.ratio_tolerance < 1:
+            raise DesignError(f"the search has ratio_tolerance = {self.ratio_tolerance:g}; give 0 up to 1")
+        if not (self.modules and self.widths):
+            raise DesignError("the search has no module or no face width to choose from; give at least one of each")
+
+    def __str__(self) -> str:
+        (fewest, most), (shortest, longest), (least, greatest) = self.teeth, self.centre_distance, self.stage_ratio
+        return (
+            f"{'one stage' if self.stages == 1 else f'{self.stages} stages'} with {fewest} to {most} teeth and axes"
+            f" {shortest:g} to {longest:g} mm apart, modules of {_listed(self.modules)} mm and widths of"
+            f" {_listed(self.widths)} mm, stage ratios of {least:g} to {greatest:g}, a contact ratio of"
+            f" {self.contact_ratio:g} or more, and undercut up to {self.undercut:g} modules of profile shift"
+        )
+
+    @classmethod
+    def like(cls, train: Train) -> Self:
+        """Limits that span the gears of `train`: its ratio and stage count, and its sizes and all between.
+
+        Stage ratio, contact ratio and undercut are the usual ones, or those of the train where these go further.
+        Raises `DesignError` for stages of different grade, pressure angle or bearing span: the search gives all
+        stages the same.
+        """
+        pairs = spur_pairs(train, "the search is", "take --order as-given or reordered")
+        gears = [gear for stage in pairs for gear in (stage.driver, stage.driven)]
+        _require_one("tolerance grade", (gear.grade for gear in gears))
+        _require_one("pressure angle in degrees", (degrees(gear.form.normal_pressure_angle) for gear in gears))
+        _require_one("bearing span in mm", (stage.bearing_span for stage in train.stages))
+        teeth = [gear.form.teeth for gear in gears]
+        axes = [stage.centre_distance for stage in train.stages]
+        ratios = [float(stage.ratio) for stage in train.stages]
+        contact, undercut = _contact_and_undercut(pairs)
+        return cls(
+            ratio=train.ratio,
+            stages=len(train.stages),
+            teeth=(min(teeth), max(teeth)),
+            modules=tuple(sorted({gear.form.normal_module for gear in gears})),
+            widths=tuple(sorted({gear.form.width for gear in gears})),
+            centre_distance=(min(axes), max(axes)),
+            bearing_span=train.stages[0].bearing_span,
+            pattern=gears[0],
+            stage_ratio=(min(STAGE_RATIOS[0], *ratios), max(STAGE_RATIOS[1], *ratios)),
+            contact_ratio=max(min(CONTACT_RATIO, contact), LEAST_CONTACT_RATIO),
+            undercut=max(UNDERCUT, undercut),
+        )
+
+
+def _contact_and_undercut(pairs: Iterable[GearPair]) -> tuple[float, float]:
+    """Least contact ratio and worst undercut of pairs as cut, to the outer hundredth; of those that can be cut."""
+    contact, undercut = inf, 0.0
+    for pair in pairs:
+        try:
+            cut = pair.as_cut()
+            contact = min(contact, contact_ratio(cut))
+            undercut = max(undercut, missing_shift(cut.driver.form), missing_shift(cut.driven.form))
+        except DesignError:
+            continue
+    return floor(contact * 100) / 100 if contact < inf else inf, ceil(undercut * 100) / 100
+
+
+def _listed(values: Iterable[float]) -> str:
+    return ", ".join(f"{value:g}" for value in values)
+
+
+def _require_one(what: str, values: Iterable[float]) -> None:
+    different = sorted(set(values))
+    if len(different) > 1:
+        raise DesignError(
+            f"the search gives all stages one {what}, and those given have {' and '.join(f'{v:g}' for v in different)};"
+            " give them all the same, or reorder them as they are"
+        )
+
+
+# Pairs of gears within the limits that a search takes on: as many take some seconds and some hundred megabytes.
+MOST_PAIRS = 4_000_000
+# Of a stage ratio that meets a limit but for rounding (relative), and of a room in mm: `layout` is the judge.
+RATIO_ROUNDING = 1e-12
+ROOM_SLACK = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pairs:
+    """Candidate stages, one row each, shapes (n,): teeth, mm and rad; `shifts` are x_E of driver and driven, as cut."""
+
+    driver: NDArray[np.int64]
+    driven: NDArray[np.int64]
+    module: Array
+    width: Array
+    return_error: Array
+    shifts: tuple[Array, Array]
+
+    def where(self, rows: BoolArray) -> Pairs:
+        """Some of the pairs."""
+        return Pairs(
+            self.driver[rows],
+            self.driven[rows],
+            self.module[rows],
+            self.width[rows],
+            self.return_error[rows],
+            (self.shifts[0][rows], self.shifts[1][rows]),
+        )
+
+    @property
+    def axes(self) -> Array:
+        """Centre distances in mm."""
+        return np.asarray(self.module * (self.driver + self.driven) / 2)
+
+
+def pairs_within(limits: SearchLimits) -> Pairs:
+    """Every pair within the limits whose gears the standards cover, with its greatest return error."""
+    teeth = np.arange(limits.teeth[0], limits.teeth[1] + 1)
+    if teeth.size**2 * len(limits.modules) * len(limits.widths) > MOST_PAIRS:
+        raise DesignError(
+            f"the search has {teeth.size} tooth numbers, {len(limits.modules)} modules and {len(limits.widths)} widths"
+            f" to choose from, more than {MOST_PAIRS // 1_000_000} million pairs; narrow them"
+        )
+    columns = np.meshgrid(teeth, teeth, sorted(set(limits.modules)), sorted(set(limits.widths)), indexing="ij")
+    driver, driven, module, width = (column.ravel() for column in columns)
+    axes, diameters = module * (driver + driven) / 2, module * np.array([driver, driven])
+    shortest, longest = limits.centre_distance
+    fits = (axes >= shortest - CENTRE_DISTANCE_ROUNDING) & (axes <= longest + CENTRE_DISTANCE_ROUNDING)
+    fits &= (diameters.min(axis=0) >= COVERED_DIAMETERS[0]) & (diameters.max(axis=0) <= COVERED_DIAMETERS[1])
+    fits &= driven >= limits.stage_ratio[0] * driver * (1 - RATIO_ROUNDING)
+    fits &= driven <= limits.stage_ratio[1] * driver * (1 + RATIO_ROUNDING)
+    driver, driven, module, width, axes = (column[fits] for column in (driver, driven, module, width, axes))
+    grade, alpha = limits.pattern.grade, limits.pattern.form.normal_pressure_angle
+    play = play_equations(
+        gear_tolerances(module * driver, module, width, grade),
+        gear_tolerances(module * driven, module, width, grade),
+        f_a=centre_distance_deviation(axes, grade),
+        j_bn0=np.zeros(axes.shape),
+        module=module,
+        alpha_n=alpha,
+        alpha_w=alpha,
+        centre_distance=axes,
+        span_to_widths=(limits.bearing_span / width, limits.bearing_span / width),
+        driven_pitch_radius=module * driven / 2,
+        thinning=(limits.pattern.thinning, limits.pattern.thinning),
+    )
+    x_E = tuple((gear.E_sns - gear.T_sn / 2) / (2 * module * tan(alpha)) for gear in (play.driver, play.driven))
+    pairs = Pairs(driver, driven, module, width, play.B_max, (x_E[0], x_E[1]))
+    return _in_mesh(pairs, play, limits)
+
+
+def _in_mesh(pairs: Pairs, play: StagePlay[Array], limits: SearchLimits) -> Pairs:
+    """Those pairs whose teeth do not jam, clear the roots, and keep the limits of undercut and contact ratio.
+
+    Raises `DesignError` where one of these leaves none of the pairs.
+    """
+    form, (x, y) = limits.pattern.form, pairs.shifts
+    angle = form.normal_pressure_angle
+    # At the least play: axes closer by f_a, both teeth at E_sns.
+    closest = np.arccos(np.minimum(cos(angle) * pairs.axes / (pairs.axes - play.f_a), 1.0))
+    opened = np.tan(closest) - closest - involute(angle)
+    least_play = pairs.module * (pairs.driver + pairs.driven) * opened - play.driver.E_sns - play.driven.E_sns
+    missing = np.maximum(missing_shifts(form, pairs.driver, x), missing_shifts(form, pairs.driven, y))
+    clearance = form.dedendum_factor - form.addendum_factor - np.maximum(x, y)
+    kept = np.ones(pairs.driver.shape, dtype=np.bool_)
+    for holds, cure in (
+        (least_play > 0, "none has play at the closest axes and the thickest teeth; thin the teeth more"),
+        (
+            clearance >= LEAST_ROOT_CLEARANCE,
+            f"none clears the roots by {LEAST_ROOT_CLEARANCE:g} modules; raise dedendum_factor",
+        ),
+        (
+            missing <= limits.undercut,
+            f"each has more undercut than {limits.undercut:g}; allow more teeth or more undercut",
+        ),
+    ):
+        kept = _kept(kept, holds, limits, cure)
+    pairs = pairs.where(kept)
+    teeth = pairs.driver.astype(np.float64), pairs.driven.astype(np.float64)
+    ratios = contact_ratios(form, teeth, pairs.shifts, form.tip_chamfer / pairs.module)
+    low = f"none has a contact ratio of {limits.contact_ratio:g}; allow more teeth or a smaller contact ratio"
+    return pairs.where(_kept(np.ones(ratios.shape, dtype=np.bool_), ratios >= limits.contact_ratio, limits, low))
+
+
+def _kept(before: BoolArray, holds: BoolArray, limits: SearchLimits, cure: str) -> BoolArray:
+    kept = before & holds
+    if before.any() and not kept.any():
+        raise DesignError(f"no train of {limits}: of {int(before.sum())} pairs of gears that are left {cure}")
+    return kept
+
+
+def fit_of(pairs: Pairs, limits: SearchLimits, blanks: Blanks, clearance: float) -> Fit:
+    """Where pairs may stand, with both gears as cut in their blanks, and which clear the shafts beside them.
+
+    Args:
+        pairs: pairs of gears.
+        limits: limits of the search.
+        blanks: bores, hubs and webs by place in the train.
+        clearance: least gap between parts, mm.
+    """
+    stages, form = limits.stages, limits.pattern.form
+    wheel, pinion = (pairs.module * (teeth / 2 + form.addendum_factor) for teeth in (pairs.driven, pairs.driver))
+    shafts = [blanks.drive, *[blanks.intermediate] * (stages - 1), blanks.output]
+    bores = [blank.bore_diameter / 2 for blank in shafts]
+    hubs = [blank.hub.diameter / 2 if blank.hub else 0.0 for blank in shafts]
+    collar = blanks.intermediate.hub
+    rubbing = wheel if collar and collar.length < clearance else np.zeros_like(wheel)
+
+    def past(size: float | Array) -> Array:
+        """Room that the axes of a stage leave beside a body of a radius on one shaft; any if there is no body."""
+        return np.where(np.asarray(size) > 0, pairs.axes - size - clearance + ROOM_SLACK, inf)
+
+    allowed = _places(pairs, limits, blanks)
+    for place in range(stages):
+        for shaft, other in ((place, place + 1), (place + 1, place)):
+            allowed[place] &= max(hubs[other], bores[other]) <= past(bores[shaft])
+        # A hub ends where the gear on the other shaft begins.
+        allowed[place] &= (wheel <= past(hubs[place])) & (pinion <= past(hubs[place + 1]))
+    return Fit(
+        allowed=allowed,
+        wheel=wheel,
+        pinion=pinion,
+        after=np.array([past(np.maximum(bore, rubbing)) for bore in bores[2:]]).reshape(-1, wheel.size),
+        before=np.array([past(bore) for bore in bores[:-2]]).reshape(-1, wheel.size),
+        height=pairs.width,
+        most_height=limits.bearing_span - _length_of_hubs(blanks, stages, clearance),
+    )
+
+
+def _length_of_hubs(blanks: Blanks, stages: int, clearance: float) -> float:
+    """Share of the bearing span that hubs and collars take, in mm."""
+    ends = sum(blank.hub.length for blank in (blanks.drive, blanks.output) if blank.hub)
+    collar = blanks.intermediate.hub
+    return ends + (stages - 1) * (collar.length if collar else collar_length(clearance))
+
+
+def _places(pairs: Pairs, limits: SearchLimits, blanks: Blanks) -> BoolArray:
+    """Which pairs may stand at each place, from the drive on, shape (stages, n): both gears must fit their blanks."""
+
+    def ask(teeth: NDArray[np.int64], x_E: Array, fit: Callable[[GearForm], bool]) -> BoolArray:
+        """Whether the gear of each pair fits; the thinner a tooth is cut the smaller its root, and nothing else."""
+        sizes = np.column_stack([teeth, pairs.module, pairs.width])
+        kinds, kind = np.unique(sizes, axis=0, return_inverse=True)
+        kind = np.ravel(kind)
+        low, high = np.full(len(kinds), inf), np.full(len(kinds), -inf)
+        np.minimum.at(low, kind, x_E)
+        np.maximum.at(high, kind, x_E)
+        at_least, at_most = (
+            np.array(
+                [fit(form_of(limits, int(z), m, b, x)) for (z, m, b), x in zip(kinds.tolist(), ends, strict=True)], bool
+            )
+            for ends in (low.tolist(), high.tolist())
+        )
+        fitting = at_most[kind]
+        for row in np.flatnonzero(at_most & ~at_least).tolist():
+            z, m, b = sizes[row].tolist()
+            fitting[row] = fit(form_of(limits, int(z), m, b, float(x_E[row])))
+        return np.asarray(fitting)
+
+    first = ask(pairs.driver, pairs.shifts[0], lambda form: fits(form, blanks.drive))
+    later = ask(pairs.driver, pairs.shifts[0], lambda form: fits(form, blanks.intermediate, upper=True))
+    before = ask(pairs.driven, pairs.shifts[1], lambda form: fits(form, blanks.intermediate, upper=False))
+    last = ask(pairs.driven, pairs.shifts[1], lambda form: fits(form, blanks.output))
+    return np.array(
+        [
+            (first if place == 0 else later) & (last if place == limits.stages - 1 else before)
+            for place in range(limits.stages)
+        ]
+    )
+
+
+def form_of(limits: SearchLimits, teeth: int, module: float, width: float, x_E: float = 0.0) -> GearForm:
+    """A searched gear, cut with the generating profile shift x_E.
+
+    Args:
+        limits: limits of the search, with the pattern of its gears.
+        teeth: number of teeth.
+        module: normal module, mm.
+        width: face width, mm.
+        x_E: generating profile shift, in modules: a pure number.
+    """
+    pattern = limits.pattern.form
+    deviation = x_E * 2 * module * tan(pattern.normal_pressure_angle)
+    return replace(
+        pattern,
+        teeth=teeth,
+        normal_module=module,
+        width=width,
+        profile_shift=0.0,
+        tooth_thickness_deviation=deviation,
+    )
+
+
+def arrange(train: Train, order: Order, limits: SearchLimits | None = None) -> tuple[TrainPlay, ...]:
+    """The trains that an order calls for, least return error first.
+
+    `as-given` gives the train alone, `reordered` every order of its stages, `search` the trains within
+    `limits`, by default those `SearchLimits.like` the train.
+    """
+    if order == Order.SEARCH:
+        return search_trains(limits or SearchLimits.like(train))
+    return all_orders(train) if order == Order.REORDERED else (train_play(train),)
+
+
+def all_orders(train: Train) -> tuple[TrainPlay, ...]:
+    """Every distinct order of the stages, least greatest return error first."""
+    designed = train_play(train)
+    plays: dict[Train, TrainPlay] = {}
+    for order in permutations(range(len(train.stages))):
+        reordered = train.reordered(order)
+        plays.setdefault(reordered, TrainPlay(train=reordered, stages=tuple(designed.stages[j] for j in order)))
+    return tuple(sorted(plays.values(), key=lambda play: play.return_error_max))
+
+
+def search_trains(limits: SearchLimits, blanks: Blanks | None = None, clearance: float = 0.0) -> tuple[TrainPlay, ...]:
+    """The `limits.keep` trains within the limits with the least greatest return error, best first.
+
+    With `blanks` only trains whose gears fit them, each at its place, and whose wheels pass the shafts beside them
+    with `clearance` (mm). Raises `DesignError` if no train is within the limits, and for limits so wide that the
+    search would not end.
+
+    Args:
+        limits: limits of the search.
+        blanks: blanks that the gears must fit; None for any.
+        clearance: least gap between a wheel and the shafts beside it, mm.
+    """
+    return TrainSearch(limits, blanks, clearance).best(limits.keep)
+
+
+class TrainSearch:
+    """The pairs within limits, and the best trains of those that have not been excluded."""
+
+    def __init__(self, limits: SearchLimits, blanks: Blanks | None = None, clearance: float = 0.0) -> None:
+        self._limits, self._blanks = limits, blanks
+        self._pairs = pairs_within(limits)
+        self._fit = (
+            Fit.anywhere(limits.stages, self._pairs.driver.size)
+            if blanks is None
+            else fit_of(self._pairs, limits, blanks, clearance)
+        )
+        self._excluded: set[int] = set()
+
+    def best(self, keep: int) -> tuple[TrainPlay, ...]:
+        """The `keep` trains of the least greatest return error, best first.
+
+        Raises `DesignError` if there is none, or none left, and if the search would not end.
+        """
+        limits, pairs = self._limits, self._pairs
+        chains = best_chains(
+            pairs.driver,
+            pairs.driven,
+            pairs.return_error,
+            ratio=limits.ratio,
+            tolerance=limits.ratio_tolerance,
+            length=limits.stages,
+            keep=keep,
+            fit=self._fit,
+        )
+        if not chains:
+            kept = ", gears that fit their blanks and wheels that pass the shafts beside them" if self._blanks else ""
+            left = f", {len(self._excluded)} pairs left out whose teeth fail" if self._excluded else ""
+            raise DesignError(
+                f"no train of {limits}{kept}{left} has the ratio {limits.ratio} within {limits.ratio_tolerance:g};"
+                " widen the limits or raise the ratio tolerance"
+            )
+        return tuple(train_play(Train(tuple(_stage(pairs, row, limits) for row in rows))) for rows in chains)
+
+    def exclude(self, stage: Stage) -> None:
+        """Leave out a pair, at every place: its teeth cannot be made, or fail their checks."""
+        (pair,) = spur_pairs(Train((stage,)), "the search is")
+        driver, driven = pair.driver.form, pair.driven.form
+        same = (self._pairs.driver == driver.teeth) & (self._pairs.driven == driven.teeth)
+        same &= (self._pairs.module == driver.normal_module) & (self._pairs.width == driver.width)
+        self._fit.allowed[:, same] = False
+        self._excluded.update(np.flatnonzero(same).tolist())
+
+
+def _stage(pairs: Pairs, row: int, limits: SearchLimits) -> GearPair:
+    teeth, module = (int(pairs.driver[row]), int(pairs.driven[row])), float(pairs.module[row])
+    driver, driven = (
+        replace(
+            limits.pattern,
+            form=form_of(limits, z, module, float(pairs.width[row])),
+            overrides=ToleranceOverrides(),
+        )
+        for z in teeth
+    )
+    return GearPair(
+        driver=driver,
+        driven=driven,
+        centre_distance=module * sum(teeth) / 2,
+        bearing_span=limits.bearing_span,
+    )

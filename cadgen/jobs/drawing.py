@@ -1,0 +1,374 @@
+"""Drawings of a computed cam and gear train: their sheets, and DXF, PDF and forms that are read back and published.
+
+A sheet's title block names the design by its hash, and its notes name the files of the folder that hold the same part.
+"""
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from math import inf
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from cadgen.arrays import TURN
+from cadgen.car.course.layout import Side
+from cadgen.curves.biarc import arcs
+from cadgen.design.drawing import DrawingText
+from cadgen.design.schema import Design, TrainDesign
+from cadgen.errors import FileError
+from cadgen.gears.layout import TrainPart
+from cadgen.inference.measurement.record import Direction
+from cadgen.jobs.cam.plan import CamPlan
+from cadgen.jobs.gears.facts import parts_facts
+from cadgen.jobs.gears.plan import GearsPlan
+from cadgen.output.drawing.cam_sheet import EVERY, CamPart, cam_drawing
+from cadgen.output.drawing.gear_sheets import Axis, GearPart, gear_drawing, gear_rows, plate_drawing
+from cadgen.output.drawing.sheet import Drawing, Title, scale_text
+from cadgen.output.files.folder import publishing
+from cadgen.output.files.manifest import NAME, Written, file_facts, sound_parts, versions, write_manifest
+from cadgen.progress import Progress, silent
+
+_HASH = 12  # letters of a design's hash in a title block
+
+
+@dataclass(frozen=True)
+class Folder:
+    """State of a folder before its drawings are made.
+
+    Attributes:
+        parts: entries of its manifest by their names.
+        date: day on which the manifest was written, or today, ISO 8601; by SOURCE_DATE_EPOCH where that is set.
+    """
+
+    parts: Mapping[str, Any]
+    date: str
+
+    @classmethod
+    def at(cls, folder: Path) -> "Folder":
+        """State of a folder, which need not exist.
+
+        Raises:
+            FileError: SOURCE_DATE_EPOCH is no number of seconds.
+        """
+        manifest = folder / NAME
+        parts = sound_parts(manifest)
+        stated = os.environ.get("SOURCE_DATE_EPOCH")
+        try:
+            if stated is not None:
+                moment = datetime.fromtimestamp(int(stated), UTC)
+            elif parts:
+                moment = datetime.fromtimestamp(manifest.stat().st_mtime, UTC)
+            else:
+                moment = datetime.now(UTC)
+        except (ValueError, OverflowError, OSError):
+            raise FileError(f"SOURCE_DATE_EPOCH is {stated!r}; it must be a number of seconds since 1970") from None
+        return cls(parts, moment.date().isoformat())
+
+    def files(self, stem: str, design_hash: str, endings: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
+        """Name and hash of the files of a design whose names begin with `stem` and end as stated.
+
+        Args:
+            stem: what the names begin with.
+            design_hash: hash of the design that they must be of.
+            endings: endings of names, in the order in which the files are named.
+        """
+        listed = {
+            name: facts["sha256"]
+            for entry in self.parts.values()
+            if entry.get("design_sha256") == design_hash
+            for name, facts in entry["files"].items()
+        }
+        named = (f"{stem}{ending}" for ending in endings)
+        return tuple((name, listed[name]) for name in named if name in listed)
+
+
+def title_of(design: TrainDesign, part: str, material: str, number: str, folder: Folder) -> Title:
+    """Title block of a part's sheet."""
+    text = design.drawing or DrawingText()
+    return Title(
+        part=part,
+        title=text.title or design.name,
+        material=material,
+        finish=text.finish or "",
+        quantity=text.quantity,
+        date=folder.date,
+        design=f"{design.name} {design.content_hash[:_HASH]}",
+        number=number,
+    )
+
+
+def not_stated(design: TrainDesign, *, cam: bool) -> dict[str, str]:
+    """Facts that the sheets leave open, each with the key of the design that states it.
+
+    Args:
+        design: design that is drawn.
+        cam: whether its cam is drawn, and not its train alone.
+    """
+    keys: dict[str, tuple[str, object]] = {}
+    if cam and isinstance(design, Design):
+        keys = {
+            "material": ("blank.material", design.blank.material),
+            "fit of the bore": ("blank.bore_fit", design.blank.bore_fit),
+            "tolerance of the outline": ("tolerances.profile_offset_mm", design.tolerances.profile_offset_mm),
+        }
+    keys["finish"] = ("drawing.finish", design.drawing and design.drawing.finish)
+    return {name: key for name, (key, value) in keys.items() if not value}
+
+
+def bore_class(fit: str | None) -> str:
+    """Tolerance class of a bore from its fit: `H7` of `H7/g6`; empty without a fit."""
+    return fit.partition("/")[0].strip() if fit else ""
+
+
+_CAM_ENDINGS = ("_spline.dxf", "_arcs.dxf", ".step", ".nc")  # of the files that a sheet names
+_ARCS_WITHIN = 1e-3  # mm, of the outline on the sheet
+_DENSE = 7200  # angles at which the greatest and least radius are sought
+_RUNS = 3  # of the inspection, which tells noise from what repeats
+_STEP = 5  # degrees between its readings
+
+
+def stem_of(plan: CamPlan) -> str:
+    """Stem of the names of the cam's files."""
+    return f"{plan.design.name}_{plan.profile}"
+
+
+def sheet_of(plan: CamPlan, folder: Folder) -> Drawing:
+    """Sheet of a cam; it names the files of the folder that hold the same cam."""
+    design, stem = plan.design, stem_of(plan)
+    angles = np.radians(np.arange(0.0, 360.0, EVERY))
+    dense = np.linspace(0.0, TURN, _DENSE, endpoint=False)
+    radii = plan.curve.radius(dense)
+    most, least = int(radii.argmax()), int(radii.argmin())
+    inner, outer = design.cam.faces_mm
+    offset = design.tolerances.profile_offset_mm
+    part = CamPart(
+        profile=arcs(plan.curve, _ARCS_WITHIN),
+        angles=angles,
+        radii=plan.curve.radius(angles),
+        greatest=(float(radii[most]), float(dense[most])),
+        least=(float(radii[least]), float(dense[least])),
+        blank=plan.made_blank,
+        thickness=outer - inner,
+        bore_fit=bore_class(design.blank.bore_fit),
+        profile_tolerance=offset or None,
+        face="inner face" if design.cam.side == Side.RIGHT else "outer face",
+        files=folder.files(stem, design.content_hash, _CAM_ENDINGS),
+        notes=tuple(_notes(plan)),
+    )
+    name = f"steering cam, {plan.profile} profile"
+    return cam_drawing(part, title_of(design, name, design.blank.material or "", stem, folder))
+
+
+def _notes(plan: CamPlan) -> Iterator[str]:
+    tolerances = plan.design.tolerances
+    if tolerances.inner_face_mm or tolerances.outer_face_mm:
+        yield (
+            f"Faces: inner ± {tolerances.inner_face_mm:g}, outer ± {tolerances.outer_face_mm:g} mm from the fork axis, "
+            "as the cars are reckoned."
+        )
+    if plan.profile.note:
+        yield plan.profile.note
+
+
+def inspection_csv(plan: CamPlan) -> str:
+    """Form for a dial on the lever, in the columns that `cadgen calibrate` reads: the readings are left open.
+
+    A form that is not filled in is refused by `calibrate`, which names the first open row.
+    """
+    lines = [
+        f"# design: {plan.design.name}",
+        f"# profile: {plan.profile}; give calibrate --profile {plan.profile}",
+        "# a dial on the lever at the disc's inner face: write each reading into lift_mm",
+        "run,direction,cam_angle_deg,lift_mm",
+    ]
+    for run in range(1, _RUNS + 1):
+        for direction, angles in (
+            (Direction.FORWARD, range(0, 360, _STEP)),
+            (Direction.REVERSE, range(360 - _STEP, -1, -_STEP)),
+        ):
+            lines += [f"{run},{direction},{angle}," for angle in angles]
+    return "\n".join(lines) + "\n"
+
+
+_PART_ENDINGS = (".step", ".stl")
+
+
+def sheets_of(plan: GearsPlan, folder: Folder) -> Iterator[tuple[str, Drawing]]:
+    """Stem of the files that a sheet stands for, and the sheet: of each part, then of the plate."""
+    layout, design = plan.layout, plan.design
+    every = parts_facts(layout)
+    for part, facts in zip(layout.parts, every, strict=True):
+        stem = f"{plan.stem}_{part.name}"
+        data = tuple(
+            gear_rows(
+                gear,
+                _mate(every, gear["stage"], part.shaft),
+                layout.train.stages[gear["stage"] - 1],
+                drives=gear["stage"] == part.shaft,
+            )
+            for gear in facts["gears"]
+        )
+        name = " and ".join(str(gear.noun).removeprefix("the ") for gear in part.gears)
+        sheet = GearPart(
+            part=part,
+            data=data,
+            files=folder.files(stem, design.content_hash, _PART_ENDINGS),
+            notes=(f"Shaft {part.shaft} of the train, counted from the drive.",),
+        )
+        yield stem, gear_drawing(sheet, title_of(design, f"{part.name}: {name}", "", stem, folder))
+    axes = tuple(
+        Axis(
+            shaft=part.shaft,
+            x=part.axis.real,
+            y=part.axis.imag,
+            bore=part.blank.bore_diameter,
+            reach=max(gear.tip_diameter for gear in part.gears) / 2,
+        )
+        for part in layout.parts
+    )
+    stem = f"{plan.stem}_plate"
+    title = title_of(design, "plate for the axes", "", stem, folder)
+    pair = replace(title, quantity=2 * title.quantity)
+    yield stem, plate_drawing(axes, tuple(_plate_notes(plan)), pair)
+
+
+def _plate_notes(plan: GearsPlan) -> Iterator[str]:
+    yield "Seen along the axes from the output's end. Broken circles: tips of the gears, for room."
+    yield "Two to a machine, before and behind the gears. Thickness as the bearings need."
+    yield "Holes as large as the shafts: open them for your bearings. Where no bore is given there is no hole."
+    yield "Places of the axes: hold the distances below, not the general tolerance."
+    for number, stage in enumerate(plan.layout.train.stages, 1):
+        deviation = stage.facts().get("f_a_um")
+        if deviation is not None:
+            apart = f"{stage.centre_distance:g} ± {deviation / 1e3:.4g} mm"
+            span = f"bearings {stage.bearing_span:g} mm apart"
+            yield f"Axes {number} and {number + 1}: {apart}, {span}, as the play is reckoned."
+
+
+def _mate(every: list[dict[str, Any]], stage: int, shaft: int) -> str:
+    """The gear in mesh with one on a shaft, in words."""
+    other = next(part for part in every if part["shaft"] == (stage + 1 if shaft == stage else stage))
+    gear = next(gear for gear in other["gears"] if gear["stage"] == stage)
+    teeth = f"z = {gear['teeth']}, " if "teeth" in gear else ""
+    return f"{teeth}{other['name']}"
+
+
+# Greatest difference of a dimension in a file from that of the part, mm: rounding.
+DIMENSION_LIMIT = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Parts:
+    """Computed parts for drawings.
+
+    Attributes:
+        name: name of the design.
+        design_hash: hash of the design.
+        cam: computed cam; None to draw the train alone.
+        train: computed train; None to draw the cam alone.
+    """
+
+    name: str
+    design_hash: str
+    cam: CamPlan | None
+    train: GearsPlan | None
+
+    @property
+    def stem(self) -> str:
+        """Name of the entry in the manifest."""
+        kinds = [part for part, there in (("cam", self.cam), ("train", self.train)) if there is not None]
+        which = "" if len(kinds) == 2 else f"_{kinds[0]}"
+        return f"{self.name}{which}_drawings"
+
+
+def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Written:
+    """Draw, read back and publish: a sheet of the cam, of every part of the train and of the plate, and the forms.
+
+    Args:
+        parts: what is drawn.
+        out: folder for the files; it is made if need be. Files of the same parts in it are referred to by their hashes.
+        progress: function that is called with a few words on each step.
+
+    Raises:
+        FileError: a file cannot be written, or holds something else when it is read back.
+    """
+    folder = Folder.at(out)
+    files: dict[str, dict[str, Any]] = {}
+    omitted: dict[str, str] = {}
+    with publishing(out) as staging:
+        for stem, sheet in _sheets(parts, folder):
+            progress(f"drawing {stem}")
+            for name, facts in write_sheet(staging, stem, sheet, omitted):
+                files[name] = {**file_facts(staging / name), **facts}
+        if parts.train is not None:
+            for part in parts.train.layout.parts:
+                for name, facts in _write_outlines(staging, f"{parts.train.stem}_{part.name}", part):
+                    files[name] = {**file_facts(staging / name), **facts}
+        if parts.cam is not None:
+            name = f"{stem_of(parts.cam)}_inspection.csv"
+            (staging / name).write_text(inspection_csv(parts.cam), encoding="ascii", newline="\n")
+            files[name] = file_facts(staging / name)
+        entry = {
+            "design": parts.name,
+            "design_sha256": parts.design_hash,
+            "date": folder.date,
+            "versions": versions(),
+            **({"omitted": omitted} if omitted else {}),
+            **({"not_stated": open_} if (open_ := _open(parts)) else {}),
+            "files": files,
+        }
+        write_manifest(staging, parts.stem, entry)
+    return Written(parts.stem, entry)
+
+
+def _open(parts: Parts) -> dict[str, str]:
+    if parts.cam is not None:
+        return not_stated(parts.cam.design, cam=True)
+    return {} if parts.train is None else not_stated(parts.train.design, cam=False)
+
+
+def _sheets(parts: Parts, folder: Folder) -> Iterator[tuple[str, Drawing]]:
+    if parts.cam is not None:
+        yield stem_of(parts.cam), sheet_of(parts.cam, folder)
+    if parts.train is not None:
+        yield from sheets_of(parts.train, folder)
+
+
+def write_sheet(
+    staging: Path, stem: str, sheet: Drawing, omitted: dict[str, str]
+) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Write a sheet and read it back; a page without a font for its letters is left out, with the reason."""
+    from cadgen.output.drawing.sheet_files import NoFontError, dxf_bytes, pdf_bytes, read_dimensions
+
+    look = {"sheet": sheet.size, "scale": scale_text(sheet.scale)}
+    name = f"{stem}_drawing.dxf"
+    (staging / name).write_bytes(dxf_bytes(sheet))
+    again, drawn = read_dimensions(staging / name), sheet.dimensions
+    off = [abs(again.get(key, inf) - length) for key, length in drawn.items()]
+    if again.keys() != drawn.keys() or max(off, default=0.0) > DIMENSION_LIMIT:
+        raise FileError(f"{name}, read back, has other dimensions: report this design")
+    yield name, {**look, "dimensions_mm": {key: round(length, 6) for key, length in sorted(drawn.items())}}
+    name = f"{stem}_drawing.pdf"
+    try:
+        page = pdf_bytes(sheet)
+    except NoFontError as error:
+        omitted["PDF"] = str(error)
+        return
+    (staging / name).write_bytes(page)
+    if page.count(b"/Type /Page ") + page.count(b"/Type /Page\n") != 1:
+        raise FileError(f"{name} is not one page: report this design")
+    yield name, look
+
+
+def _write_outlines(staging: Path, stem: str, part: TrainPart) -> Iterator[tuple[str, dict[str, Any]]]:
+    """DXF of the teeth of each gear of a part with its bore, for a laser or a wire."""
+    from cadgen.output.files.gear_outline import write_outline
+
+    bore = part.blank.bore() if part.blank.bore_diameter else None
+    for number, gear in enumerate(part.gears, 1):
+        which = f"_{number}" if len(part.gears) > 1 else ""
+        name = f"{stem}{which}_outline.dxf"
+        yield name, {"outline_error_um": write_outline(staging / name, gear.outline, bore) * 1e3}
