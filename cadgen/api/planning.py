@@ -10,7 +10,7 @@ from cadgen.api.cam import Cam
 from cadgen.api.files import Written, refusal, written
 from cadgen.api.runs import map_of
 from cadgen.api.values import optional, whole
-from cadgen.car.planner.bounds import RESERVE, SEEDS, WITHIN_MM
+from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.design import cam_model
 from cadgen.design.schema import Design as DesignValues
 from cadgen.errors import CheckError, DesignError

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from cadgen.car.planner.bounds import RESERVE, SEEDS, WITHIN_MM
+from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.cli.options import Number, out_option, overrides_option
 
 

@@ -10,7 +10,7 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field, Strict, field_validator, model_validator
 
 from cadgen.car.optimize.profiles.table import codes as profile_codes
-from cadgen.car.planner.bounds import RESERVE, SEEDS, WITHIN_MM
+from cadgen.car.planner import RESERVE, SEEDS, WITHIN_MM
 from cadgen.check import CheckCode
 from cadgen.design.section import HERE, OneOf, Section, listed
 from cadgen.errors import DesignError, brief

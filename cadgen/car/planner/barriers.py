@@ -17,10 +17,9 @@ from numpy.typing import NDArray
 from cadgen.arrays import Array
 from cadgen.car.course.body import CarBody
 from cadgen.car.course.layout import Course, Draw, Shape, Side
-from cadgen.car.planner.basis import Basis
-from cadgen.car.planner.motion import Motion
-from cadgen.car.planner.rows import Limit, LimitKind, Rows
-from cadgen.car.planner.task import Vehicle
+from cadgen.car.planner.constraints import Constraint, LimitKind, PathLimit
+from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.path_task import Vehicle
 
 _EACH = 20  # places of a span at which clearances are held
 _SPACING = 25.0  # mm, of the points along walls and around zones
@@ -161,7 +160,7 @@ class Clearances:
     def _parts(self) -> tuple[tuple[Array, bool], ...]:
         return parts_of(self.vehicle)
 
-    def rows(self, points: Array) -> list[Rows]:
+    def constraints(self, points: Array) -> list[Constraint]:
         """Constraints of the barriers on a path by its control points, shape (n, 2), mm.
 
         Args:
@@ -169,12 +168,12 @@ class Clearances:
         """
         if not self.barriers:
             return []
-        motion = Motion(self.basis.even(_EACH), points, self.vehicle.path_offset)
+        motion = PathMotion(self.basis.even(_EACH), points, self.vehicle.path_offset)
         radius = max(float(np.linalg.norm(corners, axis=1).max()) for corners, _ in self._parts)
-        rows = [rows for barrier in self.barriers if (rows := self._rows(barrier, motion, radius)) is not None]
-        return rows + [each.spared(spare) for each in rows if (spare := self.spare.get(each.limit.key, 0.0)) > 0]
+        kept = [each for barrier in self.barriers if (each := self._constraint(barrier, motion, radius)) is not None]
+        return kept + [each.tightened(spare) for each in kept if (spare := self.spare.get(each.limit.key, 0.0)) > 0]
 
-    def _rows(self, barrier: Barrier, motion: Motion, radius: float) -> Rows | None:
+    def _constraint(self, barrier: Barrier, motion: PathMotion, radius: float) -> Constraint | None:
         place, far = motion.jets[0], radius * barrier.grown + barrier.reach + barrier.margin + _FAR
         if barrier.inside:
             near = _signed(place, barrier.corners)[0] > -far
@@ -182,17 +181,17 @@ class Clearances:
             near = np.linalg.norm(place[:, None] - barrier.points[None], axis=2).min(axis=1) < far
         if not near.any():
             return None
-        close = Motion(motion.places[np.flatnonzero(near)], motion.points, motion.offset)
+        close = PathMotion(motion.places[np.flatnonzero(near)], motion.points, motion.offset)
         parts = [corners * barrier.grown for corners, wheel in self._parts if wheel or not barrier.under]
         distance, by = _nearest(barrier, close, parts)
         if barrier.side is not None:
             distance, by = _on_side(barrier, close, parts, distance, by)
         value = barrier.margin + barrier.reach + _INSIDE - distance
         kind = LimitKind.FIELD if barrier.inside else LimitKind.CLEARANCE
-        return Rows(Limit(kind, barrier.key), value, _PER_MM, close.places.both, -by, close.places.u)
+        return Constraint(PathLimit(kind, barrier.key), value, _PER_MM, close.places.both, -by, close.places.u)
 
 
-def _nearest(barrier: Barrier, motion: Motion, parts: list[Array]) -> tuple[Array, Array]:
+def _nearest(barrier: Barrier, motion: PathMotion, parts: list[Array]) -> tuple[Array, Array]:
     """Least distance at each place, shape (m,), and its derivative, shape (m, 12)."""
     m = len(motion.places.u)
     best = np.full(m, np.inf)
@@ -219,7 +218,7 @@ def _nearest(barrier: Barrier, motion: Motion, parts: list[Array]) -> tuple[Arra
     return best, motion.moved(direction, x, y)
 
 
-def _corner_distance(barrier: Barrier, motion: Motion, corners: Array) -> tuple[Array, NDArray[np.intp], Array]:
+def _corner_distance(barrier: Barrier, motion: PathMotion, corners: Array) -> tuple[Array, NDArray[np.intp], Array]:
     """Distance of the corner that is nearest to a barrier, its number, and the direction in which it gets away."""
     m = len(motion.places.u)
     placed = (
@@ -240,7 +239,9 @@ def _corner_distance(barrier: Barrier, motion: Motion, corners: Array) -> tuple[
     return away[every, number], number, out.reshape(m, -1, 2)[every, number]
 
 
-def _on_side(barrier: Barrier, motion: Motion, parts: list[Array], distance: Array, by: Array) -> tuple[Array, Array]:
+def _on_side(
+    barrier: Barrier, motion: PathMotion, parts: list[Array], distance: Array, by: Array
+) -> tuple[Array, Array]:
     """Distance to the side on which a barrier must be passed, where the car passes it on the other one."""
     frame = np.stack([motion.ahead, motion.left], axis=1)
     seen = np.einsum("mab,mb->ma", frame, barrier.points.mean(axis=0) - motion.jets[0])

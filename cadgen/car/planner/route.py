@@ -1,11 +1,18 @@
-"""A rough route of the planned point: from gate to gate, round what is in the way.
+"""The path that the search begins with: order of the gates, rough route between them, and a smooth path along it.
 
-Straight legs where nothing is; else the shortest way on a grid on which obstacles are as much wider as the car is from
-its middle to its side, and dearer near them.
+**Order** of gates that may be passed at any time: that of a short way with gentle turns. Few gates are tried in every
+order. Of many, each free one is put where it costs least, the dearest first; then free gates are moved, and sequences
+of them turned round, as long as that makes the way shorter.
+
+**Route** of the planned point: straight legs where nothing is in the way; else the shortest way on a grid on which
+obstacles are as much wider as the car is from its middle to its side, and dearer near them.
 """
 
 import itertools
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -18,9 +25,94 @@ from cadgen.arrays import Array
 from cadgen.car.course.layout import Course, Gate, Side
 from cadgen.car.planner.barriers import Barrier, barriers_of, parts_of, polygon_holds
 from cadgen.car.planner.gates import is_exact, planned_place
-from cadgen.car.planner.start import End
-from cadgen.car.planner.task import Vehicle
+from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.path_task import Vehicle
 from cadgen.errors import DesignError
+
+_TURN_COST = 400.0  # mm of way that a radian of turning is worth
+_ORDER_ROUNDS = 20
+_MOST_TRIED = 1000  # orders
+_LESS = 1e-6  # mm
+
+
+def in_order(course: Course) -> Course:
+    """The course with its gates in the order in which they are to be passed; those that have an order keep it."""
+    free = [gate for gate in course.gates if gate.free]
+    if not free:
+        return course
+    order = [gate for gate in course.gates if not gate.free]
+    orders = prod(range(len(order) + 1, len(course.gates) + 1))
+    best = (
+        _best_of_all(course, order, free)
+        if orders <= _MOST_TRIED
+        else _improved(course, _inserted(course, order, free))
+    )
+    return replace(course, gates=tuple(best))
+
+
+def _best_of_all(course: Course, order: list[Gate], free: list[Gate]) -> list[Gate]:
+    """The best of all orders."""
+    if not free:
+        return order
+    first, *rest = free
+    tried = (_best_of_all(course, [*order[:place], first, *order[place:]], rest) for place in range(len(order) + 1))
+    return min(tried, key=lambda row: _tour(course, row))
+
+
+def _inserted(course: Course, order: list[Gate], free: list[Gate]) -> list[Gate]:
+    """An order with the free gates put in, the one whose best place is dearest first: it shapes the way."""
+    free = list(free)
+    while free:
+        choices = [(_best_place(course, order, gate), gate) for gate in free]
+        (_, place), gate = max(choices, key=lambda choice: choice[0][0])
+        order = [*order[:place], gate, *order[place:]]
+        free.remove(gate)
+    return order
+
+
+def _improved(course: Course, order: list[Gate]) -> list[Gate]:
+    """An order made better by moves of free gates and by turning rows of them round."""
+    for _ in range(_ORDER_ROUNDS):
+        before = _tour(course, order)
+        for gate in [gate for gate in order if gate.free]:
+            rest = [other for other in order if other is not gate]
+            cost, place = _best_place(course, rest, gate)
+            if cost < _tour(course, order) - _LESS:
+                order = [*rest[:place], gate, *rest[place:]]
+        for first, last in combinations(range(len(order) + 1), 2):
+            row = order[first:last]
+            turned = [*order[:first], *reversed(row), *order[last:]]
+            if sum(not gate.free for gate in row) < 2 and _tour(course, turned) < _tour(course, order) - _LESS:
+                order = turned
+        if _tour(course, order) > before - _LESS:
+            break
+    return order
+
+
+def _best_place(course: Course, order: Sequence[Gate], gate: Gate) -> tuple[float, int]:
+    """Length of the way with a gate at its best place, and that place."""
+    ways = [(_tour(course, [*order[:place], gate, *order[place:]]), place) for place in range(len(order) + 1)]
+    return min(ways)
+
+
+def _tour(course: Course, order: Sequence[Gate]) -> float:
+    """Length of the way from gate to gate, mm, with its turns, those at a known heading among them."""
+    stops = [gate for gate in (course.start, *order, course.finish) if gate is not None]
+    places: Array = np.array([np.mean(gate.place.points, axis=0) for gate in stops])
+    legs = np.diff(places, axis=0)
+    length = float(np.hypot(legs[:, 0], legs[:, 1]).sum())
+    heading = np.arctan2(legs[:, 1], legs[:, 0])
+    turns = np.abs(_wrapped(np.diff(heading))).sum()
+    for number, gate in enumerate(stops):
+        if gate.heading is not None:
+            near = heading[[k for k in (number - 1, number) if 0 <= k < len(heading)]]
+            turns += np.abs(_wrapped(near - gate.heading)).sum()
+    return length + _TURN_COST * float(turns)
+
+
+def _wrapped(angle: Array) -> Array:
+    return np.asarray((angle + np.pi) % (2 * np.pi) - np.pi)
+
 
 _CELL = 40.0  # mm
 _MOST_CELLS = 60_000
@@ -30,6 +122,19 @@ _COMFORT = 400.0  # mm from an obstacle from which on a way is not dearer
 _LEG = 350.0  # mm between the points of a way round something
 _BLOCKED = 1e3  # times the length that a way costs where the car does not fit
 _NOISE = 2.0  # by which another search makes places dearer
+
+
+@dataclass(frozen=True, eq=False)
+class End:
+    """Start or finish of a path.
+
+    Attributes:
+        place: where it is, mm; None if that is free.
+        heading: direction of travel, rad; None if that is free.
+    """
+
+    place: Array | None = None
+    heading: float | None = None
 
 
 def planned_end(gate: Gate | None, vehicle: Vehicle) -> End:
@@ -210,7 +315,7 @@ def _chart(stops: Array, barriers: tuple[Barrier, ...], vehicle: Vehicle, seed: 
 
 
 def _way(chart: _Map, a: Array, b: Array, leaving: Array, arriving: Array) -> Array:
-    """Points of the way between two places, without them, shape (k, 2); none where the straight one is clear.
+    """Points of the way between two places, without these, shape (k, 2); none where the straight way is clear.
 
     Args:
         chart: what ways cost.
@@ -255,3 +360,111 @@ def _graph(cost: Array) -> csr_array:
         columns += [there.ravel(), here.ravel()]
         lengths += [mean, mean]
     return csr_array((np.concatenate(lengths), (np.concatenate(rows), np.concatenate(columns))), shape=(cost.size,) * 2)
+
+
+# What counts alike: so many mm off a stop, off another place of the route, and so great a third derivative (mm for each
+# span to the third).
+_STOP, _PLACE, _BEND = 3.0, 60.0, 100.0
+# Stops that are close to each other make the path swing far out if it is to pass them so near; then it need not.
+_STOPS, _MOST_SWING = (_STOP, 20.0, _PLACE), 1.5  # mm; times the length of the route
+_SURE = 1e4  # weight of what must be kept
+_ROUNDS = 4  # in which the parameters of the points follow the length of the path
+_EACH = 8
+
+
+def smooth_path(
+    basis: Basis, route: Array, is_stop: NDArray[np.bool_], start: End, finish: End, calmness: float = 1.0
+) -> Array:
+    """Control points of a smooth path that passes near the points of a route, shape (n, 2), mm.
+
+    Args:
+        basis: B-splines of the path.
+        route: points to pass, those of start and finish among them, shape (k, 2), mm.
+        is_stop: which of them are stops, that the path passes more closely, shape (k,).
+        start: start, whose place and heading the path keeps.
+        finish: finish, likewise.
+        calmness: so many times as much a bend counts; with more than 1 stops count like other places.
+    """
+    points = np.zeros((basis.count, 2))
+    for stop in _STOPS if calmness == 1 else _STOPS[-1:]:
+        weight = np.where(is_stop, 1 / stop, 1 / _PLACE) / calmness
+        points, swing = _settled(basis, route, weight, (start, finish))
+        if swing <= _MOST_SWING:
+            break
+    return points
+
+
+def _settled(basis: Basis, route: Array, weight: Array, ends: tuple[End, End]) -> tuple[Array, float]:
+    """Control points of a path whose parameter follows its length, and its length by that of the route."""
+    legs = np.linalg.norm(np.diff(route, axis=0), axis=1)
+    u = np.append(0.0, np.cumsum(legs)) / legs.sum() * basis.stop
+    length = float(legs.sum())
+    points = np.zeros((basis.count, 2))
+    fine = basis.even(_EACH)
+    for _ in range(_ROUNDS):
+        points = _fitted(basis, route, weight, u, ends, length)
+        motion = PathMotion(fine, points, 0.0)
+        arc = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(motion.jets[0], axis=0), axis=1)))
+        length = float(arc[-1])
+        # Each point of the route at the same share of the length as before, and the parameter in step with the length.
+        u = np.interp(u, fine.u, arc) / length * basis.stop
+    return points, length / float(legs.sum())
+
+
+def _fitted(basis: Basis, route: Array, weights: Array, u: Array, ends: tuple[End, End], length: float) -> Array:
+    n, step = basis.count, length / basis.stop
+    even, at = basis.even(2), basis.at(u)
+    calm, near = _dense(basis, even.columns, even.values[3]), _dense(basis, at.columns, at.values[0])
+    weight = weights[:, None]
+    rows = [weight * near, calm / _BEND]
+    right = [weight * route, np.zeros((len(calm), 2))]
+    if basis.closed:
+        rows, right = [*rows, *_held(basis, ends[0], step)[0]], [*right, *_held(basis, ends[0], step)[1]]
+    for number, end in () if basis.closed else ((0, ends[0]), (n - 1, ends[1])):
+        inner = 1 if number == 0 else n - 2
+        if end.place is not None:
+            row = np.zeros((1, n))
+            row[0, number] = _SURE
+            rows.append(row)
+            right.append(_SURE * end.place[None])
+        if end.heading is not None:
+            # The first leg of a clamped B-spline of degree 5 is a fifth of the slope.
+            row = np.zeros((1, n))
+            row[0, [number, inner]] = -_SURE, _SURE
+            leg = step / 5 * np.array([np.cos(end.heading), np.sin(end.heading)]) * (1 if number == 0 else -1)
+            rows.append(row)
+            right.append(_SURE * leg[None])
+    solution, *_ = np.linalg.lstsq(np.vstack(rows), np.vstack(right), rcond=None)
+    return np.asarray(solution)
+
+
+def _held(basis: Basis, start: End, step: float) -> tuple[list[Array], list[Array]]:
+    """Equations that hold the start of a closed path, and their right sides."""
+    rows, right = [], []
+    if start.place is not None:
+        rows.append(_SURE * _dense(basis, basis.first.columns, basis.first.values[0]))
+        right.append(_SURE * start.place[None])
+    if start.heading is not None:
+        rows.append(_SURE * _dense(basis, basis.first.columns, basis.first.values[1]))
+        right.append(_SURE * step * np.array([[np.cos(start.heading), np.sin(start.heading)]]))
+    return rows, right
+
+
+def fitted_to(basis: Basis, curve: Array) -> Array:
+    """Control points of the path nearest to a curve, shape (n, 2), mm.
+
+    Args:
+        basis: B-splines of the path.
+        curve: points of the curve at even arc lengths, many more than `basis.count`, shape (m, 2), mm.
+    """
+    at = basis.at(np.linspace(0.0, basis.stop, len(curve)))
+    matrix = _dense(basis, at.columns, at.values[0])
+    ends = _SURE * matrix[[0, -1]]
+    solution, *_ = np.linalg.lstsq(np.vstack([matrix, ends]), np.vstack([curve, _SURE * curve[[0, -1]]]), rcond=None)
+    return np.asarray(solution)
+
+
+def _dense(basis: Basis, columns: NDArray[np.intp], values: Array) -> Array:
+    matrix = np.zeros((len(values), basis.count))
+    np.put_along_axis(matrix, columns, values, axis=1)
+    return matrix

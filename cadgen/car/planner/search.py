@@ -1,18 +1,132 @@
-"""From the path that a search begins with to the best one: a row of linear programmes in a trust region."""
+"""Search for the best path: a sequence of linear programmes in a trust region.
+
+Each programme finds the step of the control points that lowers cost and violations most:
+
+    minimise    z + sum calm p_j + sum weight_i e_i
+    subject to  z >= error along each direction:  sum_j f lever_j p_j + (derivative by the levers) dx
+                p_j >= rise_j + rises'_j dx,  p_j >= 0          the lift falls, or it does not
+                e_i >= value_i + value'_i dx, e_i >= 0          a limit is kept, or violated by e_i
+                |dx| <= step,  what is fixed stays fixed
+
+Where the lever of a fall points against the error a fall would lower it, and a programme would make one of nothing; the
+change of such a fall counts as it is.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linprog
+from scipy.sparse import csr_array, eye_array, hstack, vstack
 
 from cadgen.arrays import Array
-from cadgen.car.planner.basis import Basis
-from cadgen.car.planner.limits import driving_rows, even_rows, length_rows
-from cadgen.car.planner.motion import Motion
-from cadgen.car.planner.programme import Fixed, best_step
-from cadgen.car.planner.rows import Limit, Rows
-from cadgen.car.planner.sensitivity import Line, Sensitivity
-from cadgen.car.planner.task import Task
+from cadgen.car.planner.constraints import (
+    Constraint,
+    PathLimit,
+    driving_constraints,
+    evenness_constraints,
+    length_constraints,
+)
+from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.path_task import PathTask
+from cadgen.car.planner.sensitivity import PlayCost, TrackLength
+
+_SCALE = 1e3  # curvature in 1/m, so that all numbers of a programme are of one size
+# A programme takes some 500. Where next to nothing costs anything the dual simplex may turn in circles for ever.
+_MOST_PIVOTS = 20_000
+
+
+@dataclass(frozen=True, eq=False)
+class Fixed:
+    """Linear equations that every step of the control points keeps: matrix @ step = 0.
+
+    Attributes:
+        matrix: shape (k, 2 n), for all x and then all y.
+    """
+
+    matrix: Array
+
+
+def best_step(
+    cost: PlayCost, constraints: list[Constraint], penalty: float, step: float, fixed: Fixed
+) -> tuple[Array, float]:
+    """Return the step of the control points, shape (n, 2), mm, and the cost with penalties that it promises.
+
+    Args:
+        cost: what the play costs now.
+        constraints: constraints of the path, of which those count that a step can come to.
+        penalty: factor on the weights of the limits.
+        step: greatest change of a coordinate, mm.
+        fixed: what stays as it is.
+
+    Raises:
+        ArithmeticError: the solver gave up.
+    """
+    points = 2 * cost.line.motion.places.count
+    intervals = len(cost.rises)
+    constraints = [kept for each in constraints if len((kept := each.reachable(step)).values)]
+    beyond = sum(len(each.values) for each in constraints)
+    # Variables: points, falls, the error, violations.
+    columns, slopes = cost.by_rises()
+    by_rise = _sparse(columns, slopes * _SCALE, points)
+    blocks = [hstack([by_rise, -eye_array(intervals), csr_array((intervals, 1 + beyond))])]
+    bounds_above = [-cost.rises * _SCALE]
+    directed, least = _directed(cost, by_rise, beyond)
+    blocks.append(directed)
+    bounds_above.append(least)
+    weights = np.zeros(0)
+    if constraints:
+        matrix = vstack([each.matrix(points) for each in constraints])
+        blocks.append(hstack([matrix, csr_array((beyond, intervals + 1)), -eye_array(beyond)]))
+        bounds_above.append(-np.concatenate([each.values for each in constraints]))
+        weights = penalty * np.concatenate([np.full(len(each.values), each.weight) for each in constraints])
+    objective = np.concatenate([np.zeros(points), np.full(intervals, cost.calm / _SCALE), [1.0], weights])
+    low = np.concatenate([np.full(points, -step), np.zeros(intervals + 1 + beyond)])
+    high = np.concatenate([np.full(points, step), np.full(intervals + 1 + beyond, np.inf)])
+    equal = hstack([csr_array(fixed.matrix), csr_array((len(fixed.matrix), intervals + 1 + beyond))], format="csr")
+    bounds: Any = np.stack([low, high], axis=1)
+    above: Any = vstack(blocks, format="csr")  # the stubs of scipy know no sparse arrays here
+    equations: Any = equal if len(fixed.matrix) else None
+    result = linprog(
+        objective,
+        A_ub=above,
+        b_ub=np.concatenate(bounds_above),
+        A_eq=equations,
+        b_eq=np.zeros(len(fixed.matrix)) if len(fixed.matrix) else None,
+        bounds=bounds,
+        method="highs-ds",
+        options={"maxiter": _MOST_PIVOTS},
+    )
+    if result.status != 0 or result.x is None:
+        raise ArithmeticError(str(result.message))
+    return np.asarray(result.x[:points].reshape(2, -1).T), float(result.fun or 0.0)
+
+
+def _directed(cost: PlayCost, by_rise: csr_array, beyond: int) -> tuple[csr_array, Array]:
+    """Rows that keep the error above its part in each direction, and their right sides."""
+    main = cost.error / max(cost.distance, 1e-12)
+    towards = cost.levers @ main > 0
+    falling = cost.rises > 0
+    rows, right = [], []
+    for direction in cost.directions():
+        lever = cost.factor * cost.line.driven * (cost.levers @ direction)
+        as_it_is = np.where(~towards & falling, lever, 0.0)
+        by_points = cost.by_levers(direction) + by_rise.T @ (as_it_is / _SCALE)
+        by_falls = np.where(towards, lever / _SCALE, 0.0)
+        # The derivative by the levers is about the present path: its value there counts already in the falls.
+        rows.append(np.concatenate([by_points, by_falls, [-1.0], np.zeros(beyond)]))
+        right.append(-float(as_it_is @ cost.rises))
+    return csr_array(np.array(rows)), np.array(right)
+
+
+def _sparse(columns: NDArray[np.intp], values: Array, width: int) -> csr_array:
+    """Sparse matrix of rows by their columns; entries of a column that stands twice add up."""
+    count, each = values.shape
+    number = np.repeat(np.arange(count), each)
+    return csr_array((values.ravel(), (number, columns.ravel())), shape=(count, width))
+
 
 EACH = 8  # places of a span at which the limits are held; an even number, for Simpson's rule
 # Penalties in turn: first the search may go through what is not allowed, at last it hardly may.
@@ -25,23 +139,23 @@ _SHRINK, _GROW = 1 / 3, 2.0
 _LOOSE = 3e-3  # of the weight of a limit that is to give way
 _POOR, _GOOD = 0.25, 0.7  # shares of the promised gain
 
-# Limits that depend on the course: rows for the control points.
-CourseRows = Callable[[Array], list[Rows]]
+# Constraints that depend on the course, as a function of the control points.
+CourseConstraints = Callable[[Array], list[Constraint]]
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
-    """A path with what it costs and what it violates.
+class SearchedPath:
+    """Path with its cost and its constraints.
 
     Attributes:
         points: control points, shape (n, 2), mm.
         cost: what the play costs.
-        rows: all limits.
+        constraints: constraints of all limits.
     """
 
     points: Array
-    cost: Sensitivity
-    rows: tuple[Rows, ...]
+    cost: PlayCost
+    constraints: tuple[Constraint, ...]
 
     def total(self, penalty: float) -> float:
         """Cost with penalties, mm.
@@ -49,57 +163,61 @@ class Path:
         Args:
             penalty: factor of the cost of what is violated.
         """
-        return self.cost.cost + penalty * sum(rows.weight * rows.violation for rows in self.rows)
+        return self.cost.cost + penalty * sum(each.weight * each.violation for each in self.constraints)
 
     @property
-    def violated(self) -> dict[Limit, float]:
+    def violated(self) -> dict[PathLimit, float]:
         """Most by which each limit is violated, of those that are."""
-        worst: dict[Limit, float] = {}
-        for rows in self.rows:
-            if rows.worst > 0:
-                worst[rows.limit] = max(worst.get(rows.limit, 0.0), rows.worst)
+        worst: dict[PathLimit, float] = {}
+        for each in self.constraints:
+            if each.worst > 0:
+                worst[each.limit] = max(worst.get(each.limit, 0.0), each.worst)
         return worst
 
 
 @dataclass(frozen=True, eq=False)
-class Search:
-    """The search of a task with control points of a certain number.
+class PathSearch:
+    """Search of a task with a certain number of control points.
 
     Attributes:
         task: what is planned.
         basis: B-splines of the path.
         fixed: what of the control points stays as it is.
-        course_rows: limits that depend on the course.
+        course_constraints: limits that depend on the course.
         loose: limit that may be violated at little cost; None if there is none.
     """
 
-    task: Task
+    task: PathTask
     basis: Basis
     fixed: Fixed
-    course_rows: CourseRows
-    loose: Limit | None = None
+    course_constraints: CourseConstraints
+    loose: PathLimit | None = None
 
-    def path(self, points: Array) -> Path:
-        """A path by its control points, shape (n, 2), mm.
+    def path(self, points: Array) -> SearchedPath:
+        """Path by its control points.
 
         Args:
             points: control points of the path, shape (n, 2), mm.
         """
         vehicle, limits = self.task.vehicle, self.task.limits
-        motion = Motion(self.basis.even(EACH), points, vehicle.path_offset)
-        line = Line(motion, vehicle)
-        rows = [
-            *driving_rows(motion, line, vehicle, limits),
-            *even_rows(motion),
-            *length_rows(line, vehicle, 2 * self.basis.count),
-            *self.course_rows(points),
+        motion = PathMotion(self.basis.even(EACH), points, vehicle.path_offset)
+        line = TrackLength(motion, vehicle)
+        constraints = [
+            *driving_constraints(motion, line, vehicle, limits),
+            *evenness_constraints(motion),
+            *length_constraints(line, vehicle, 2 * self.basis.count),
+            *self.course_constraints(points),
         ]
         if self.loose is not None:
-            rows = [replace(each, weight=each.weight * _LOOSE) if each.limit == self.loose else each for each in rows]
-        return Path(points, Sensitivity(line, vehicle.spread), tuple(rows))
+            constraints = [
+                replace(each, weight=each.weight * _LOOSE) if each.limit == self.loose else each for each in constraints
+            ]
+        return SearchedPath(points, PlayCost(line, vehicle.spread), tuple(constraints))
 
-    def best(self, points: Array, report: Callable[[float], None] | None = None, *, rounds: int = _MOST_ROUNDS) -> Path:
-        """The best path from one to begin with.
+    def best(
+        self, points: Array, report: Callable[[float], None] | None = None, *, rounds: int = _MOST_ROUNDS
+    ) -> SearchedPath:
+        """Best path found from one to begin with.
 
         Args:
             points: control points to begin with, shape (n, 2), mm; what is fixed is right already.
@@ -112,12 +230,12 @@ class Search:
         return path
 
     def _descend(
-        self, path: Path, penalty: float, step: float, report: Callable[[float], None] | None, rounds: int
-    ) -> Path:
+        self, path: SearchedPath, penalty: float, step: float, report: Callable[[float], None] | None, rounds: int
+    ) -> SearchedPath:
         for _ in range(rounds):
             total = path.total(penalty)
             try:
-                change, promised = best_step(path.cost, list(path.rows), penalty, step, self.fixed)
+                change, promised = best_step(path.cost, list(path.constraints), penalty, step, self.fixed)
             except ArithmeticError:
                 step *= _SHRINK
                 continue

@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.car.planner.motion import Motion
-from cadgen.car.planner.task import Vehicle
+from cadgen.car.planner.path_motion import PathMotion
+from cadgen.car.planner.path_task import Vehicle
 
 # What a fall costs besides what it does at the end of the run, as a share of the path's length taken as its lever. It
 # keeps the heading of the end small and the last stretch calm, where the lever is short.
@@ -30,7 +30,7 @@ _WIDEST = 0.7  # rad to either side
 
 
 @dataclass(frozen=True, eq=False)
-class Line:
+class TrackLength:
     """Length of the drive wheel's track and the end of the run on it.
 
     Attributes:
@@ -38,7 +38,7 @@ class Line:
         vehicle: the car.
     """
 
-    motion: Motion
+    motion: PathMotion
     vehicle: Vehicle
 
     @cached_property
@@ -106,7 +106,7 @@ class Line:
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitivity:
+class PlayCost:
     """Cost of play, with what a linear model of it is made of.
 
     Attributes:
@@ -114,7 +114,7 @@ class Sensitivity:
         spread: by how much the return error is off, rad.
     """
 
-    line: Line
+    line: TrackLength
     spread: float
 
     @cached_property

@@ -17,11 +17,9 @@ from cadgen.car.course.refuse import refuse_course
 from cadgen.car.draws.drawn import Drawn
 from cadgen.car.path.track import Track
 from cadgen.car.planner.gates import is_exact
-from cadgen.car.planner.plan import Plan
-from cadgen.car.planner.plan import plan as planned
-from cadgen.car.planner.reasons import Reason, reasons
-from cadgen.car.planner.task import Task
-from cadgen.car.planner.tightening import Tightening
+from cadgen.car.planner.path_plan import PathPlan, Reason, reasons
+from cadgen.car.planner.path_plan import best_plan as planned
+from cadgen.car.planner.path_task import Margins, PathTask
 from cadgen.design import cam_model, course_model, draw_model, gear_model
 from cadgen.design.load import design_of
 from cadgen.design.planned import planned_text, rounded
@@ -58,7 +56,7 @@ class Wanted:
     within: float = 0.0
     calm: Track | None = None
     seeds: int = 1
-    map_with: Callable[..., Iterable[Plan]] | None = None
+    map_with: Callable[..., Iterable[PathPlan]] | None = None
     replaced: Design | None = None
     reserve: float | None = None
 
@@ -83,14 +81,14 @@ class PlannedPath:
     """
 
     design: Design
-    task: Task
-    plan: Plan
+    task: PathTask
+    plan: PathPlan
     text: str
     cam: CamPlan | None
     reasons: tuple[Reason, ...] = ()
     failed: str = ""
     drawn: tuple[Drawn, ...] = ()
-    kept: Tightening = field(default_factory=Tightening)
+    kept: Margins = field(default_factory=Margins)
     cars: Cars | None = None
     no_cars: str = ""
 
@@ -133,7 +131,7 @@ def plan_design(
     """
     _refuse_course(design)
     asked = _Asked(design, text, drawn, wanted, progress)
-    path = _planned(asked, Tightening())
+    path = _planned(asked, Margins())
     if not path.passed or path.cam is None:
         return path
     try:
@@ -176,7 +174,7 @@ def _chosen(asked: _Asked, path: PlannedPath, cam: CamPlan, cars: Tried) -> Plan
 
 
 def _planned(
-    asked: _Asked, tightening: Tightening, spare: Mapping[str, float] | None = None, begin: Array | None = None
+    asked: _Asked, tightening: Margins, spare: Mapping[str, float] | None = None, begin: Array | None = None
 ) -> PlannedPath:
     """Plan a path, with what its checks ask for.
 
@@ -231,7 +229,7 @@ def _planned(
     return path
 
 
-def _settings(task: Task, cam: CamPlan, progress: Progress) -> tuple[Drawn, ...]:
+def _settings(task: PathTask, cam: CamPlan, progress: Progress) -> tuple[Drawn, ...]:
     """Settings at the ends of what is drawn and between, if a spacing is drawn."""
     if task.draw is None:
         return ()
@@ -254,7 +252,7 @@ def _refuse_course(design: Design) -> None:
     refuse_course(course, course_model.body(design), pose)
 
 
-def _chosen_radius(design: Design, task: Task, result: Plan) -> float | None:
+def _chosen_radius(design: Design, task: PathTask, result: PathPlan) -> float | None:
     if task.vehicle.closed or task.vehicle.path_turn == 1.0:
         return None
     turn = result.path.cost.line.length / task.vehicle.path_turn

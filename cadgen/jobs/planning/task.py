@@ -9,10 +9,9 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import rod_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape
 from cadgen.car.path.track import Track
-from cadgen.car.planner.limits import curvature_limits
-from cadgen.car.planner.order import in_order
-from cadgen.car.planner.task import Limits, Task, Vehicle
-from cadgen.car.planner.tightening import Tightening
+from cadgen.car.planner.constraints import curvature_limits
+from cadgen.car.planner.path_task import Margins, PathTask, SteeringLimits, Vehicle
+from cadgen.car.planner.route import in_order
 from cadgen.design import cam_model, course_model, gear_model, variation
 from cadgen.design.schema import Design
 from cadgen.errors import DesignError
@@ -51,8 +50,8 @@ def task_of(
     near: Track | None,
     within: float,
     calm: Track | None,
-    tightening: Tightening,
-) -> Task:
+    tightening: Margins,
+) -> PathTask:
     """Task of the planner.
 
     Args:
@@ -74,11 +73,11 @@ def task_of(
     vehicle = _vehicle(design, near is None and _free_wheel(design, drawn is not None))
     course = _course(design, drawn) if near is None else in_order(course_model.course(design) or Course())
     draw = course_model.draw(design)
-    return Task(
+    return PathTask(
         vehicle=vehicle,
         limits=_limits(design, vehicle, calm, tightening, 1.0 if draw is None else draw.spacings[0] / draw.stated),
         course=replace(draw.tightest(course) if draw else course, margin=course.margin + tightening.margin),
-        near=None if near is None else track_points(near),
+        corridor=None if near is None else track_points(near),
         within=within,
         gate_margin=tightening.gate,
         draw=draw,
@@ -175,7 +174,9 @@ def _given_travel(design: Design) -> float | None:
     return TURN * radius * float(gear_model.train(design).ratio)
 
 
-def _limits(design: Design, vehicle: Vehicle, calm: Track | None, tightening: Tightening, smallest: float) -> Limits:
+def _limits(
+    design: Design, vehicle: Vehicle, calm: Track | None, tightening: Margins, smallest: float
+) -> SteeringLimits:
     """Limits of steering and cam; the path is driven at its `smallest` too, a share of what is planned."""
     checks = cam_model.check_limits(design)
     left, right = curvature_limits(vehicle, smallest)
@@ -192,7 +193,7 @@ def _limits(design: Design, vehicle: Vehicle, calm: Track | None, tightening: Ti
     blend = (
         8 / 15 * radians(design.cam.blend_deg) * vehicle.base_radius * tan(_BLEND_ANGLE) * _FLATTER**tightening.blend
     )
-    return Limits(
+    return SteeringLimits(
         left=left,
         right=right,
         rise=max(checks.pressure_angle.rise - kept, radians(5.0)),

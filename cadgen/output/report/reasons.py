@@ -3,9 +3,9 @@
 from math import atan, degrees, radians, tan
 
 from cadgen.car.course.refuse import largest_circle, least_steering, turning_circle
-from cadgen.car.planner.reasons import Reason
-from cadgen.car.planner.rows import LimitKind
-from cadgen.car.planner.task import Task
+from cadgen.car.planner.constraints import LimitKind
+from cadgen.car.planner.path_plan import Reason
+from cadgen.car.planner.path_task import PathTask
 from cadgen.design.schema import Design
 
 _STEEPEST = radians(75)
@@ -13,7 +13,7 @@ _STEEPEST = radians(75)
 _OF_TURNS = (LimitKind.TURN, LimitKind.PRESSURE_ANGLE, LimitKind.CONVEX_RADIUS, LimitKind.FIELD)
 
 
-def narrow_field(reason: Reason, task: Task) -> str:
+def narrow_field(reason: Reason, task: PathTask) -> str:
     """Sentence on a field in which the car cannot turn round, where that may be why; empty if it can."""
     field, vehicle, kind = task.course.edge, task.vehicle, reason.limit.kind
     if field is None or kind not in _OF_TURNS or (reason.enough and kind != LimitKind.FIELD):
@@ -31,7 +31,7 @@ def narrow_field(reason: Reason, task: Task) -> str:
     )
 
 
-def fault(reason: Reason, task: Task) -> str:
+def fault(reason: Reason, task: PathTask) -> str:
     """The fault, and its amount, as the end of a sentence."""
     x, y = reason.place
     where = f"near ({x:.0f}, {y:.0f}) mm"
@@ -53,7 +53,7 @@ def fault(reason: Reason, task: Task) -> str:
         return f"the curvature must change {100 * amount:.0f} % faster {where} than the path it is compared with"
     if kind == LimitKind.LENGTH:
         return f"the path is {amount:.0f} mm longer than wheel and train drive before the closing blend"
-    if kind == LimitKind.NEAR:
+    if kind == LimitKind.CORRIDOR:
         return f"the path must leave the given one by {amount:.1f} mm more than it may, {where}"
     if kind == LimitKind.HEADING:
         return f"{key} cannot be passed in its direction, by {degrees(amount):.1f} degrees"
@@ -62,7 +62,7 @@ def fault(reason: Reason, task: Task) -> str:
     return f"the car comes {amount:.1f} mm too near to {key} {where}"
 
 
-def cure(reason: Reason, task: Task, design: Design) -> str:
+def cure(reason: Reason, task: PathTask, design: Design) -> str:
     """The change that would do, as the end of a sentence."""
     kind, key, amount = reason.limit.kind, reason.limit.key, reason.amount
     if kind == LimitKind.TURN:
@@ -85,7 +85,7 @@ def cure(reason: Reason, task: Task, design: Design) -> str:
         radius = design.car.drive_wheel_radius_mm or 0.0
         wheel = radius * (1 + amount / task.vehicle.most_length)
         return f"raise car.drive_wheel_radius_mm to {wheel + 0.01:.2f}"
-    if kind == LimitKind.NEAR:
+    if kind == LimitKind.CORRIDOR:
         return f"allow {task.within + amount + 0.1:.1f} mm"
     if kind == LimitKind.HEADING:
         return f"raise {key}.heading_tolerance_deg by {degrees(amount) + 0.1:.1f}"

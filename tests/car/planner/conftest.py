@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from cadgen.car.course.body import CarBody
-from cadgen.car.planner.basis import Basis
-from cadgen.car.planner.limits import curvature_limits
-from cadgen.car.planner.start import fitted_to
-from cadgen.car.planner.task import Limits, Vehicle
+from cadgen.car.planner.constraints import curvature_limits
+from cadgen.car.planner.path_motion import Basis
+from cadgen.car.planner.path_task import SteeringLimits, Vehicle
+from cadgen.car.planner.route import fitted_to
 from cadgen.design import cam_model, course_model
 from cadgen.design.load import load_design
 
@@ -30,9 +30,9 @@ def vehicle() -> Vehicle:
 
 
 @pytest.fixture(scope="session")
-def limits(vehicle: Vehicle) -> Limits:
+def limits(vehicle: Vehicle) -> SteeringLimits:
     left, right = curvature_limits(vehicle)
-    return Limits(left=left, right=right, rise=radians(32), fall=radians(32), convex_radius=4.5)
+    return SteeringLimits(left=left, right=right, rise=radians(32), fall=radians(32), convex_radius=4.5)
 
 
 @pytest.fixture(scope="session")

@@ -9,12 +9,11 @@ import pytest
 from cadgen.arrays import TURN
 from cadgen.car.course.layout import Course, Gate, Shape
 from cadgen.car.path.spline import closed_control_path
-from cadgen.car.planner.basis import Basis
-from cadgen.car.planner.motion import Motion
-from cadgen.car.planner.plan import plan
+from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.path_plan import best_plan
+from cadgen.car.planner.path_task import PathTask
 from cadgen.car.planner.search import fixed_start
-from cadgen.car.planner.sensitivity import Line, Sensitivity
-from cadgen.car.planner.task import Task
+from cadgen.car.planner.sensitivity import PlayCost, TrackLength
 
 COUNT = 24
 
@@ -55,7 +54,7 @@ def test_derivatives_of_length_and_error_go_round_the_lap(points, lap_vehicle):
     basis = Basis(COUNT, closed=True)
 
     def cost(at):
-        return Sensitivity(Line(Motion(basis.even(8), at, lap_vehicle.path_offset), lap_vehicle), 0.01)
+        return PlayCost(TrackLength(PathMotion(basis.even(8), at, lap_vehicle.path_offset), lap_vehicle), 0.01)
 
     here, rng = cost(points), np.random.default_rng(2)
     change = rng.normal(size=(COUNT, 2))
@@ -86,7 +85,9 @@ def test_a_round_course_is_planned_as_a_circle(lap_vehicle, limits):
         for number, angle in enumerate(np.arange(1, 6) * pi / 3)
     )
     start = Gate(key="course.start", place=Shape.disc((1400.0, 0.0), 0.0), heading=pi / 2 + 0.05, heading_tolerance=0.0)
-    result = plan(Task(vehicle=lap_vehicle, limits=limits, course=Course(gates=gates, start=start, finish=start)))
+    result = best_plan(
+        PathTask(vehicle=lap_vehicle, limits=limits, course=Course(gates=gates, start=start, finish=start))
+    )
     curvature = result.path.cost.line.motion.quantities[0]
     print(
         f"heading off {np.degrees(result.path.cost.heading):.4f} deg, curvature {curvature.min()} to {curvature.max()}"

@@ -8,9 +8,8 @@ import pytest
 
 from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
 from cadgen.car.planner.gates import planned_place
-from cadgen.car.planner.plan import plan
-from cadgen.car.planner.reasons import reasons
-from cadgen.car.planner.task import Task
+from cadgen.car.planner.path_plan import best_plan, reasons
+from cadgen.car.planner.path_task import PathTask
 
 
 def disc(key: str, x: float, y: float, radius: float, heading: float | None = None, tolerance: float = pi / 2) -> Gate:
@@ -22,9 +21,9 @@ START, FINISH = disc("course.start", 0, 0, 1.0, 0.0), disc("course.finish", 4000
 
 
 @pytest.fixture(scope="module")
-def task(vehicle, limits) -> Task:
+def task(vehicle, limits) -> PathTask:
     course = Course(start=START, gates=(disc("course.gates.1", 1800, -200, 30.0),), finish=FINISH, margin=10.0)
-    return Task(vehicle=vehicle, limits=limits, course=course)
+    return PathTask(vehicle=vehicle, limits=limits, course=course)
 
 
 @pytest.mark.slow
@@ -33,7 +32,7 @@ def test_a_post_on_the_way_is_passed_on_either_side(task):
     sides = {}
     for side in ("left", "right"):
         post = Obstacle(kind="post", key="course.posts.1", shape=Shape.disc((2000.0, 100.0), 10.0), side=side)
-        found = plan(replace(task, course=replace(task.course, gates=(), obstacles=(post,))))
+        found = best_plan(replace(task, course=replace(task.course, gates=(), obstacles=(post,))))
         assert not found.missed
         motion = found.path.cost.line.motion
         near = int(np.linalg.norm(motion.jets[0] - [2000, 100], axis=1).argmin())
@@ -43,7 +42,7 @@ def test_a_post_on_the_way_is_passed_on_either_side(task):
 
 @pytest.mark.slow
 def test_a_plan_is_reproducible_and_more_searches_are_no_worse(task):
-    one, again, more = plan(task), plan(task), plan(task, seeds=2)
+    one, again, more = best_plan(task), best_plan(task), best_plan(task, seeds=2)
     assert not one.missed
     np.testing.assert_array_equal(one.path.points, again.path.points)
     assert more.path.cost.cost <= one.path.cost.cost
@@ -58,7 +57,7 @@ def test_a_plan_is_reproducible_and_more_searches_are_no_worse(task):
 def test_a_start_that_is_no_point_is_kept_and_used(task, place):
     """The path starts on the line or in the disc, and where it costs least there."""
     start = Gate(key="course.start", place=place, heading=0.0)
-    found = plan(replace(task, course=replace(task.course, start=start)))
+    found = best_plan(replace(task, course=replace(task.course, start=start)))
     assert not found.missed
     wheel = found.path.cost.line.motion
     middle = wheel.point(*planned_place(start, task.vehicle))[0]
@@ -82,7 +81,7 @@ def test_a_hairpin_whose_route_has_a_sharp_corner_is_driven(task):
         ),
         finish=disc("course.finish", 5000, 3200, 60),
     )
-    found = plan(replace(task, course=course))
+    found = best_plan(replace(task, course=course))
     assert not found.missed
 
 
@@ -106,7 +105,7 @@ def test_a_hairpin_whose_route_has_a_sharp_corner_is_driven(task):
 @pytest.mark.slow
 @pytest.mark.long
 def test_what_cannot_be_driven_is_blamed_on_the_right_limit(task, course, limit, least, most):
-    found = plan(replace(task, course=course))
+    found = best_plan(replace(task, course=course))
     assert found.missed
     (first, *_) = reasons(found)
     print(first)

@@ -8,11 +8,9 @@ import pytest
 from cadgen.car.optimize.band import best_for_band
 from cadgen.car.path.spline import control_path
 from cadgen.car.path.track import offset_track
-from cadgen.car.planner.basis import Basis
-from cadgen.car.planner.limits import curvature_limits, driving_rows
-from cadgen.car.planner.motion import Motion
-from cadgen.car.planner.rows import Limit, LimitKind
-from cadgen.car.planner.sensitivity import Line, Sensitivity
+from cadgen.car.planner.constraints import LimitKind, PathLimit, curvature_limits, driving_constraints
+from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.sensitivity import PlayCost, TrackLength
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
@@ -23,8 +21,8 @@ SMALL_STEP = 1e-5  # mm; falls begin and end where the rate of curvature passes 
 
 def test_curvature_is_that_of_the_track(paper_points, vehicle):
     track = offset_track(control_path(paper_points), vehicle.path_offset)
-    motion = Motion(Basis(len(paper_points)).even(8), paper_points, vehicle.path_offset)
-    line = Line(motion, vehicle)
+    motion = PathMotion(Basis(len(paper_points)).even(8), paper_points, vehicle.path_offset)
+    line = TrackLength(motion, vehicle)
     assert abs(line.length / track.length - 1) < 1e-8
     u = motion.places.u
     arc = np.interp(u, np.arange(len(track.waypoint_arc)), track.waypoint_arc)  # exact at the knots
@@ -43,8 +41,8 @@ def test_the_cost_of_play_is_that_of_the_exact_chain(paper_points, vehicle):
     lift = cam_model.lift(design, track)
     band = tuple(np.radians([0.51215675, 0.96199785]))
     exact = best_for_band(lift, cam_model.follower(design), cam_model.car(design), track.length, band)
-    motion = Motion(Basis(len(paper_points)).even(8), paper_points, vehicle.path_offset)
-    cost = Sensitivity(Line(motion, vehicle), vehicle.spread)
+    motion = PathMotion(Basis(len(paper_points)).even(8), paper_points, vehicle.path_offset)
+    cost = PlayCost(TrackLength(motion, vehicle), vehicle.spread)
     print(f"{cost.distance:.1f} mm, exactly {exact.worst_distance:.1f} mm")
     assert abs(cost.distance / exact.worst_distance - 1) < 0.01
     assert abs(cost.heading / exact.worst_heading - 1) < 0.01
@@ -58,8 +56,8 @@ def test_derivatives(paper_points, vehicle):
     flat = change.T.ravel()
 
     def at(points):
-        motion = Motion(places, points, vehicle.path_offset)
-        return motion, Sensitivity(Line(motion, vehicle), vehicle.spread)
+        motion = PathMotion(places, points, vehicle.path_offset)
+        return motion, PlayCost(TrackLength(motion, vehicle), vehicle.spread)
 
     motion, cost = at(paper_points)
     (ahead, ahead_cost), (back, back_cost) = (at(paper_points + sign * STEP * change) for sign in (1, -1))
@@ -82,7 +80,7 @@ def test_the_linear_model_of_the_error(paper_points, vehicle):
     flat = change.T.ravel()
 
     def at(points):
-        return Sensitivity(Line(Motion(basis.even(8), points, vehicle.path_offset), vehicle), vehicle.spread)
+        return PlayCost(TrackLength(PathMotion(basis.even(8), points, vehicle.path_offset), vehicle), vehicle.spread)
 
     cost, ahead, back = at(paper_points), at(paper_points + SMALL_STEP * change), at(paper_points - SMALL_STEP * change)
     columns, slopes = cost.by_rises()
@@ -112,12 +110,12 @@ def test_a_mirrored_car_on_a_mirrored_path_is_the_same(paper_points, vehicle, li
     )
     basis, figures = Basis(len(paper_points)), []
     for its_vehicle, points in ((vehicle, paper_points), (other, paper_points * [1, -1])):
-        motion = Motion(basis.even(8), points, its_vehicle.path_offset)
-        line = Line(motion, its_vehicle)
+        motion = PathMotion(basis.even(8), points, its_vehicle.path_offset)
+        line = TrackLength(motion, its_vehicle)
         left, right = curvature_limits(its_vehicle)
         its_limits = replace(limits, left=left, right=right, valley=40.0)
-        rows = driving_rows(motion, line, its_vehicle, its_limits)
-        figures.append([Sensitivity(line, its_vehicle.spread).cost, *(each.worst for each in rows)])
+        rows = driving_constraints(motion, line, its_vehicle, its_limits)
+        figures.append([PlayCost(line, its_vehicle.spread).cost, *(each.worst for each in rows)])
     np.testing.assert_allclose(figures[0], figures[1], rtol=1e-9)
 
 
@@ -128,9 +126,13 @@ def test_the_step_that_the_blend_must_come_over(paper_points, vehicle, limits):
     held = replace(limits, step=2.0)
 
     def row(points):
-        motion = Motion(places, points, vehicle.path_offset)
-        line = Line(motion, vehicle)
-        (found,) = [rows for rows in driving_rows(motion, line, vehicle, held) if rows.limit == Limit(LimitKind.BLEND)]
+        motion = PathMotion(places, points, vehicle.path_offset)
+        line = TrackLength(motion, vehicle)
+        (found,) = [
+            rows
+            for rows in driving_constraints(motion, line, vehicle, held)
+            if rows.limit == PathLimit(LimitKind.BLEND)
+        ]
         return found, motion, line
 
     rows, motion, line = row(paper_points)

@@ -11,13 +11,11 @@ import shapely
 
 from cadgen.car.course.layout import Course, Gate, Obstacle, Shape
 from cadgen.car.planner.barriers import Clearances, barriers_of, parts_of
-from cadgen.car.planner.basis import Basis
+from cadgen.car.planner.constraints import LimitKind, PathLimit
 from cadgen.car.planner.gates import Passing, passing_places, planned_place
-from cadgen.car.planner.motion import Motion
-from cadgen.car.planner.order import _improved, _inserted, _way, in_order
-from cadgen.car.planner.route import route_of
-from cadgen.car.planner.rows import Limit, LimitKind
-from cadgen.car.planner.tightening import Tightening
+from cadgen.car.planner.path_motion import Basis, PathMotion
+from cadgen.car.planner.path_task import Margins
+from cadgen.car.planner.route import _improved, _inserted, _tour, in_order, route_of
 from cadgen.design.load import course_of
 from cadgen.jobs.planning.task import task_of
 from tests.studies import courses
@@ -45,7 +43,7 @@ def course(random: np.random.Generator, track: np.ndarray) -> Course:
     return Course(edge=FIELD, obstacles=tuple(obstacles), margin=10.0)
 
 
-def car_at(motion: Motion, place: int, corners: np.ndarray) -> shapely.Geometry:
+def car_at(motion: PathMotion, place: int, corners: np.ndarray) -> shapely.Geometry:
     x, y = corners.T
     spots = motion.jets[0][place] + x[:, None] * motion.ahead[place] + y[:, None] * motion.left[place]
     return shapely.Polygon(spots) if len(spots) > 2 else shapely.Point(spots[0])
@@ -55,9 +53,9 @@ def car_at(motion: Motion, place: int, corners: np.ndarray) -> shapely.Geometry:
 def test_clearances_are_those_of_shapely(seed, paper_points, vehicle):
     random = np.random.default_rng(seed)
     basis = Basis(len(paper_points))
-    motion = Motion(basis.even(20), paper_points, vehicle.path_offset)
+    motion = PathMotion(basis.even(20), paper_points, vehicle.path_offset)
     its_course = course(random, motion.track)
-    rows = Clearances(basis, vehicle, barriers_of(its_course, vehicle.body)).rows(paper_points)
+    rows = Clearances(basis, vehicle, barriers_of(its_course, vehicle.body)).constraints(paper_points)
     places = {u: number for number, u in enumerate(motion.places.u.tolist())}
     things = {obstacle.key: obstacle.shape for obstacle in its_course.obstacles}
     compared = 0
@@ -98,7 +96,7 @@ def test_clearances_are_those_of_shapely(seed, paper_points, vehicle):
 def test_derivatives_of_clearances_and_gates(paper_points, vehicle):
     random = np.random.default_rng(8)
     basis = Basis(len(paper_points))
-    motion = Motion(basis.even(20), paper_points, vehicle.path_offset)
+    motion = PathMotion(basis.even(20), paper_points, vehicle.path_offset)
     clearances = Clearances(basis, vehicle, barriers_of(course(random, motion.track), vehicle.body))
     gates = tuple(
         Gate(
@@ -119,7 +117,7 @@ def test_derivatives_of_clearances_and_gates(paper_points, vehicle):
     change = random.normal(size=paper_points.shape)
     flat = change.T.ravel()
     for source in (clearances, passing):
-        here, ahead, back = (source.rows(paper_points + step * change) for step in (0.0, STEP, -STEP))
+        here, ahead, back = (source.constraints(paper_points + step * change) for step in (0.0, STEP, -STEP))
         off = []
         for rows, one, other in zip(here, ahead, back, strict=True):
             if not len(rows.values) == len(one.values) == len(other.values):
@@ -135,12 +133,14 @@ def test_derivatives_of_clearances_and_gates(paper_points, vehicle):
 def test_a_post_is_passed_on_the_side_that_is_asked_for(paper_points, vehicle):
     """On the wrong side the limit pushes the car across."""
     basis = Basis(len(paper_points))
-    motion = Motion(basis.even(20), paper_points, vehicle.path_offset)
+    motion = PathMotion(basis.even(20), paper_points, vehicle.path_offset)
     at = 500
     for side, sign in (("left", 1.0), ("right", -1.0)):
         post = motion.jets[0][at] + sign * 400 * motion.left[at]  # the car has it on the wrong hand
         obstacle = Obstacle(kind="post", key="post", shape=Shape.disc(tuple(post), 10.0), side=side)
-        rows = Clearances(basis, vehicle, barriers_of(Course(obstacles=(obstacle,)), vehicle.body)).rows(paper_points)
+        rows = Clearances(basis, vehicle, barriers_of(Course(obstacles=(obstacle,)), vehicle.body)).constraints(
+            paper_points
+        )
         beside = int(rows[0].values.argmax())
         assert rows[0].values[beside] > 400
         towards = np.concatenate([np.full(len(paper_points), part) for part in sign * motion.left[at]])
@@ -152,7 +152,7 @@ def test_gates_are_passed_in_their_order_where_the_path_is_nearest(vehicle):
     angle = np.linspace(0, 2 * pi, 24)
     points = 1500 * np.stack([np.sin(angle), np.sin(angle) * np.cos(angle)], axis=1)
     basis = Basis(len(points))
-    motion = Motion(basis.even(3), points, vehicle.path_offset)
+    motion = PathMotion(basis.even(3), points, vehicle.path_offset)
     gates = tuple(
         Gate(key=str(k), place=Shape.disc(spot, 20.0))
         for k, spot in enumerate([(0.0, 30.0), (900.0, 400.0), (10.0, 0.0), (-1000.0, -500.0)])
@@ -176,9 +176,9 @@ def test_free_gates_get_the_order_of_the_shortest_way():
         gates = tuple(Gate(key=str(k), place=Shape.disc(tuple(spot), 50.0), free=True) for k, spot in enumerate(spots))
         start = Gate(key="start", place=Shape.disc((0.0, 0.0), 1.0), heading=0.7)
         its_course = Course(gates=gates, start=start)
-        best = min(_way(its_course, row) for row in permutations(gates))
-        assert _way(its_course, in_order(its_course).gates) == pytest.approx(best)
-        cost = _way(its_course, _improved(its_course, _inserted(its_course, [], list(gates))))
+        best = min(_tour(its_course, row) for row in permutations(gates))
+        assert _tour(its_course, in_order(its_course).gates) == pytest.approx(best)
+        cost = _tour(its_course, _improved(its_course, _inserted(its_course, [], list(gates))))
         worse += cost > 1.02 * best
     print(f"without trying all, {worse} of 10 are longer by 2 % or more")
     assert worse <= 3
@@ -198,7 +198,7 @@ def test_a_way_round_something_begins_in_the_direction_of_its_gate():
     """A course on which the short way from its second gate leads back, round a zone right before the car."""
     case = courses.case(1, 20)
     design, _ = course_of(case.text, Path("case.toml"))
-    task = task_of(design, drawn=None, near=None, within=25.0, calm=None, tightening=Tightening())
+    task = task_of(design, drawn=None, near=None, within=25.0, calm=None, tightening=Margins())
     route = route_of(task.course, task.vehicle)
     second = int(np.flatnonzero(route.is_stop)[2])
     gate = task.course.gates[1]
@@ -212,8 +212,8 @@ def test_room_besides_gives_way_before_a_gate_does(paper_points, vehicle):
     basis = Basis(len(paper_points))
     gate = Gate(key="course.gates.1", place=Shape.disc((4000.0, 2000.0), 50.0))
     for room, most in ((20.0, 20.0), (90.0, 49.98)):
-        hard, soft = Passing(basis, (gate,), None, None, vehicle, spare={gate.key: room}).rows(paper_points)
+        hard, soft = Passing(basis, (gate,), None, None, vehicle, spare={gate.key: room}).constraints(paper_points)
         np.testing.assert_allclose(soft.values, hard.values + most)
         assert soft.weight == pytest.approx(hard.weight / 10)
-        assert (soft.limit, hard.limit) == (replace(hard.limit, spare=True), Limit(LimitKind.GATE, gate.key))
+        assert (soft.limit, hard.limit) == (replace(hard.limit, spare=True), PathLimit(LimitKind.GATE, gate.key))
         assert (soft.slopes == hard.slopes).all()

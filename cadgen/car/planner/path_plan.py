@@ -1,0 +1,272 @@
+"""A task planned: the best path of several searches, and the reasons where a course cannot be driven.
+
+For a reason, each limit that the best path violates is made loose in turn: violations of it become cheap, those of the
+others stay dear. If all others can be kept then, the violation that is left says how far this limit must give way.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from cadgen.arrays import Array
+from cadgen.car.path.spline import DEGREE
+from cadgen.car.planner.barriers import Clearances, barriers_of
+from cadgen.car.planner.constraints import Constraint, Corridor, LimitKind, PathLimit
+from cadgen.car.planner.gates import Passing
+from cadgen.car.planner.path_motion import Basis
+from cadgen.car.planner.path_task import PathTask, Vehicle
+from cadgen.car.planner.route import End, fitted_to, planned_end, route_of, smooth_path
+from cadgen.car.planner.search import PathSearch, SearchedPath, fixed_ends, fixed_start
+
+_SPAN = 320.0  # mm of the path to a span of the B-spline
+_SPANS_A_STOP = 4
+_LEAST_SPANS, _MOST_SPANS = 16, 110
+# Of the path that a search begins with. Through sharp corners of the route the usual one has turns that no step widens;
+# a calmer one misses the gates, and is drawn to them.
+_CALMNESS = (1.0, 10.0, 40.0)
+# Limits whose violation is not by such a turn.
+_STANDING = (LimitKind.CLEARANCE, LimitKind.FIELD)
+UNEVEN = (LimitKind.FAST, LimitKind.SLOW)  # limits that serve the search alone
+_LEFT, _LEFT_MM = 2e-3, 0.01  # of a limit or rad, and mm of a gate or a clearance: what a search may leave
+_IN_MM = (LimitKind.GATE, LimitKind.CLEARANCE, LimitKind.FIELD)
+
+# Of the search for reasons.
+_QUIET = 1e-3  # of the spread of the play: here only limits count
+# Amounts of which each is about as much to ask as the other: shares of the limits of steering and cam, mm, rad.
+_SHARE, _LENGTH, _GATE, _CLEARANCE, _HEADING = 0.15, 500.0, 60.0, 30.0, 0.2
+_UNITS = {
+    LimitKind.LENGTH: _LENGTH,
+    LimitKind.CORRIDOR: _GATE,
+    LimitKind.GATE: _GATE,
+    LimitKind.HEADING: _HEADING,
+    LimitKind.CLEARANCE: _CLEARANCE,
+    LimitKind.FIELD: _CLEARANCE,
+}
+_TIGHT = 0.05  # of the greatest curvature, beyond it
+_MOST = 4  # limits that are tried
+_ROUNDS = 30  # of each penalty
+_NEARLY = 0.02  # as `left`, of the other limits: how far one must give way is wanted to a percent or so
+
+
+def left(limit: PathLimit) -> float:
+    """Greatest violation that a search may leave, in the unit of the limit: a share, rad or mm.
+
+    Of a gate and a clearance that is less than is kept from their edges for what happens between the places.
+    """
+    return _LEFT_MM if limit.kind in _IN_MM else _LEFT
+
+
+@dataclass(frozen=True, eq=False)
+class PathPlan:
+    """Planned path with its task and the path it was begun from.
+
+    Attributes:
+        path: path with its cost and its limits.
+        task: what was planned.
+        begin: control points that the search began with, shape (n, 2), mm.
+    """
+
+    path: SearchedPath
+    task: PathTask
+    begin: Array
+
+    @property
+    def missed(self) -> dict[PathLimit, float]:
+        """Limits that are not kept, with the greatest excess of each."""
+        violated = self.path.violated.items()
+        return {
+            limit: most
+            for limit, most in violated
+            if most > left(limit) and limit.kind not in UNEVEN and not limit.spare
+        }
+
+
+def best_plan(
+    task: PathTask,
+    *,
+    seeds: int = 1,
+    begin: Array | None = None,
+    report: Callable[[str], None] | None = None,
+    map_with: Callable[..., Iterable[PathPlan]] | None = None,
+) -> PathPlan:
+    """Plan a task from scratch, near to the track that it names, or on from a path.
+
+    Args:
+        task: what is planned; its gates are passed in their order.
+        seeds: number of searches, each from another path; the best one counts.
+        begin: control points to go on from, shape (n, 2), mm; then there is one search.
+        report: function that is called with a few words as the plan gets better; not where searches run elsewhere.
+        map_with: function like the built-in `map` that runs several searches, such as that of a pool; the plan does
+            not depend on it.
+
+    Raises:
+        DesignError: the course has nothing to drive to.
+    """
+    if seeds == 1 or begin is not None or task.corridor is not None:
+        return _searched(task, begin, report, 0)
+    if map_with is None:
+        return min(map(partial(_searched, task, None, report), range(seeds)), key=_merit)
+    return min(map_with(partial(_searched, task, None, None), range(seeds)), key=_merit)
+
+
+def _merit(candidate: PathPlan) -> tuple[float, float]:
+    return sum(candidate.missed.values()), candidate.path.cost.cost
+
+
+def _searched(task: PathTask, begin: Array | None, report: Callable[[str], None] | None, seed: int) -> PathPlan:
+    vehicle, course = task.vehicle, task.course
+    start, finish = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
+    if begin is not None:
+        basis, begins = Basis(len(begin), vehicle.closed), [begin]
+    elif task.corridor is None:
+        route = route_of(course, vehicle, seed)
+        basis = _basis(max(route.length / _SPAN, _SPANS_A_STOP * (route.stops - 1)), vehicle)
+        first = seed % len(_CALMNESS)
+        begins = [
+            smooth_path(basis, route.places, route.is_stop, start, finish, calmness)
+            for calmness in (*_CALMNESS[first:], *_CALMNESS[:first])
+        ]
+    else:
+        points, basis = _from_track(task.corridor, vehicle)
+        begins = [points]
+    if task.corridor is not None:
+        start, finish = _ends_of(basis, begins[0])
+    search, plans = _search(task, basis, start, finish), []
+    words = None if report is None else (lambda cost: report(f"end of the run {cost:.0f} mm"))
+    for points in begins:
+        plans.append(PathPlan(search.best(points, words), task, points))
+        if all(limit.kind in _STANDING for limit in plans[-1].missed):
+            break
+    return min(plans, key=_merit)
+
+
+def search_of(task: PathTask, count: int, loose: PathLimit | None = None) -> PathSearch:
+    """Search of a task from scratch with a given number of control points.
+
+    Args:
+        task: what is planned.
+        count: number of control points.
+        loose: limit that may be violated at little cost; None if there is none.
+    """
+    vehicle, course = task.vehicle, task.course
+    ends = planned_end(course.start, vehicle), planned_end(course.finish, vehicle)
+    return replace(_search(task, Basis(count, vehicle.closed), *ends), loose=loose)
+
+
+def _search(task: PathTask, basis: Basis, start: End, finish: End) -> PathSearch:
+    ends = [(end.place is not None, end.heading) for end in (start, finish)]
+    fixed = fixed_start(basis, ends[0]) if basis.closed else fixed_ends(basis.count, *ends)
+    return PathSearch(task, basis, fixed, _course_constraints(task, basis, start, finish))
+
+
+def _basis(spans: float, vehicle: Vehicle) -> Basis:
+    count = int(np.clip(spans, _LEAST_SPANS, _MOST_SPANS))
+    return Basis(count if vehicle.closed else count + DEGREE, vehicle.closed)
+
+
+def _from_track(track: Array, vehicle: Vehicle) -> tuple[Array, Basis]:
+    """Control points of the path of a track, with their B-splines."""
+    along = np.gradient(track, axis=0)
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    planned = track + vehicle.path_offset * np.stack([along[:, 1], -along[:, 0]], axis=1)
+    length = float(np.linalg.norm(np.diff(planned, axis=0), axis=1).sum())
+    basis = _basis(length / _SPAN, vehicle)
+    return fitted_to(basis, planned), basis
+
+
+def _ends_of(basis: Basis, points: Array) -> tuple[End, End]:
+    """Start and finish of a path as they are."""
+    place, ahead = basis.at(np.array([0.0, basis.stop])).jets(points)[:2]
+    start, finish = (End(place[k], float(np.arctan2(ahead[k, 1], ahead[k, 0]))) for k in (0, 1))
+    return start, finish
+
+
+def _course_constraints(task: PathTask, basis: Basis, start: End, finish: End) -> Callable[[Array], list[Constraint]]:
+    course, vehicle = task.course, task.vehicle
+    first = course.start if start.place is None else None
+    last = course.finish if finish.place is None and not basis.closed else None
+    passing = Passing(basis, course.gates, first, last, vehicle, task.gate_margin, task.spare)
+    clearances = Clearances(basis, vehicle, barriers_of(course, vehicle.body, task.draw), task.spare)
+    sources: list[Passing | Clearances | Corridor] = [passing, clearances]
+    if task.corridor is not None:
+        sources.append(Corridor(basis, vehicle.path_offset, task.corridor, task.within))
+    return lambda points: [each for source in sources for each in source.constraints(points)]
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Limit that must give way for a course to be drivable.
+
+    Attributes:
+        limit: limit that must give way.
+        amount: by how much, as a share of the limits of steering and cam, else in mm or rad.
+        place: where, as [x, y] of the planned point, mm.
+        enough: whether all other limits can be kept then.
+    """
+
+    limit: PathLimit
+    amount: float
+    place: tuple[float, float]
+    enough: bool
+
+    @property
+    def effort(self) -> float:
+        """Amount in units that make limits of different kinds comparable."""
+        return self.amount / _unit(self.limit)
+
+
+def _unit(limit: PathLimit) -> float:
+    return _UNITS.get(limit.kind, _SHARE)
+
+
+def reasons(best_plan: PathPlan) -> tuple[Reason, ...]:
+    """Limits of which each must give way for a course to be drivable, the one with the least to ask first.
+
+    Where no single one is enough, a turn or else the most violated of them stands first.
+
+    Args:
+        plan: best path, which violates some limits.
+    """
+    missed = sorted(best_plan.missed, key=lambda limit: -best_plan.missed[limit] / _unit(limit))
+    tried = list(dict.fromkeys([*missed[: _MOST - 1], PathLimit(LimitKind.TURN)]))
+    candidates = [reason for limit in tried if (reason := _loosened(best_plan, limit)) is not None]
+    enough = [reason for reason in candidates if reason.enough]
+    if not enough:  # then the limit that is beyond reach by most; a turn that is too tight brings others with it
+        return tuple(sorted(candidates, key=lambda reason: (not _tight(reason), -reason.effort)))
+    return tuple(sorted(enough, key=lambda reason: reason.effort))
+
+
+def _tight(reason: Reason) -> bool:
+    return reason.limit.kind == LimitKind.TURN and reason.amount > _TIGHT
+
+
+def _loosened(best_plan: PathPlan, limit: PathLimit) -> Reason | None:
+    """Reason by a limit, with the amount by which it must give way when all others are kept; None if it need not."""
+    vehicle = replace(best_plan.task.vehicle, spread=best_plan.task.vehicle.spread * _QUIET)
+    search = search_of(replace(best_plan.task, vehicle=vehicle), len(best_plan.path.points), loose=limit)
+    path = search.best(best_plan.begin, rounds=_ROUNDS)  # the best path may be crumpled
+    violated = path.violated
+    others = [
+        most for other, most in violated.items() if other != limit and other.kind not in UNEVEN and most > _NEARLY
+    ]
+    amount = violated.get(limit, 0.0)
+    if amount <= left(limit):
+        return (
+            None
+            if not others
+            else Reason(limit, best_plan.missed.get(limit, amount), _place(best_plan.path, limit), False)
+        )
+    return Reason(limit, amount, _place(path, limit), not others)
+
+
+def _place(path: SearchedPath, limit: PathLimit) -> tuple[float, float]:
+    found = [each for each in path.constraints if each.limit == limit and len(each.values)]
+    if not found:
+        return (0.0, 0.0)
+    worst = max(found, key=lambda each: each.worst)
+    motion = path.cost.line.motion
+    u = float(worst.u[int(worst.values.argmax())])
+    x, y = motion.jets[0][int(np.abs(motion.places.u - u).argmin())].tolist()
+    return x, y
