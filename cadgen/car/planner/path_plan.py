@@ -221,7 +221,7 @@ def _unit(limit: PathLimit) -> float:
     return _UNITS.get(limit.kind, _SHARE)
 
 
-def reasons(best_plan: PathPlan) -> tuple[Reason, ...]:
+def reasons(plan: PathPlan) -> tuple[Reason, ...]:
     """Limits of which each must give way for a course to be drivable, the one with the least to ask first.
 
     Where no single one is enough, a turn or else the most violated of them stands first.
@@ -229,9 +229,9 @@ def reasons(best_plan: PathPlan) -> tuple[Reason, ...]:
     Args:
         plan: best path, which violates some limits.
     """
-    missed = sorted(best_plan.missed, key=lambda limit: -best_plan.missed[limit] / _unit(limit))
+    missed = sorted(plan.missed, key=lambda limit: -plan.missed[limit] / _unit(limit))
     tried = list(dict.fromkeys([*missed[: _MOST - 1], PathLimit(LimitKind.TURN)]))
-    candidates = [reason for limit in tried if (reason := _loosened(best_plan, limit)) is not None]
+    candidates = [reason for limit in tried if (reason := _loosened(plan, limit)) is not None]
     enough = [reason for reason in candidates if reason.enough]
     if not enough:  # then the limit that is beyond reach by most; a turn that is too tight brings others with it
         return tuple(sorted(candidates, key=lambda reason: (not _tight(reason), -reason.effort)))
@@ -242,11 +242,11 @@ def _tight(reason: Reason) -> bool:
     return reason.limit.kind == LimitKind.TURN and reason.amount > _TIGHT
 
 
-def _loosened(best_plan: PathPlan, limit: PathLimit) -> Reason | None:
+def _loosened(plan: PathPlan, limit: PathLimit) -> Reason | None:
     """Reason by a limit, with the amount by which it must give way when all others are kept; None if it need not."""
-    vehicle = replace(best_plan.task.vehicle, spread=best_plan.task.vehicle.spread * _QUIET)
-    search = search_of(replace(best_plan.task, vehicle=vehicle), len(best_plan.path.points), loose=limit)
-    path = search.best(best_plan.begin, rounds=_ROUNDS)  # the best path may be crumpled
+    vehicle = replace(plan.task.vehicle, spread=plan.task.vehicle.spread * _QUIET)
+    search = search_of(replace(plan.task, vehicle=vehicle), len(plan.path.points), loose=limit)
+    path = search.best(plan.begin, rounds=_ROUNDS)  # the best path may be crumpled
     violated = path.violated
     others = [
         most for other, most in violated.items() if other != limit and other.kind not in UNEVEN and most > _NEARLY
@@ -256,7 +256,7 @@ def _loosened(best_plan: PathPlan, limit: PathLimit) -> Reason | None:
         return (
             None
             if not others
-            else Reason(limit, best_plan.missed.get(limit, amount), _place(best_plan.path, limit), False)
+            else Reason(limit, plan.missed.get(limit, amount), _place(plan.path, limit), False)
         )
     return Reason(limit, amount, _place(path, limit), not others)
 
