@@ -253,11 +253,7 @@ def _loosened(plan: PathPlan, limit: PathLimit) -> Reason | None:
     ]
     amount = violated.get(limit, 0.0)
     if amount <= left(limit):
-        return (
-            None
-            if not others
-            else Reason(limit, plan.missed.get(limit, amount), _place(plan.path, limit), False)
-        )
+        return None if not others else Reason(limit, plan.missed.get(limit, amount), _place(plan.path, limit), False)
     return Reason(limit, amount, _place(path, limit), not others)
 
 
