@@ -19,6 +19,7 @@ The rooms, in walking order; each imports only those before it.
 | `pace`       | how often Python and the C library look after memory                          |
 | `aside`      | a part of a job in a process of its own, beside the rest                      |
 | `curves`     | closed plane curves: arcs, splines, chords and offsets within a tolerance     |
+| `laws`       | motions: what a follower has to do in one turn of a cam                       |
 | `parts`      | features of a part: bore, keyway, hub, web, holes; a body of prisms           |
 | `cam`        | lift, theoretical and actual profile, contact, checks                         |
 | `gears`      | tolerances, backlash, return error, order of stages, tooth form, layout       |

@@ -53,7 +53,7 @@ def real_run(cam: Path) -> Any:
     def tan_beta(theta: Any) -> Any:
         return np.interp(np.asarray(theta) / DEG, angle, tangent, period=360.0)
 
-    driven = SimpleNamespace(lift=SimpleNamespace(tan_beta=tan_beta), car=world.car, track=world.track)
+    driven = SimpleNamespace(lift=SimpleNamespace(q=tan_beta), car=world.car, track=world.track)
     return FAULTS.track(driven, np.arange(0.0, 360.0, STEP_DEG) * DEG)
 
 

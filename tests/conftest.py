@@ -20,9 +20,9 @@ from hypothesis import settings
 
 from cadgen.cam.envelope import ActualProfile, actual_profile
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve, lift_curve
 from cadgen.car.path.spline import plan_path
 from cadgen.car.path.track import Track, offset_track
+from cadgen.car.path_motion import PathMotion, path_motion
 from cadgen.car.steering import Car, steering_jets
 from tests.forks import Forks
 
@@ -50,7 +50,7 @@ class Built:
 
     car: Car
     track: Track
-    lift: LiftCurve
+    lift: PathMotion
     follower: LeaningRod
     actual: ActualProfile
 
@@ -75,7 +75,7 @@ def build(name: str) -> Built:
         length=data["follower"]["length_mm"],
     )
     track = offset_track(plan_path(np.array(path["waypoints_mm"]), path["spline"]), path["offset_mm"])
-    lift = lift_curve(track.arc, steering_jets(track, car), track.length, blend=radians(cam["blend_deg"]))
+    lift = path_motion(track.arc, steering_jets(track, car), track.length, blend=radians(cam["blend_deg"]))
     return Built(car, track, lift, follower, actual_profile(lift, follower))
 
 

@@ -67,7 +67,7 @@ class Lift:
             DesignError: an angle is not a finite number.
         """
         angle = numbers("cam_angle", cam_angle, "rad") % TURN
-        return np.asarray(self.computed.rod.lift(self.computed.lift.tan_beta(angle)))
+        return np.asarray(self.computed.rod.lift(self.computed.lift.q(angle)))
 
     @cached_property
     def _extrema(self) -> tuple[Array, Array]:

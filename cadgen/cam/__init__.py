@@ -2,10 +2,7 @@
 
 | module       | what it does                                                                    |
 |--------------|---------------------------------------------------------------------------------|
-| `lift`       | tan(beta) by cam angle, closed by a blend; peaks and valleys                    |
-| `branch`     | parts of an envelope: what a follower sweeps, and its own section at a kink      |
-| `rolled`     | where a follower rests at each cam angle                                        |
-| `follower`   | what every follower gives: its envelope, how it rests on a point, its checks     |
+| `follower`   | the interface of every follower: branches of its envelope, contact, checks          |
 | `followers`  | the kinds of follower; the leaning rod is one                                   |
 | `envelope`   | the actual profile: exact envelope of a follower over its planes, trimmed        |
 | `contact`    | a follower rolled on any outline: the lift it gives (shares no code with those)  |

@@ -14,9 +14,8 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.follower import Follower
+from cadgen.cam.follower import Contact, Follower
 from cadgen.cam.lowest import SAME
-from cadgen.cam.rolled import Contact
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.errors import DesignError
 
@@ -63,7 +62,7 @@ def roll_curve(curve: ClosedCurve, follower: Follower, cam_angle: Array) -> tupl
         step /= 2
         finer = roll(curve.outline(step), follower, cam_angle[pending])
         changed = np.abs(finer.lift - contact.lift[pending]) > ROLLING_TOLERANCE
-        for name in ("tan_beta", "lift", "face", "margin", "across", "pressure_angle"):
+        for name in ("q", "lift", "face", "margin", "across", "pressure_angle"):
             getattr(contact, name)[pending] = getattr(finer, name)
         pending = pending[changed | (_left(step, follower, finer.pressure_angle) > ROLLING_TOLERANCE)]
     return contact, step
@@ -159,8 +158,8 @@ class Ring:
         """
         cam_angle = np.atleast_1d(np.asarray(cam_angle, dtype=float))
         best = self._point(cam_angle) if self.follower.radius == 0 else self._rest(cam_angle)
-        tan_beta, face, across, pressure_angle, margin = best
-        return Contact(cam_angle, tan_beta, self.follower.lift(tan_beta), face, margin, across, pressure_angle)
+        q, face, across, pressure_angle, margin = best
+        return Contact(cam_angle, q, self.follower.lift(q), face, margin, across, pressure_angle)
 
     @cached_property
     def _heads(self) -> tuple[NDArray[np.intp], Array]:
@@ -186,12 +185,12 @@ class Ring:
         """As `_rest`, for a point that moves along the ray."""
         theta, follower = self._within(theta), self.follower
         u = np.interp(theta, self.angle, self.radius) - follower.base_radius
-        tan_beta, carrying, margin = follower.of_lift(u)
+        q, carrying, margin = follower.of_lift(u)
         step = 1e-4  # rad; well above rounding, well below any feature
         ahead, behind = (np.interp(theta + side, self.angle, self.radius) for side in (step, -step))
         slope = (ahead - behind) / (2 * step)
         angle = np.arctan2(slope, u + follower.base_radius)
-        return np.stack([tan_beta, carrying, np.zeros_like(u), angle, margin])
+        return np.stack([q, carrying, np.zeros_like(u), angle, margin])
 
     def _rest(self, theta: Array) -> Array:
         """tan(beta), carrying face, contact's y, pressure angle and margin at each cam angle, shape (5, n)."""
@@ -272,9 +271,9 @@ class Ring:
         chosen, shift = np.where(use, chosen, top), np.where(use, shift, 0.0)
         beside = np.clip(chosen + np.where(shift >= 0, 1, -1), 0, last)
         across = y[row, chosen] + np.abs(shift) * (y[row, beside] - y[row, chosen])
-        tan_beta = np.maximum(refined, sampled)
-        angle = self.follower.pressure_angle(tan_beta, across)
-        return np.stack([tan_beta, np.full(len(needed), face), across, angle])
+        q = np.maximum(refined, sampled)
+        angle = self.follower.pressure_angle(q, across)
+        return np.stack([q, np.full(len(needed), face), across, angle])
 
 
 def _blocks(width: NDArray[np.intp]) -> Iterator[slice]:

@@ -10,9 +10,9 @@ from scipy.optimize import brentq
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.follower import Follower, Remedy
-from cadgen.cam.lift import LiftCurve
 from cadgen.cam.loss import lost_lift
 from cadgen.errors import DesignError
+from cadgen.laws.motion import Motion
 
 # The change is found to this share of itself; a shop rounds further than that.
 _PRECISION = 0.01
@@ -42,21 +42,21 @@ class Change:
         return max(self.value / self.now, self.now / self.value)
 
 
-def worst_loss(lift: LiftCurve, follower: Follower) -> float:
+def worst_loss(motion: Motion, follower: Follower) -> float:
     """Greatest lift that the exact envelope for this rod cannot give where the path steers, mm."""
     try:
-        profile = actual_profile(lift, follower)
+        profile = actual_profile(motion, follower)
         if not profile.trims:
             return 0.0
         # The corners that the rod rests on are exact at any step.
         outline = profile.curve.outline(rolling_step(profile.curve, follower))
-        losses = lost_lift(lift, follower, profile.trims, outline)
+        losses = lost_lift(motion, follower, profile.trims, outline)
     except DesignError:
         return float("inf")
     return max((loss.lift for loss in losses if loss.driven), default=0.0)
 
 
-def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[Change, ...]:
+def undercut_cures(motion: Motion, follower: Follower, limit: float) -> tuple[Change, ...]:
     """Try each remedy of the follower alone, and return what cures, smallest change first.
 
     The loss of the rod falls with its radius and with the base circle (r / (cos(delta/2)) - r at a corner of angle
@@ -64,19 +64,19 @@ def undercut_cures(lift: LiftCurve, follower: Follower, limit: float) -> tuple[C
     has been computed, not estimated.
 
     Args:
-        lift: the steering wanted.
+        motion: motion wanted.
         follower: follower of any kind.
         limit: lift that may be lost, mm.
     """
     limit = max(limit, _ROUNDING)
-    now = worst_loss(lift, follower)
+    now = worst_loss(motion, follower)
     if now <= limit:  # the envelope loses less: what is lost is the doing of another curve, which no follower mends
         return ()
     cures = []
     for remedy in follower.remedies():
 
         def loss(factor: float, remedy: Remedy = remedy) -> float:
-            return worst_loss(lift, remedy.follower(remedy.value(factor)))
+            return worst_loss(motion, remedy.follower(remedy.value(factor)))
 
         factor = _smallest_factor(loss, now, limit)
         if factor is not None:

@@ -7,8 +7,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.contact import Ring
-from cadgen.cam.follower import Follower
-from cadgen.cam.rolled import Contact
+from cadgen.cam.follower import Contact, Follower
 from cadgen.curves.closed import Outline
 
 # The contact runs along a hollow that is hardly wider than the rod within little angle. Stations are put in so that it
@@ -27,7 +26,7 @@ _WITHIN = 9
 def dense_stations(follower: Follower, contact: Contact) -> Array:
     """Cam angles of a contact and more where it travels far between two of them, rad, shape (n,)."""
     theta = contact.cam_angle
-    ahead = follower.distance(contact.tan_beta, contact.face)
+    ahead = follower.distance(contact.q, contact.face)
     place = theta + np.arcsin(np.clip(contact.across / ahead, -1.0, 1.0))
     travel = np.abs(np.diff(place)) * ahead[:-1]
     count = np.clip(np.ceil(travel / _TRAVEL), 1, _MOST_BETWEEN).astype(int)

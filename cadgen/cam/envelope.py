@@ -8,18 +8,16 @@ over a stretch, neither is left for the other by rounding alone.
 """
 
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from itertools import pairwise
 
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.branch import Branch, Swept
-from cadgen.cam.follower import Follower
-from cadgen.cam.lift import LiftCurve
+from cadgen.cam.follower import Branch, Follower, Swept, Trim, TrimKind
 from cadgen.cam.lowest import SAME, Radii, Reach, Run, lowest_branches
 from cadgen.curves.closed import ByAngle, ClosedCurve, polar_angle
 from cadgen.errors import DesignError
+from cadgen.laws.motion import Motion
 
 _SAMPLES = 3600  # of a turn: folds and crossings closer together than 0.1 degree count as one
 # A cusp between two samples is narrowed down to rounding: 16^13 steps of a sample.
@@ -34,35 +32,6 @@ _MOST_FOLDS = 1000
 _NO_TRIM = 1e-6  # rad; its square times the lift's curvature is 1e-10 mm: no lift that is lost within it would show
 
 
-class TrimKind(StrEnum):
-    """Kind of a trim.
-
-    Both faces' envelopes meet; a kink, or a convex radius smaller than the rod's, lies between; or two distant parts
-    cut each other off.
-    """
-
-    FACE_CHANGE = "face change"
-    LOCAL = "local"
-    GLOBAL = "global"
-
-
-@dataclass(frozen=True)
-class Trim:
-    """A place where two branches cross: between the two cam angles the lift wanted cannot be had in full.
-
-    Attributes:
-        point: shape (2,), mm.
-        before: cam angle whose section last touches before the crossing, rad.
-        after: cam angle whose section first touches after it, rad.
-        kind: what was trimmed.
-    """
-
-    point: Array
-    before: float
-    after: float
-    kind: TrimKind
-
-
 @dataclass(frozen=True)
 class ActualProfile:
     """The trimmed envelope and the places where it was trimmed."""
@@ -71,19 +40,19 @@ class ActualProfile:
     trims: tuple[Trim, ...]
 
 
-def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
+def actual_profile(motion: Motion, follower: Follower) -> ActualProfile:
     """Return the largest disc that the follower nowhere cuts, in any plane that carries it.
 
     Args:
-        lift: the steering wanted.
+        motion: motion wanted.
         follower: follower of any kind.
 
     Raises:
         DesignError: the follower is too large for the cam's smallest radius, so that no disc remains, or a flank
             overhangs.
     """
-    follower.refuse(lift)
-    branches = _branches(lift, follower)
+    follower.refuse(motion)
+    branches = _branches(motion, follower)
     starts, spans = np.array([[_angle(b, b.start), _travel(b)] for b in branches]).T
     by_angle = [ByAngle(b) for b in branches]
 
@@ -124,10 +93,10 @@ def actual_profile(lift: LiftCurve, follower: Follower) -> ActualProfile:
                 # The next branch of the face before may be the lowest for less than a cell.
                 between = _next_of_face(branches, left.branch)
                 if between == run.branch or len(runs) > len(branches):
-                    raise _overhang(lift, follower, after, enter)
+                    raise _overhang(motion, follower, after, enter)
                 runs.insert(len(begins), Run(run.cell, between))
                 continue
-            if (trim := _trim(lift, before, after, leave, enter)) is not None:
+            if (trim := _trim(motion, before, after, leave, enter)) is not None:
                 trims.append(trim)
         begins.append(enter)
         stops.append(leave)
@@ -164,12 +133,12 @@ def _next_of_face(branches: list[Branch], number: int) -> int:
     return same[(same.index(number) + 1) % len(same)]
 
 
-def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
+def _branches(motion: Motion, follower: Follower) -> list[Branch]:
     """Every part of all envelopes that runs forward, and the follower's section at every hollow kink."""
-    joints = np.unique(np.concatenate([[0.0], lift.kinks, [TURN]]))
+    joints = np.unique(np.concatenate([[0.0], motion.kinks, [TURN]]))
     branches, folds = list[Branch](), 0
     for face in follower.planes:
-        spans = [follower.piece(lift, face, float(a), float(b)) for a, b in pairwise(joints)]
+        spans = [follower.piece(motion, face, float(a), float(b)) for a, b in pairwise(joints)]
         for number, span in enumerate(spans):
             branches.extend(parts := _forward_parts(span))
             folds += max(len(parts) - 1, 0)
@@ -178,9 +147,8 @@ def _branches(lift: LiftCurve, follower: Follower) -> list[Branch]:
                 branches.append(section)
     if folds > _MOST_FOLDS:
         raise DesignError(
-            f"the path ripples so closely that the {follower.noun}'s contact turns back at {folds} places, "
-            f"{_MOST_FOLDS} at most are followed: keep one in {-(-folds // _MOST_FOLDS)} of the points of "
-            "[path], or give them with more digits"
+            f"the {motion.noun} ripples so closely that the {follower.noun}'s contact turns back at {folds} places, "
+            f"{_MOST_FOLDS} at most are followed: {motion.fewer(-(-folds // _MOST_FOLDS))}"
         )
     return branches
 
@@ -189,7 +157,7 @@ def _forward_parts(span: Swept) -> list[Swept]:
     """Cut a span at its cusps and folds and keep what runs forward."""
     count = max(9, int(_SAMPLES * (span.stop - span.start) / TURN))
     # Between two nodes of the lift it may turn back, too, however close they are.
-    nodes = span.lift.tan_beta.x
+    nodes = span.motion.q.x
     nodes = nodes[(nodes > span.start) & (nodes < span.stop)]
     theta = np.union1d(np.linspace(span.start, span.stop, count), np.append(nodes, (nodes[1:] + nodes[:-1]) / 2))
     forward = span.advance(theta) > 0
@@ -257,18 +225,17 @@ def _meet(before: Branch, after: Branch, leave: float, enter: float) -> bool:
     return bool(np.abs(points[0] - points[1]).max() < 2 * SAME)
 
 
-def _overhang(lift: LiftCurve, follower: Follower, after: Branch, enter: float) -> DesignError:
+def _overhang(motion: Motion, follower: Follower, after: Branch, enter: float) -> DesignError:
     """Branches that do not meet leave a wall along the ray between them, which no follower can climb."""
     theta = after.cam_angle(enter) % TURN
-    in_blend = theta >= lift.blend_start
-    softer = "raise cam.blend_deg (the closing blend steers there)" if in_blend else "widen the turn there"
     return DesignError(
         f"the cam's flank at cam angle {np.degrees(theta):.1f} degrees would be steeper than radial, with a pressure "
-        f"angle beyond 90 degrees, so the {follower.noun} cannot follow it: {softer} or raise cam.base_radius_mm"
+        f"angle beyond 90 degrees, so the {follower.noun} cannot follow it: {motion.softer(theta)} or raise "
+        f"cam.base_radius_mm"
     )
 
 
-def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: float) -> Trim | None:
+def _trim(motion: Motion, before: Branch, after: Branch, leave: float, enter: float) -> Trim | None:
     """The trim at a crossing; None where nothing is lost because the branches coincide."""
     angles = [before.cam_angle(leave), after.cam_angle(enter)]
     width = (angles[1] - angles[0] + np.pi) % TURN - np.pi
@@ -280,7 +247,7 @@ def _trim(lift: LiftCurve, before: Branch, after: Branch, leave: float, enter: f
         kind = TrimKind.FACE_CHANGE
     elif isinstance(before, Swept):
         lost = angles[0] + np.linspace(0, 1, 201) * ((angles[1] - angles[0]) % TURN)
-        kinked = np.any((lift.kinks - angles[0]) % TURN <= (angles[1] - angles[0]) % TURN)
+        kinked = np.any((motion.kinks - angles[0]) % TURN <= (angles[1] - angles[0]) % TURN)
         whole = replace(before, start=float(lost[0]), stop=float(lost[-1]))
         if not kinked and whole.jet(lost).curvature.min() > 0:
             kind = TrimKind.GLOBAL

@@ -13,16 +13,224 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from enum import StrEnum
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.cam.branch import Branch, Swept
-from cadgen.cam.lift import LiftCurve
-from cadgen.cam.rolled import RolledCam
+from cadgen.cam.limits import CheckLimits
 from cadgen.check import Check
-from cadgen.curves.closed import ClosedCurve
+from cadgen.curves.closed import ClosedCurve, Jet, cross
+from cadgen.laws.motion import Motion
+from cadgen.parts.blank import Blank
+
+
+@dataclass(frozen=True, kw_only=True)
+class Branch(ABC):
+    """A part of the envelope in one carrying plane, by a parameter that runs forward round the camshaft.
+
+    Attributes:
+        face: lateral distance of the plane, mm.
+        start: parameter at which it begins, rad.
+        stop: parameter at which it ends, rad.
+    """
+
+    face: float
+    start: float
+    stop: float
+
+    @abstractmethod
+    def jet(self, t: Array) -> Jet:
+        """Point, velocity by the parameter, and curvature (positive where the disc is convex) at n parameters.
+
+        Args:
+            t: parameters, shape (n,).
+        """
+
+    @abstractmethod
+    def cam_angle(self, t: float) -> float:
+        """Cam angle, rad, at which the follower touches the point of a parameter.
+
+        Args:
+            t: parameter of the point.
+        """
+
+
+@dataclass(frozen=True, kw_only=True)
+class Swept(Branch):
+    """Curve that the moving follower sweeps, by cam angle, over a span without kinks.
+
+    Attributes:
+        motion: motion wanted.
+    """
+
+    motion: Motion
+
+    def cam_angle(self, t: float) -> float:
+        """Return the parameter itself, rad.
+
+        Args:
+            t: parameter of the point, which is its cam angle, rad.
+        """
+        return t
+
+    def advance(self, theta: Array) -> Array:
+        """Rate of the tangential travel along the envelope, mm/rad; negative on a swallowtail.
+
+        Args:
+            theta: cam angles, rad, shape (n,).
+        """
+        jet = self.jet(theta)
+        return np.asarray(cross(jet.point, jet.velocity) / np.linalg.norm(jet.point, axis=1))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Section(Branch):
+    """The follower's own section, where it stands at a hollow kink of the lift.
+
+    Attributes:
+        theta: cam angle of the kink, rad.
+    """
+
+    theta: float
+
+    def cam_angle(self, t: float) -> float:
+        """Cam angle of the kink, rad.
+
+        Args:
+            t: parameter of the point.
+        """
+        return self.theta
+
+
+def span_jets(motion: Motion, theta: Array, start: float, stop: float) -> tuple[Array, Array, Array]:
+    """tan(beta) and two derivatives inside [start, stop], one-sided at the ends (a kink may stand there).
+
+    Args:
+        motion: motion wanted.
+        theta: cam angles, rad, shape (n,).
+        start: end of the span, rad.
+        stop: other end of the span, rad.
+    """
+    inside = np.clip(theta, start, stop - 1e-13 * (1.0 + abs(stop)))
+    return motion.q(inside), motion.q(inside, nu=1), motion.q(inside, nu=2)
+
+
+def turned(radial: Array, around: Array, ray: tuple[Array, Array]) -> Array:
+    """Turn components along and across rays into points of the cam frame, shape (n, 2), mm.
+
+    Args:
+        radial: components along the rays, shape (n,), mm.
+        around: components across them, shape (n,), mm.
+        ray: cosine and sine of the rays' angles, each of shape (n,).
+    """
+    c, s = ray
+    return np.stack([radial * c - around * s, radial * s + around * c], axis=1)
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Contact of the follower with the disc at each cam angle; all arrays have shape (n,).
+
+    Attributes:
+        cam_angle: cam angle, rad.
+        q: tangent of the steering angle that results.
+        lift: lift s, mm.
+        face: lateral distance of the plane that carries the follower, mm.
+        margin: lift by which that plane lifts the follower further than the other one alone would, mm; where it is no
+            more than `ROLLING_TOLERANCE` either may be the one that carries. Infinite if there is no other.
+        across: coordinate y of the contact point, mm, ahead in the sense of growing polar angle.
+        pressure_angle: angle between the force on the follower and the velocity of its reference point, rad; positive
+            where the outline rises under it. The rod's axis moves horizontally and the force is square to it, so
+            sin(pressure angle) = across / r; for a point on its own curve tan = (dR/dphi) / R.
+    """
+
+    cam_angle: Array
+    q: Array
+    lift: Array
+    face: Array
+    margin: Array
+    across: Array
+    pressure_angle: Array
+
+    def at(self, rows: NDArray[np.intp]) -> Contact:
+        """Contact at some of the cam angles, by their indices."""
+        return Contact(*(getattr(self, field.name)[rows] for field in fields(self)))
+
+
+class TrimKind(StrEnum):
+    """Kind of a trim.
+
+    Both faces' envelopes meet; a kink, or a convex radius smaller than the rod's, lies between; or two distant parts
+    cut each other off.
+    """
+
+    FACE_CHANGE = "face change"
+    LOCAL = "local"
+    GLOBAL = "global"
+
+
+@dataclass(frozen=True)
+class Trim:
+    """A place where two branches cross: between the two cam angles the lift wanted cannot be had in full.
+
+    Attributes:
+        point: shape (2,), mm.
+        before: cam angle whose section last touches before the crossing, rad.
+        after: cam angle whose section first touches after it, rad.
+        kind: what was trimmed.
+    """
+
+    point: Array
+    before: float
+    after: float
+    kind: TrimKind
+
+
+@dataclass(frozen=True)
+class Loss:
+    """Lift that the profile cannot give near a trim.
+
+    Attributes:
+        trim: place where the envelope was trimmed.
+        lift: lift lost at the worst cam angle, mm.
+        cam_angle: worst cam angle, rad.
+        driven: whether the path steers there, and not the closing blend.
+    """
+
+    trim: Trim
+    lift: float
+    cam_angle: float
+    driven: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class RolledCam:
+    """A cam with its follower rolled on it.
+
+    Attributes:
+        motion: motion wanted.
+        follower: follower that is rolled.
+        contact: contact of the follower with the profile, at n cam angles.
+        error: lift that the profile gives more than is wanted, mm, shape (n,).
+        losses: lift lost at each trim of the envelope.
+        trimmed: whether the envelope is trimmed there, or nothing depends on the motion, shape (n,).
+        positions: motion wanted and, where nothing depends on it, had; in the motion's unit, shape (2, n).
+        blank: features of the disc besides its profile.
+        limits: limits of the checks, mm and rad.
+    """
+
+    motion: Motion
+    follower: Follower
+    contact: Contact
+    error: Array
+    losses: tuple[Loss, ...]
+    trimmed: NDArray[np.bool_]
+    positions: Array
+    blank: Blank
+    limits: CheckLimits
 
 
 @dataclass(frozen=True)
@@ -77,11 +285,11 @@ class Follower(ABC):
         """How far across the ray the points lie, at most, that may carry it, mm."""
 
     @abstractmethod
-    def lift(self, tan_beta: Array) -> Array:
+    def lift(self, q: Array) -> Array:
         """Lift s of its reference point, mm.
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
         """
 
     @abstractmethod
@@ -95,7 +303,7 @@ class Follower(ABC):
     # The envelope.
 
     @abstractmethod
-    def refuse(self, lift: LiftCurve) -> None:
+    def refuse(self, motion: Motion) -> None:
         """Refuse a lift with which nothing is left of the disc.
 
         Raises:
@@ -103,11 +311,11 @@ class Follower(ABC):
         """
 
     @abstractmethod
-    def piece(self, lift: LiftCurve, face: float, start: float, stop: float) -> Swept:
+    def piece(self, motion: Motion, face: float, start: float, stop: float) -> Swept:
         """The envelope in a plane between two cam angles, rad, without a kink between them.
 
         Args:
-            lift: lift of the cam.
+            motion: motion wanted.
             face: distance of the plane from the fork axis, mm.
             start: cam angle at which it begins, rad.
             stop: cam angle at which it ends, rad.
@@ -118,7 +326,7 @@ class Follower(ABC):
         """Its own section that joins two pieces at a hollow kink; None where they meet or cross."""
 
     @abstractmethod
-    def pitch_curve(self, lift: LiftCurve) -> ClosedCurve | None:
+    def pitch_curve(self, motion: Motion) -> ClosedCurve | None:
         """The curve of its reference point in the cam's frame; None for a follower that has no such point."""
 
     @abstractmethod
@@ -151,29 +359,29 @@ class Follower(ABC):
         """
 
     @abstractmethod
-    def pressure_angle(self, tan_beta: Array, across: Array) -> Array:
+    def pressure_angle(self, q: Array, across: Array) -> Array:
         """Pressure angle, rad, where it touches the disc at y across, mm.
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
             across: distances of the contact from the ray's middle, mm, shape (n,).
         """
 
     @abstractmethod
-    def distance(self, tan_beta: Array, face: Array) -> Array:
+    def distance(self, q: Array, face: Array) -> Array:
         """How far ahead of the camshaft its reference point stands in a plane, mm.
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
             face: distance of the plane from the fork axis, mm.
         """
 
     @abstractmethod
-    def ahead(self, tan_beta: Array, face: Array, across: Array) -> Array:
+    def ahead(self, q: Array, face: Array, across: Array) -> Array:
         """How far ahead of the camshaft it touches the disc at y across, mm.
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
             face: distance of the plane from the fork axis, mm.
             across: distances of the contact from the ray's middle, mm, shape (n,).
         """

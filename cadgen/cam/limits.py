@@ -41,7 +41,7 @@ class CheckLimits:
         min_convex_radius: least convex radius of the actual profile, away from its corners.
         cutter_radius: radius of the cutter that will cut the part.
         wall: least wall between the profile and every hole.
-        points_key: key of the points that shape the path, for advice.
+        motion_key: key of the design file that shapes the motion, for advice.
     """
 
     pressure_angle: PressureAngleLimit
@@ -49,7 +49,7 @@ class CheckLimits:
     min_convex_radius: float
     cutter_radius: float
     wall: float
-    points_key: str = "path.waypoints_mm"
+    motion_key: str = "path.waypoints_mm"
 
 
 _NORTON = "R. L. Norton, Cam Design and Manufacturing Handbook, 2nd ed. (2009), chapter 7"

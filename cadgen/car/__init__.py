@@ -4,6 +4,7 @@
 |------------|----------------------------------------------------------------------------|
 | `path`     | waypoints -> spline -> the drive wheel's track by arc length               |
 | `steering` | curvature of the track <-> steering angle, also with slip                  |
+| `path_motion` | the law `path`: tan(beta) by cam angle, closed by a blend, and its checks  |
 | `course`   | field, posts, gates; the car's outline swept along its run                 |
 | `planner`  | course and car -> the path on which play moves the car least               |
 | `motion`   | how the car runs when the gears have play                                  |

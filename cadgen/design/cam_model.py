@@ -12,11 +12,11 @@ from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import LeaningRod, rod_of
 from cadgen.cam.followers.rod_kind import RodKeys
-from cadgen.cam.lift import LiftCurve, lap_lift_curve, lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.car.course.layout import Side
 from cadgen.car.path.spline import PlannedPath
 from cadgen.car.path.track import Track, offset_track
+from cadgen.car.path_motion import PathMotion, lap_motion, path_motion
 from cadgen.car.steering import Car, by_rim, rim_travel, steering_jets
 from cadgen.design import blank as keys
 from cadgen.design import gear_model
@@ -211,7 +211,7 @@ def path_end(design: Design, driven: Track) -> float:
     return driven.length * (TURN - radians(design.cam.blend_deg)) / TURN
 
 
-def lift(design: Design, driven: Track | None = None) -> LiftCurve:
+def lift(design: Design, driven: Track | None = None) -> PathMotion:
     """The steering that one turn of the cam must give, closed by the blend where the path is not.
 
     The blend begins at the same place of the path whether the car is built as designed or not.
@@ -227,7 +227,7 @@ def lift(design: Design, driven: Track | None = None) -> LiftCurve:
     road, its_car = driven or track(design), car(design)
     if road.closed:
         jets = steering_jets(road, its_car)
-        return lap_lift_curve(road.arc, jets, road.turn_laps, stop=turn_to_finish(design, road))
+        return lap_motion(road.arc, jets, road.turn_laps, stop=turn_to_finish(design, road))
     blend = TURN - turn_to_finish(design, road)
     jets = steering_jets(road, its_car)
     if design.as_built is not None:
@@ -240,7 +240,7 @@ def lift(design: Design, driven: Track | None = None) -> LiftCurve:
                 f"{design.cam.blend_deg:g}, by {degrees(LEAST_BLEND - blend) * 1.05:.1f} or more, or shorten the path"
             )
     rim = rim_travel(road.arc, jets, its_car)
-    return lift_curve(rim, by_rim(jets, its_car), travel(design, road), blend=blend)
+    return path_motion(rim, by_rim(jets, its_car), travel(design, road), blend=blend)
 
 
 def blank(design: Design) -> Blank:
@@ -277,7 +277,7 @@ def check_limits(design: Design) -> CheckLimits:
         min_convex_radius=design.checks.min_convex_radius_mm,
         cutter_radius=design.machining.cutter_diameter_mm / 2,
         wall=design.checks.min_wall_mm,
-        points_key=f"path.{fields(design.path.keys)[0].name}",
+        motion_key=f"path.{fields(design.path.keys)[0].name}",
     )
 
 

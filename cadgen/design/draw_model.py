@@ -6,8 +6,8 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import rolling_step
+from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.rolled import Contact
 from cadgen.car.course.layout import Draw
 from cadgen.car.draws.error import Complex, Target
 from cadgen.car.draws.knobs import Knob, Knobs, Wheels

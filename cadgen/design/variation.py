@@ -11,12 +11,12 @@ from cadgen.arrays import TURN
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
 from cadgen.cam.followers.rod_kind import RodMaterial
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import wheel_radius as drive_wheel_radius
 from cadgen.car.motion.friction import USUAL, DiscMaterial, friction_band
 from cadgen.car.motion.mechanics import MechanicsBand
 from cadgen.car.optimize.band import PlayBand
 from cadgen.car.optimize.remedies import holding
+from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, gear_model
 from cadgen.design.mechanics import Braked, Mechanics
 from cadgen.design.play import Hardware
@@ -79,7 +79,7 @@ def tabled_play(design: Design) -> float | None:
     return None if band is None else band.ends[1]
 
 
-def mechanics(design: Design, follower: Follower, lift: LiftCurve) -> MechanicsBand | None:
+def mechanics(design: Design, follower: Follower, lift: PathMotion) -> MechanicsBand | None:
     """Range of the forces on the cam; None if the design has no [mechanics].
 
     Where `optimize.hardware` allows a brake, its drag is one that holds. A friction that [as_built] has comes before
@@ -143,10 +143,10 @@ def _measured(friction: tuple[float, float]) -> tuple[float, float]:
     return (max(value - 2 * sigma, 0.0), value + 2 * sigma) if value > 0 else (0.0, 0.0)
 
 
-def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve, tolerance: float) -> None:
+def _refuse_lost_rod(band: MechanicsBand, lift: PathMotion, tolerance: float) -> None:
     """Refuse a spring whose force ends on the way, or in some car within its tolerance (N)."""
     theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
-    height = band.follower.lift(lift.tan_beta(theta))
+    height = band.follower.lift(lift.q(theta))
     force = band.nominal.force(height) - tolerance
     worst = int(np.argmin(force))
     if force[worst] <= 0:
@@ -157,7 +157,7 @@ def _refuse_lost_rod(band: MechanicsBand, lift: LiftCurve, tolerance: float) -> 
         )
 
 
-def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: LiftCurve) -> None:
+def _refuse_weak_drive(design: Design, band: MechanicsBand, lift: PathMotion) -> None:
     """Refuse a cam that the drive cannot turn: rod, friction and drag at their greatest."""
     theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
     needed = band.at(band.friction[1], band.drag[1]).needed(lift, theta)

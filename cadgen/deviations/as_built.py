@@ -12,8 +12,8 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.contact import roll
+from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.rolled import Contact
 from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve, Outline, left_normal
 from cadgen.curves.derived import moved

@@ -8,9 +8,9 @@ import numpy as np
 from cadgen.arrays import TURN
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import drive, turns_of
 from cadgen.car.motion.sampled import rolled_lift
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.curves.closed import ClosedCurve
@@ -24,7 +24,7 @@ _TRIM_ROUNDS = 4  # of Gauss and Newton, from an end that is off by centimetres
 
 
 def edges_check(
-    lift: LiftCurve, follower: LeaningRod, cut: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
+    lift: PathMotion, follower: LeaningRod, cut: ClosedCurve, as_built: AsBuilt, car: Car, travel: float
 ) -> Check:
     """Error at the end of the run with both edges broken by `MORE` beyond the design, before and after a trim.
 
@@ -68,7 +68,7 @@ def edges_check(
     )
 
 
-def _end(lift: LiftCurve, car: Car, travel: float) -> complex:
+def _end(lift: PathMotion, car: Car, travel: float) -> complex:
     """End of a run without play as x + iy, mm."""
     x, y = drive(lift, car, travel, steps=_STEPS * turns_of(lift.blend_start)).drive_wheel[-1].tolist()
     return complex(x, y)

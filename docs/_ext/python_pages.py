@@ -100,7 +100,7 @@ def shorten(app: Sphinx, what: str, name: str, thing: Any, options: Any, signatu
 
 
 def link_names(app: Sphinx, tree: nodes.document) -> None:
-    """Link every full name of ours in a page to the reference, such as `cadgen.cam.lift.lift_curve`."""
+    """Link every full name of ours in a page to the reference, such as `cadgen.cam.checks.check_cam`."""
     for literal in list(tree.findall(nodes.literal)):
         name = literal.astext()
         if re.fullmatch(r"cadgen(\.\w+)+", name) and not isinstance(literal.parent, (pending_xref, nodes.reference)):

@@ -13,9 +13,9 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from cadgen.cam.lift import lift_curve
 from cadgen.car.path.spline import plan_path
 from cadgen.car.path.track import offset_track
+from cadgen.car.path_motion import path_motion
 from cadgen.car.steering import Car, steering_jets
 from tests.inference.measurement.synthetic_drive import Wheels, track_record
 
@@ -37,7 +37,7 @@ def car_as_designed() -> SimpleNamespace:
         max_steering_angle=radians(35.0),
     )
     track = offset_track(plan_path(np.array(data["path"]["waypoints_mm"], float), "quintic"), 0.0)
-    lift = lift_curve(track.arc, steering_jets(track, car), track.length, blend=radians(12.0))
+    lift = path_motion(track.arc, steering_jets(track, car), track.length, blend=radians(12.0))
     return SimpleNamespace(track=track, car=car, lift=lift)
 
 

@@ -46,7 +46,7 @@ def waypoints(appendix_car):
 def exact(appendix_car):
     """Exact lift at the inner face, which the program uses for both signs; the blend is none of its business."""
     lift = appendix_car.lift
-    return lambda angle_deg: FACE * lift.tan_beta(np.radians(angle_deg))
+    return lambda angle_deg: FACE * lift.q(np.radians(angle_deg))
 
 
 def test_the_listing_gives_the_table(waypoints):

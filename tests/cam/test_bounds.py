@@ -7,8 +7,8 @@ from cadgen.cam import contact
 from cadgen.cam.contact import roll, roll_curve, rolling_step
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.path import track
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.contour import circle
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design.cam_model import lift
@@ -48,7 +48,7 @@ def test_a_thin_rod_on_a_circle_gives_its_lift():
     # The rod rests on a circle about the camshaft where it is nearest to the fork, square to the ray.
     follower = LeaningRod(base_radius=30.0, inner=10.0, outer=10.0, radius=0.05)
     rolled, _ = roll_curve(circle((0.0, 0.0), 29.0).curve(), follower, np.linspace(0.0, 6.0, 50))
-    tangent = rolled.tan_beta[0]
+    tangent = rolled.q[0]
     assert pytest.approx(30.0 + 10.0 * tangent - 0.05 * np.hypot(1.0, tangent), abs=1e-6) == 29.0
     assert np.ptp(rolled.lift) < 2e-5
 
@@ -56,11 +56,11 @@ def test_a_thin_rod_on_a_circle_gives_its_lift():
 def test_fewer_nodes_keep_the_lift(monkeypatch):
     design = load_design("carbon_free_car")
     angle = np.linspace(0.0, 2 * np.pi, 5000)
-    fine = lift(design).tan_beta(angle)
+    fine = lift(design).q(angle)
     monkeypatch.setattr(track, "MOST_NODES", 0)
-    assert np.abs(lift(design).tan_beta(angle) - fine).max() * 26.5e3 < 0.003  # um
+    assert np.abs(lift(design).q(angle) - fine).max() * 26.5e3 < 0.003  # um
     monkeypatch.setattr(track, "_BLOCK", 1)
-    assert np.abs(lift(design).tan_beta(angle) - fine).max() * 26.5e3 < 0.003
+    assert np.abs(lift(design).q(angle) - fine).max() * 26.5e3 < 0.003
 
 
 @pytest.mark.parametrize(("spline", "most"), [("quintic", 10_000), ("cubic", 1000)])
@@ -112,7 +112,7 @@ def test_a_path_whose_envelopes_fold_too_often_is_refused_by_its_key():
     phase = waves * nodes
     wave = 1e-4 * np.stack([np.sin(phase), waves * np.cos(phase)], axis=1)
     jets = np.column_stack([wave, -(waves**2) * wave[:, 0]])
-    rough = LiftCurve(quintic_hermite(nodes, jets, periodic=True), np.array([]), 2 * np.pi)
+    rough = PathMotion(quintic_hermite(nodes, jets, periodic=True), np.array([]), 2 * np.pi)
     with pytest.raises(DesignError, match=r"turns back at \d+ places, 1000 at most .* points of \[path\]") as refusal:
         actual_profile(rough, LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=2.5))
     assert "1000 at most are followed: keep one in" in str(refusal.value)

@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from cadgen.cam import checks
 from cadgen.cam.checks import check_cam
 from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod_profiles import published_profile, theoretical_profile
-from cadgen.cam.lift import lift_curve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
+from cadgen.car import path_motion as law
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.car.optimize.smoothing import smoothed_lift
+from cadgen.car.path_motion import blend_checks, path_motion
 from cadgen.car.steering import steering_jets
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub
@@ -38,6 +38,7 @@ def run(car, curve=None, *, trims=None, limits=LIMITS, blank=BLANK, follower=Non
         car.actual.trims if trims is None else trims,
         blank,
         limits,
+        application=blend_checks,
     )
     return {check.name: check for check in checks}
 
@@ -73,8 +74,8 @@ def test_pressure_angle_is_that_of_the_pitch_curve(carbon_free_car):
     """Independent: tan = ds/dtheta / (a + s) in the plane of the face, to which the lean adds little."""
     lift, follower = carbon_free_car.lift, carbon_free_car.follower
     theta = np.linspace(0, 2 * np.pi, 3600)
-    w = follower.contact_face(lift.tan_beta(theta))
-    angle = np.degrees(np.arctan2(w * lift.tan_beta(theta, nu=1), 70 + w * lift.tan_beta(theta)))
+    w = follower.contact_face(lift.q(theta))
+    angle = np.degrees(np.arctan2(w * lift.q(theta, nu=1), 70 + w * lift.q(theta)))
     checks = run(carbon_free_car)
     assert checks["pressure angle, rise"].value == pytest.approx(angle.max(), abs=0.6)
     assert checks["pressure angle, return"].value == pytest.approx(-angle.min(), abs=0.6)
@@ -141,7 +142,7 @@ def test_losses_are_those_of_the_corner_alone(name, request):
             brentq(lambda T, w=w, x=x, h=h: follower.base_radius + w * T - h * np.sqrt(1 + T**2) - x, -1, 1, xtol=1e-14)
             for w in (follower.inner, follower.outer)
         ]
-        alone = float(follower.lift(car.lift.tan_beta(loss.cam_angle)) - follower.lift(np.array(max(needed))))
+        alone = float(follower.lift(car.lift.q(loss.cam_angle)) - follower.lift(np.array(max(needed))))
         print(f"{np.degrees(loss.cam_angle):7.2f}°: {loss.lift * 1e3:.4f} µm lost, by the corner {alone * 1e3:.4f} µm")
         assert abs(loss.lift - alone) < 1e-6
 
@@ -174,7 +175,7 @@ def test_a_loss_is_found_at_any_base_radius(appendix_car):
 def test_a_steep_blend_is_refused_only_where_it_locks(carbon_free_car, monkeypatch):
     """Over half a degree the blend is steeper than any limit of the path, where the car does not drive."""
     track = carbon_free_car.track
-    lift = lift_curve(track.arc, steering_jets(track, carbon_free_car.car), track.length, blend=np.radians(0.5))
+    lift = path_motion(track.arc, steering_jets(track, carbon_free_car.car), track.length, blend=np.radians(0.5))
     short = replace(carbon_free_car, lift=lift, actual=actual_profile(lift, carbon_free_car.follower))
     rows = run(short, limits=replace(LIMITS, cutter_radius=0.01))
     row = rows["pressure angle, blend return"]
@@ -183,7 +184,7 @@ def test_a_steep_blend_is_refused_only_where_it_locks(carbon_free_car, monkeypat
     limits = replace(LIMITS, cutter_radius=0.01, lost_lift=1.0, pressure_angle=milder)
     assert row.value > 31 > np.degrees(limits.pressure_angle.fall)
     assert failed(run(short, limits=limits)) <= {"convex radius, profile"}
-    monkeypatch.setattr(checks, "LOCKING_ANGLE", np.radians(31.0))
+    monkeypatch.setattr(law, "LOCKING_ANGLE", np.radians(31.0))
     assert "pressure angle, blend return" in failed(run(short, limits=limits))
 
 

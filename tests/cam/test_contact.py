@@ -25,7 +25,7 @@ def circle(radius: float, centre: float = 0.0, count: int = 7200) -> Outline:
 def test_concentric_circle_leans_by_a_closed_form(radius):
     """a + w T - r sqrt(1 + T^2) = R at the face that carries."""
     contact = roll(circle(radius), FOLLOWER, np.linspace(0, 6, 20))
-    T, w = contact.tan_beta, contact.face
+    T, w = contact.q, contact.face
     np.testing.assert_allclose(70.0 + w * T - 2.5 * np.sqrt(1 + T**2), radius, atol=1e-9)
     assert (w == (FOLLOWER.outer if radius < 67.5 else FOLLOWER.inner)).all()
     np.testing.assert_allclose(contact.pressure_angle, 0.0, atol=2e-5)
@@ -91,7 +91,7 @@ def test_brute_force_in_space(carbon_free_car):
     widths = np.linspace(follower.inner, follower.outer, 41)
     stations = np.radians([20.0, 91.3, 112.2, 129.4, 160.0, 178.6, 235.0, 300.0, 355.0])
     expected = roll(carbon_free_car.actual.curve.outline(0.02), follower, stations)
-    for theta, tan_beta in zip(stations, expected.tan_beta, strict=True):
+    for theta, tan_beta in zip(stations, expected.q, strict=True):
         c, s = np.cos(theta), np.sin(theta)
         turned = points @ np.array([[c, -s], [s, c]])
         near = turned[(np.abs(turned[:, 1]) < 3) & (turned[:, 0] > 0)]
@@ -113,7 +113,7 @@ def test_the_actual_profile_gives_its_lift_back(name, request):
     car = request.getfixturevalue(name)
     theta = np.linspace(0, TURN, 36_000, endpoint=False)
     error = (
-        roll(car.actual.curve.outline(0.03), car.follower, theta).lift - car.follower.lift(car.lift.tan_beta(theta))
+        roll(car.actual.curve.outline(0.03), car.follower, theta).lift - car.follower.lift(car.lift.q(theta))
     ) * 1e3
     in_trim = np.zeros(len(theta), dtype=bool)
     for trim in car.actual.trims:
@@ -122,7 +122,7 @@ def test_the_actual_profile_gives_its_lift_back(name, request):
         f"{name}: {np.abs(error[~in_trim]).max():.4f} um away from face changes, {-error[in_trim].min():.3f} um there"
     )
     assert np.abs(error[~in_trim]).max() <= 0.05
-    slope = car.lift.tan_beta(np.radians(112.3), nu=1)
+    slope = car.lift.q(np.radians(112.3), nu=1)
     turn = car.follower.land * slope / car.follower.base_radius
     closed_form = car.follower.radius * turn**2 / 8 * 1e3
     print(f"closed form at 112.3 deg: {closed_form:.3f} um")
@@ -142,10 +142,8 @@ def test_undercut_corners_lose_the_closed_form(appendix_car):
     assert len(losses) == 6
     for loss in losses:
         kink = lift.kinks[np.argmin(np.abs(lift.kinks - loss.cam_angle))]
-        w = float(follower.contact_face(lift.tan_beta(kink)))
-        slopes = [
-            np.arctan2(w * lift.tan_beta(kink + side, nu=1), 70.0 + w * lift.tan_beta(kink)) for side in (-1e-9, 1e-9)
-        ]
+        w = float(follower.contact_face(lift.q(kink)))
+        slopes = [np.arctan2(w * lift.q(kink + side, nu=1), 70.0 + w * lift.q(kink)) for side in (-1e-9, 1e-9)]
         delta, pressure = slopes[0] - slopes[1], sum(slopes) / 2
         expected = follower.radius * (1 / np.cos(delta / 2) - 1) / np.cos(pressure) * 1e3
         lost = loss.lift * 1e3
@@ -159,7 +157,7 @@ def test_a_knife_edge_reads_the_radius(carbon_free_car):
     follower = LeaningRod(base_radius=70.0, inner=23.5, outer=26.5, radius=0.0)
     theta = np.linspace(0, TURN, 500)
     curve = theoretical_profile(carbon_free_car.lift, carbon_free_car.follower)
-    error = roll(curve.outline(0.03), follower, theta).lift - follower.lift(carbon_free_car.lift.tan_beta(theta))
+    error = roll(curve.outline(0.03), follower, theta).lift - follower.lift(carbon_free_car.lift.q(theta))
     assert np.abs(error).max() < 2e-5  # linear interpolation over 0.03 mm
 
 

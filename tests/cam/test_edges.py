@@ -72,7 +72,7 @@ def test_a_cam_made_with_broken_edges_gives_the_lift(carbon_free_car, leg):
     lift, faces = carbon_free_car.lift, (carbon_free_car.follower.inner, carbon_free_car.follower.outer)
     rod = broken(carbon_free_car.follower, leg)
     profile = actual_profile(lift, rod)
-    wanted = rod.lift(lift.tan_beta(THETA))
+    wanted = rod.lift(lift.q(THETA))
     got = rod.lift(steering_in_space(profile.curve, rod, faces, leg, THETA))
     # Where the rod goes over to the other plane it loses what no profile can give.
     away = np.ones(len(THETA), dtype=bool)
@@ -93,8 +93,8 @@ def test_a_cam_made_without_puts_the_car_off(carbon_free_car, leg, due):
     # The contact code agrees with the rod in space.
     every = slice(None, None, 20)
     laid = steering_in_space(car.actual.curve, rod, (rod.inner, rod.outer), leg, theta[every], 0.01)
-    np.testing.assert_allclose(got.tan_beta[every], laid, atol=2e-6)
-    ends = [end_of_run(T, car.car, car.track.length, stop) for T in (car.lift.tan_beta(theta), got.tan_beta)]
+    np.testing.assert_allclose(got.q[every], laid, atol=2e-6)
+    ends = [end_of_run(T, car.car, car.track.length, stop) for T in (car.lift.q(theta), got.q)]
     off = abs(ends[1] - ends[0])
     print(f"edges broken by {leg} mm, made without: {off:.1f} mm at the end of the run")
     assert off == pytest.approx(due, rel=0.02)
@@ -107,7 +107,7 @@ def test_the_figure_shown_is_that_of_the_rolled_cam(carbon_free_car):
     theta = (np.arange(count) + 0.5) / count * stop
     outline = car.actual.curve.outline(0.06)
     sharp, off = (
-        partial(end_of_run, roll(outline, rod, theta).tan_beta, car.car, car.track.length, stop)
+        partial(end_of_run, roll(outline, rod, theta).q, car.car, car.track.length, stop)
         for rod in (car.follower, broken(car.follower, 0.1))
     )
     trimmed = min(abs(off(trim) - sharp()) for trim in np.radians(np.linspace(0.0, 0.04, 81)))
@@ -151,7 +151,7 @@ def test_checks_of_broken_edges(carbon_free_car):
     checks = checks_of(carbon_free_car, 1.2)
     assert all(check.passed for check in checks.values())
     lean = checks["lean over the chamfers"]
-    steepest = np.abs(carbon_free_car.lift.tan_beta(np.linspace(0, 6.283, 20_000))).max()
+    steepest = np.abs(carbon_free_car.lift.q(np.linspace(0, 6.283, 20_000))).max()
     assert (lean.value, lean.limit) == (pytest.approx(np.degrees(np.arctan(steepest)), abs=1e-3), CHAMFER_LEAN)
     # The rod must still pass the disc's outer face, at 26.5 mm, not only its land.
     assert checks["rod past the rim"].value == pytest.approx(11.735, abs=2e-3)
@@ -161,7 +161,7 @@ def test_checks_of_broken_edges(carbon_free_car):
 
 def test_a_rod_that_leans_more_than_the_chamfer_is_refused(carbon_free_car):
     lift = carbon_free_car.lift
-    steep = replace(lift, tan_beta=type(lift.tan_beta)(lift.tan_beta.c * 4.2, lift.tan_beta.x, extrapolate="periodic"))
+    steep = replace(lift, q=type(lift.q)(lift.q.c * 4.2, lift.q.x, extrapolate="periodic"))
     lean = checks_of(carbon_free_car, 0.2, steep)["lean over the chamfers"]
     assert 45 < lean.value < 60
     assert not lean.passed

@@ -10,13 +10,13 @@ from cadgen.cam.contact import roll
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.followers.rod_profiles import published_profile, theoretical_profile
-from cadgen.cam.lift import LiftCurve
+from cadgen.car.path_motion import PathMotion
 from cadgen.errors import DesignError
 
 TURN = 2 * np.pi
 
 
-def harmonic_lift(amplitude: float, order: int, mean: float = 0.0, pieces: int = 720) -> LiftCurve:
+def harmonic_lift(amplitude: float, order: int, mean: float = 0.0, pieces: int = 720) -> PathMotion:
     """tan(beta) = mean + amplitude cos(order theta), as quintic pieces."""
     from cadgen.curves.piecewise import quintic_hermite
 
@@ -26,17 +26,17 @@ def harmonic_lift(amplitude: float, order: int, mean: float = 0.0, pieces: int =
         [mean + amplitude * np.cos(phase), -order * amplitude * np.sin(phase), -(order**2) * amplitude * np.cos(phase)],
         axis=1,
     )
-    return LiftCurve(quintic_hermite(theta, jets, periodic=True), np.array([]), TURN - 0.2)
+    return PathMotion(quintic_hermite(theta, jets, periodic=True), np.array([]), TURN - 0.2)
 
 
-def constant_lift(value: float) -> LiftCurve:
-    return LiftCurve(PPoly(np.array([[value]]), np.array([0.0, TURN]), extrapolate="periodic"), np.array([]), 6.0)
+def constant_lift(value: float) -> PathMotion:
+    return PathMotion(PPoly(np.array([[value]]), np.array([0.0, TURN]), extrapolate="periodic"), np.array([]), 6.0)
 
 
-def least_radius(lift: LiftCurve, follower: LeaningRod, angle: np.ndarray) -> np.ndarray:
+def least_radius(lift: PathMotion, follower: LeaningRod, angle: np.ndarray) -> np.ndarray:
     """Polar radius of the disc that no section cuts: the nearest crossing of each ray with any ellipse."""
     theta = np.concatenate([np.linspace(0, TURN, 40_001), lift.kinks])
-    T = lift.tan_beta(theta)
+    T = lift.q(theta)
     out = np.empty(len(angle))
     for i, phi in enumerate(angle):
         off = (phi - theta + np.pi) % TURN - np.pi
@@ -78,7 +78,7 @@ def test_eccentric_circle():
     from cadgen.curves.piecewise import quintic_hermite
 
     jets = np.stack([d - 60.0, d1, d2], axis=1) / far
-    lift = LiftCurve(quintic_hermite(theta, jets, periodic=True), np.array([]), 6.0)
+    lift = PathMotion(quintic_hermite(theta, jets, periodic=True), np.array([]), 6.0)
     follower = LeaningRod(base_radius=60.0, inner=far, outer=far + 1.0, radius=rod)
     curve = actual_profile(lift, follower).curve
     points = curve.outline(0.5).points
@@ -134,9 +134,9 @@ def test_velocity_and_curvature_are_derivatives(name, request):
 def test_faces_change_with_a_true_corner(carbon_free_car):
     """Delta = (w_out - w_in) d(tan beta)/d theta / a at each zero of the lift, 1.3 degrees at most."""
     lift, follower = carbon_free_car.lift, carbon_free_car.follower
-    zeros = lift.tan_beta.roots(extrapolate=False)
+    zeros = lift.q.roots(extrapolate=False)
     zeros = np.sort(zeros[np.isfinite(zeros)])
-    expected = np.abs(follower.land * lift.tan_beta(zeros, nu=1) / follower.base_radius)
+    expected = np.abs(follower.land * lift.q(zeros, nu=1) / follower.base_radius)
     corners = sorted(carbon_free_car.actual.curve.corners(), key=lambda c: np.arctan2(c.point[1], c.point[0]) % TURN)
     turns = np.array([corner.turn for corner in corners])
     print("corners, deg:", np.degrees(turns).round(3), "first order:", np.degrees(expected).round(3))
@@ -155,7 +155,7 @@ def test_a_peak_sharper_than_the_rod_is_trimmed_as_local():
     angle = np.linspace(0, TURN, 60)
     np.testing.assert_allclose(least_radius(lift, follower, angle), profile.curve.radius(angle), atol=1e-4)
     outline = profile.curve.outline(0.05)
-    missing = follower.lift(lift.tan_beta(0.0)) - roll(outline, follower, np.array([0.0])).lift[0]
+    missing = follower.lift(lift.q(0.0)) - roll(outline, follower, np.array([0.0])).lift[0]
     assert missing > 0.01
 
 
@@ -177,7 +177,7 @@ def test_theoretical_profile_is_base_plus_lift(carbon_free_car):
     lift, follower = carbon_free_car.lift, carbon_free_car.follower
     theta = np.linspace(0, TURN, 721)[:-1]
     radius = theoretical_profile(lift, follower).radius(theta)
-    np.testing.assert_allclose(radius, 70.0 + follower.lift(lift.tan_beta(theta)), atol=1e-10)
+    np.testing.assert_allclose(radius, 70.0 + follower.lift(lift.q(theta)), atol=1e-10)
 
 
 def test_theoretical_curvature_by_differences(carbon_free_car):
@@ -197,8 +197,8 @@ def test_the_published_formula_lifts_too_much(name, stated, request):
     car = request.getfixturevalue(name)
     theta = np.linspace(0, TURN, 3600, endpoint=False)
     contact = roll(published_profile(car.lift, car.follower).outline(0.05), car.follower, theta)
-    excess = contact.tan_beta - car.lift.tan_beta(theta)
-    at_inner, at_contact = excess * car.follower.inner, contact.lift - car.follower.lift(car.lift.tan_beta(theta))
+    excess = contact.q - car.lift.q(theta)
+    at_inner, at_contact = excess * car.follower.inner, contact.lift - car.follower.lift(car.lift.q(theta))
     print(
         f"{name}: published profile lifts too much by {at_inner.max():.3f} mm at the inner face, "
         f"{at_contact.max():.3f} mm at the contact face, {np.sqrt(np.mean(at_contact**2)):.4f} mm rms"

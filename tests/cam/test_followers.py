@@ -19,10 +19,10 @@ from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.cure import undercut_cures, worst_loss
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers import table
-from cadgen.cam.lift import LiftCurve
 from cadgen.cam.limits import PRESSURE_ANGLE_LIMITS, CheckLimits
 from cadgen.cam.loss import lost_lift
 from cadgen.cam.place import cam_place
+from cadgen.car.path_motion import PathMotion
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.jobs.calibration.plan import nominal_of
@@ -71,7 +71,7 @@ def test_a_worked_example_of_3_4_5():
     """Rise 10 mm in 90 deg, dwell 45, fall in 180; prime circle 76.2, roller 12.5."""
     rise, fall = [0, 0, 0, 100, -150, 60], [10, 0, 0, -100, 150, -60]
     s = motion((90, rise), (45, [10.0]), (180, fall), (45, [0.0]))
-    lift = LiftCurve(s, np.array([]), TURN)
+    lift = PathMotion(s, np.array([]), TURN)
     roller = Roller(base_radius=76.2, radius=12.5, arm=1.0)
     profile = actual_profile(lift, roller)
     assert not profile.trims
@@ -91,7 +91,7 @@ def test_the_profile_is_that_of_the_textbooks(carbon_free_car):
     profile = actual_profile(lift, roller)
     assert profile.trims == ()
     theta = np.linspace(0.0, TURN, 2000, endpoint=False)
-    R, slope = 70.0 + 25.0 * lift.tan_beta(theta), 25.0 * lift.tan_beta(theta, nu=1)
+    R, slope = 70.0 + 25.0 * lift.q(theta), 25.0 * lift.q(theta, nu=1)
     alpha = np.arctan2(slope, R)
     point = ((R - 8.0 * np.cos(alpha)) + 8.0j * np.sin(alpha)) * np.exp(1j * theta)
     jet, _ = profile.curve.at_angle(np.angle(point))
@@ -115,7 +115,7 @@ def test_corners_of_the_lift_lose_what_geometry_says(appendix_car):
     for corner in corners:
         theta = np.arctan2(corner.point[1], corner.point[0]) % TURN
         (loss,) = [loss for loss in losses if abs(loss.cam_angle - theta) < 1e-3]
-        slope = 26.0 * lift.tan_beta(np.array([theta - 1e-6, theta + 1e-6]), nu=1)
+        slope = 26.0 * lift.q(np.array([theta - 1e-6, theta + 1e-6]), nu=1)
         tilt = np.arctan(slope / np.linalg.norm(corner.point)).mean()
         expected = 0.2 * (1 / np.cos(corner.turn / 2) - 1) / np.cos(tilt)
         print(f"{loss.lift * 1e3:.3f} um lost, {expected * 1e3:.3f} expected")
@@ -125,14 +125,14 @@ def test_corners_of_the_lift_lose_what_geometry_says(appendix_car):
 def test_hollow_corners_cost_nothing(appendix_car):
     """There the roller's own arc is the profile, and the roller reaches what is wanted."""
     lift, roller = appendix_car.lift, Roller(base_radius=70.0, radius=2.0, arm=26.0)
-    slope = lift.tan_beta(lift.kinks + 1e-6, nu=1) - lift.tan_beta(lift.kinks - 1e-6, nu=1)
+    slope = lift.q(lift.kinks + 1e-6, nu=1) - lift.q(lift.kinks - 1e-6, nu=1)
     hollow = lift.kinks[slope > 1e-3]
     assert hollow.size > 2
     profile = actual_profile(lift, roller)
     arcs = [piece for piece in profile.curve.pieces if isinstance(piece, MADE_UP["Circle"])]
     assert len(arcs) == hollow.size
     rolled, _ = roll_curve(profile.curve, roller, hollow)
-    assert np.abs(rolled.lift - roller.lift(lift.tan_beta(hollow))).max() < 2e-5
+    assert np.abs(rolled.lift - roller.lift(lift.q(hollow))).max() < 2e-5
 
 
 def test_a_roller_too_large_is_refused(carbon_free_car):

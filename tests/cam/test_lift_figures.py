@@ -40,7 +40,7 @@ def test_peaks_and_valleys(name: str, kind: str) -> None:
     driven = extrema[extrema < lift.blend_start]
     assert len(driven) == len(figures[name])
     for theta, (wanted_mm, wanted_deg) in zip(driven, figures[name], strict=True):
-        lift_mm, angle_deg = float(follower.lift(lift.tan_beta(theta))), float(np.degrees(theta))
+        lift_mm, angle_deg = float(follower.lift(lift.q(theta))), float(np.degrees(theta))
         error_um, error_deg = (lift_mm - wanted_mm) * 1e3, angle_deg - wanted_deg
         print(f"{name} {kind}: {lift_mm:.5f} mm at {angle_deg:.3f} deg", end=", ")
         print(f"{error_um:+.3f} um and {error_deg:+.5f} deg off")
@@ -89,4 +89,4 @@ def test_the_formulas_alone_give_the_same_figures(name: str) -> None:
         driven = theta < lift.blend_start
         assert theta[driven] == pytest.approx(extrema[extrema < lift.blend_start], abs=1e-6)
         wanted = follower.lift(tan_beta(exact[driven]))
-        assert follower.lift(lift.tan_beta(theta[driven])) == pytest.approx(wanted, abs=1e-7)
+        assert follower.lift(lift.q(theta[driven])) == pytest.approx(wanted, abs=1e-7)

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.cam.loss import lost_lift
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.piecewise import quintic_hermite
 
 TURN = 2 * np.pi
@@ -30,7 +30,7 @@ def cams(draw):
         for n in range(3):
             jets[:, n] += amplitude * order**n * np.cos(order * theta + phase + n * np.pi / 2)
     jets[-1] = jets[0]
-    lift = LiftCurve(quintic_hermite(theta, jets, periodic=True), np.array([]), TURN - 0.2)
+    lift = PathMotion(quintic_hermite(theta, jets, periodic=True), np.array([]), TURN - 0.2)
     inner = draw(st.floats(10.0, 50.0))
     return lift, LeaningRod(
         base_radius=draw(st.floats(40.0, 120.0)),
@@ -48,7 +48,7 @@ def test_envelope_and_contact_agree(cam):
     lift, follower = cam
     profile = actual_profile(lift, follower)
     theta = np.linspace(0, TURN, 900, endpoint=False)
-    wanted = follower.lift(lift.tan_beta(theta))
+    wanted = follower.lift(lift.q(theta))
     contact, step = roll_curve(profile.curve, follower, theta)
     rolled = contact.lift
     trimmed = np.zeros(len(theta), dtype=bool)

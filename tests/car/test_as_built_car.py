@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from cadgen.arrays import TURN
-from cadgen.cam.lift import lift_curve
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.motion.errors import turning
+from cadgen.car.path_motion import path_motion
 from cadgen.car.steering import by_rim, rim_travel, steering_jets, tan_steering, track_curvature
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
@@ -45,7 +45,7 @@ def test_steers_as_the_bicycle_does(carbon_free_car, crooked):
     """On the lift of the design, with an error of the midpoint rule of 1e-3 mm."""
     lift, length = carbon_free_car.lift, carbon_free_car.track.length
     rim = length * lift.blend_start / TURN
-    place, heading = bicycle(lambda r: float(lift.tan_beta(r / length * TURN)), crooked, rim, 40_000)
+    place, heading = bicycle(lambda r: float(lift.q(r / length * TURN)), crooked, rim, 40_000)
     run = drive(lift, crooked, length)
     assert run.heading[-1] == pytest.approx(heading, abs=1e-6)
     np.testing.assert_allclose(run.drive_wheel[-1], [place[-1].real, place[-1].imag], atol=5e-3)
@@ -84,7 +84,7 @@ def test_the_lift_by_the_rim_drives_the_planned_path(carbon_free_car, crooked):
         jets = steering_jets(track, car)
         rim = rim_travel(track.arc, jets, car)
         length = 1.02 * rim[-1]
-        lift = lift_curve(rim, by_rim(jets, car), length, blend=np.radians(15))
+        lift = path_motion(rim, by_rim(jets, car), length, blend=np.radians(15))
         run = drive(lift, car, length, start=start_pose(track))
         end = np.interp(lift.blend_start * length / TURN, rim, track.arc)
         np.testing.assert_allclose(run.drive_wheel[-1], track.position(end), atol=1e-3)

@@ -71,7 +71,7 @@ def test_the_rod_on_the_arcs_gives_the_lift(carbon_free_car):
     chain = arcs(car.actual.curve, 2e-4)
     rolled = roll(chain.outline(0.05), car.follower, angle).lift
     exact = roll(car.actual.curve.outline(0.03), car.follower, angle).lift
-    wanted = car.follower.lift(car.lift.tan_beta(angle))
+    wanted = car.follower.lift(car.lift.q(angle))
     print(f"{len(chain.bulges)} arcs: {np.abs(rolled - wanted).max() * 1e3:.3f} um from the lift wanted")
     # The arcs stray by the tolerance along the normal, at 27 degrees from the rod's travel at most.
     assert np.abs(rolled - exact).max() < 2e-4 / np.cos(np.radians(27)) + 5e-6

@@ -83,7 +83,7 @@ def test_the_rod_on_the_splines_gives_the_lift(carbon_free_car, degree, most):
     owner = np.repeat(np.arange(len(arcs)), points.shape[1])
     angle = np.linspace(0, TURN, 3600, endpoint=False)
     rolled = roll(Outline(points.reshape(-1, 2), owner), car.follower, angle).lift
-    wanted = car.follower.lift(car.lift.tan_beta(angle))
+    wanted = car.follower.lift(car.lift.q(angle))
     exact = roll(car.actual.curve.outline(0.03), car.follower, angle).lift
     count = sum(len(arc.control_points) for arc in arcs)
     print(f"degree {degree}: {count} control points, {np.abs(rolled - wanted).max() * 1e3:.3f} um from the lift wanted")

@@ -15,7 +15,7 @@ from cadgen.design.load import load_design
 @pytest.mark.parametrize("name", ["carbon_free_car", "appendix_car", "s_course", "figure_eight"])
 def test_zeros_of_lifts_and_their_slopes(name, jumps):
     design = load_design(name)
-    steering = cam_model.lift(design, cam_model.track(design)).tan_beta
+    steering = cam_model.lift(design, cam_model.track(design)).q
     for curve in (steering, steering.derivative(), steering.derivative(2)):
         expected = curve.roots(jumps, extrapolate=False)
         assert len(expected)

@@ -40,10 +40,8 @@ def test_a_track_at_hand_is_used() -> None:
     design = load_design()
     track = cam_model.track(load_design(None, ["path.offset_mm=100"]))
     at = np.linspace(0, 6, 50)
-    assert not np.allclose(cam_model.lift(design, track).tan_beta(at), cam_model.lift(design).tan_beta(at))
-    assert np.array_equal(
-        cam_model.lift(design, cam_model.track(design)).tan_beta(at), cam_model.lift(design).tan_beta(at)
-    )
+    assert not np.allclose(cam_model.lift(design, track).q(at), cam_model.lift(design).q(at))
+    assert np.array_equal(cam_model.lift(design, cam_model.track(design)).q(at), cam_model.lift(design).q(at))
 
 
 def test_limits_in_mm_and_rad() -> None:

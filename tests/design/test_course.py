@@ -6,7 +6,7 @@ import re
 import pytest
 import tomli_w
 
-from cadgen.cam.lift import LiftCurve
+from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, course_model
 from cadgen.design.load import load_design, with_overrides
 from cadgen.errors import DesignError
@@ -104,7 +104,7 @@ def test_posts_need_an_outline(tmp_path):
     car = {key: value for key, value in PLAIN["car"].items() if key != "outline"}
     design = load(tmp_path, {"posts": [{"at_mm": [9, 9], "radius_mm": 1}]}, car=car)
     track = cam_model.track(design)
-    lift: LiftCurve = cam_model.lift(design, track)
+    lift: PathMotion = cam_model.lift(design, track)
     with pytest.raises(DesignError, match=r"car\.outline is missing, and posts of \[course\]"):
         on_course(design, track, lift).planned  # noqa: B018
 

@@ -146,7 +146,7 @@ def test_a_part_has_its_effects_and_a_new_disc_has_not(carbon_free_car):
     assert car.precompensated(curve) is curve
     new = car.roll_new(curve, follower, THETA, 0.06).lift
     old = car.roll_measured(curve, follower, THETA, 0.06).lift
-    np.testing.assert_allclose(new, carbon_free_car.follower.lift(carbon_free_car.lift.tan_beta(THETA)), atol=2e-4)
+    np.testing.assert_allclose(new, carbon_free_car.follower.lift(carbon_free_car.lift.q(THETA)), atol=2e-4)
     np.testing.assert_allclose(old - new, 0.03 * np.cos(3 * THETA), atol=6e-3)  # the contact is a little beside the ray
 
 
@@ -157,7 +157,7 @@ def test_a_measured_cam_ahead_on_its_shaft(carbon_free_car):
     lift, follower = carbon_free_car.lift, carbon_free_car.follower
     old = car.roll_measured(carbon_free_car.actual.curve, follower, THETA, 0.06)
     np.testing.assert_array_equal(old.cam_angle, THETA)
-    np.testing.assert_allclose(old.lift, follower.lift(lift.tan_beta(THETA + phase)), atol=2e-4)
+    np.testing.assert_allclose(old.lift, follower.lift(lift.q(THETA + phase)), atol=2e-4)
 
 
 def test_the_shafts_run_out_stays_with_the_shaft_when_the_key_is_turned(carbon_free_car, wanted):
@@ -243,8 +243,8 @@ def test_what_repeats_at_each_turn_is_taken_out(effects, order, lag, carbon_free
     """The shaft that the test turns ahead by its own formula; share of the lift error that is left, on the path."""
     car, path = carbon_free_car, carbon_free_car.lift.blend_start > THETA
     cosine, sine = effects[0][1] if effects[0][0] is not WIND_UP else (0.0, 0.0)
-    slope = car.lift.tan_beta(np.linspace(0.0, 2 * np.pi, 7200), nu=1)
-    asked = (car.lift.tan_beta(THETA, nu=1) - slope[0]) / np.abs(slope).max()
+    slope = car.lift.q(np.linspace(0.0, 2 * np.pi, 7200), nu=1)
+    asked = (car.lift.q(THETA, nu=1) - slope[0]) / np.abs(slope).max()
     turned = THETA + cosine * (np.cos(order * THETA) - 1) + sine * np.sin(order * THETA) - lag * asked
     built = AsBuilt(tuple(Placed(e, values, "car") for e, values in effects), car.follower)
 

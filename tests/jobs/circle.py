@@ -113,7 +113,7 @@ def _world(built: Built, outline: Outline) -> SimpleNamespace:
     def tan_beta(angle: Any) -> Any:
         return np.interp(angle, np.arange(STATIONS) * TURN / STATIONS, table, period=TURN)
 
-    return SimpleNamespace(lift=SimpleNamespace(tan_beta=tan_beta), car=built.car, track=built.track)
+    return SimpleNamespace(lift=SimpleNamespace(q=tan_beta), car=built.car, track=built.track)
 
 
 def _end(world: SimpleNamespace, wheels: Wheels, stop: float) -> complex:

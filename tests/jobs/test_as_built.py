@@ -79,7 +79,7 @@ class World:
 def end_of_run(outline: Outline, wheels: Wheels, car: Any, stop: float) -> complex:
     """Where the generator's car stands at a motor position, the rod rolled on an outline."""
     contact = roll(outline, car.follower, np.arange(COUNT) * TURN / COUNT)
-    world = World(Table(contact.tan_beta), car.car, car.track)
+    world = World(Table(contact.q), car.car, car.track)
     return complex(wheels.track(world, np.array([0.0, stop]))[-1])
 
 
@@ -131,7 +131,7 @@ def test_run_out_of_the_train_is_taken_out_where_the_user_agrees(built, carbon_f
     ahead = np.radians(cosine * (np.cos(3 * motor) - 1) + sine * np.sin(3 * motor))
 
     def end(curve) -> complex:
-        lift = roll(curve.outline(0.05), carbon_free_car.follower, motor + ahead).tan_beta
+        lift = roll(curve.outline(0.05), carbon_free_car.follower, motor + ahead).q
         world = World(Table(lift), carbon_free_car.car, carbon_free_car.track)
         return complex(Wheels().track(world, np.array([0.0, stop]))[-1])
 
@@ -155,7 +155,7 @@ def test_run_out_and_play_are_taken_out_together(built, carbon_free_car):
     asked = np.rint((motor + np.radians(cosine * (np.cos(3 * motor) - 1) + sine * np.sin(3 * motor))) / TURN * COUNT)
 
     def end(curve) -> complex:
-        table = roll(curve.outline(0.05), carbon_free_car.follower, motor).tan_beta
+        table = roll(curve.outline(0.05), carbon_free_car.follower, motor).q
         cam, now = [], 0
         for least in asked.astype(int):
             now = max(now, least)
@@ -322,7 +322,7 @@ def test_before_is_the_cam_that_was_measured(built, carbon_free_car):
     assert run.before_error.end_distance != pytest.approx(bare.before_error.end_distance, abs=5)
     assert run.after_error.end_distance == pytest.approx(bare.after_error.end_distance, abs=1e-6)
     theta = np.linspace(0, 6, 50)
-    np.testing.assert_array_equal(run.comparison.before.lift.tan_beta(theta), carbon_free_car.lift.tan_beta(theta))
+    np.testing.assert_array_equal(run.comparison.before.lift.q(theta), carbon_free_car.lift.q(theta))
 
 
 PHASE = effect("track", "cam phase", "car", phase_deg=0.8)
@@ -349,8 +349,8 @@ def test_a_new_cam_is_measured_against_the_key_as_cut(built, carbon_free_car):
     """Its key was turned back by the phase, so its lift comes later by as much on a shaft whose key is right."""
     nominal = nominal_of(built(PHASE), "actual")
     theta = np.linspace(0.1, 5.9, 200)
-    want = carbon_free_car.lift.tan_beta(theta - np.radians(0.8))
-    assert np.abs(nominal.lift.tan_beta(theta) - want).max() < 2e-6
+    want = carbon_free_car.lift.q(theta - np.radians(0.8))
+    assert np.abs(nominal.lift.q(theta) - want).max() < 2e-6
 
 
 def test_a_cam_that_may_be_worse_is_refused_and_the_outlook_comes_first(built):

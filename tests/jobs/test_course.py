@@ -145,7 +145,7 @@ def test_a_mirrored_car_has_the_same_cam_on_its_other_side():
     )
     a, b = plan_cam(plain, "compensated"), plan_cam(mirrored, "compensated")
     angle = np.linspace(0, 2 * np.pi, 1000)
-    np.testing.assert_allclose(a.lift.tan_beta(angle), b.lift.tan_beta(angle), atol=1e-12)
+    np.testing.assert_allclose(a.lift.q(angle), b.lift.q(angle), atol=1e-12)
     for wheel in ("drive_wheel", "front_wheel", "idle_wheel"):
         runs = [getattr(each.comparison.chosen.run, wheel) for each in (a, b)]
         np.testing.assert_allclose(runs[0] * [1, -1], runs[1], atol=1e-6)

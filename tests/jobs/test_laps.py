@@ -109,7 +109,7 @@ def test_play_acts_across_the_wrap_as_step_by_step(begin):
     track = cam_model.track(values)
     lift, car = cam_model.lift(values, track), cam_model.car(values)
     count, play = 60_000, 120
-    table = lift.tan_beta(TURN / count * np.arange(count)).tolist()
+    table = lift.q(TURN / count * np.arange(count)).tolist()
     poses = laps_with_play(table, play, 4, track.turn, car.wheelbase, car.drive_wheel_offset)
     found = drifts(values, TURN * play / count)
     print([round(degrees(heading), 4) for heading in found.heading])
@@ -136,7 +136,7 @@ def test_laps_in_a_turn_are_the_path_repeated():
     one, three = design(eight(), laps=3), design(eight(), laps=3, laps_per_turn=3)
     lifts = [cam_model.lift(values) for values in (one, three)]
     angle = np.linspace(0.0, TURN, 721)
-    assert lifts[1].tan_beta(angle) == pytest.approx(lifts[0].tan_beta(3 * angle % TURN), abs=1e-12)
+    assert lifts[1].q(angle) == pytest.approx(lifts[0].q(3 * angle % TURN), abs=1e-12)
     assert cam_model.track(three).turn == pytest.approx(3 * cam_model.track(one).length)
     single, triple = drifts(one, 0.012), drifts(three, 0.004)
     assert triple.position == pytest.approx(single.position, abs=1e-4)

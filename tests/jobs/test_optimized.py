@@ -52,7 +52,7 @@ def error_of_run(outline, optimized, play, built):
     """Roll the rod on an outline and run the car, from the design's numbers alone."""
     theta = np.linspace(0.0, 2 * np.pi, STATIONS, endpoint=False)
     contact = roll(outline, built.follower, theta)
-    cam = sampled_lift(theta, contact.tan_beta, blend_start=built.lift.blend_start)
+    cam = sampled_lift(theta, contact.q, blend_start=built.lift.blend_start)
     length = built.track.length
     planned = drive(built.lift, built.car, length)
     error = run_error(drive(cam, built.car, length, play=play, stop=built.lift.blend_start), planned)
@@ -144,8 +144,8 @@ def test_the_wanted_lift_stays_the_planned_one(optimized, carbon_free_car):
     """The cam's own lift is another: it agrees with its checks, and not with the planned one."""
     theta = np.linspace(0.0, 2 * np.pi, 500)
     wanted, cut = optimized.comparison.task.lift, optimized.lift
-    np.testing.assert_array_equal(wanted.tan_beta(theta), carbon_free_car.lift.tan_beta(theta))
-    assert np.abs(cut.tan_beta(theta) - wanted.tan_beta(theta)).max() > 0.01
+    np.testing.assert_array_equal(wanted.q(theta), carbon_free_car.lift.q(theta))
+    assert np.abs(cut.q(theta) - wanted.q(theta)).max() > 0.01
 
 
 @pytest.mark.slow

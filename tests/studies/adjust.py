@@ -122,7 +122,7 @@ class Field:
             radius=self.rod.radius + hand.rod,
         )
         stations = np.linspace(0, TURN, 3601)
-        tangent = roll(self.outline, rod, stations[:-1]).tan_beta
+        tangent = roll(self.outline, rod, stations[:-1]).q
         world = object.__new__(World)
         world.__dict__.update(self.world.__dict__)
         world.middle = CubicSpline(stations, np.append(tangent, tangent[0]), bc_type="periodic")(

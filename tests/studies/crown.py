@@ -81,11 +81,11 @@ class _Runs:
         self.car = car
         self.stop = car.lift.blend_start
         self.theta = (np.arange(COUNT) + 0.5) / COUNT * self.stop
-        self.planned = self._end(car.lift.tan_beta(self.theta), 0.0)
+        self.planned = self._end(car.lift.q(self.theta), 0.0)
 
     def off(self, curve: ClosedCurve, rod: LeaningRod) -> tuple[float, float]:
         """How far off the run ends, mm, as it is and with the best constant added to the steering."""
-        T = roll(curve.outline(STEP), rod, self.theta).tan_beta
+        T = roll(curve.outline(STEP), rod, self.theta).q
         trimmed = minimize_scalar(
             lambda trim: abs(self._end(T, trim) - self.planned), bounds=(-0.02, 0.02), options={"xatol": 1e-9}
         )
@@ -102,13 +102,13 @@ def results() -> Iterator[str]:
     """Every figure of the decision, a line each."""
     car = build("carbon_free_car")
     sharp, runs = car.follower, _Runs(car)
-    lean = np.arctan(np.abs(car.lift.tan_beta(np.linspace(0, 2 * np.pi, 20_000))).max())
+    lean = np.arctan(np.abs(car.lift.q(np.linspace(0, 2 * np.pi, 20_000))).max())
     most = sharp.land / 2 / np.sin(lean)
     yield f"greatest lean {np.degrees(lean):.2f} deg; the rod stays on the crown up to rho = {most:.2f} mm"
     for rho in (2.0, 3.0, 4.0, 5.0, 6.0):
         cam = crowned(car, rho)
-        got = roll(cam.centre.outline(STEP), cam.rod, runs.theta).tan_beta
-        error = np.abs(cam.rod.lift(got) - cam.rod.lift(car.lift.tan_beta(runs.theta))).max() * 1e3
+        got = roll(cam.centre.outline(STEP), cam.rod, runs.theta).q
+        error = np.abs(cam.rod.lift(got) - cam.rod.lift(car.lift.q(runs.theta))).max() * 1e3
         drop = rho - np.sqrt(rho**2 - cam.half_width**2)
         yield (
             f"rho {rho:g}: lift within {error:.5f} um, {len(cam.centre.corners())} corners, largest cutter on the rim "
@@ -118,7 +118,7 @@ def results() -> Iterator[str]:
     cam = crowned(car, 4.0)
     few = runs.theta[::58]
     laid, place = laid_on_slices(cam, few)
-    tube = roll(cam.centre.outline(STEP), cam.rod, few).tan_beta
+    tube = roll(cam.centre.outline(STEP), cam.rod, few).q
     apart, out = np.abs(laid - tube).max() * 25e3, np.abs(place).max()
     yield f"rho 4, tube against slices: {apart:.3f} um; touches {out:.2f} mm out"
     for leg in (0.1, 0.2, 0.4):

@@ -18,13 +18,13 @@ from matplotlib.figure import Figure
 from scipy.optimize import minimize
 
 from cadgen import __version__
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.friction import BEARING
 from cadgen.car.motion.mechanics import MechanicsBand
 from cadgen.car.optimize.band import best_for_band, over_band
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.car.optimize.remedies import holding, trims
 from cadgen.car.optimize.task import Task
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.design import cam_model
 from cadgen.design.load import load_design
@@ -44,7 +44,7 @@ def car() -> Task:
     return task_of(design, track, cam_model.lift(design, track), cam_model.follower(design))
 
 
-def worst(task: Task, lift: LiftCurve, band: MechanicsBand, plays: np.ndarray = PLAYS) -> float:
+def worst(task: Task, lift: PathMotion, band: MechanicsBand, plays: np.ndarray = PLAYS) -> float:
     """Worst end over plays and frictions, mm."""
     return over_band(lift, task.lift, task.car, task.length, plays, mechanics=band.cases).worst_distance
 
@@ -85,16 +85,16 @@ def searched(task: Task) -> tuple[float, float]:
     """Worst end of the best dilation, and of what a search from there over bumps of the lift reaches, mm."""
     band = MechanicsBand(follower=task.follower, friction=(0.05, 0.3))
     best = best_for_band(task.lift, task.follower, task.car, task.length, ENDS, mechanics=band.corners)
-    x = best.lift.tan_beta.x
+    x = best.lift.q.x
     middles = np.linspace(0, task.lift.blend_start, BUMPS + 2)[1:-1]
     width = middles[1] - middles[0]
     shapes = [_bump(x, middle, width) for middle in middles]
 
-    def bent(sizes: np.ndarray) -> LiftCurve:
-        jets = np.stack([best.lift.tan_beta(x[:-1], nu=order) for order in range(3)], axis=1)
+    def bent(sizes: np.ndarray) -> PathMotion:
+        jets = np.stack([best.lift.q(x[:-1], nu=order) for order in range(3)], axis=1)
         jets = np.vstack([jets, jets[:1]])
         jets = jets + 1e-3 * sum(size * shape for size, shape in zip(sizes, shapes, strict=True))
-        return replace(best.lift, tan_beta=quintic_hermite(x, jets, periodic=True))
+        return replace(best.lift, q=quintic_hermite(x, jets, periodic=True))
 
     def cost(sizes: np.ndarray) -> float:
         return worst(task, bent(sizes), band, np.array(ENDS))

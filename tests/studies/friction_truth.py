@@ -50,8 +50,8 @@ class World:
 
     def __init__(self, built: Any) -> None:
         self.built = built
-        self.ends = np.asarray(built.lift.tan_beta(np.arange(CELLS) * TURN / CELLS))
-        self.middle = np.asarray(built.lift.tan_beta((np.arange(CELLS) + 0.5) * TURN / CELLS))
+        self.ends = np.asarray(built.lift.q(np.arange(CELLS) * TURN / CELLS))
+        self.middle = np.asarray(built.lift.q((np.arange(CELLS) + 0.5) * TURN / CELLS))
         slope = (np.roll(self.ends, -1) - self.ends) * CELLS / TURN
         # Friction above which each cell holds the cam; on a rise none is needed.
         self.holds = np.where(slope < 0, _ratio(built.follower, self.middle, slope), -1.0)

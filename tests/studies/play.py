@@ -10,7 +10,7 @@ the play, some heights apart by less than a micrometre. Two things are judged on
   that play, found by sliding maxima and minima on the grid. What it differs by counts as it turns the car: summed along
   the run, beside what the play alone does.
 
-The step-by-step cam stops on every stretch that is level, however short. `LiftCurve.level` counts from half a degree
+The step-by-step cam stops on every stretch that is level, however short. `PathMotion.level` counts from half a degree
 on: on a shorter one within a fall the two may differ, and the limits say by how much they do.
 """
 
@@ -24,9 +24,9 @@ from scipy.ndimage import maximum_filter1d, minimum_filter1d
 from cadgen import __version__
 from cadgen.arrays import TURN
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import follow
 from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.piecewise import quintic_hermite
 from tests.studies.command import PAGES, options, tell
 
@@ -64,7 +64,7 @@ class Result:
         return not self.fault and self.motion < MOTION_LIMIT and self.closing < CLOSING_LIMIT
 
 
-def lift_of(rng: np.random.Generator) -> LiftCurve:
+def lift_of(rng: np.random.Generator) -> PathMotion:
     """A closed lift of transitions and dwells."""
     count = int(rng.integers(3, 14))
     dwell = rng.choice([0.0, 0.3, 1.0, 3.0], size=count) * np.radians(1.0) * rng.uniform(0.2, 2.0, count)
@@ -79,7 +79,7 @@ def lift_of(rng: np.random.Generator) -> LiftCurve:
     ends[-1] = TURN
     level = np.append(height[-1], np.repeat(height, 2))
     jets = np.stack([level, np.zeros_like(level), np.zeros_like(level)], axis=1)
-    return LiftCurve(quintic_hermite(ends, jets, periodic=True), np.array([]), 0.95 * TURN)
+    return PathMotion(quintic_hermite(ends, jets, periodic=True), np.array([]), 0.95 * TURN)
 
 
 def stepped(height: np.ndarray, room: int) -> np.ndarray:
@@ -100,11 +100,11 @@ def judge(seed: int, number: int) -> Result:
     room = 2 * round(np.radians(rng.uniform(0.3, 1.2)) / TURN * STEPS / 2)  # even, so that windows have a middle
     play = room * TURN / STEPS
     motor = TURN / STEPS * np.arange(STEPS)
-    height = lift.tan_beta(motor)
+    height = lift.q(motor)
     try:
-        moved = lift.tan_beta(follow(lift, play).cam_angle(motor))
+        moved = lift.q(follow(lift, play).cam_angle(motor))
         cam = compensated_lift(lift, ROD, play)
-        given = cam.tan_beta(follow(cam, play).cam_angle(motor))
+        given = cam.q(follow(cam, play).cam_angle(motor))
     except Exception as error:  # any fault of ours is a result of the study
         return Result(number, fault=f"{type(error).__name__}: {error}")
     grid = height[stepped(height, room)]

@@ -13,17 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
-from cadgen.cam.branch import Branch, Swept
-from cadgen.cam.follower import Follower, Remedy
+from cadgen.cam.follower import Branch, Follower, Remedy, RolledCam, Swept
 from cadgen.cam.followers.rod_checks import rod_checks
 from cadgen.cam.followers.rod_envelope import EnvelopePiece, refuse_thick_rod, rod_arc
 from cadgen.cam.followers.rod_geometry import RodGeometry
 from cadgen.cam.followers.rod_profiles import theoretical_profile
-from cadgen.cam.lift import LiftCurve
-from cadgen.cam.rolled import RolledCam
 from cadgen.check import Check
 from cadgen.curves.closed import ClosedCurve
 from cadgen.errors import DesignError
+from cadgen.laws.motion import Motion
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,23 +48,23 @@ class LeaningRod(RodGeometry, Follower):
             lift: lifts of the axis, mm, shape (n,).
         """
         face = self.contact_face(lift)
-        tan_beta = lift / face
-        return tan_beta, face, self.land * np.abs(tan_beta)
+        q = lift / face
+        return q, face, self.land * np.abs(q)
 
-    def refuse(self, lift: LiftCurve) -> None:
+    def refuse(self, motion: Motion) -> None:
         """Refuse a lift for which the rod is too thick."""
-        refuse_thick_rod(lift, self)
+        refuse_thick_rod(motion, self)
 
-    def piece(self, lift: LiftCurve, face: float, start: float, stop: float) -> EnvelopePiece:
+    def piece(self, motion: Motion, face: float, start: float, stop: float) -> EnvelopePiece:
         """The envelope of the rod's ellipse in a plane between two cam angles, rad.
 
         Args:
-            lift: lift of the cam.
+            motion: motion wanted.
             face: distance of the plane from the fork axis, mm.
             start: cam angle at which it begins, rad.
             stop: cam angle at which it ends, rad.
         """
-        return EnvelopePiece(lift=lift, follower=self, face=face, start=start, stop=stop)
+        return EnvelopePiece(motion=motion, follower=self, face=face, start=start, stop=stop)
 
     def section(self, before: Swept, after: Swept) -> Branch | None:
         """The rod's ellipse at a hollow kink."""
@@ -74,9 +72,9 @@ class LeaningRod(RodGeometry, Follower):
         assert isinstance(after, EnvelopePiece)
         return rod_arc(before, after)
 
-    def pitch_curve(self, lift: LiftCurve) -> ClosedCurve:
+    def pitch_curve(self, motion: Motion) -> ClosedCurve:
         """The curve of the rod's axis: the theoretical profile."""
-        return theoretical_profile(lift, self)
+        return theoretical_profile(motion, self)
 
     def point(self) -> "LeaningRod":
         """The rod's axis."""
@@ -112,34 +110,34 @@ class LeaningRod(RodGeometry, Follower):
         u = x - self.base_radius + off
         return tuple(np.where(near, _clearing(u, h, face), -np.inf) for face in self.planes)
 
-    def pressure_angle(self, tan_beta: Array, across: Array) -> Array:
+    def pressure_angle(self, q: Array, across: Array) -> Array:
         """Pressure angle, rad: the axis moves horizontally and the force is square to it, so its sine is y / r.
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
             across: distances of the contact from the ray's middle, mm, shape (n,).
         """
         return np.asarray(np.arcsin(np.clip(across / self.radius, -1.0, 1.0)))
 
-    def distance(self, tan_beta: Array, face: Array) -> Array:
+    def distance(self, q: Array, face: Array) -> Array:
         """Distance of the rod's axis from the camshaft in a plane, mm.
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
             face: distance of the plane from the fork axis, mm.
         """
-        return np.asarray(self.base_radius + face * tan_beta)
+        return np.asarray(self.base_radius + face * q)
 
-    def ahead(self, tan_beta: Array, face: Array, across: Array) -> Array:
+    def ahead(self, q: Array, face: Array, across: Array) -> Array:
         """How far ahead of the camshaft the rod touches, mm.
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
             face: distance of the plane from the fork axis, mm.
             across: distances of the contact from the ray's middle, mm, shape (n,).
         """
-        half = np.sqrt(np.maximum(self.radius**2 - across**2, 0.0) * (1 + tan_beta**2))
-        return np.asarray(self.base_radius + face * tan_beta - half)
+        half = np.sqrt(np.maximum(self.radius**2 - across**2, 0.0) * (1 + q**2))
+        return np.asarray(self.base_radius + face * q - half)
 
     def margin(self, apart: Array, face: Array) -> Array:
         """Lift of a difference of tan(beta), mm.

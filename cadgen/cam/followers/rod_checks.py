@@ -4,9 +4,9 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.contact import ROLLING_TOLERANCE
+from cadgen.cam.follower import RolledCam
 from cadgen.cam.followers.rod_geometry import RodGeometry
 from cadgen.cam.place import cam_place
-from cadgen.cam.rolled import RolledCam
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.parts.blank import Blank
 
@@ -24,16 +24,16 @@ def rod_checks(rod: RodGeometry, cam: RolledCam) -> tuple[Check, ...]:
     theta = cam.contact.cam_angle
     return (
         _carrying_face(rod, cam),
-        _reach(rod, theta, cam.steering, cam.blank),
-        *_lean(theta, cam.steering, cam.blank, cam.limits.points_key),
-        *_hub(rod, theta, cam.steering, cam.blank),
+        _reach(rod, theta, cam.positions, cam.blank),
+        *_lean(theta, cam.positions, cam.blank, cam.limits.motion_key),
+        *_hub(rod, theta, cam.positions, cam.blank),
     )
 
 
 def _carrying_face(rod: RodGeometry, cam: RolledCam) -> Check:
     """Check that the rod rests on the face of eq. 15, wherever the profile is its envelope."""
     contact = cam.contact
-    due = rod.contact_face(cam.lift.tan_beta(contact.cam_angle))
+    due = rod.contact_face(cam.motion.q(contact.cam_angle))
     wrong = (contact.face != due) & (contact.margin > ROLLING_TOLERANCE) & ~cam.trimmed
     inner = float(np.mean(contact.face == rod.inner)) * 100
     return Check(
@@ -66,7 +66,7 @@ def _reach(rod: RodGeometry, theta: Array, steering: Array, blank: Blank) -> Che
     )
 
 
-def _lean(theta: Array, steering: Array, blank: Blank, points_key: str) -> list[Check]:
+def _lean(theta: Array, steering: Array, blank: Blank, motion_key: str) -> list[Check]:
     """The rod rides on the land as long as it leans less than the chamfers do, at every steering, shape (2, n)."""
     if blank.edge_break == 0:
         return []
@@ -82,7 +82,7 @@ def _lean(theta: Array, steering: Array, blank: Blank, points_key: str) -> list[
             Bound.MAX,
             cam_place(theta[worst]),
             "the rod leans so far that it rides on the broken edge: leave the edges sharp (blank.edge_break_mm) or "
-            f"widen the turn there ({points_key})",
+            f"widen the turn there ({motion_key})",
         )
     ]
 

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.branch import Section, Swept, span_jets, turned
+from cadgen.cam.follower import Section, Swept, span_jets, turned
 from cadgen.cam.followers.rod_geometry import RodGeometry, rod_half_width
-from cadgen.cam.lift import LiftCurve
 from cadgen.curves.closed import Jet
 from cadgen.errors import DesignError
+from cadgen.laws.motion import Motion
 
 _NEWTON_STEPS = 20
 _CONVERGED = 1e-13  # rad; Newton's method has doubled its digits past rounding
@@ -86,7 +86,7 @@ class EnvelopePiece(Swept):
         return Jet(turned(p, q, ray), turned(ahead, aside, ray), curvature)
 
     def _section(self, theta: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
-        T, T1, T2 = span_jets(self.lift, theta, self.start, self.stop)
+        T, T1, T2 = span_jets(self.motion, theta, self.start, self.stop)
         d = self.follower.base_radius + self.face * T
         return d, self.face * T1, self.face * T2, *rod_half_width(self.follower.radius, T, T1, T2)
 
@@ -127,7 +127,7 @@ def rod_arc(before: EnvelopePiece, after: EnvelopePiece) -> RodArc | None:
     eta_before, eta_after = before.touch(np.array([before.stop]))[0], after.touch(np.array([after.start]))[0]
     if eta_after >= eta_before - _JOINT:
         return None
-    T = float(after.lift.tan_beta(after.start))
+    T = float(after.motion.q(after.start))
     distance, half = follower.base_radius + face * T, follower.radius * float(np.sqrt(1 + T**2))
     return RodArc(
         distance=distance,
@@ -140,14 +140,14 @@ def rod_arc(before: EnvelopePiece, after: EnvelopePiece) -> RodArc | None:
     )
 
 
-def refuse_thick_rod(lift: LiftCurve, follower: RodGeometry) -> None:
+def refuse_thick_rod(motion: Motion, follower: RodGeometry) -> None:
     """Refuse a rod too thick for the cam's smallest radius.
 
     Raises:
         DesignError: it is so, and no disc remains.
     """
     theta = np.linspace(0, TURN, _SAMPLES, endpoint=False)
-    T = lift.tan_beta(theta)
+    T = motion.q(theta)
     room = follower.base_radius + follower.lift(T) - follower.radius * np.sqrt(1 + T**2)
     worst = int(np.argmin(room))
     if room[worst] <= 0:

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod_geometry import RodGeometry
-from cadgen.cam.rolled import Contact
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class FirstOrder:
     @classmethod
     def of(cls, contact: Contact, follower: RodGeometry) -> "FirstOrder":
         """At the contacts of a rod, or of a point at its axis, with a disc."""
-        T, w, y = contact.tan_beta, contact.face, contact.across
+        T, w, y = contact.q, contact.face, contact.across
         root, height = np.sqrt(1 + T**2), np.sqrt(follower.radius**2 - y**2)
         thick = follower.radius > 0
         stretch = follower.radius / height if thick else np.ones_like(T)

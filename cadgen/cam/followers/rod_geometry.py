@@ -38,21 +38,21 @@ class RodGeometry:
         """Width of the rim between the carrying planes, mm."""
         return self.outer - self.inner
 
-    def contact_face(self, tan_beta: Array) -> Array:
+    def contact_face(self, q: Array) -> Array:
         """Lateral distance of the plane the rod rests in, mm: inner for beta >= 0, outer below (eq. 15).
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
         """
-        return np.where(np.asarray(tan_beta) >= 0, self.inner, self.outer)
+        return np.where(np.asarray(q) >= 0, self.inner, self.outer)
 
-    def lift(self, tan_beta: Array) -> Array:
+    def lift(self, q: Array) -> Array:
         """Lift s = w_contact tan(beta), mm (eq. 16).
 
         Args:
-            tan_beta: tangents of the rod's steering angle, shape (n,).
+            q: tangents of the rod's steering angle, shape (n,).
         """
-        return self.contact_face(tan_beta) * tan_beta
+        return self.contact_face(q) * q
 
 
 def rod_half_width(radius: float, T: Array, T1: Array, T2: Array) -> tuple[Array, Array, Array]:

@@ -6,8 +6,8 @@ from math import atan, degrees
 import numpy as np
 
 from cadgen.arrays import Array
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.draws.knobs import Setting
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car, wheel_tangent
 from cadgen.check import Bound, Check, CheckCode, failing
 
@@ -60,7 +60,7 @@ class Drawn:
         return sum(abs(each.value - each.limit) for each in self.failed), self.error
 
 
-def steering_check(lift: LiftCurve, cam_angle: Array, car: Car) -> Check:
+def steering_check(lift: PathMotion, cam_angle: Array, car: Car) -> Check:
     """Greatest steering angle at cam angles, rad, against the angle that the fork can turn.
 
     Args:
@@ -68,7 +68,7 @@ def steering_check(lift: LiftCurve, cam_angle: Array, car: Car) -> Check:
         cam_angle: cam angles, rad, shape (n,).
         car: dimensions of the car.
     """
-    tangent = np.abs(wheel_tangent(lift.tan_beta(cam_angle), car))
+    tangent = np.abs(wheel_tangent(lift.q(cam_angle), car))
     worst = int(np.argmax(tangent))
     return Check(
         CheckCode.STEERING_ANGLE,

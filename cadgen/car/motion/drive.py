@@ -20,9 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import LEAST_SWING, Following, follow
 from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car, wheel_curvature, wheel_tangent, wheel_travel_ratio
 from cadgen.errors import DesignError
 
@@ -169,7 +169,7 @@ def _summed(start: float, parts: Array) -> Array:
 
 
 def drive(
-    lift: LiftCurve,
+    lift: PathMotion,
     car: Car,
     length: float,
     *,
@@ -221,7 +221,7 @@ def drive(
     return Run(
         motor=motor,
         cam_angle=cam_angle,
-        tan_beta=lift.tan_beta(cam_angle),
+        tan_beta=lift.q(cam_angle),
         heading=heading,
         drive_wheel=_plane(position),
         front_wheel=_plane(position + (car.wheelbase - 1j * car.drive_wheel_offset) * ahead),

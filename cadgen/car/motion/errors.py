@@ -13,9 +13,9 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array, gauss_nodes
 from cadgen.cam.follower import Follower
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import Run
 from cadgen.car.motion.play import LEAST_SWING, follow
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car, track_curvature, travel_ratio
 from cadgen.errors import DesignError
 
@@ -46,7 +46,7 @@ class Event:
     deflection: float
 
 
-def turning(lift: LiftCurve, car: Car, length: float, start: float, stop: float) -> float:
+def turning(lift: PathMotion, car: Car, length: float, start: float, stop: float) -> float:
     """Heading gained while the cam turns from `start` to `stop` without play, rad (integral of eq. 21).
 
     Args:
@@ -56,20 +56,20 @@ def turning(lift: LiftCurve, car: Car, length: float, start: float, stop: float)
         start: cam angle at which it begins, rad.
         stop: cam angle at which it ends, rad.
     """
-    breaks = lift.tan_beta.x
+    breaks = lift.q.x
     turns = TURN * np.arange(np.floor(start / TURN), np.ceil(stop / TURN))
     edges = np.unique(np.concatenate([[start, stop], (breaks + turns[:, None]).ravel()]))
     edges = edges[(edges >= start) & (edges <= stop)]
     nodes, weights = gauss_nodes(GAUSS_POINTS)
     half = np.diff(edges) / 2
     theta = (edges[:-1] + half)[:, None] + half[:, None] * nodes
-    tan_beta = lift.tan_beta(theta)
+    tan_beta = lift.q(theta)
     rate = track_curvature(tan_beta, car) * travel_ratio(tan_beta, car)
     return float(length / TURN * np.sum((rate @ weights) * half))
 
 
 def deflections(
-    lift: LiftCurve,
+    lift: PathMotion,
     follower: Follower,
     car: Car,
     length: float,
@@ -101,7 +101,7 @@ def deflections(
     """
 
     def event(kind: EventKind, angle: float, deflection: float) -> Event:
-        height = float(follower.lift(lift.tan_beta(angle)))
+        height = float(follower.lift(lift.q(angle)))
         return Event(kind=kind, cam_angle=angle, lift=height, deflection=deflection)
 
     events = []

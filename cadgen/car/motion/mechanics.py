@@ -31,8 +31,8 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import LEAST_SWING, Following, falls, follow
+from cadgen.car.path_motion import PathMotion
 
 _STEP = radians(0.05)  # between stations: torque and drag meet at most once from one to the next
 _ZOOM = 64  # stations between two; interpolation between those errs by less than 1e-8 rad
@@ -64,7 +64,7 @@ class Levers:
     lift: Array
 
 
-def levers(lift: LiftCurve, follower: LeaningRod, theta: Array) -> Levers:
+def levers(lift: PathMotion, follower: LeaningRod, theta: Array) -> Levers:
     """Levers of the rod's force on a cam at cam angles, rad.
 
     Args:
@@ -72,7 +72,7 @@ def levers(lift: LiftCurve, follower: LeaningRod, theta: Array) -> Levers:
         follower: rod.
         theta: cam angles, rad, shape (n,).
     """
-    T, slope = lift.tan_beta(theta), lift.tan_beta(theta, nu=1)
+    T, slope = lift.q(theta), lift.q(theta, nu=1)
     w, r = follower.contact_face(T), follower.radius
     d, growth, stretch = follower.base_radius + w * T, w * slope, 1 + T**2
     alpha = np.arctan2(-growth, d)
@@ -97,7 +97,7 @@ def levers(lift: LiftCurve, follower: LeaningRod, theta: Array) -> Levers:
     )
 
 
-def holding_friction(lift: LiftCurve, follower: LeaningRod) -> tuple[float, float]:
+def holding_friction(lift: PathMotion, follower: LeaningRod) -> tuple[float, float]:
     """Least coefficient of friction with which a cam without drag never leads, and the cam angle (rad) that decides."""
     theta = np.arange(0.0, TURN, _STEP)
     at = levers(lift, follower, theta)
@@ -134,7 +134,7 @@ class Mechanics:
         """
         return self.rod_force + self.rod_rate * np.asarray(lift)
 
-    def torque(self, lift: LiftCurve, theta: Array) -> Array:
+    def torque(self, lift: PathMotion, theta: Array) -> Array:
         """Torque M that turns the cam ahead at cam angles (rad), N mm.
 
         Negative where the gears must push it, and -inf where no push turns it: a rise on which the rod jams.
@@ -149,7 +149,7 @@ class Mechanics:
         normal = self.force(at.lift) / np.where(free, against, 1.0)
         return np.where(free, normal * (at.driving - self.friction * at.holding), -np.inf)
 
-    def needed(self, lift: LiftCurve, theta: Array) -> Array:
+    def needed(self, lift: PathMotion, theta: Array) -> Array:
         """Torque that the gears must give the cam at cam angles (rad), drag included, N mm; negative where it leads.
 
         Args:
@@ -158,7 +158,7 @@ class Mechanics:
         """
         return self.drag - self.torque(lift, theta)
 
-    def leads(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> "Leads":
+    def leads(self, lift: PathMotion, least_swing: float = LEAST_SWING) -> "Leads":
         """Stretches on which the cam leads its gears if their play allows: parts of falls where M is above the drag.
 
         If a brake acts on the shaft and the cam has play on it (`behind`), the cam leads the shaft wherever friction
@@ -175,7 +175,7 @@ class Mechanics:
             return Leads(stretches)
         return Leads(self._stretches(lift, pairs, 0.0, least_swing), stretches, self.behind)
 
-    def _stretches(self, lift: LiftCurve, pairs: Array, drag: float, least_swing: float) -> Array:
+    def _stretches(self, lift: PathMotion, pairs: Array, drag: float, least_swing: float) -> Array:
         if self.friction == 0 and drag == 0:
             return pairs
 
@@ -199,7 +199,7 @@ class Mechanics:
         # Next to a peak or valley no change may show: the stretch then reaches up to it.
         place = np.where(changed.any(axis=1), place, np.where(ahead[flips], fine[:, -1], fine[:, 0]))
         stretches = place.reshape(-1, 2)
-        fallen = lift.tan_beta(stretches[:, 0]) - lift.tan_beta(stretches[:, 1])
+        fallen = lift.q(stretches[:, 0]) - lift.q(stretches[:, 1])
         return _in_order(stretches[fallen >= least_swing])
 
 
@@ -218,7 +218,7 @@ class Leads:
     braked: Array | None = None
     behind: float = 0.0
 
-    def follow(self, lift: LiftCurve, play: float) -> Following:
+    def follow(self, lift: PathMotion, play: float) -> Following:
         """Let a cam follow gears with a return error.
 
         Args:

@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
+from cadgen.car.path_motion import PathMotion
 from cadgen.errors import DesignError
 
 # Rises and falls of tan(beta) below this are noise, not events: 0.01 um of lift, what rolling an outline errs by.
@@ -34,7 +34,7 @@ LEAST_SWING = 4e-7
 _ROUNDING = 1e-15  # of tan(beta): a stretch that falls by less is level
 
 
-def falls(lift: LiftCurve, least_swing: float = LEAST_SWING) -> Array:
+def falls(lift: PathMotion, least_swing: float = LEAST_SWING) -> Array:
     """Falls of the lift: cam angles of the peak that begins and of the valley that ends each fall.
 
     A fall begins where a level stretch at its peak ends, for nothing pulls the cam off that; it ends where one in
@@ -56,7 +56,7 @@ def falls(lift: LiftCurve, least_swing: float = LEAST_SWING) -> Array:
     return known[_falls, least_swing].copy()
 
 
-def _falls(lift: LiftCurve, least_swing: float) -> Array:
+def _falls(lift: PathMotion, least_swing: float) -> Array:
     nodes, value = lift.stations
     falling = np.diff(value) < -_ROUNDING
     begins = np.flatnonzero(falling & ~np.roll(falling, 1))
@@ -157,7 +157,7 @@ class Following:
         shaft: motion of the shaft, if the cam has its play on a shaft that itself follows the motor.
     """
 
-    lift: LiftCurve
+    lift: PathMotion
     play: float
     leads: Array
     shaft: "Following | None" = None
@@ -185,7 +185,7 @@ class Following:
         Args:
             motor: motor positions, rad.
         """
-        return self.lift.tan_beta(self.cam_angle(motor))
+        return self.lift.q(self.cam_angle(motor))
 
     def joints(self, start: float, stop: float) -> Array:
         """Motor positions between `start` and `stop` at which the cam jumps, stops, goes on or meets a kink, rad.
@@ -205,7 +205,7 @@ class Following:
 
 
 def follow(
-    lift: LiftCurve,
+    lift: PathMotion,
     play: float,
     *,
     least_swing: float = LEAST_SWING,

@@ -4,8 +4,8 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator, PPoly
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
-from cadgen.cam.rolled import Contact
+from cadgen.cam.follower import Contact
+from cadgen.car.path_motion import PathMotion
 from cadgen.errors import DesignError
 
 MIN_SAMPLES = 16  # fewer cannot show the events of a path
@@ -13,7 +13,7 @@ _INSIDE = 1e-12  # rad; keeps rounding from picking the piece before
 _OVERLAP = 4  # samples repeated at either end, so that slopes at the seam see both sides
 
 
-def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float, level: Array | None = None) -> LiftCurve:
+def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float, level: Array | None = None) -> PathMotion:
     """Interpolate steering known at cam angles round the turn.
 
     The interpolant is monotone between samples (Fritsch & Carlson 1980), so it has no event that the samples do
@@ -48,15 +48,15 @@ def sampled_lift(cam_angle: Array, tan_beta: Array, *, blend_start: float, level
     at = start + (breaks[:-1] - start) % TURN + _INSIDE
     factorials = np.array([6.0, 2.0, 1.0, 1.0])
     taylor = np.stack([curve(at, nu=order) for order in (3, 2, 1, 0)]) / factorials[:, None]
-    return LiftCurve(
-        tan_beta=PPoly(taylor, breaks, extrapolate="periodic"),
+    return PathMotion(
+        q=PPoly(taylor, breaks, extrapolate="periodic"),
         kinks=np.array([]),
         blend_start=blend_start,
         known_level=level,
     )
 
 
-def rolled_lift(contact: Contact, wanted: LiftCurve, *, blend_start: float) -> LiftCurve:
+def rolled_lift(contact: Contact, wanted: PathMotion, *, blend_start: float) -> PathMotion:
     """Lift that a disc really gives, from the follower rolled on its outline.
 
     Args:
@@ -67,4 +67,4 @@ def rolled_lift(contact: Contact, wanted: LiftCurve, *, blend_start: float) -> L
     Raises:
         DesignError: as `sampled_lift`.
     """
-    return sampled_lift(contact.cam_angle, contact.tan_beta, blend_start=blend_start, level=wanted.level)
+    return sampled_lift(contact.cam_angle, contact.q, blend_start=blend_start, level=wanted.level)

@@ -14,13 +14,13 @@ from scipy.optimize import brentq, minimize_scalar
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import drive, turns_of
 from cadgen.car.motion.errors import run_error
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.play import LEAST_SWING, falls, follow
 from cadgen.car.optimize.compensation import compensated_lift
 from cadgen.car.optimize.dilation import lost_dips
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car, track_curvature, travel_ratio
 from cadgen.errors import DesignError
 
@@ -68,7 +68,7 @@ class BandResult:
         worst: friction and drag with the greatest position error; None where they are left out.
     """
 
-    lift: LiftCurve
+    lift: PathMotion
     made_for: float
     plays: Array
     heading: Array
@@ -95,13 +95,13 @@ class Bound:
 
 
 def best_for_band(
-    lift: LiftCurve,
+    lift: PathMotion,
     follower: LeaningRod,
     car: Car,
     length: float,
     band: tuple[float, float],
     *,
-    wanted: LiftCurve | None = None,
+    wanted: PathMotion | None = None,
     mechanics: Sequence[Mechanics] = (),
 ) -> BandResult:
     """Compensated profile with the least worst position error at the end of the run, over a band of plays.
@@ -158,12 +158,12 @@ def best_for_band(
 
 
 def _best_with_friction(
-    lift: LiftCurve,
+    lift: PathMotion,
     follower: LeaningRod,
     car: Car,
     length: float,
     band: tuple[float, float],
-    wanted: LiftCurve,
+    wanted: PathMotion,
     mechanics: Sequence[Mechanics],
 ) -> BandResult:
     """`best_for_band` over plays and frictions: a coarse search, made fine where it is best."""
@@ -185,8 +185,8 @@ def _best_with_friction(
 
 
 def over_band(
-    cam: LiftCurve,
-    wanted: LiftCurve,
+    cam: PathMotion,
+    wanted: PathMotion,
     car: Car,
     length: float,
     plays: Array,
@@ -194,7 +194,7 @@ def over_band(
     *,
     least_swing: float = LEAST_SWING,
     mechanics: Sequence[Mechanics] = (),
-    cut: LiftCurve | None = None,
+    cut: PathMotion | None = None,
 ) -> BandResult:
     """Errors of any cam at the end of the run for several plays.
 
@@ -231,7 +231,7 @@ def over_band(
     )
 
 
-def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[float, float]) -> Bound:
+def fixed_profile_bound(lift: PathMotion, car: Car, length: float, band: tuple[float, float]) -> Bound:
     """A lower bound, to first order in the band's width, on the worst end of run of one profile for all plays.
 
     It holds for profiles whose lift rises and falls where the wanted one does and which reach its peaks, its valleys
@@ -267,7 +267,7 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     for peak, valley in np.concatenate([events + TURN * turn for turn in range(-1, turns_of(stop))]):
         start, end = max(peak, 0.0), min(valley, stop)
         if start < end:
-            tan_beta = lift.tan_beta(np.array([start, end]))
+            tan_beta = lift.q(np.array([start, end]))
             ends = rate * track_curvature(tan_beta, car) * travel_ratio(tan_beta, car)
             rises.append(float(ends[1] - ends[0]))
             places.append(run.drive_wheel[(run.motor >= start) & (run.motor <= end)])
@@ -280,13 +280,13 @@ def fixed_profile_bound(lift: LiftCurve, car: Car, length: float, band: tuple[fl
     return Bound(heading=half * sum(rises), distance=half * max(float(total.max()), 0.0))
 
 
-def _events(lift: LiftCurve, play: float) -> Array:
+def _events(lift: PathMotion, play: float) -> Array:
     """Falls of the lift once the dips narrower than a play are filled, shape (k, 2), rad."""
     events = falls(lift)
     while len(events) > 1 and (filled := _apart([dip.whole for dip in lost_dips(lift, play, events)])):
         # A filled dip takes the lower of its two peaks with it.
         after = (np.array(filled) + 1) % len(events)
-        first, second = lift.tan_beta(events[filled, 0]), lift.tan_beta(events[after, 0])
+        first, second = lift.q(events[filled, 0]), lift.q(events[after, 0])
         stop = events[after, 1] + np.where(after == 0, TURN, 0.0)
         joined = np.stack([events[filled, 0], stop], axis=1)
         events[after] = np.where((first >= second)[:, None], joined, events[after])

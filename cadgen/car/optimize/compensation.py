@@ -22,10 +22,10 @@ from scipy.optimize import brentq
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import falls
 from cadgen.car.optimize.dilation import rounded_dilation
 from cadgen.car.optimize.nodes import KINK, SIDE, closed_lift, nodes_between
+from cadgen.car.path_motion import PathMotion
 from cadgen.errors import DesignError
 
 # Fall of the plateau in lift, mm: above what a good mill errs over a degree of cam angle. What it costs in heading
@@ -37,7 +37,7 @@ _ROOT = 1e-15  # rad; roots are found to rounding
 # No plateau takes more than this share of the fall that follows it.
 _GREATEST_SHARE = 1 / 16
 # A plateau after a peak that is nearly level itself falls less steeply; below this slope of tan(beta) it would be level
-# (`LiftCurve.level`) and hold the cam.
+# (`PathMotion.level`) and hold the cam.
 _LEAST_TILT = 1e-4
 # A rise of tan(beta) of less than this, 0.2 um of lift, must be level for so wide an angle to end a fall.
 _LEAST_RISE = 1e-5
@@ -62,13 +62,13 @@ class _Valley:
 
 
 def compensated_lift(
-    lift: LiftCurve,
+    lift: PathMotion,
     follower: LeaningRod,
     play: float,
     *,
     plateau_fall: float = PLATEAU_FALL,
     valley_blend: float | None = None,
-) -> LiftCurve:
+) -> PathMotion:
     """Lift of the cam that gives `lift` back when its train has the return error `play`.
 
     Where events are too close together for a plateau and a blend each, the whole lift is dilated on samples
@@ -115,7 +115,7 @@ def compensated_lift(
 
 
 def _valley(
-    lift: LiftCurve, follower: LeaningRod, play: float, pairs: Array, number: int, fall: float, blend: float
+    lift: PathMotion, follower: LeaningRod, play: float, pairs: Array, number: int, fall: float, blend: float
 ) -> _Valley | None:
     """The profile around a valley, from the peak before it to the one after it; None if there is no room."""
     peak, valley = (float(angle) for angle in pairs[number])
@@ -125,19 +125,19 @@ def _valley(
     if crossing is None:
         return None
     joined, plateau, tilted = _plateau(lift, follower, play, peak, valley, fall)
-    risen = float(lift.tan_beta(next_peak) - lift.tan_beta(crossing + blend))
+    risen = float(lift.q(next_peak) - lift.q(crossing + blend))
     ends_fall = risen >= _LEAST_RISE or next_peak - crossing - blend >= _LEAST_LEVEL
     if tilted and joined < crossing - blend and crossing + blend < next_peak and ends_fall:
         return _Valley(plateau, joined, crossing, next_peak)
     return None
 
 
-def _crossing(lift: LiftCurve, play: float, peak: float, valley: float, next_peak: float) -> float | None:
+def _crossing(lift: PathMotion, play: float, peak: float, valley: float, next_peak: float) -> float | None:
     """Cam angle at which the fall turned ahead by the play meets the rise; None if it meets none before a peak."""
     first, last = max(valley, peak + play), min(valley + play, next_peak)
 
     def above(angle: float) -> float:
-        return float(lift.tan_beta(angle) - lift.tan_beta(angle - play))
+        return float(lift.q(angle) - lift.q(angle - play))
 
     if first >= last or above(first) >= 0 or above(last) < 0:
         return None
@@ -145,7 +145,7 @@ def _crossing(lift: LiftCurve, play: float, peak: float, valley: float, next_pea
 
 
 def _plateau(
-    lift: LiftCurve, follower: LeaningRod, play: float, peak: float, valley: float, fall: float
+    lift: PathMotion, follower: LeaningRod, play: float, peak: float, valley: float, fall: float
 ) -> tuple[float, tuple[Array, Array], bool]:
     """Cam angle at which the shifted fall takes over, nodes of the plateau, and whether it falls enough.
 
@@ -153,8 +153,8 @@ def _plateau(
     turns up. The line then runs to p + B. With tau where the wanted fall has come down as far, a quintic over
     2 tau joins the shifted fall; there too the slope keeps its sign, and the curvature exceeds k by two thirds or so.
     """
-    top, bottom = float(lift.tan_beta(peak)), float(lift.tan_beta(valley))
-    slope, bend = (float(lift.tan_beta(peak + SIDE, nu=order)) for order in (1, 2))
+    top, bottom = float(lift.q(peak)), float(lift.q(valley))
+    slope, bend = (float(lift.q(peak + SIDE, nu=order)) for order in (1, 2))
     drop = min(fall / float(follower.contact_face(np.array(top))), _GREATEST_SHARE * (top - bottom))
     steepness = drop / play
     ease = 0.0
@@ -162,7 +162,7 @@ def _plateau(
         steepness = min(steepness, -bend * play / 4)
         ease = -2 * steepness / bend
     edge = top - steepness * (play - ease / 3)
-    tau = float(brentq(lambda t: float(lift.tan_beta(peak + t)) - edge, 0.0, valley - peak, xtol=_ROOT))
+    tau = float(brentq(lambda t: float(lift.q(peak + t)) - edge, 0.0, valley - peak, xtol=_ROOT))
     x = np.array([peak, peak + ease, peak + play])
     jets = np.array(
         [

@@ -15,15 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import falls
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.piecewise import quintic_hermite
 
 _LEAST_HALF_WIDTH = radians(0.1)  # of the mean; what it takes off a peak is far below a micrometre
 _GREATEST_HALF_WIDTH = radians(0.5)
 _SAMPLES = 48  # over the half width: at a kink the sampled mean then errs by some 2 nm of lift
 _NODES = 4  # of the rounded lift over the half width; between them a quintic errs by less than rounding
-_LEAST_TILT = 4e-4  # of a plateau, by rad; well above what is level (`LiftCurve.level`)
+_LEAST_TILT = 4e-4  # of a plateau, by rad; well above what is level (`PathMotion.level`)
 _FEW = 16  # samples apart are those of a plateau that are looked at first
 _LEVEL = 1e-6  # of tan(beta): a plateau that changes by more is not the one of its peak
 
@@ -43,7 +43,7 @@ class LostDip:
     whole: bool
 
 
-def lost_dips(lift: LiftCurve, play: float, pairs: Array | None = None) -> tuple[LostDip, ...]:
+def lost_dips(lift: PathMotion, play: float, pairs: Array | None = None) -> tuple[LostDip, ...]:
     """Lift lost in each valley: the height that the morphological closing by the play adds there.
 
     Args:
@@ -54,7 +54,7 @@ def lost_dips(lift: LiftCurve, play: float, pairs: Array | None = None) -> tuple
     pairs = falls(lift) if pairs is None else pairs
     if not len(pairs):
         return ()
-    height = lift.tan_beta(pairs)
+    height = lift.q(pairs)
     next_peak = np.roll(height[:, 0], -1)
     # The closing in a valley is the least dilation over the windows that hold it; that lies where the fall turned
     # ahead meets the rise, which a grid of the window brackets and a smooth crossing's slope makes sharp enough.
@@ -68,7 +68,7 @@ def lost_dips(lift: LiftCurve, play: float, pairs: Array | None = None) -> tuple
     )
 
 
-def rounded_dilation(lift: LiftCurve, play: float, *, fall: float, half_width: float) -> LiftCurve:
+def rounded_dilation(lift: PathMotion, play: float, *, fall: float, half_width: float) -> PathMotion:
     """The dilation of a lift with its plateaus tilted and its kinks rounded.
 
     Args:
@@ -104,17 +104,17 @@ def rounded_dilation(lift: LiftCurve, play: float, *, fall: float, half_width: f
     jets = seen @ weight.T
     nodes = np.append(theta[::each], TURN)
     tan_beta = quintic_hermite(nodes, np.vstack([jets, jets[:1]]), periodic=True)
-    return LiftCurve(tan_beta=tan_beta, kinks=np.array([]), blend_start=lift.blend_start)
+    return PathMotion(q=tan_beta, kinks=np.array([]), blend_start=lift.blend_start)
 
 
-def _dilation(lift: LiftCurve, pairs: Array, play: float, theta: Array) -> Array:
+def _dilation(lift: PathMotion, pairs: Array, play: float, theta: Array) -> Array:
     """Greatest tan(beta) over [theta - B, theta]: at an end of the window or at a peak in it."""
-    height = np.maximum(lift.tan_beta(theta), lift.tan_beta(theta - play))
+    height = np.maximum(lift.q(theta), lift.q(theta - play))
     if not len(pairs):
         return np.asarray(height)
     # Twice round, so that a window across the start holds a row of peaks too.
     places = np.concatenate([pairs[:, 0] - TURN, pairs[:, 0]])
-    highest = _Greatest(np.tile(lift.tan_beta(pairs[:, 0]), 2))
+    highest = _Greatest(np.tile(lift.q(pairs[:, 0]), 2))
     end = theta % TURN
     first = np.searchsorted(places, end - min(play, TURN), side="left")
     return np.maximum(height, highest.between(first, np.searchsorted(places, end, side="right")))
@@ -139,7 +139,7 @@ class _Greatest:
         return np.where(count > 0, np.maximum(self._rows[row, first], self._rows[row, last]), -np.inf)
 
 
-def _tilt(lift: LiftCurve, theta: Array, height: Array, play: float, peak: float, valley: float, fall: float) -> None:
+def _tilt(lift: PathMotion, theta: Array, height: Array, play: float, peak: float, valley: float, fall: float) -> None:
     """Make the plateau after a peak fall, in place, and the fall after it begin as much lower.
 
     What is taken off grows along the plateau in proportion, and vanishes again over the first of the fall in
@@ -149,7 +149,7 @@ def _tilt(lift: LiftCurve, theta: Array, height: Array, play: float, peak: float
     span = (np.searchsorted(theta, peak) + np.arange(most)) % len(theta)
     # Most peaks of a rough lift lie under a higher one, which a few samples show.
     few = span[: int(play / theta[1])][::_FEW]
-    top = float(lift.tan_beta(peak))
+    top = float(lift.q(peak))
     if np.abs(height[few] - top).max(initial=0.0) > _LEVEL:
         return
     along = (theta[span] - peak) % TURN
@@ -164,7 +164,7 @@ def _tilt(lift: LiftCurve, theta: Array, height: Array, play: float, peak: float
         return
     depth = top - wanted[falling].min()
     # A fall that begins gently would stay lower for long: no more than half of what it falls over the play itself.
-    own = top - float(lift.tan_beta(min(peak + play, valley)))
+    own = top - float(lift.q(min(peak + play, valley)))
     drop = min(fall, depth / 16, max(own / 2, _LEAST_TILT * play))
     height[span[plateau]] = wanted[plateau] - drop * along[plateau] / play
     height[span[falling]] = wanted[falling] - drop * np.clip(1 - (top - wanted[falling]) / (4 * drop), 0.0, 1.0)

@@ -11,8 +11,7 @@ import numpy as np
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import rolling_step
 from cadgen.cam.envelope import ActualProfile
-from cadgen.cam.lift import LiftCurve
-from cadgen.cam.rolled import Contact
+from cadgen.cam.follower import Contact
 from cadgen.car.motion.drive import Run
 from cadgen.car.motion.errors import Event, RunError, deflection_sum, deflections, run_error
 from cadgen.car.motion.play import LEAST_SWING
@@ -21,6 +20,7 @@ from cadgen.car.optimize.band import BAND_PLAYS, BandResult, over_band
 from cadgen.car.optimize.dilation import LostDip, lost_dips
 from cadgen.car.optimize.profiles.profile import CutLift, Profile
 from cadgen.car.optimize.task import Task, TrainTask
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import ClosedCurve
 from cadgen.gears.choices import StageOrder
 
@@ -56,10 +56,10 @@ class Evaluation:
     train: StageOrder
     play: float
     made_for: float
-    lift: LiftCurve
+    lift: PathMotion
     wanted: ActualProfile
     cut: ClosedCurve
-    rolled: LiftCurve
+    rolled: PathMotion
     events: tuple[Event, ...]
     run: Run
     error: RunError
@@ -109,7 +109,7 @@ def evaluate(work: TrainTask, profile: Profile) -> Evaluation:
     return _evaluation(work, _Cam(profile, cut_lift, wanted, cut, contact))
 
 
-def evaluate_measured(work: TrainTask, profile: Profile, lift: LiftCurve, cut: ClosedCurve) -> Evaluation:
+def evaluate_measured(work: TrainTask, profile: Profile, lift: PathMotion, cut: ClosedCurve) -> Evaluation:
     """Let the car as built run on the cam that it was measured with.
 
     Args:

@@ -6,7 +6,7 @@ A quintic is fixed by value, slope and second derivative at both ends, so the li
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.piecewise import quintic_hermite
 
 KINK = 1e-6  # a jump of d tan(beta)/d theta below this turns the outline by less than 1e-6 rad: no kink
@@ -14,7 +14,7 @@ SIDE = 1e-12  # rad; how far beside a node its one-sided jets are taken
 
 
 def nodes_between(
-    lift: LiftCurve, start: float, stop: float, *, ahead: float = 0.0, widest: float = TURN
+    lift: PathMotion, start: float, stop: float, *, ahead: float = 0.0, widest: float = TURN
 ) -> tuple[Array, Array]:
     """Nodes of the lift over a span, turned ahead.
 
@@ -29,7 +29,7 @@ def nodes_between(
         Cam angles, shape (n,), each inner one twice, and jets of tan(beta) from either side, shape (n, 3).
     """
     turns = TURN * np.arange(np.floor(start / TURN), np.ceil(stop / TURN))
-    breaks = np.unique((lift.tan_beta.x[:-1] + turns[:, None]).ravel())
+    breaks = np.unique((lift.q.x[:-1] + turns[:, None]).ravel())
     inner = breaks[(breaks > start + 2 * SIDE) & (breaks < stop - 2 * SIDE)]
     ends = np.concatenate([[start], inner, [stop]])
     parts = np.ceil(np.diff(ends) / widest).astype(int)
@@ -39,11 +39,11 @@ def nodes_between(
     inner = np.where(part == parts[span], ends[span + 1], within)[:-1]
     x = np.concatenate([[start], np.repeat(inner, 2), [stop]])
     side = np.concatenate([[SIDE], np.tile([-SIDE, SIDE], len(inner)), [-SIDE]])
-    jets = np.stack([lift.tan_beta(x + side, nu=order) for order in range(3)], axis=1)
+    jets = np.stack([lift.q(x + side, nu=order) for order in range(3)], axis=1)
     return x + ahead, jets
 
 
-def closed_lift(x: Array, jets: Array, blend_start: float) -> LiftCurve:
+def closed_lift(x: Array, jets: Array, blend_start: float) -> PathMotion:
     """A closed lift through nodes that run once round from anywhere in the first turn, cut again at 0.
 
     Args:
@@ -57,4 +57,4 @@ def closed_lift(x: Array, jets: Array, blend_start: float) -> LiftCurve:
     nodes = np.concatenate([[0.0], x[late] - TURN, x[~late], [TURN]])
     jets = np.concatenate([[seam], jets[late], jets[~late], [seam]])
     kinks = nodes[:-1][(np.diff(nodes) == 0) & (np.abs(np.diff(jets[:, 1])) > KINK)]
-    return LiftCurve(tan_beta=quintic_hermite(nodes, jets, periodic=True), kinks=kinks, blend_start=blend_start)
+    return PathMotion(q=quintic_hermite(nodes, jets, periodic=True), kinks=kinks, blend_start=blend_start)

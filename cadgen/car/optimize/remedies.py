@@ -19,11 +19,11 @@ from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import Run, drive, turns_of
 from cadgen.car.motion.errors import RunError, run_error
 from cadgen.car.motion.mechanics import Leads, Mechanics, MechanicsBand
 from cadgen.car.optimize.task import Task
+from cadgen.car.path_motion import PathMotion
 
 MARGIN = 1.25  # of a drag that is to hold, over the torque that it must hold
 _STEPS = 720  # of a turn; its end errs by 1e-5 mm
@@ -58,7 +58,7 @@ class Holding:
         return MARGIN * self.torque
 
 
-def holding(lift: LiftCurve, band: MechanicsBand) -> Holding:
+def holding(lift: PathMotion, band: MechanicsBand) -> Holding:
     """The drag that a cam needs to stay on its gears wherever it falls."""
     theta = np.linspace(0.0, TURN, _STATIONS, endpoint=False)
     free = band.at(0.0, 0.0).torque(lift, theta)
@@ -86,7 +86,7 @@ class Trim:
     error: RunError
 
 
-def trim(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechanics: Mechanics) -> Trim:
+def trim(task: Task, lift: PathMotion, cut: PathMotion, play: float, mechanics: Mechanics) -> Trim:
     """Trim that brings the end of the run nearest to its planned place.
 
     Args:
@@ -116,7 +116,7 @@ def trim(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechanics: Me
     return Trim(tan_beta=turn, error=now)
 
 
-def trimmed_end(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechanics: Mechanics, turn: float) -> float:
+def trimmed_end(task: Task, lift: PathMotion, cut: PathMotion, play: float, mechanics: Mechanics, turn: float) -> float:
     """Position error at the end of a run whose steering was trimmed on another run, mm.
 
     Args:
@@ -130,7 +130,7 @@ def trimmed_end(task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechan
 
 
 def friction_to_fail(
-    task: Task, lift: LiftCurve, cut: LiftCurve, play: float, mechanics: Mechanics, most: float
+    task: Task, lift: PathMotion, cut: PathMotion, play: float, mechanics: Mechanics, most: float
 ) -> tuple[float, float]:
     """Least and greatest coefficient of friction with which a trimmed car still ends within the error allowed.
 
@@ -153,14 +153,14 @@ def friction_to_fail(
 
 
 def trims(
-    task: Task, lift: LiftCurve, cut: LiftCurve, plays: Sequence[float], cases: Sequence[Mechanics]
+    task: Task, lift: PathMotion, cut: PathMotion, plays: Sequence[float], cases: Sequence[Mechanics]
 ) -> tuple[Trim, ...]:
     """Trims of cars of all these plays (rad) and frictions, each set after a run of its own."""
     return tuple(trim(task, lift, cut, play, case) for case in cases for play in plays)
 
 
 def worst_on_way(
-    task: Task, lift: LiftCurve, cut: LiftCurve, plays: Sequence[float], cases: Sequence[Mechanics]
+    task: Task, lift: PathMotion, cut: PathMotion, plays: Sequence[float], cases: Sequence[Mechanics]
 ) -> float:
     """Greatest position error anywhere on the run of any car, mm."""
     planned = _run(task, task.lift, Leads(np.empty((0, 2))), 0.0, 0.0)
@@ -168,12 +168,12 @@ def worst_on_way(
     return max(float(run_error(run, planned).distance.max()) for run in runs)
 
 
-def touched_width(lift: LiftCurve, follower: LeaningRod) -> float:
+def touched_width(lift: PathMotion, follower: LeaningRod) -> float:
     """Length of the follower, along its axis, that touches the disc somewhere in a turn, mm.
 
     The contact lies (w - r sin(beta)) / cos(beta) along the axis from the fork axis, on the face that carries.
     """
-    T = lift.tan_beta(np.linspace(0.0, TURN, _STATIONS, endpoint=False))
+    T = lift.q(np.linspace(0.0, TURN, _STATIONS, endpoint=False))
     root = np.sqrt(1 + T**2)
     place = follower.contact_face(T) * root - follower.radius * T
     return float(np.ptp(np.append(place, [follower.inner, follower.outer])))
@@ -198,7 +198,7 @@ BEARINGS = tuple(
 )
 
 
-def bearing_for(lift: LiftCurve, follower: LeaningRod) -> tuple[Bearing, int] | None:
+def bearing_for(lift: PathMotion, follower: LeaningRod) -> tuple[Bearing, int] | None:
     """The smallest bearing that fits on the rod, and the number needed side by side; None if no bearing fits."""
     for bearing in sorted(BEARINGS, key=lambda b: b.outside):
         needed = touched_width(lift, replace(follower, radius=bearing.outside / 2))
@@ -208,7 +208,7 @@ def bearing_for(lift: LiftCurve, follower: LeaningRod) -> tuple[Bearing, int] | 
     return None
 
 
-def _run(task: Task, lift: LiftCurve, leads: Leads, play: float, turn: float) -> Run:
+def _run(task: Task, lift: PathMotion, leads: Leads, play: float, turn: float) -> Run:
     moved = _turned(lift, turn) if turn else lift
     return drive(
         moved,
@@ -221,8 +221,8 @@ def _run(task: Task, lift: LiftCurve, leads: Leads, play: float, turn: float) ->
     )
 
 
-def _turned(lift: LiftCurve, turn: float) -> LiftCurve:
+def _turned(lift: PathMotion, turn: float) -> PathMotion:
     """The lift with a constant added to tan(beta)."""
-    c = lift.tan_beta.c.copy()
+    c = lift.q.c.copy()
     c[-1] += turn
-    return replace(lift, tan_beta=PPoly(c, lift.tan_beta.x, extrapolate=lift.tan_beta.extrapolate))
+    return replace(lift, q=PPoly(c, lift.q.x, extrapolate=lift.q.extrapolate))

@@ -19,10 +19,10 @@ from scipy.optimize import brentq
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.errors import deflection_sum, deflections
 from cadgen.car.motion.play import falls
 from cadgen.car.optimize.nodes import closed_lift, nodes_between
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
 from cadgen.errors import DesignError
 
@@ -34,7 +34,7 @@ _LEAST_PLAY = radians(0.01)  # without play there is no sum to take a share off
 _DEEPEST = 0.999  # at 1 the knee would reach straight ahead, where the contact changes face
 
 
-def smoothed_lift(lift: LiftCurve, depth: float) -> LiftCurve:
+def smoothed_lift(lift: PathMotion, depth: float) -> PathMotion:
     """Compress the lift towards its peaks and valleys.
 
     Args:
@@ -51,7 +51,7 @@ def smoothed_lift(lift: LiftCurve, depth: float) -> LiftCurve:
     if not len(events):
         return lift
     x, jets = nodes_between(lift, events[0], events[0] + TURN, widest=_STEP)
-    height = lift.tan_beta(events)
+    height = lift.q(events)
     for number, top in enumerate(height):
         sign = 1.0 if number % 2 == 0 else -1.0
         before, after = events[number - 1], events[(number + 1) % len(events)]
@@ -64,8 +64,8 @@ def smoothed_lift(lift: LiftCurve, depth: float) -> LiftCurve:
 
 
 def smooth_to(
-    lift: LiftCurve, follower: LeaningRod, car: Car, length: float, play: float, *, aim: float = PAPER_AIM
-) -> LiftCurve:
+    lift: PathMotion, follower: LeaningRod, car: Car, length: float, play: float, *, aim: float = PAPER_AIM
+) -> PathMotion:
     """Smooth the lift until its sum of deflection errors has fallen by a share `aim`.
 
     Args:

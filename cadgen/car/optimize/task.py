@@ -5,14 +5,14 @@ from functools import cached_property
 from typing import Protocol
 
 from cadgen.arrays import Array
+from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
-from cadgen.cam.rolled import Contact
 from cadgen.car.motion.drive import Pose, Run, drive
 from cadgen.car.motion.mechanics import Mechanics, MechanicsBand
 from cadgen.car.motion.play import LEAST_SWING, Following, follow
 from cadgen.car.optimize.band import Bound, PlayBand, best_for_band, fixed_profile_bound
 from cadgen.car.optimize.smoothing import smooth_to
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve, Outline
 from cadgen.gears.choices import StageOrder
@@ -70,7 +70,7 @@ class Task:
         mechanics: range of friction and drag; None where they are left out, as if the rod slid freely.
     """
 
-    lift: LiftCurve
+    lift: PathMotion
     follower: LeaningRod
     car: Car
     length: float
@@ -85,11 +85,11 @@ class Task:
 
     def run(
         self,
-        lift: LiftCurve,
+        lift: PathMotion,
         play: float,
         *,
         least_swing: float = LEAST_SWING,
-        cut: LiftCurve | None = None,
+        cut: PathMotion | None = None,
         mechanics: Mechanics | None = None,
     ) -> Run:
         """The run that a cam gives with play.
@@ -107,11 +107,11 @@ class Task:
 
     def following(
         self,
-        lift: LiftCurve,
+        lift: PathMotion,
         play: float,
         *,
         least_swing: float = LEAST_SWING,
-        cut: LiftCurve | None = None,
+        cut: PathMotion | None = None,
         mechanics: Mechanics | None = None,
     ) -> Following:
         """Motion of a cam that follows the motor.
@@ -153,7 +153,7 @@ class TrainTask:
         """
         return self.window_of(self.task.lift)
 
-    def window_of(self, lift: LiftCurve) -> float:
+    def window_of(self, lift: PathMotion) -> float:
         """The measured play or, where none is measured, the window with the least worst end of run over the band, rad.
 
         With friction it is the window of the dilation that does so over plays and frictions, also for a measured play.
@@ -174,7 +174,7 @@ class TrainTask:
         return best.made_for
 
     @cached_property
-    def smoothed(self) -> LiftCurve:
+    def smoothed(self) -> PathMotion:
         """The lift wanted with its peaks and valleys brought nearer, by the aim of the task.
 
         Raises:

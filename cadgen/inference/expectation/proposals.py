@@ -89,7 +89,7 @@ def _lift(nominal: Nominal, *, both: bool, runs: int = 3) -> Proposal:
     columns = {
         "direction": np.where(forward, Direction.FORWARD, Direction.REVERSE),
         "cam_angle_deg": angle,
-        "lift_mm": nominal.follower.inner * nominal.lift.tan_beta(np.radians(angle)),
+        "lift_mm": nominal.follower.inner * nominal.lift.q(np.radians(angle)),
     }
     words = f"the lift by a dial, {runs} runs, {'forward and back' if both else 'forward only'}"
     return Proposal(words, LIFT, runs, _record(LIFT, columns, runs))

@@ -5,9 +5,9 @@ from functools import cached_property
 from math import pi
 
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
 from cadgen.curves.closed import ClosedCurve
 from cadgen.deviations.disc import Disc, nominal_disc
@@ -39,7 +39,7 @@ class Nominal:
         play: return error that was measured apart, with the rod lifted, and its standard deviation, rad.
     """
 
-    lift: LiftCurve
+    lift: PathMotion
     follower: LeaningRod
     profile: ClosedCurve
     car: Car
@@ -48,7 +48,7 @@ class Nominal:
     teeth: tuple[int, ...] = ()
     form_error: float = MACHINED_UM / 1e3
     train_error: float = TRAIN_DEG * pi / 180
-    cut: LiftCurve | None = None
+    cut: PathMotion | None = None
     mechanics: Mechanics | None = None
     play: tuple[float, float] | None = None
 

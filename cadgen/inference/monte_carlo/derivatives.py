@@ -21,9 +21,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import Array
+from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.followers.rod_first_order import FirstOrder
-from cadgen.cam.rolled import Contact
 from cadgen.inference.monte_carlo.parameters import Parameter
 
 # The rows, in order.
@@ -69,7 +69,7 @@ class OtherEdge:
         carrying, other = (steering_derivatives(edge, follower) for edge in (contact, opposite))
         rows = [STEERING.index(name) for name in cls.PARTS]
         # Both edges have one outline, so the lift would be the same, further out or further in.
-        below = np.abs(contact.tan_beta * (1 - contact.face / opposite.face))
+        below = np.abs(contact.q * (1 - contact.face / opposite.face))
         return cls(below=below, rising=other[rows] - carrying[rows])
 
     def raised(self, deviations: Array, columns: NDArray[np.intp]) -> tuple[NDArray[np.intp], Array]:
@@ -118,7 +118,7 @@ def steering_derivatives(
         Shape (13, n), rows as `STEERING`: per mm, but steering_zero and the wobbles per rad, temperature per K. The
         numbers 0 and 90 are polar angles of the direction.
     """
-    T, w, y = contact.tan_beta, contact.face, contact.across
+    T, w, y = contact.q, contact.face, contact.across
     first = FirstOrder.of(contact, follower)
     root, height, divisor, displaced = first.root, first.height, first.divisor, first.displaced
     raised, face = first.thicker, first.face

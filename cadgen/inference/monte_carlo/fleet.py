@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
+from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
-from cadgen.cam.rolled import Contact
 from cadgen.car.motion.drive import Run
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.play import LEAST_SWING, falls
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
 from cadgen.errors import DesignError
 from cadgen.inference.monte_carlo.derivatives import Expansion, OtherEdge, steering_derivatives
@@ -74,7 +74,7 @@ def make_fleet(
     follower: LeaningRod,
     car: Car,
     length: float,
-    lift: LiftCurve,
+    lift: PathMotion,
     planned: Run,
     *,
     wheel_radius: float,
@@ -113,7 +113,7 @@ def make_fleet(
     origin, heading = planned.drive_wheel[0], planned.heading[0]
     x, y = (planned.drive_wheel[chosen] - origin).T
     return Fleet(
-        tan_beta=contact.tan_beta,
+        tan_beta=contact.q,
         derivatives=steering_derivatives(contact, follower, car.steering_gain, expansion),
         other=OtherEdge.of(contact, follower),
         falls=falls(lift, least_swing),

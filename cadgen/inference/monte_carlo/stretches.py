@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.mechanics import Mechanics, levers
 from cadgen.car.motion.play import falls
+from cadgen.car.path_motion import PathMotion
 from cadgen.inference.monte_carlo.parameters import Parameter
 
 _STEP = radians(0.1)  # between stations: the end of the run errs by less than 0.1 mm
@@ -50,13 +50,13 @@ class Forces:
     """
 
     mechanics: Mechanics
-    cut: LiftCurve
+    cut: PathMotion
     angle: Array
     ends: NDArray[np.intp]
     parts: Array
 
     @classmethod
-    def of(cls, mechanics: Mechanics, cut: LiftCurve, least_swing: float) -> "Forces":
+    def of(cls, mechanics: Mechanics, cut: PathMotion, least_swing: float) -> "Forces":
         """Lever arms over the falls of a lift; swings of tan(beta) smaller than `least_swing` are passed over.
 
         Args:
@@ -108,14 +108,14 @@ class Forces:
         return leads[0], leads[1]
 
 
-def _sides(lift: LiftCurve, angle: Array) -> Array:
+def _sides(lift: PathMotion, angle: Array) -> Array:
     """Both sides of the places at which the rod goes over to the other face, where the torque leaps; rad."""
-    left = np.flatnonzero((lift.tan_beta(angle[1:]) >= 0) != (lift.tan_beta(angle[:-1]) >= 0))
+    left = np.flatnonzero((lift.q(angle[1:]) >= 0) != (lift.q(angle[:-1]) >= 0))
     low, high = angle[left], angle[left + 1]
-    above = lift.tan_beta(low) >= 0
+    above = lift.q(low) >= 0
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
-        same = (lift.tan_beta(middle) >= 0) == above
+        same = (lift.q(middle) >= 0) == above
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     return np.concatenate([low, high])
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from cadgen.cam.contact import roll_curve
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.mechanics import Mechanics, holding_friction
 from cadgen.car.motion.sampled import rolled_lift
+from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
 from cadgen.deviations import quantities
@@ -288,7 +288,7 @@ def nominal_of(design: Design, profile: str, progress: Progress = silent) -> Nom
     )
 
 
-def _forces(design: Design, rod: LeaningRod, lift: LiftCurve) -> Mechanics | None:
+def _forces(design: Design, rod: LeaningRod, lift: PathMotion) -> Mechanics | None:
     """Rod force and drag by [mechanics]; None without it."""
     band = variation.mechanics(design, rod, lift)
     return None if band is None else band.nominal

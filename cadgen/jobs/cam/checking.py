@@ -8,6 +8,7 @@ import numpy as np
 from cadgen.cam.checks import check_cam
 from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.car.optimize.task import Task
+from cadgen.car.path_motion import blend_checks
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model
 from cadgen.design.schema import Design
@@ -47,7 +48,16 @@ class ProfileChecks:
         design, wanted = self.design, evaluation.wanted
         rod, blank, limits = cam_model.follower(design), cam_model.blank(design), cam_model.check_limits(design)
         return (
-            *check_cam(evaluation.lift, rod, wanted.curve, wanted.trims, blank, limits, cut=evaluation.cut),
+            *check_cam(
+                evaluation.lift,
+                rod,
+                wanted.curve,
+                wanted.trims,
+                blank,
+                limits,
+                cut=evaluation.cut,
+                application=blend_checks,
+            ),
             _lift_check(evaluation, (*self._allowed, design.optimize.max_lift_error_um)[0]),
             *mechanics_checks(design, rod, evaluation.lift, self.task.mechanics),
         )

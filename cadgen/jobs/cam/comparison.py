@@ -5,7 +5,6 @@ from math import radians
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import Run, start_pose
 from cadgen.car.motion.errors import run_error
 from cadgen.car.motion.play import LEAST_SWING, Following
@@ -14,6 +13,7 @@ from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.car.optimize.profiles.profile import Profile
 from cadgen.car.optimize.task import Task
 from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
@@ -32,7 +32,7 @@ class MeasuredCam:
     """Cam that was on the car when the car was measured: its profile, its lift, and the curve that was cut, mm."""
 
     profile: Profile
-    lift: LiftCurve
+    lift: PathMotion
     curve: ClosedCurve
 
 
@@ -113,7 +113,7 @@ class PlayComparison:
         """
         return self.task.following(evaluation.rolled, play, least_swing=evaluation.least_swing, cut=evaluation.lift)
 
-    def end_of(self, lift: LiftCurve, least_swing: float = LEAST_SWING) -> tuple[float, float]:
+    def end_of(self, lift: PathMotion, least_swing: float = LEAST_SWING) -> tuple[float, float]:
         """Heading error (rad) and position error (mm) at the end, with the play of `chosen`, on the lift of a file.
 
         Args:
@@ -129,7 +129,7 @@ def _off(error: float, before: float, smallest: float) -> float | None:
     return 1 - abs(error / before) if abs(before) > smallest else None
 
 
-def task_of(design: Design, track: Track, lift: LiftCurve, follower: Follower) -> Task:
+def task_of(design: Design, track: Track, lift: PathMotion, follower: Follower) -> Task:
     """Task of a profile against play, for a design and its track.
 
     Raises:

@@ -8,7 +8,6 @@ from math import ceil, degrees, inf
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.course.approach import Approach
 from cadgen.car.course.body import CarBody, Poses
 from cadgen.car.course.judge import CourseVerdict, EndDeviation, Passage, judge, judge_laps, passages
@@ -18,6 +17,7 @@ from cadgen.car.motion.drive import STEPS, Run, drive, start_pose
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.poses import poses_of
 from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model, course_model
@@ -53,7 +53,7 @@ class OnCourse:
 
     design: Design
     track: Track
-    lift: LiftCurve
+    lift: PathMotion
     course: Course
 
     @cached_property
@@ -349,7 +349,7 @@ def _late(passed: Sequence[Passage], end: float) -> list[bool]:
     return late[::-1]
 
 
-def on_course(design: Design, track: Track, lift: LiftCurve) -> OnCourse | None:
+def on_course(design: Design, track: Track, lift: PathMotion) -> OnCourse | None:
     """The design's course; None without [course].
 
     Args:

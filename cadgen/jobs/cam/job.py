@@ -12,7 +12,7 @@ from cadgen.arrays import Array
 from cadgen.cam.checks import cam_angles
 from cadgen.cam.contact import roll, roll_curve
 from cadgen.cam.difference import Exact, dense_stations
-from cadgen.cam.rolled import Contact
+from cadgen.cam.follower import Contact
 from cadgen.car.motion.sampled import rolled_lift
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.closed import Outline

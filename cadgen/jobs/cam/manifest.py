@@ -4,10 +4,10 @@ from math import degrees, isfinite
 from typing import Any
 
 from cadgen.arrays import TURN
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.mechanics import MechanicsBand
 from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.car.optimize.remedies import holding
+from cadgen.car.path_motion import PathMotion
 from cadgen.check import Check
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
@@ -93,7 +93,7 @@ def _extrema_facts(plan: CamPlan) -> list[dict[str, Any]]:
         {
             "kind": kind,
             "cam_angle_deg": degrees(angle),
-            "lift_mm": float(plan.rod.lift(plan.lift.tan_beta(angle))),
+            "lift_mm": float(plan.rod.lift(plan.lift.q(angle))),
         }
         for kind, angles in (("peak", peaks), ("valley", valleys))
         for angle in angles
@@ -155,7 +155,7 @@ def _percent(share: float | None) -> float | None:
     return None if share is None else 100 * share
 
 
-def mechanics_facts(band: MechanicsBand | None, lift: LiftCurve) -> dict[str, Any] | None:
+def mechanics_facts(band: MechanicsBand | None, lift: PathMotion) -> dict[str, Any] | None:
     """Facts on friction, drag and torques; None if the design has no [mechanics]."""
     if band is None:
         return None

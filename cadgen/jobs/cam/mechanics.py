@@ -6,7 +6,6 @@ import numpy as np
 
 from cadgen.cam.follower import Follower
 from cadgen.cam.followers.rod import rod_of
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.errors import run_error
 from cadgen.car.motion.friction import USUAL
 from cadgen.car.motion.mechanics import MechanicsBand
@@ -14,6 +13,7 @@ from cadgen.car.optimize.band import PlayBand, over_band
 from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.car.optimize.remedies import holding, touched_width
 from cadgen.car.optimize.task import Task
+from cadgen.car.path_motion import PathMotion
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.design import cam_model, variation
 from cadgen.design.play import Hardware
@@ -54,7 +54,7 @@ def rubbing_sentence(task: Task, band: PlayBand, chosen: Evaluation, plain: Eval
 
 
 def mechanics_checks(
-    design: Design, follower: Follower, lift: LiftCurve, band: MechanicsBand | None
+    design: Design, follower: Follower, lift: PathMotion, band: MechanicsBand | None
 ) -> tuple[Check, ...]:
     """Checks of the torque by which the cam runs ahead, of the drag that holds it, and of a bearing's width.
 

@@ -5,10 +5,8 @@ from functools import cached_property
 
 from cadgen.arrays import TURN
 from cadgen.cam.checks import LOST_LIFT, check_cam
-from cadgen.cam.envelope import Trim
-from cadgen.cam.follower import Follower
+from cadgen.cam.follower import Follower, Trim
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.course.layout import Side
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.optimize.evaluate import evaluate
@@ -19,6 +17,7 @@ from cadgen.car.optimize.profiles.profile import Profile
 from cadgen.car.optimize.profiles.table import codes, profile_of
 from cadgen.car.optimize.task import TrainTask
 from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion, blend_checks
 from cadgen.check import Check, failing
 from cadgen.curves.closed import ClosedCurve
 from cadgen.curves.derived import turned
@@ -62,7 +61,7 @@ class CamPlan:
     design: Design
     profile: Profile
     track: Track
-    lift: LiftCurve
+    lift: PathMotion
     rod: Follower
     curve: ClosedCurve
     trims: tuple[Trim, ...]
@@ -188,7 +187,9 @@ def _plan(design: Design, profile: Profile, progress: Progress, *, judged: bool 
     limits = cam_model.check_limits(design)
     course, laps = on_course(design, track, lift), _laps(design, track, lift)
     checks = (
-        *check_cam(lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut),
+        *check_cam(
+            lift, _rolling(profile, rod), wanted.curve, wanted.trims, blank, limits, cut=cut, application=blend_checks
+        ),
         *mechanics_checks(design, rod, lift, variation.mechanics(design, rod, lift)),
         *course_checks(course),
         *(laps.checks(None) if laps else ()),
@@ -272,7 +273,7 @@ def comparison_of(plan: CamPlan) -> PlayComparison:
     return plan.comparison
 
 
-def _laps(design: Design, track: Track, lift: LiftCurve) -> Laps | None:
+def _laps(design: Design, track: Track, lift: PathMotion) -> Laps | None:
     """The laps of a closed path; None of an open one."""
     if not track.closed:
         return None

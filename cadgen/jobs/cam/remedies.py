@@ -8,7 +8,6 @@ import numpy as np
 from cadgen.cam.checks import check_cam
 from cadgen.cam.envelope import actual_profile
 from cadgen.cam.followers.rod_kind import RodMaterial
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.friction import BEARING
 from cadgen.car.motion.mechanics import Mechanics, MechanicsBand
 from cadgen.car.optimize.band import PlayBand, best_for_band, over_band
@@ -16,6 +15,7 @@ from cadgen.car.optimize.evaluate import Evaluation
 from cadgen.car.optimize.profiles.actual import ACTUAL
 from cadgen.car.optimize.remedies import bearing_for, friction_to_fail, holding, trims, worst_on_way
 from cadgen.car.optimize.task import Task
+from cadgen.car.path_motion import PathMotion, blend_checks
 from cadgen.design import cam_model, variation
 from cadgen.design.load import with_overrides
 from cadgen.design.schema import Design
@@ -68,8 +68,8 @@ class _Sheet:
     def row(
         self,
         name: str,
-        lift: LiftCurve,
-        rolled: LiftCurve,
+        lift: PathMotion,
+        rolled: PathMotion,
         cases: tuple[Mechanics, ...],
         *,
         plays: list[float] | None = None,
@@ -222,7 +222,8 @@ def _bearing(sheet: _Sheet) -> list[Remedy]:
         best = best_for_band(task.lift, follower, task.car, task.length, ends, mechanics=known.corners)
         profile = actual_profile(best.lift, follower)
         limits = cam_model.check_limits(design)
-        checks = check_cam(best.lift, follower, profile.curve, profile.trims, cam_model.blank(design), limits)
+        blank = cam_model.blank(design)
+        checks = check_cam(best.lift, follower, profile.curve, profile.trims, blank, limits, application=blend_checks)
         failed = [check.name for check in checks if not check.passed]
         verdict = f"its cam fails {', '.join(failed)}" if failed else "its cam keeps every check"
     except DesignError as error:

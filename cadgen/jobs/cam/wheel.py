@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from cadgen.arrays import TURN
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, gear_model, variation
 from cadgen.design.schema import Design
 
@@ -105,7 +105,7 @@ class DriveWheel:
         }
 
 
-def drive_wheel(design: Design, track: Track, lift: LiftCurve) -> DriveWheel:
+def drive_wheel(design: Design, track: Track, lift: PathMotion) -> DriveWheel:
     """The wheel that a design's cam is for.
 
     Args:

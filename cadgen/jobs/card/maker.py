@@ -8,9 +8,8 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import riding_checks
+from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod, rod_of
-from cadgen.cam.lift import LiftCurve
-from cadgen.cam.rolled import Contact
 from cadgen.car.course.layout import Course, Draw, Judged
 from cadgen.car.draws.drawn import Drawn, steering_check
 from cadgen.car.draws.error import Target, planned_point
@@ -20,6 +19,7 @@ from cadgen.car.draws.steering import Steering, moved_rod
 from cadgen.car.motion.drive import Pose, Run, drive, turns_of
 from cadgen.car.motion.sampled import rolled_lift
 from cadgen.car.optimize.profiles.actual import ACTUAL
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model, course_model, draw_model
 from cadgen.design.schema import Design
@@ -91,7 +91,7 @@ class Maker:
         return replace(course, start=None)
 
     @property
-    def _wanted(self) -> LiftCurve:
+    def _wanted(self) -> PathMotion:
         """Lift wanted, without play."""
         return self.cam.lift if self.cam.comparison is None else self.cam.comparison.task.lift
 
@@ -126,7 +126,7 @@ class Maker:
     @cached_property
     def _steering(self) -> Steering:
         knobs = draw_model.knobs(self._design, self.cam.track, self._start(self.draw.stated))
-        return Steering.of(self._rod, knobs.disc, knobs.head, lambda rod: self._contact(self._plain, rod).tan_beta)
+        return Steering.of(self._rod, knobs.disc, knobs.head, lambda rod: self._contact(self._plain, rod).q)
 
     def _contact(self, cut: ClosedCurve, rod: LeaningRod) -> Contact:
         return draw_model.contact(self._design, cut, rod, self._stations)
@@ -186,7 +186,7 @@ class Maker:
         return max(float(self._off(run, spacing)[run.motor[run.motor <= stop] >= last].max()) for run in runs)
 
 
-def _moved(comparison: PlayComparison, rolled: LiftCurve, start: Pose, length: float) -> PlayComparison:
+def _moved(comparison: PlayComparison, rolled: PathMotion, start: Pose, length: float) -> PlayComparison:
     """The comparison under play with the chosen profile on a disc that was moved, another wheel and another start."""
     task = replace(comparison.task, start=start, length=length)
     return replace(comparison, task=task, chosen=replace(comparison.chosen, rolled=rolled))

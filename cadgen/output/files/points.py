@@ -12,8 +12,7 @@ from scipy.interpolate import CubicSpline
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll, roll_curve
-from cadgen.cam.follower import Follower
-from cadgen.cam.rolled import Contact
+from cadgen.cam.follower import Contact, Follower
 from cadgen.curves.closed import ClosedCurve, Outline, cross, left_normal
 from cadgen.curves.polygon import polyline
 from cadgen.errors import FileError
@@ -150,7 +149,7 @@ def _places(rows: Contact, follower: Follower) -> Array:
 
 def _ahead(rows: Contact, follower: Follower) -> Array:
     """Distance of the contacts ahead of the camshaft, mm."""
-    return follower.ahead(rows.tan_beta, rows.face, rows.across)
+    return follower.ahead(rows.q, rows.face, rows.across)
 
 
 def _stray(curve: ClosedCurve, start: Array, stop: Array) -> Array:
@@ -166,7 +165,7 @@ def _on_section(curve: ClosedCurve, follower: Follower, before: Contact, place: 
     """Contacts at polar angles that the rod touches together with those of `before`, its section on the curve."""
     points = curve.at_angle(place)[0].point
     across = points[:, 1] * np.cos(before.cam_angle) - points[:, 0] * np.sin(before.cam_angle)
-    angle = follower.pressure_angle(before.tan_beta, across) if follower.radius else before.pressure_angle
+    angle = follower.pressure_angle(before.q, across) if follower.radius else before.pressure_angle
     return replace(before, across=across, pressure_angle=angle)
 
 
@@ -201,7 +200,7 @@ def write_csv(path: Path, curve: ClosedCurve, follower: Follower, contact: Conta
         follower: follower on the profile.
         contact: contacts of the follower rolled on the profile.
     """
-    T, y = contact.tan_beta, contact.across
+    T, y = contact.q, contact.across
     jet, _ = curve.at_angle(contact.cam_angle + np.arctan2(y, _ahead(contact, follower)))
     normal = -left_normal(jet.velocity)
     polar = np.degrees(np.arctan2(jet.point[:, 1], jet.point[:, 0])) % 360

@@ -8,8 +8,8 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.follower import Follower
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import Following
+from cadgen.car.path_motion import PathMotion
 from cadgen.output.report.style import AFTER, BEFORE, GREY, WANTED, figure, save, zero_line
 
 _POINTS = 7200
@@ -36,7 +36,7 @@ class LiftPicture:
 
     title: str
     follower: Follower
-    wanted: LiftCurve
+    wanted: PathMotion
     before: Following
     before_name: str
     after: Following
@@ -59,11 +59,11 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
         turn = np.linspace(0.0, 2 * np.pi, _POINTS)
         axes.plot(
             np.degrees(turn),
-            _lift(content, content.before.lift.tan_beta(turn)),
+            _lift(content, content.before.lift.q(turn)),
             color=BEFORE,
             label=content.before_name,
         )
-        after = _lift(content, content.after.lift.tan_beta(turn))
+        after = _lift(content, content.after.lift.q(turn))
         axes.plot(np.degrees(turn), after, color=AFTER, linestyle=(0, (5, 2)), label=content.after_name)
         if content.wanted.blended:
             axes.axvspan(degrees(content.wanted.blend_start), 360, color="#eeeeee", zorder=0)
@@ -78,7 +78,7 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
             axes = picture.add_subplot(grid[1, column])
             near = angle + np.linspace(-1.0, 1.0, 801) * max(_AROUND * content.play, _LEAST_AROUND)
             x = np.degrees(near)
-            axes.plot(x, _lift(content, content.wanted.tan_beta(near)), color=WANTED, linewidth=3.5, alpha=0.25)
+            axes.plot(x, _lift(content, content.wanted.q(near)), color=WANTED, linewidth=3.5, alpha=0.25)
             axes.plot(x, _lift(content, content.before.tan_beta(near)), color=BEFORE)
             axes.plot(x, _lift(content, content.after.tan_beta(near)), color=AFTER, linestyle=(0, (5, 2)))
             axes.set(title=f"{title} ({degrees(angle) % 360:.1f}°)", xlabel="motor, as cam angle (°)")
@@ -88,7 +88,7 @@ def draw_lift(content: LiftPicture, folder: Path, name: str) -> list[str]:
                 axes.legend(["wanted", content.before_name, content.after_name], loc="best")
 
         axes = picture.add_subplot(grid[-1, :])
-        wanted = _lift(content, content.wanted.tan_beta(motor))
+        wanted = _lift(content, content.wanted.q(motor))
         for following, color, style, label in (
             (content.before, BEFORE, "-", content.before_name),
             (content.after, AFTER, (0, (5, 2)), content.after_name),

@@ -4,9 +4,9 @@ from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import Any
 
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.optimize.band import PlayBand
 from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, variation
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.comparison import known_trains
@@ -41,7 +41,7 @@ class Evaluated:
         return cam_model.track(self.design)
 
     @cached_property
-    def lift(self) -> LiftCurve:
+    def lift(self) -> PathMotion:
         """Planned lift."""
         return cam_model.lift(self.design, self.track)
 

@@ -7,14 +7,14 @@ import pytest
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import MIDPOINT, TWO_STAGE, Pose, drive, driven, start_pose, wheel_radius
 from cadgen.car.motion.play import follow
+from cadgen.car.path_motion import PathMotion
 from cadgen.errors import DesignError
 
 
-def steady(tan_beta: float) -> LiftCurve:
-    return LiftCurve(PPoly(np.array([[tan_beta]]), np.array([0.0, TURN]), extrapolate="periodic"), np.array([]), TURN)
+def steady(tan_beta: float) -> PathMotion:
+    return PathMotion(PPoly(np.array([[tan_beta]]), np.array([0.0, TURN]), extrapolate="periodic"), np.array([]), TURN)
 
 
 @pytest.mark.parametrize(("name", "allowed"), [("carbon_free_car", 1e-6), ("appendix_car", 1e-5)])

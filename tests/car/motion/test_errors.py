@@ -5,10 +5,10 @@ import pytest
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import drive
 from cadgen.car.motion.errors import Event, deflected, deflection_sum, deflections, run_error, turning
 from cadgen.car.motion.play import falls
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import track_curvature
 from cadgen.errors import DesignError
 
@@ -61,7 +61,7 @@ def test_turning_agrees_with_the_trapezoidal_rule(name, request):
     built = request.getfixturevalue(name)
     for start, stop in ((1.5, 1.52), (-0.3, 0.4), (5.0, 7.5)):
         theta = np.linspace(start, stop, 200001)
-        curvature = track_curvature(built.lift.tan_beta(theta), built.car)
+        curvature = track_curvature(built.lift.q(theta), built.car)
         expected = built.track.length / TURN * np.trapezoid(curvature, theta)
         assert turning(built.lift, built.car, built.track.length, start, stop) == pytest.approx(expected, abs=1e-8)
 
@@ -79,7 +79,7 @@ def test_the_heading_error_is_what_the_events_leave(name, play_deg, request):
         if peak < lift.blend_start:
             expected -= turning(lift, car, length, peak, peak + play)
         if valley % TURN < lift.blend_start:
-            expected += float(play * length / TURN * track_curvature(lift.tan_beta(valley), car))
+            expected += float(play * length / TURN * track_curvature(lift.q(valley), car))
     error = run_error(drive(lift, car, length, play=play), drive(lift, car, length))
     assert error.end_heading == pytest.approx(expected, abs=1e-8)
 
@@ -91,7 +91,7 @@ def test_the_wait_exceeds_eq_30_in_the_third_order(carbon_free_car):
     rate = built.track.length / TURN
     gaps = []
     for play in (0.02, 0.01):
-        wait = play * rate * float(track_curvature(built.lift.tan_beta(valley), built.car))
+        wait = play * rate * float(track_curvature(built.lift.q(valley), built.car))
         gaps.append(wait - turning(built.lift, built.car, built.track.length, valley - play, valley))
     assert gaps[0] / gaps[1] == pytest.approx(8.0, rel=0.05)
 
@@ -115,7 +115,7 @@ def test_refuses_to_compare_different_runs(carbon_free_car):
 
 def test_a_lift_without_events_has_none(carbon_free_car):
     built = carbon_free_car
-    level = LiftCurve(PPoly(np.array([[0.1]]), np.array([0.0, TURN]), extrapolate="periodic"), np.array([]), 6.0)
+    level = PathMotion(PPoly(np.array([[0.1]]), np.array([0.0, TURN]), extrapolate="periodic"), np.array([]), 6.0)
     assert deflections(level, built.follower, built.car, built.track.length, 0.01) == ()
 
 

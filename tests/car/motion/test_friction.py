@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import drive
 from cadgen.car.motion.mechanics import Mechanics
 from cadgen.car.motion.play import falls, follow
 from cadgen.car.optimize.compensation import compensated_lift
+from cadgen.car.path_motion import PathMotion
 from tests.car.motion.friction_truth import (
     SPEED,
     TURN,
@@ -67,15 +67,15 @@ def test_torque_of_a_leaning_rod(carbon_free_car, appendix_car, friction, radius
     for built in (carbon_free_car, appendix_car):
         follower = replace(built.follower, radius=radius)
         force = {"force": 1.3, "rate": 0.04}
-        truth = contact(rod_of(follower, **force), built.lift.tan_beta(theta), built.lift.tan_beta(theta, nu=1))
+        truth = contact(rod_of(follower, **force), built.lift.q(theta), built.lift.q(theta, nu=1))
         cam = Mechanics(follower=follower, rod_force=1.3, rod_rate=0.04, friction=friction)
         torque = cam.torque(built.lift, theta)
         off = np.abs(torque - truth.torque(friction)).max()
         print(f"friction {friction}, rod {radius}: {off:.1e} N mm of {np.abs(torque).max():.0f}")
         assert off < 1e-7
         if friction == 0:
-            slope = built.follower.contact_face(built.lift.tan_beta(theta)) * built.lift.tan_beta(theta, nu=1)
-            np.testing.assert_allclose(torque, -cam.force(built.follower.lift(built.lift.tan_beta(theta))) * slope)
+            slope = built.follower.contact_face(built.lift.q(theta)) * built.lift.q(theta, nu=1)
+            np.testing.assert_allclose(torque, -cam.force(built.follower.lift(built.lift.q(theta))) * slope)
 
 
 def test_a_rise_on_which_the_rod_jams():
@@ -83,14 +83,14 @@ def test_a_rise_on_which_the_rod_jams():
     lift = stepped([-0.2, 0.2, 0.1, 0.0, -0.1, -0.15] + [-0.2] * 66)
     theta = np.array([0.04])
     cam = Mechanics(follower=ROD, friction=0.6)
-    slope = lift.tan_beta(theta, nu=1)
+    slope = lift.q(theta, nu=1)
     assert np.arctan(26.5 * slope / 70)[0] > np.arctan(1 / 0.6)
-    assert contact(Rod(), lift.tan_beta(theta), slope).torque(0.6)[0] == -np.inf
+    assert contact(Rod(), lift.q(theta), slope).torque(0.6)[0] == -np.inf
     assert cam.torque(lift, theta)[0] == -np.inf
     assert cam.needed(lift, theta)[0] == np.inf
 
 
-def difference(lift: LiftCurve, cam: Mechanics, cells: Cells, room: int) -> int:
+def difference(lift: PathMotion, cam: Mechanics, cells: Cells, room: int) -> int:
     """Cells by which cadgen's motion lies outside what the cam does step by step at a little more and less torque."""
     motor = STEP * np.arange(STEPS)
     stands = cam.leads(lift).follow(lift, room * STEP).cam_angle(motor) / STEP
@@ -117,7 +117,7 @@ def test_any_lift_step_by_step():
         )
         room = int(rng.integers(20, 130))
         rod = Rod(force=cam.rod_force, rate=cam.rod_rate)
-        cells = Cells(rod, lift.tan_beta(STEP * np.arange(STEPS)))
+        cells = Cells(rod, lift.q(STEP * np.arange(STEPS)))
         joint = int(rng.integers(1, room + 1))
         for behind in (0, joint) if cam.drag else (0,):
             braked = replace(cam, behind=behind * STEP)
@@ -179,7 +179,7 @@ def test_end_of_the_run(carbon_free_car, play_deg, profile):
     theta = TURN / n * np.arange(n)
     steps, ds = round(n * built.lift.blend_start / TURN), built.track.length / n
     plane = (built.car.wheelbase, built.car.drive_wheel_offset)
-    wanted = run_end(built.lift.tan_beta(theta + np.pi / n)[:steps], ds, *plane)
+    wanted = run_end(built.lift.q(theta + np.pi / n)[:steps], ds, *plane)
 
     def stepwise(T: np.ndarray, leans: bool) -> np.ndarray:
         cells = Cells(rod_of(built.follower, leans=leans), T)
@@ -188,12 +188,12 @@ def test_end_of_the_run(carbon_free_car, play_deg, profile):
         stands = [cells.stands(mu, 0.0, room, nudge=nudge) for mu, nudge in zip(FRICTIONS, nudges, strict=True)]
         return np.array([abs(run_end(steering(T, each)[:steps], ds, *plane) - wanted) for each in stands])
 
-    lift, pure = built.lift, built.lift.tan_beta(theta)
+    lift, pure = built.lift, built.lift.q(theta)
     if profile == "compensated":
         lift = compensated_lift(built.lift, built.follower, made_for)
-        pure = dilated(pure, built.lift.tan_beta(theta - made_for), int(made_for / TURN * n))
+        pure = dilated(pure, built.lift.q(theta - made_for), int(made_for / TURN * n))
     flat, mine = stepwise(pure, leans=False), ends(built, lift, play)
-    leaning = stepwise(lift.tan_beta(theta), leans=True)
+    leaning = stepwise(lift.q(theta), leans=True)
     table = np.array(ENDS[play_deg, profile])
     with np.printoptions(precision=1, suppress=True):
         print(f"{profile}, {play_deg} degrees ({n} cells, {room} of play), mm")
@@ -207,7 +207,7 @@ def test_end_of_the_run(carbon_free_car, play_deg, profile):
 
 @pytest.fixture(scope="module")
 def paper_cells(carbon_free_car) -> Cells:
-    return Cells(rod_of(carbon_free_car.follower), carbon_free_car.lift.tan_beta(STEP * np.arange(STEPS)))
+    return Cells(rod_of(carbon_free_car.follower), carbon_free_car.lift.q(STEP * np.arange(STEPS)))
 
 
 PLACES = ((0.0, 90.0), (0.15, 94.0), (0.3, 117.0))  # friction, and where to begin, degrees
@@ -247,7 +247,7 @@ def test_places_in_the_limit_of_small_inertia(carbon_free_car, paper_cells):
 def test_places_in_time_of_a_knife_edge(carbon_free_car):
     """As worked out elsewhere, with all of the inertia, for a rod without thickness or lean."""
     rod = rod_of(carbon_free_car.follower, radius=0.0, leans=False)
-    edge = Cells(rod, carbon_free_car.lift.tan_beta(STEP * np.arange(STEPS)))
+    edge = Cells(rod, carbon_free_car.lift.q(STEP * np.arange(STEPS)))
     found = passes(edge, np.array([INERTIA]), 2e-3)[:, 0]
     print(f"{found.round(2)} degrees")
     np.testing.assert_allclose(found, [91.9, 95.9, 119.0], atol=0.1)
@@ -280,14 +280,14 @@ def test_end_of_the_run_in_time(carbon_free_car, paper_cells):
         for each in np.meshgrid(np.arange(2), inertias, frictions, span * np.arange(parts) - warm, indexing="ij")
     )
     theta = STEP * np.arange(STEPS)
-    cells = [paper_cells, Cells(rod_of(built.follower), lifts[1].tan_beta(theta))]
+    cells = [paper_cells, Cells(rod_of(built.follower), lifts[1].q(theta))]
     motion = in_time(
         cells, which, friction, np.full(len(which), play), inertia, start, travel=span + warm, step=step, stiffness=4e6
     )
     T = motion.T[:, -keep:].reshape(2, len(inertias), len(frictions), parts * keep)
     ds = built.track.length * step * SPEED / TURN
     plane = (built.car.wheelbase, built.car.drive_wheel_offset)
-    wanted = run_end(built.lift.tan_beta(step * SPEED * (np.arange(parts * keep) + 0.5)), ds, *plane)
+    wanted = run_end(built.lift.q(step * SPEED * (np.arange(parts * keep) + 0.5)), ds, *plane)
     off = np.abs(run_end(T, ds, *plane) - wanted)
     at = [FRICTIONS.index(friction) for friction in frictions]
     for name, lift, timed in zip(("actual", "compensated"), lifts, off, strict=True):
@@ -348,15 +348,15 @@ def test_no_work_is_lost(carbon_free_car):
     node, weight = np.polynomial.legendre.leggauss(8)
     for peak, valley in falls(lift):
         # Pieces end at the lift's own nodes and where the contact changes face.
-        places = np.concatenate([lift.tan_beta.x, lift.tan_beta.roots(extrapolate=False)])
+        places = np.concatenate([lift.q.x, lift.q.roots(extrapolate=False)])
         places = np.concatenate([places, places + TURN])
         cuts = np.unique(np.concatenate([[peak, valley], places[(places > peak) & (places < valley)]]))
         half = np.diff(cuts)[:, None] / 2
         theta, share = (cuts[:-1, None] + half * (1 + node)).ravel(), (half * weight).ravel()
-        at = contact(rod, lift.tan_beta(theta), lift.tan_beta(theta, nu=1))
+        at = contact(rod, lift.q(theta), lift.q(theta, nu=1))
         friction = np.sum(share * 0.2 * at.force / (at.lever + 0.2 * at.rub) * at.slide)
         gears = np.sum(share * cam.needed(lift, theta))
-        top, bottom = (float(follower.lift(lift.tan_beta(angle))) for angle in (peak, valley))
+        top, bottom = (float(follower.lift(lift.q(angle))) for angle in (peak, valley))
         spring = 1.2 * (top - bottom) + 0.05 * (top**2 - bottom**2) / 2
         drag = 7.0 * (valley - peak)
         print(f"spring {spring:.3f} + gears {gears:.3f} = friction {friction:.3f} + drag {drag:.3f} N mm")

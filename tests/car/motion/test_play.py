@@ -7,18 +7,18 @@ from hypothesis import strategies as st
 from scipy.interpolate import PPoly
 
 from cadgen.arrays import TURN
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.play import Following, _without_small_swings, falls, follow
+from cadgen.car.path_motion import PathMotion
 from cadgen.errors import DesignError
 
 
-def step_by_step(lift: LiftCurve, play: float, steps: int, turns: int = 1) -> tuple[np.ndarray, np.ndarray]:
+def step_by_step(lift: PathMotion, play: float, steps: int, turns: int = 1) -> tuple[np.ndarray, np.ndarray]:
     """Motor and cam angles of a cam on a grid: pushed by the gears, else rolling downhill as far as the play lets it.
 
     Knows nothing of events: at each step of the motor the cam moves cell by cell while the next one is lower.
     """
     step = TURN / steps
-    height = lift.tan_beta(step * np.arange(steps))
+    height = lift.q(step * np.arange(steps))
     room = round(play / step)
     cam, seen = 0, []
     for motor in range(turns * steps):
@@ -31,11 +31,11 @@ def step_by_step(lift: LiftCurve, play: float, steps: int, turns: int = 1) -> tu
     return step * np.arange(turns * steps), step * np.array(seen)
 
 
-def stepped(values: list[float]) -> LiftCurve:
+def stepped(values: list[float]) -> PathMotion:
     """A closed lift of straight pieces, level where neighbours are equal."""
     x = np.linspace(0.0, TURN, len(values) + 1)
     closed = np.append(values, values[0])
-    return LiftCurve(
+    return PathMotion(
         PPoly(np.stack([np.diff(closed) / np.diff(x), closed[:-1]]), x, extrapolate="periodic"), x[1:-1], TURN
     )
 
@@ -81,7 +81,7 @@ def test_erosion_differs_only_before_the_peaks(carbon_free_car):
     lift, play = carbon_free_car.lift, np.radians(0.962)
     motor = np.linspace(0.0, lift.blend_start, 20001)
     window = np.linspace(0.0, play, 201)
-    eroded = np.min(lift.tan_beta(motor[:, None] + window), axis=1)
+    eroded = np.min(lift.q(motor[:, None] + window), axis=1)
     realised = follow(lift, play).tan_beta(motor)
     # The window's own grid is 8e-5 rad wide, and at a valley the lift rises by half its square.
     before = (falls(lift)[:, 0] - motor[:, None] >= 0) & (falls(lift)[:, 0] - motor[:, None] < 0.55 * play)

@@ -20,15 +20,15 @@ def test_converges_to_the_lift(carbon_free_car, first):
     errors = []
     for count in (720, 1440):
         theta = first + np.linspace(0.0, TURN, count, endpoint=False)
-        mine = sampled_lift(theta, lift.tan_beta(theta), blend_start=lift.blend_start)
-        errors.append(np.mean(np.abs(mine.tan_beta(dense) - lift.tan_beta(dense))))
+        mine = sampled_lift(theta, lift.q(theta), blend_start=lift.blend_start)
+        errors.append(np.mean(np.abs(mine.q(dense) - lift.q(dense))))
     assert errors[0] / errors[1] > 2**2.5
 
 
 def test_has_the_events_of_the_samples_and_no_others(appendix_car):
     lift = appendix_car.lift
     theta = np.linspace(0.0, TURN, 3600, endpoint=False)
-    found = falls(sampled_lift(theta, lift.tan_beta(theta), blend_start=lift.blend_start))
+    found = falls(sampled_lift(theta, lift.q(theta), blend_start=lift.blend_start))
     np.testing.assert_allclose(found, falls(lift), atol=TURN / 3600)
 
 
@@ -37,7 +37,7 @@ def test_a_rolled_profile_drives_the_planned_path(carbon_free_car):
     built = carbon_free_car
     theta = np.linspace(0.0, TURN, 3600, endpoint=False)
     contact = roll(built.actual.curve.outline(0.06), built.follower, theta)
-    rolled = sampled_lift(theta, contact.tan_beta, blend_start=built.lift.blend_start)
+    rolled = sampled_lift(theta, contact.q, blend_start=built.lift.blend_start)
     planned = drive(built.lift, built.car, built.track.length)
     error = run_error(drive(rolled, built.car, built.track.length), planned)
     assert error.distance.max() < 0.02

@@ -90,6 +90,6 @@ def test_the_lift_error_is_that_of_a_cam_that_leads_by_the_play(evaluations, car
     for peak, valley in falls(lift):
         motor = np.linspace(peak, min(valley, lift.blend_start), 20001)
         ahead = np.minimum(motor + play, valley)
-        error = follower.lift(lift.tan_beta(ahead)) - follower.lift(lift.tan_beta(motor))
+        error = follower.lift(lift.q(ahead)) - follower.lift(lift.q(motor))
         worst = max(worst, float(np.abs(error).max()))
     assert evaluations["actual", train].worst_lift_error == pytest.approx(worst, rel=2e-3)

@@ -50,7 +50,7 @@ def test_a_profile_from_outside_is_planned_by_its_code(registered):
     angle = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
     thicker = replace(plan.follower, radius=plan.follower.radius + GROUND)
     lift = roll_curve(plan.curve, thicker, angle)[0].lift
-    assert np.abs(lift - plan.follower.lift(plan.lift.tan_beta(angle))).max() < 1e-4
+    assert np.abs(lift - plan.follower.lift(plan.lift.q(angle))).max() < 1e-4
     assert "rod-falls-short" in [check.code for check in plan.failed]
     facts = cam_facts(plan, find_cures(plan))
     assert facts["profile"] == "ground"

@@ -85,7 +85,7 @@ def test_drag_that_holds_whatever_play_and_friction(task):
     print(f"{need.torque:.2f} N mm at {np.degrees(need.cam_angle):.1f} degrees, {need.energy:.3f} J with the margin")
     # Without friction the torque is F ds/dtheta, by virtual work.
     theta = np.linspace(0, 2 * np.pi, 100_001)
-    height = task.follower.lift(task.lift.tan_beta(theta))
+    height = task.follower.lift(task.lift.q(theta))
     assert need.torque == pytest.approx(-np.gradient(height, theta).min(), rel=1e-4)
     assert need.torque == pytest.approx(33.0, abs=1.0)
     assert need.energy == pytest.approx(2 * np.pi * 1.25e-3 * need.torque, rel=1e-9)

@@ -39,17 +39,17 @@ def test_the_events_stay_and_only_their_surroundings_come_down(name, request):
     smoothed = smoothed_lift(built.lift, depth)
     np.testing.assert_allclose(falls(smoothed), falls(built.lift), atol=1e-4)
     theta = np.linspace(0.0, TURN, 20001)
-    before, after = built.lift.tan_beta(theta), smoothed.tan_beta(theta)
+    before, after = built.lift.q(theta), smoothed.q(theta)
     between_nodes = 2e-6  # where a quintic meets the knee; 0.05 um of lift
     assert (np.abs(after) <= np.abs(before) + between_nodes).all()
-    for (peak, valley), (top, bottom) in zip(falls(built.lift), built.lift.tan_beta(falls(built.lift)), strict=True):
+    for (peak, valley), (top, bottom) in zip(falls(built.lift), built.lift.q(falls(built.lift)), strict=True):
         if top > 0:
-            assert smoothed.tan_beta(peak) <= top
+            assert smoothed.q(peak) <= top
         if bottom < 0:
-            assert float(smoothed.tan_beta(valley)) == pytest.approx(bottom * (1 - 0.45 * depth), abs=1e-8)
+            assert float(smoothed.q(valley)) == pytest.approx(bottom * (1 - 0.45 * depth), abs=1e-8)
     # Only the events on either side can reach a cam angle, and only with what exceeds 0.7 of them.
     events = falls(built.lift).ravel()
-    height = built.lift.tan_beta(events)
+    height = built.lift.q(events)
     behind = np.searchsorted(events, events[0] + (theta - events[0]) % TURN, side="right") - 1
     far = np.ones(len(theta), dtype=bool)
     for beside in (height[behind], height[(behind + 1) % len(events)]):
@@ -62,7 +62,7 @@ def test_the_highest_peak_falls_by_its_share(carbon_free_car):
     lift = carbon_free_car.lift
     peak = falls(lift)[1, 0]
     for depth in (0.1, 0.5, 0.9):
-        assert float(smoothed_lift(lift, depth).tan_beta(peak) / lift.tan_beta(peak)) == pytest.approx(1 - 0.45 * depth)
+        assert float(smoothed_lift(lift, depth).q(peak) / lift.q(peak)) == pytest.approx(1 - 0.45 * depth)
 
 
 @pytest.mark.parametrize("name", CARS)
@@ -71,18 +71,16 @@ def test_curvature_stays_continuous_but_at_kinks(name, request):
     smoothed = smoothed_lift(lift, 0.6)
     np.testing.assert_allclose(smoothed.kinks, lift.kinks, atol=1e-9)
     step = 1e-9
-    for joint in smoothed.tan_beta.x[:-1]:
+    for joint in smoothed.q.x[:-1]:
         if not np.isclose(joint, lift.kinks, atol=1e-8).any():
             for order, allowed in ((0, 1e-8), (1, 1e-6), (2, 1e-3)):
-                jump = smoothed.tan_beta(joint + step, nu=order) - smoothed.tan_beta(joint - step, nu=order)
+                jump = smoothed.q(joint + step, nu=order) - smoothed.q(joint - step, nu=order)
                 assert abs(jump) < allowed
 
 
 def test_depth_zero_gives_the_lift_back(appendix_car):
     theta = np.linspace(0.0, TURN, 5001)
-    np.testing.assert_allclose(
-        smoothed_lift(appendix_car.lift, 0.0).tan_beta(theta), appendix_car.lift.tan_beta(theta), atol=1e-11
-    )
+    np.testing.assert_allclose(smoothed_lift(appendix_car.lift, 0.0).q(theta), appendix_car.lift.q(theta), atol=1e-11)
 
 
 def test_refuses_what_it_cannot_do(carbon_free_car):

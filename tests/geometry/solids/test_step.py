@@ -57,7 +57,7 @@ def file(tmp_path, data) -> Path:
 
 
 def lift_error_um(car, rim) -> np.ndarray:
-    wanted = car.follower.lift(car.lift.tan_beta(CAM_ANGLES))
+    wanted = car.follower.lift(car.lift.q(CAM_ANGLES))
     return 1e3 * (roll(rim, car.follower, CAM_ANGLES).lift - wanted)
 
 

@@ -137,7 +137,7 @@ def _drive_rms(car: syn.Car, kind: str, thing: Any) -> float:
         return float(np.sqrt(np.mean(np.abs(off) ** 2) / 2))
     steps = np.arange(361) * 45.0
     motor = np.concatenate([steps, steps[-2::-1]]) * syn.DEG
-    slope = car.built.lift.tan_beta((motor / 45) % syn.TURN, nu=1)
+    slope = car.built.lift.q((motor / 45) % syn.TURN, nu=1)
     off = thing.camshaft(motor, slope / np.abs(slope).max()) - motor / 45
     return float(np.std(off) / syn.DEG)
 

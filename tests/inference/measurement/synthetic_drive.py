@@ -49,7 +49,7 @@ def transmission_record(car: Any, train: Train, rng: np.random.Generator, *, noi
     """One turn forward in steps of 45 degrees of the motor, and back."""
     steps = np.arange(361) * 45.0
     motor = np.concatenate([steps, steps[-2::-1]])
-    slope = car.built.lift.tan_beta((motor * DEG / 45) % TURN, nu=1)
+    slope = car.built.lift.q((motor * DEG / 45) % TURN, nu=1)
     clean = train.camshaft(motor * DEG, slope / np.abs(slope).max()) / DEG
     readings = [np.round(clean + rng.normal(0, 0.05) + rng.normal(0, noise_deg, len(motor)), 2) for _ in range(runs)]
     return Record(
@@ -77,7 +77,7 @@ class Wheels:
     def track(self, built: Any, motor: np.ndarray) -> np.ndarray:
         """Places of the drive wheel at motor positions (rad, increasing), as x + iy."""
         count = 7200
-        table = built.lift.tan_beta(np.arange(count) * TURN / count)
+        table = built.lift.q(np.arange(count) * TURN / count)
         window = round(self.play / TURN * count)
         turn = np.arange(count + 1)
         cam = np.empty(count + 1, dtype=int)
@@ -87,7 +87,7 @@ class Wheels:
             while now < i + window and table[(now + 1) % count] < table[now % count]:
                 now += 1
             cam[i] = now
-        fine = built.lift.tan_beta(cam * TURN / count + self.phase)
+        fine = built.lift.q(cam * TURN / count + self.phase)
         where, size = self.sticky
         fine = fine + size * (np.abs(turn * TURN / count - where) < 5 * DEG)
         beta = np.arctan(fine * self.gain) + self.zero

@@ -7,8 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.mechanics import Mechanics, holding_friction
+from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, variation
 from cadgen.design.as_built import AsBuilt
 from cadgen.design.load import load_design
@@ -85,12 +85,12 @@ def test_the_rod_draws_a_camshaft_as_the_generator_steps_it(world, forces):
 
 
 def test_a_lift_turned_back(carbon_free_car):
-    lift: LiftCurve = carbon_free_car.lift
+    lift: PathMotion = carbon_free_car.lift
     theta = np.linspace(0.01, TURN - 0.01, 997)
     back = lift.mirrored
-    assert back.tan_beta(theta) == pytest.approx(lift.tan_beta(TURN - theta), abs=1e-12)
-    assert back.tan_beta(theta, nu=1) == pytest.approx(-lift.tan_beta(TURN - theta, nu=1), abs=1e-10)
-    assert back.mirrored.tan_beta(theta) == pytest.approx(lift.tan_beta(theta), abs=1e-12)
+    assert back.q(theta) == pytest.approx(lift.q(TURN - theta), abs=1e-12)
+    assert back.q(theta, nu=1) == pytest.approx(-lift.q(TURN - theta, nu=1), abs=1e-10)
+    assert back.mirrored.q(theta) == pytest.approx(lift.q(theta), abs=1e-12)
 
 
 def test_friction_that_holds_everywhere(world, carbon_free_car, forces):

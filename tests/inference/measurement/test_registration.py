@@ -55,7 +55,7 @@ class ForkModel:
 
     def __init__(self, record, nominal):
         angle = np.radians(record["cam_angle_deg"])
-        self._reading, self._angle = np.radians(record["fork_deg"]), np.arctan(nominal.lift.tan_beta(angle))
+        self._reading, self._angle = np.radians(record["fork_deg"]), np.arctan(nominal.lift.q(angle))
         cell = np.round(record["cam_angle_deg"]).astype(np.intp)
         self.rows = Rows(run=record.run, place=angle, elapsed=elapsed(record.run), cell=cell)
         self.catalogue, self.shapes = record.kind.catalogue.effects, shapes(self.rows, self.unit, range(1, 9))
@@ -169,10 +169,10 @@ def test_a_made_up_effect_is_found_and_named(linkage, carbon_free_car, nominal):
     built, rng = carbon_free_car, np.random.default_rng(8)
 
     def bent(angle):
-        tangent = built.lift.tan_beta(angle)
+        tangent = built.lift.q(angle)
         return tangent + 0.2 * tangent**3
 
-    car = SimpleNamespace(built=SimpleNamespace(lift=SimpleNamespace(tan_beta=bent), car=built.car, track=built.track))
+    car = SimpleNamespace(built=SimpleNamespace(lift=SimpleNamespace(q=bent), car=built.car, track=built.track))
     record = drive.track_record(car, drive.Wheels(), rng, noise_mm=3.0)
     (diagnosis,) = calibrate([record], nominal)
     assert (diagnosis.verdict, diagnosis.judgement.claimed) == ("traced", ("uneven linkage",))

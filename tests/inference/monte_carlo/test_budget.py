@@ -58,7 +58,7 @@ def test_costs_are_those_of_cars_driven_and_trimmed_by_search(name, fleet, conta
     built, half = carbon_free_car, {"inner_face": 0.1, "rod_radius": 0.02, "play": np.radians(0.2)}[name]
     given = ({}, {"the gears": half}) if name == "play" else ({tolerance(name): half}, {})
     (cost,) = error_budget(fleet, *given).costs
-    wanted = end(built, contact.tan_beta, PLAY)
+    wanted = end(built, contact.q, PLAY)
     before, after = [], []
     for side in (-half, half):
         rod, play = built.follower, PLAY
@@ -67,7 +67,7 @@ def test_costs_are_those_of_cars_driven_and_trimmed_by_search(name, fleet, conta
         else:
             field = {"inner_face": "inner", "rod_radius": "radius"}[name]
             rod = replace(rod, **{field: getattr(rod, field) + side})
-        T = roll(built.actual.curve.outline(0.1), rod, GRID).tan_beta
+        T = roll(built.actual.curve.outline(0.1), rod, GRID).q
         before.append(abs(end(built, T, play) - wanted))
         search = minimize_scalar(lambda turn, T=T, play=play: abs(end(built, T, play, turn) - wanted), (-1e-3, 1e-3))
         after.append(search.fun)

@@ -68,7 +68,7 @@ def displaced(disc, carbon_free_car):
 
 
 def test_the_oracle_rolls_as_the_contact_does(at_rest, contact):
-    np.testing.assert_allclose(at_rest, contact.tan_beta, atol=1e-6)
+    np.testing.assert_allclose(at_rest, contact.q, atol=1e-6)
 
 
 @pytest.mark.slow
@@ -163,7 +163,7 @@ def test_an_eccentric_wheel_moves_the_car_as_far_as_it_rolls(carbon_free_car, en
     built, off = carbon_free_car, 0.5
     motor = np.linspace(0.0, built.lift.blend_start, 200_001)
     middle = (motor[1:] + motor[:-1]) / 2
-    wheel = built.lift.tan_beta(middle)
+    wheel = built.lift.q(middle)
     curvature = -wheel / (built.car.wheelbase + built.car.drive_wheel_offset * wheel)
     turns = built.track.length / (TURN * 63.7)
     for number, name in enumerate(("wheel_runout_0", "wheel_runout_90")):

@@ -87,7 +87,7 @@ def one_by_one(built, outline, deviation) -> Run:
     motor = grid(3600)
     contact = roll(outline, follower, motor + d["cam_phase"])
     # The front wheel's angle itself; the car that is driven then has neither zero nor gain.
-    angle = np.arctan(built.car.steering_gain * contact.tan_beta) + built.car.steering_zero
+    angle = np.arctan(built.car.steering_gain * contact.q) + built.car.steering_zero
     return drive(
         sampled_lift(motor, np.tan(angle + d["steering_zero"]), blend_start=built.lift.blend_start),
         car,
@@ -144,10 +144,8 @@ def test_error_falls_with_the_square_of_the_step(carbon_free_car, planned):
     ends = []
     for count in (900, 1800, 3600):
         zero = np.zeros(count)
-        T = built.lift.tan_beta(grid(count))
-        contact = replace(
-            base, cam_angle=grid(count), tan_beta=T, lift=zero, face=built.follower.contact_face(T), across=zero
-        )
+        T = built.lift.q(grid(count))
+        contact = replace(base, cam_angle=grid(count), q=T, lift=zero, face=built.follower.contact_face(T), across=zero)
         fleet = make_fleet(
             contact, built.follower, built.car, built.track.length, built.lift, planned, wheel_radius=WHEEL, play=PLAY
         )
@@ -172,7 +170,7 @@ def test_steering_derivatives_are_those_of_rolling(carbon_free_car, outline):
         ("rod_radius", "radius"),
     ):
         low, high = (
-            roll(outline, replace(follower, **{field: getattr(follower, field) + side * step / 2}), theta).tan_beta
+            roll(outline, replace(follower, **{field: getattr(follower, field) + side * step / 2}), theta).q
             for side in (-1, 1)
         )
         # Next to a change of face the two rolls may rest on different ones.
@@ -186,7 +184,7 @@ def test_a_disc_cut_too_large_is_a_thicker_rod(carbon_free_car, outline):
     derivatives = dict(zip(NAMES, steering_derivatives(contact, carbon_free_car.follower), strict=False))
     np.testing.assert_array_equal(derivatives["profile_offset"], derivatives["rod_radius"])
     larger = replace(outline, points=outline.points * (1 + 0.01 / np.linalg.norm(outline.points, axis=1))[:, None])
-    risen = roll(larger, carbon_free_car.follower, grid(16)).tan_beta - contact.tan_beta
+    risen = roll(larger, carbon_free_car.follower, grid(16)).q - contact.q
     # Moved out along the radius, not the normal: the two differ by the cosine of the outline's slope.
     np.testing.assert_allclose(risen, 0.01 * derivatives["profile_offset"], rtol=0.15)
 

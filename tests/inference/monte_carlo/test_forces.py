@@ -24,8 +24,8 @@ def fleet_of(built, lift, mechanics, count=3600):
     """A fleet on the lift itself, so that nothing but forces and play differs from `drive`."""
     grid = np.linspace(0.0, TURN, count, endpoint=False)
     base = roll(built.actual.curve.outline(0.2), built.follower, grid[:8])
-    T, zero = lift.tan_beta(grid), np.zeros(count)
-    contact = replace(base, cam_angle=grid, tan_beta=T, lift=zero, face=built.follower.contact_face(T), across=zero)
+    T, zero = lift.q(grid), np.zeros(count)
+    contact = replace(base, cam_angle=grid, q=T, lift=zero, face=built.follower.contact_face(T), across=zero)
     planned = drive(built.lift, built.car, built.track.length, steps=360)
     return make_fleet(
         contact,

@@ -122,7 +122,7 @@ def test_first_order_misses_two_percent_at_the_widest_tolerance(carbon_free_car,
         changed = getattr(follower, fields[name]) + sign * half
         follower = replace(follower, **{fields[name]: changed})
     theta = np.linspace(0.0, TURN, 3600, endpoint=False)
-    tan_beta = roll(built.actual.curve.outline(0.1), follower, theta).tan_beta
+    tan_beta = roll(built.actual.curve.outline(0.1), follower, theta).q
     cam = sampled_lift(theta, np.tan(np.arctan(tan_beta) + zero), blend_start=built.lift.blend_start)
     planned = drive(built.lift, built.car, built.track.length)
     error = run_error(drive(cam, built.car, built.track.length, play=PLAY, stop=built.lift.blend_start), planned)

@@ -29,7 +29,7 @@ def test_the_rod_on_what_was_read_gives_the_lift(drawing, carbon_free_car):
     car = carbon_free_car
     angle = np.linspace(0, 2 * np.pi, 7200, endpoint=False)
     lift = roll(read_dxf(drawing[0]).profile, car.follower, angle).lift
-    wanted = car.follower.lift(car.lift.tan_beta(angle))
+    wanted = car.follower.lift(car.lift.q(angle))
     error = np.abs(lift - wanted).max() * 1e3
     print(f"{drawing[0].name}: {error:.3f} um at lift, {drawing[0].stat().st_size} bytes")
     assert error <= 1.0

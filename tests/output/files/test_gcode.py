@@ -39,7 +39,7 @@ def test_the_part_gives_the_lift(diameter, carbon_free_car, tmp_path):
     path = program(car.actual.curve, tmp_path / "cam.nc", machining)
     angle = np.linspace(0, 2 * np.pi, 7200, endpoint=False)
     lift = roll(read_gcode(path, machining, THICKNESS).outline, car.follower, angle).lift
-    error = np.abs(lift - car.follower.lift(car.lift.tan_beta(angle))).max() * 1e3
+    error = np.abs(lift - car.follower.lift(car.lift.q(angle))).max() * 1e3
     print(f"cutter of {diameter} mm: {error:.3f} um at lift, {path.stat().st_size} bytes")
     assert error <= 1.0
 

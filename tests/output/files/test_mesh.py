@@ -80,7 +80,7 @@ def through_file(request, tmp_path):
 
 
 def lift_error(car, content: MeshContent) -> float:
-    wanted = car.follower.lift(car.lift.tan_beta(CAM_ANGLES))
+    wanted = car.follower.lift(car.lift.q(CAM_ANGLES))
     return float(np.abs(roll(content.rim, car.follower, CAM_ANGLES).lift - wanted).max())
 
 

@@ -22,7 +22,7 @@ def test_the_rod_on_a_spline_through_the_points_gives_the_lift(count, bar_um, ca
     write_xyz(path, car.actual.curve, count)
     angle = np.linspace(0, TURN, 7200, endpoint=False)
     lift = roll(read_xyz(path), car.follower, angle).lift
-    error = np.abs(lift - car.follower.lift(car.lift.tan_beta(angle))).max() * 1e3
+    error = np.abs(lift - car.follower.lift(car.lift.q(angle))).max() * 1e3
     print(f"{count} points: {error:.3f} um at lift, {path.stat().st_size} bytes")
     # 0.17 um of it is lost at the face changes, whatever the file.
     assert error <= bar_um
@@ -115,7 +115,7 @@ def test_the_table_agrees_with_itself_and_with_the_lift(carbon_free_car, tmp_pat
     write_csv(path, car.actual.curve, car.follower, roll(car.actual.curve.outline(0.03), car.follower, angle))
     table = read_csv(path)
     theta = np.radians(table["cam_angle_deg"])
-    wanted = car.follower.lift(car.lift.tan_beta(theta))
+    wanted = car.follower.lift(car.lift.q(theta))
     assert np.abs(table["lift_mm"] - wanted).max() < 2e-4
     with path.open(newline="") as file:
         rows = list(csv.DictReader(file))

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from cadgen.cam.envelope import ActualProfile
     from cadgen.cam.follower import Follower
-    from cadgen.cam.lift import LiftCurve
     from cadgen.car.optimize.task import TrainTask
+    from cadgen.car.path_motion import PathMotion
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class CutLift:
             the closest to it. For a lift that is not dilated, the width for `compensated`.
     """
 
-    lift: LiftCurve
+    lift: PathMotion
     made_for: float
 
 
@@ -32,7 +32,7 @@ def wanted_lift(work: TrainTask) -> CutLift:
     return CutLift(work.task.lift, work.window)
 
 
-def envelope(lift: LiftCurve, follower: Follower) -> ActualProfile:
+def envelope(lift: PathMotion, follower: Follower) -> ActualProfile:
     """The exact envelope of the follower.
 
     Raises:
@@ -67,7 +67,7 @@ class Profile:
     for_play: bool = False
     best_of: bool = False
     lift: Callable[[TrainTask], CutLift] = wanted_lift
-    curve: Callable[[LiftCurve, Follower], ActualProfile] = envelope
+    curve: Callable[[PathMotion, Follower], ActualProfile] = envelope
     dilated: bool = False
     by_axis: bool = False
     gives_lift: bool = True

@@ -9,10 +9,10 @@ from cadgen.car.optimize.profiles.profile import Profile
 if TYPE_CHECKING:
     from cadgen.cam.envelope import ActualProfile
     from cadgen.cam.follower import Follower
-    from cadgen.cam.lift import LiftCurve
+    from cadgen.car.path_motion import PathMotion
 
 
-def _curve(lift: LiftCurve, follower: Follower) -> ActualProfile:
+def _curve(lift: PathMotion, follower: Follower) -> ActualProfile:
     from cadgen.cam.envelope import ActualProfile
     from cadgen.cam.followers.rod import rod_of
     from cadgen.cam.followers.rod_profiles import published_profile

@@ -18,7 +18,7 @@ def _check(record: Record) -> None:
 
 
 def _spans(record: Record, nominal: Nominal) -> Iterable[Span]:
-    expected = nominal.follower.inner * nominal.lift.tan_beta(np.radians(record["cam_angle_deg"]))
+    expected = nominal.follower.inner * nominal.lift.q(np.radians(record["cam_angle_deg"]))
     yield Span("lift_mm", float(np.ptp(record["lift_mm"])), float(np.ptp(expected)), "mm")
 
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.mechanics import Leads, Mechanics
+from cadgen.car.path_motion import PathMotion
 from cadgen.inference.measurement.recent import Recent
 
 _KEPT = 256  # fits go back and forth between few frictions
@@ -21,13 +21,13 @@ class Forces:
         mechanics: rod force and drag; the friction is what is sought.
     """
 
-    cut: LiftCurve
+    cut: PathMotion
     mechanics: Mechanics
-    _known: Recent[tuple[float, bool, int], tuple[LiftCurve, Leads]] = field(
+    _known: Recent[tuple[float, bool, int], tuple[PathMotion, Leads]] = field(
         default_factory=lambda: Recent(_KEPT), repr=False
     )
 
-    def leads(self, friction: float, *, back: bool = False, lift: LiftCurve | None = None) -> Leads:
+    def leads(self, friction: float, *, back: bool = False, lift: PathMotion | None = None) -> Leads:
         """Where the cam leads with a sliding friction; remembered, since most differences leave friction alone.
 
         Args:
@@ -37,7 +37,7 @@ class Forces:
         """
         cut = lift or self.cut
 
-        def made() -> tuple[LiftCurve, Leads]:
+        def made() -> tuple[PathMotion, Leads]:
             mechanics = replace(self.mechanics, friction=friction)
             # With the lift, so that no other one is taken for it.
             return cut, mechanics.leads(cut.mirrored if back else cut)

@@ -6,7 +6,7 @@ import numpy as np
 
 from cadgen.arrays import Array
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
+from cadgen.car.path_motion import PathMotion
 from cadgen.deviations.catalogue import LIFT
 from cadgen.deviations.disc import NOSE_WIDTHS_DEG, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, through
@@ -28,14 +28,14 @@ class LiftModel:
     behind = Rolled.stages
 
     def __init__(
-        self, record: Record, rolled: Rolled, lift: LiftCurve, follower: LeaningRod, *, noses: int, floor: float
+        self, record: Record, rolled: Rolled, lift: PathMotion, follower: LeaningRod, *, noses: int, floor: float
     ) -> None:
         self._lift, self._follower = lift, follower
         self._reading = record["lift_mm"]
         angle = np.radians(record["cam_angle_deg"])
         forward = record.columns["direction"] == Direction.FORWARD
         key = np.round(record["cam_angle_deg"], 6) + 1000.0 * forward
-        slope = np.asarray(lift.tan_beta(angle, nu=1))
+        slope = np.asarray(lift.q(angle, nu=1))
         self.rows = Readings(
             run=record.run,
             place=angle,
@@ -43,7 +43,7 @@ class LiftModel:
             cell=np.unique(key, return_inverse=True)[1].astype(np.intp),
             direction=np.where(forward, 1.0, -1.0),
             slope=np.sign(slope),
-            steering=np.asarray(lift.tan_beta(angle)),
+            steering=np.asarray(lift.q(angle)),
         )
         self.catalogue = (*LIFT.effects, *(worn_nose(k, width) for k in range(noses) for width in NOSE_WIDTHS_DEG))
         self.datum: tuple[Effect, ...] = ()
@@ -62,7 +62,7 @@ class LiftModel:
     def residual(self, active: Active) -> Array:
         """Measured less expected reading, mm."""
         angle = through(ANGLE, self.rows.place, active, self.rows)
-        steering = self._lift.tan_beta(angle)
+        steering = self._lift.q(angle)
         if (change := self.rolled.change(active, self.rows)) is not None:
             steering = steering + change(angle)
         reading = through(READING, self._follower.inner * steering, active, self.rows)

@@ -13,11 +13,11 @@ from scipy.interpolate import CubicSpline, PPoly
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll
+from cadgen.cam.follower import Contact
 from cadgen.cam.followers.rod import LeaningRod
 from cadgen.cam.followers.rod_first_order import FirstOrder
-from cadgen.cam.lift import LiftCurve
-from cadgen.cam.rolled import Contact
 from cadgen.car.motion.sampled import sampled_lift
+from cadgen.car.path_motion import PathMotion
 from cadgen.curves.closed import Outline
 from cadgen.deviations.disc import DISC, Disc
 from cadgen.deviations.effect import Active, Effect, Stage, key_of, through
@@ -65,7 +65,7 @@ class _Roll:
     @property
     def tan_beta(self) -> Array:
         """tan(beta) on the grid."""
-        return np.asarray(sum(share * c.tan_beta for share, c in zip(self.share, self.contacts, strict=True)))
+        return np.asarray(sum(share * c.q for share, c in zip(self.share, self.contacts, strict=True)))
 
     def answer(self, moved: Array, by: Setting) -> Array:
         """Change of tan(beta) on the grid to first order.
@@ -81,7 +81,7 @@ class _Roll:
             theta = contact.cam_angle
             follower = self.setting.follower
             first = FirstOrder.of(contact, follower)
-            ahead = follower.base_radius + contact.face * contact.tan_beta - first.height * first.root
+            ahead = follower.base_radius + contact.face * contact.q - first.height * first.root
             place = theta + np.arctan2(contact.across, ahead)
             at = angle[0] + (place - angle[0]) % TURN
             x, y = (np.interp(at, angle, column) for column in moved.T)
@@ -102,12 +102,12 @@ class Rolled:
 
     stages = (DISC, FOLLOWER)
 
-    def __init__(self, lift: LiftCurve, follower: LeaningRod, disc: Disc) -> None:
+    def __init__(self, lift: PathMotion, follower: LeaningRod, disc: Disc) -> None:
         self._lift, self._follower, self._disc = lift, follower, disc
         self._grid = np.linspace(0.0, TURN, GRID, endpoint=False)
         self._rolls: Recent[bytes, _Roll] = Recent(_KEPT)
         self._changes: Recent[bytes, PPoly] = Recent(_KEPT)
-        self._lifts: Recent[bytes, LiftCurve] = Recent(_KEPT)
+        self._lifts: Recent[bytes, PathMotion] = Recent(_KEPT)
 
     def change(self, active: Active, rows: object) -> PPoly | None:
         """Change of tan(beta) by cam angle; None if no effect changes disc or rod.
@@ -125,15 +125,15 @@ class Rolled:
 
         return through(CHANGE, self._changes.of(key_of(moved), changed) if moved else None, active, rows)
 
-    def lift(self, active: Active, rows: object) -> LiftCurve:
+    def lift(self, active: Active, rows: object) -> PathMotion:
         """The lift as a curve that a car can be driven by; arguments and errors as of `change`."""
         change = self.change(active, rows)
         if change is None:
             return self._lift
 
-        def sampled() -> LiftCurve:
+        def sampled() -> PathMotion:
             angle = np.linspace(0.0, TURN, STATIONS, endpoint=False)
-            steering = self._lift.tan_beta(angle) + change(angle)
+            steering = self._lift.q(angle) + change(angle)
             return sampled_lift(angle, steering, blend_start=self._lift.blend_start, level=self._lift.level)
 
         return self._lifts.of(key_of([(e, v) for e, v in active if e.stage in (*self.stages, CHANGE)]), sampled)

@@ -4,9 +4,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.motion.drive import MIDPOINT, Running, driven, start_pose
 from cadgen.car.path.track import Track
+from cadgen.car.path_motion import PathMotion
 from cadgen.car.steering import Car, wheel_tangent
 from cadgen.deviations.catalogue import TRACK
 from cadgen.deviations.effect import Active, Effect, through
@@ -40,11 +40,11 @@ class TrackModel:
     behind = (*Rolled.stages, RATIO, MESH)
 
     def __init__(
-        self, record: Record, rolled: Rolled, lift: LiftCurve, car: Car, track: Track, forces: Forces, *, floor: float
+        self, record: Record, rolled: Rolled, lift: PathMotion, car: Car, track: Track, forces: Forces, *, floor: float
     ) -> None:
         self.rolled, self._lift, self._car, self._forces = rolled, lift, car, forces
-        self._known: Recent[tuple[int, bytes], tuple[LiftCurve, Array]] = Recent(_KEPT)
-        self._steepest = float(np.abs(lift.tan_beta(np.linspace(0.0, TURN, STEPS), nu=1)).max())
+        self._known: Recent[tuple[int, bytes], tuple[PathMotion, Array]] = Recent(_KEPT)
+        self._steepest = float(np.abs(lift.q(np.linspace(0.0, TURN, STEPS), nu=1)).max())
         self._nominal = Running(car=car, length=track.turn)
         self._grid = np.linspace(0.0, TURN, STEPS + 1)
         self._start = start_pose(track)
@@ -125,17 +125,17 @@ class TrackModel:
         low = np.minimum(at.astype(np.intp), len(nodes) - 2)
         return np.asarray(place[low] + (at - low) * (place[low + 1] - place[low]))
 
-    def _tangents(self, lift: LiftCurve, cam_angle: Array) -> Array:
+    def _tangents(self, lift: PathMotion, cam_angle: Array) -> Array:
         """tan(beta) of the rod; remembered, for most effects leave lift and cam angles as they are."""
         # With the lift, so that no other one is taken for it.
-        return self._known.of((id(lift), cam_angle.tobytes()), lambda: (lift, lift.tan_beta(cam_angle)))[1]
+        return self._known.of((id(lift), cam_angle.tobytes()), lambda: (lift, lift.q(cam_angle)))[1]
 
     def _asked(self, motor: Array, active: Active) -> Array:
         """Cam angle that the gears ask for at motor positions, rad; the cam is set on its shaft at the start."""
         if not any(effect.stage in (RATIO, MESH) for effect, _ in active):
             return motor
         turned = np.append(motor.ravel(), 0.0)
-        slope = np.asarray(self._lift.tan_beta(turned % TURN, nu=1))
+        slope = np.asarray(self._lift.q(turned % TURN, nu=1))
         at = Turned(turned=turned, torque=slope / self._steepest)
         asked = through(MESH, through(RATIO, turned, active, at), active, at)
         return np.asarray((asked[:-1] - asked[-1]).reshape(motor.shape))
@@ -154,7 +154,7 @@ class TrackModel:
         """How the places answer a steering error of each order, about the measured track."""
         ahead = np.diff(mean)
         middle = (angle[1:] + angle[:-1]) / 2
-        T = self._lift.tan_beta(middle)
+        T = self._lift.q(middle)
         lever = self._car.steering_gain
         gain = -self._car.wheelbase * lever / (self._car.wheelbase + self._car.drive_wheel_offset * lever * T) ** 2
         waves, order = fourier(middle, FORM_ORDERS)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cadgen.arrays import TURN, Array
-from cadgen.cam.lift import LiftCurve
+from cadgen.car.path_motion import PathMotion
 from cadgen.deviations.catalogue import TRANSMISSION
 from cadgen.deviations.effect import READING, Active, Effect, key_of, through
 from cadgen.deviations.transmission import MESH, PLAY, RATIO, Play, Turns, train_orders
@@ -39,7 +39,7 @@ class TransmissionModel:
     def __init__(
         self,
         record: Record,
-        lift: LiftCurve,
+        lift: PathMotion,
         ratios: tuple[float, ...],
         forces: Forces,
         *,
@@ -61,7 +61,7 @@ class TransmissionModel:
         run, turned = record.run[away], turned[away]
         back = np.concatenate([[False], (np.diff(turned) < 0) & (run[1:] == run[:-1])])
         key = np.round(np.degrees(turned), 4) + 1e4 * back
-        slope = np.asarray(lift.tan_beta(self._all % TURN, nu=1))
+        slope = np.asarray(lift.q(self._all % TURN, nu=1))
         self.rows = Turns(
             run=run,
             place=turned,

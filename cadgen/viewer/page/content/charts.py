@@ -7,7 +7,7 @@ import numpy as np
 
 from cadgen.arrays import TURN, Array
 from cadgen.cam.contact import roll_curve
-from cadgen.cam.rolled import Contact
+from cadgen.cam.follower import Contact
 from cadgen.curves.closed import ClosedCurve
 from cadgen.design import cam_model
 from cadgen.jobs.cam.plan import CamPlan
@@ -50,7 +50,7 @@ def _lift(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
     curves = [Curve(say("lift given"), _closed(contact.lift))]
     if plan.comparison is not None:
         wanted = plan.comparison.task.lift
-        curves.append(Curve(say("lift wanted"), np.asarray(plan.rod.lift(wanted.tan_beta(theta % TURN))), dashed=True))
+        curves.append(Curve(say("lift wanted"), np.asarray(plan.rod.lift(wanted.q(theta % TURN))), dashed=True))
     return Chart("lift", say("Lift"), "mm", theta, tuple(curves))
 
 
@@ -70,7 +70,7 @@ def _pressure(plan: CamPlan, theta: Array, contact: Contact) -> Chart:
 def _curvature(plan: CamPlan, curve: ClosedCurve, theta: Array, contact: Contact) -> Chart:
     """Curvature of the profile where the follower touches it."""
     angle, curvature = curvature_by_angle(curve)
-    ahead = plan.follower.ahead(contact.tan_beta, contact.face, contact.across)
+    ahead = plan.follower.ahead(contact.q, contact.face, contact.across)
     at = (contact.cam_angle + np.arctan2(contact.across, ahead)) % TURN
     values = np.interp(at, angle, curvature, period=TURN)
     return Chart(

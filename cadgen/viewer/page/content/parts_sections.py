@@ -59,7 +59,7 @@ def _lift_table(plan: CamPlan) -> Table:
     """Lift each ten degrees, by which a dial gauge on the follower proves the disc."""
     rolled = plan.lift if plan.comparison is None else plan.comparison.chosen.rolled
     angles = np.arange(0, 360, _STEP_DEG)
-    lift = plan.rod.lift(rolled.tan_beta(np.radians(angles)))
+    lift = plan.rod.lift(rolled.q(np.radians(angles)))
     half = len(angles) // 2
     rows = [
         (

@@ -6,11 +6,11 @@ import numpy as np
 
 from cadgen.arrays import TURN
 from cadgen.cam.followers.rod import LeaningRod
-from cadgen.cam.lift import LiftCurve
 from cadgen.car.course.body import place_of
 from cadgen.car.course.layout import CarPoint, Course, Gate, Shape
 from cadgen.car.motion.drive import drive, start_pose
 from cadgen.car.motion.play import Following, follow
+from cadgen.car.path_motion import PathMotion
 from cadgen.design import cam_model, course_model
 from cadgen.design.schema import Design
 from cadgen.jobs.cam.plan import CamPlan
@@ -27,7 +27,7 @@ _HOLE_CHORD = 0.02  # mm
 _BESIDE = 1e-7  # rad, before a jump
 
 
-def rolled_lift_of(plan: CamPlan) -> LiftCurve:
+def rolled_lift_of(plan: CamPlan) -> PathMotion:
     """Lift that the follower gets on the cam that is made."""
     return plan.lift if plan.comparison is None else plan.comparison.chosen.rolled
 
@@ -41,7 +41,7 @@ def scene_of(plan: CamPlan, gears: GearsPlan | None) -> tuple[Scene, tuple[Text,
     """
     outline = plan.curve.outline(_OUTLINE).points
     bodies = bodies_of(plan, gears, float(np.hypot(*outline.T).max()))
-    tan_beta = rolled_lift_of(plan).tan_beta(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
+    tan_beta = rolled_lift_of(plan).q(np.linspace(0.0, TURN, LIFTS + 1) % TURN)
     scene = Scene(
         outline=outline,
         openings=tuple(contour.polygon(_HOLE_CHORD) for contour in plan.made_blank.inner_contours()),

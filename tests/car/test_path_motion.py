@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cadgen.cam.lift import lift_curve
+from cadgen.car.path_motion import path_motion
 from cadgen.car.steering import steering_jets
 from cadgen.curves.piecewise import quintic_hermite
 from cadgen.errors import DesignError
@@ -15,7 +15,7 @@ def test_follows_the_path_up_to_the_blend(carbon_free_car):
     car = carbon_free_car
     by_arc = quintic_hermite(car.track.arc, steering_jets(car.track, car.car))
     theta = np.linspace(0, car.lift.blend_start, 1000)
-    np.testing.assert_allclose(car.lift.tan_beta(theta), by_arc(theta / TURN * car.track.length), atol=1e-12)
+    np.testing.assert_allclose(car.lift.q(theta), by_arc(theta / TURN * car.track.length), atol=1e-12)
 
 
 @pytest.mark.parametrize("angle", [0.0, "blend"])
@@ -24,7 +24,7 @@ def test_closes_with_continuous_curvature(carbon_free_car, angle):
     at = lift.blend_start if angle == "blend" else 0.0
     step = 1e-9
     for order, allowed in ((0, 1e-8), (1, 1e-7), (2, 1e-5)):
-        jump = lift.tan_beta(at + step, nu=order) - lift.tan_beta(at - step, nu=order)
+        jump = lift.q(at + step, nu=order) - lift.q(at - step, nu=order)
         assert abs(jump) < allowed
 
 
@@ -38,7 +38,7 @@ def test_extrema_agree_with_a_dense_search(appendix_car):
     """The second valley sits on a kink, where the slope jumps through zero."""
     lift = appendix_car.lift
     theta = np.arange(0, TURN, 1e-5)
-    value = lift.tan_beta(theta)
+    value = lift.q(theta)
     peaks = theta[1:-1][(value[1:-1] > value[:-2]) & (value[1:-1] > value[2:])]
     valleys = theta[1:-1][(value[1:-1] < value[:-2]) & (value[1:-1] < value[2:])]
     found = lift.extrema()
@@ -50,7 +50,7 @@ def test_extrema_agree_with_a_dense_search(appendix_car):
 def test_refuses_a_blend_that_is_none(carbon_free_car, blend):
     track = carbon_free_car.track
     with pytest.raises(DesignError, match="blend_deg"):
-        lift_curve(track.arc, steering_jets(track, carbon_free_car.car), track.length, blend=blend)
+        path_motion(track.arc, steering_jets(track, carbon_free_car.car), track.length, blend=blend)
 
 
 @pytest.mark.parametrize("hair", [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 3e-5, 9e-5, -1e-12, -1e-6])
@@ -60,12 +60,12 @@ def test_a_blend_that_begins_a_hair_beside_a_node(name, hair, request):
     car = request.getfixturevalue(name)
     jets, arc, length = steering_jets(car.track, car.car), car.track.arc, car.track.length
     node = car.track.waypoint_arc[-2] / length * TURN
-    lift = lift_curve(arc, jets, length, blend=TURN - node - hair)
+    lift = path_motion(arc, jets, length, blend=TURN - node - hair)
     begin = lift.blend_start
     for order in range(3):
-        before, after = lift.tan_beta(np.array([begin - 1e-9 * abs(hair), begin]), nu=order)
-        scale = np.abs(lift.tan_beta(np.linspace(0, TURN, 999), nu=order)).max()
+        before, after = lift.q(np.array([begin - 1e-9 * abs(hair), begin]), nu=order)
+        scale = np.abs(lift.q(np.linspace(0, TURN, 999), nu=order)).max()
         assert abs(after - before) < 1e-6 * scale
     by_arc = quintic_hermite(arc, jets)
     theta = np.linspace(begin - 0.05, begin - 1e-9, 200)
-    np.testing.assert_allclose(lift.tan_beta(theta), by_arc(theta / TURN * length), atol=1e-11)
+    np.testing.assert_allclose(lift.q(theta), by_arc(theta / TURN * length), atol=1e-11)

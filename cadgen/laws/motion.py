@@ -1,0 +1,165 @@
+"""A motion: what a follower has to do in one turn of the cam, q(theta) in the follower's own coordinate."""
+
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from functools import cached_property
+from math import factorial
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import PPoly
+
+from cadgen.arrays import TURN, Array
+from cadgen.curves.piecewise import zeros
+
+# A stretch of at least this angle over which q stays within the second figure is level: the second is 0.01 um
+# of lift, what rolling an outline errs by, and a smooth peak stays within it over so wide an angle only if its second
+# derivative is below 0.042, a tenth of what a gentle turn has.
+_LEVEL_ANGLE = np.radians(0.5)
+
+
+class Unit(StrEnum):
+    """Unit of a motion: the coordinate in which a follower moves."""
+
+    MM = "mm"
+    RAD = "rad"
+    TAN = "tan"
+
+    @property
+    def level(self) -> float:
+        """Range within which a motion counts as level, in the unit: 0.01 um of lift on an arm of 25 mm."""
+        return 1e-5 if self is Unit.MM else 4e-7
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Motion q of a follower as a function of the cam angle, closed over one turn.
+
+    Attributes:
+        q: periodic piecewise polynomial, cam angle (rad) -> coordinate of the follower, in `unit`.
+        kinks: cam angles at which the slope jumps, shape (k,), rad.
+        unit: unit of q; mm, rad, or the tangent of an angle.
+        known_level: level stretches, shape (m, 2), rad, of a motion whose samples are too rough to show them; None
+            where the motion itself shows them.
+    """
+
+    q: PPoly
+    kinks: Array
+    unit: Unit = field(kw_only=True)
+    known_level: Array | None = field(default=None, kw_only=True)
+
+    noun: ClassVar[str] = "motion"
+
+    def idle(self, cam_angle: Array) -> NDArray[np.bool_]:
+        """Whether nothing depends on the motion at cam angles, as while a cam is only led back to its start.
+
+        Args:
+            cam_angle: cam angles, rad, shape (n,).
+        """
+        return np.zeros(np.shape(cam_angle), dtype=bool)
+
+    def softer(self, cam_angle: float, key: str = "") -> str:
+        """Advice that makes the motion milder at a cam angle, as part of a sentence.
+
+        Args:
+            cam_angle: cam angle, rad.
+            key: key of the design file that shapes the motion; left out of the advice if empty.
+        """
+        return f"make the motion milder there ({key})" if key else "make the motion milder there"
+
+    def fewer(self, count: int) -> str:
+        """Advice for a motion with too many ripples, as part of a sentence.
+
+        Args:
+            count: how many times as many ripples as are followed.
+        """
+        return f"keep one in {count} of the points of the motion"
+
+    @cached_property
+    def stations(self) -> tuple[Array, Array]:
+        """Cam angles from 0 to a turn between which q only rises or only falls, and q there.
+
+        Found once for each motion: a car that runs with many plays asks again and again.
+        """
+        slope = self.q.derivative()
+        roots = zeros(slope, jumps=False)
+        nodes = np.unique(np.concatenate([self.q.x, roots[np.isfinite(roots)]]))
+        return nodes, np.append(self.q(nodes[:-1]), self.q(nodes[0]))
+
+    @cached_property
+    def derived(self) -> dict[tuple[object, float], Array]:
+        """Results of other rooms for this motion, kept for use again, by function and parameter."""
+        return {}
+
+    @cached_property
+    def level(self) -> Array:
+        """Stretches of at least 0.5 degrees over which the motion is level to rounding: straight runs and dwells.
+
+        Returns:
+            Cam angles at which each begins, in [0, 2 pi), and ends, perhaps beyond 2 pi; shape (m, 2), rad.
+        """
+        if self.known_level is not None:
+            return self.known_level
+        nodes, value = self.stations
+        # Twice round, so that a stretch across the start is met whole.
+        angle, height = np.concatenate([nodes[:-1], nodes + TURN]), np.concatenate([value[:-1], value])
+        across = np.searchsorted(angle, angle[: len(nodes) - 1] + _LEVEL_ANGLE)
+        close = np.flatnonzero(np.abs(height[across] - height[: len(across)]) <= self.unit.level)
+        stretches: list[list[float]] = []
+        for first in close:
+            last = across[first]
+            if stretches and angle[last] <= stretches[-1][1]:
+                continue
+            if np.ptp(height[first : last + 1]) > self.unit.level:
+                continue
+            # The stretch goes on as long as all of it stays within the range.
+            last = first + _level_from(height[first : first + len(nodes)], last - first, self.unit.level) - 1
+            if stretches and angle[first] <= stretches[-1][1]:
+                stretches[-1][1] = float(angle[last])
+            else:
+                stretches.append([float(angle[first]), float(angle[last])])
+        # A stretch across the start is found once from 0 and once from where it really begins.
+        if len(stretches) > 1 and stretches[-1][1] >= stretches[0][0] + TURN:
+            stretches = stretches[1:]
+        return np.array([[a, min(b, a + TURN)] for a, b in stretches]).reshape(-1, 2)
+
+    @cached_property
+    def mirrored(self) -> Self:
+        """The motion of a cam that turns the other way: q at minus the cam angle."""
+        x, degree = self.q.x, self.q.c.shape[0] - 1
+        taylor, derivative = [], self.q.c
+        for order in range(degree + 1):
+            value = np.zeros(len(x) - 1)
+            for row in derivative:
+                value = value * np.diff(x) + row
+            taylor.append((-1) ** order * value / factorial(order))
+            derivative = derivative[:-1] * np.arange(len(derivative) - 1, 0, -1)[:, None]
+        curve = PPoly(np.stack(taylor[::-1])[:, ::-1], TURN - x[::-1], extrapolate="periodic")
+        level = None if self.known_level is None else _mirrored(self.known_level)
+        return replace(self, q=curve, kinks=(-self.kinks) % TURN, known_level=level)
+
+    def extrema(self) -> tuple[Array, Array]:
+        """Cam angles of the peaks and of the valleys of the motion, rad, in order."""
+        slope = self.q.derivative()
+        roots = zeros(slope, jumps=True)
+        roots = np.unique(roots[(roots >= 0) & (roots < TURN) & np.isfinite(roots)])
+        # Both sides are probed: at a kink the slope changes sign without being zero.
+        probe = 1e-7
+        before, after = slope(roots - probe), slope(roots + probe)
+        return roots[(before > 0) & (after < 0)], roots[(before < 0) & (after > 0)]
+
+
+def _level_from(height: Array, sure: int, within: float) -> int:
+    """Number of values, from the first on, that lie within the level range; `sure` of them are known to."""
+    while True:
+        sure *= 2
+        part = height[:sure]
+        outside = np.maximum.accumulate(part) - np.minimum.accumulate(part) > within
+        if outside.any() or len(part) == len(height):
+            return int(np.argmax(outside)) if outside.any() else len(part)
+
+
+def _mirrored(stretches: Array) -> Array:
+    begin = (-stretches[:, 1]) % TURN
+    return np.stack([begin, begin + stretches[:, 1] - stretches[:, 0]], axis=1)
