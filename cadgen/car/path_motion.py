@@ -39,7 +39,7 @@ class PathMotion(Motion):
     """
 
     blend_start: float
-    unit: Unit = field(default=Unit.TAN, kw_only=True)
+    unit: Unit = field(default=Unit.TANGENT, kw_only=True)
 
     noun: ClassVar[str] = "path"
 

@@ -1,7 +1,7 @@
 """A motion: what a follower has to do in one turn of the cam, q(theta) in the follower's own coordinate."""
 
 from dataclasses import dataclass, field, replace
-from enum import StrEnum
+from enum import Enum
 from functools import cached_property
 from math import factorial
 from typing import ClassVar, Self
@@ -19,17 +19,17 @@ from cadgen.curves.piecewise import zeros
 _LEVEL_ANGLE = np.radians(0.5)
 
 
-class Unit(StrEnum):
-    """Unit of a motion: the coordinate in which a follower moves."""
+class Unit(Enum):
+    """Unit of a motion: the coordinate in which a follower moves; its value is the unit as text."""
 
-    MM = "mm"
-    RAD = "rad"
-    TAN = "tan"
+    LIFT = "mm"
+    SWING = "rad"
+    TANGENT = "tan"
 
     @property
     def level(self) -> float:
         """Range within which a motion counts as level, in the unit: 0.01 um of lift on an arm of 25 mm."""
-        return 1e-5 if self is Unit.MM else 4e-7
+        return 1e-5 if self is Unit.LIFT else 4e-7
 
 
 @dataclass(frozen=True)
