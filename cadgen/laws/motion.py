@@ -1,7 +1,6 @@
 """A motion: what a follower has to do in one turn of the cam, q(theta) in the follower's own coordinate."""
 
 from dataclasses import dataclass, field, replace
-from enum import Enum
 from functools import cached_property
 from math import factorial
 from typing import ClassVar, Self
@@ -19,17 +18,20 @@ from cadgen.curves.piecewise import zeros
 _LEVEL_ANGLE = np.radians(0.5)
 
 
-class Unit(Enum):
-    """Unit of a motion: the coordinate in which a follower moves; its value is the unit as text."""
+@dataclass(frozen=True)
+class Unit:
+    """Unit of a motion: the coordinate in which a follower moves.
 
-    LIFT = "mm"
-    SWING = "rad"
-    TANGENT = "tan"
+    Attributes:
+        symbol: unit as text.
+        level: range within which a motion counts as level, in the unit: 0.01 um of lift on an arm of 25 mm.
+    """
 
-    @property
-    def level(self) -> float:
-        """Range within which a motion counts as level, in the unit: 0.01 um of lift on an arm of 25 mm."""
-        return 1e-5 if self is Unit.LIFT else 4e-7
+    symbol: str
+    level: float
+
+
+MM, RAD, TAN = Unit("mm", 1e-5), Unit("rad", 4e-7), Unit("tan", 4e-7)
 
 
 @dataclass(frozen=True)
